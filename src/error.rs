@@ -1,0 +1,144 @@
+//! What is wrong with the input, and with which vertex or triangle.
+
+use thiserror::Error;
+
+/// Why a fairing problem was refused. Every number is an index into the caller's own arrays.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {index}, but there are only {vertex_count} vertices")]
+    IndexOutOfRange {
+        /// The triangle.
+        triangle: usize,
+        /// The index it holds.
+        index: u32,
+        /// The number of vertices.
+        vertex_count: usize,
+    },
+    /// A coordinate that is needed is NaN or infinite.
+    #[error("vertex {vertex} has a coordinate that is not finite")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// A triangle names the same vertex twice.
+    #[error("triangle {triangle} names vertex {vertex} twice")]
+    RepeatedIndex {
+        /// The triangle.
+        triangle: usize,
+        /// The vertex.
+        vertex: usize,
+    },
+    /// Two triangles have the same three vertices.
+    #[error("triangle {triangle} has the same vertices as triangle {other}")]
+    DuplicateTriangle {
+        /// The later triangle.
+        triangle: usize,
+        /// The earlier triangle.
+        other: usize,
+    },
+    /// More than two triangles share an edge.
+    #[error("edge ({a}, {b}) has more than two triangles, one of them triangle {triangle}")]
+    NonManifoldEdge {
+        /// One end of the edge, the smaller index.
+        a: usize,
+        /// The other end.
+        b: usize,
+        /// The last of the triangles.
+        triangle: usize,
+    },
+    /// The triangles around a vertex are not one fan (a bow-tie).
+    #[error("the triangles around vertex {vertex} do not form a single fan")]
+    NonManifoldVertex {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// Two neighbouring triangles run through their common edge in the same direction.
+    #[error("triangles {other} and {triangle} run through edge ({a}, {b}) in the same direction")]
+    InconsistentOrientation {
+        /// One end of the edge, the smaller index.
+        a: usize,
+        /// The other end.
+        b: usize,
+        /// The later triangle.
+        triangle: usize,
+        /// The earlier triangle.
+        other: usize,
+    },
+    /// A free vertex lies on the border of the mesh itself.
+    #[error("free vertex {vertex} lies on the border of the mesh; fix it or leave it out of the selection")]
+    FreeVertexOnBorder {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// A free vertex belongs to no triangle.
+    #[error("free vertex {vertex} belongs to no triangle")]
+    FreeVertexWithoutTriangle {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// A connected component of the region has no fixed vertex.
+    #[error("nothing is fixed in the component of vertex {vertex}")]
+    NothingFixed {
+        /// A free vertex of that component, the one with the smallest index.
+        vertex: usize,
+    },
+    /// No vertex is free.
+    #[error("no vertex is free: the selection holds no vertex all of whose triangles may move")]
+    EmptyRegion,
+    /// A selection names a vertex or triangle that does not exist.
+    #[error("the selection names element {index}, but there are only {count}")]
+    SelectionOutOfRange {
+        /// The index named.
+        index: usize,
+        /// The number of vertices or triangles.
+        count: usize,
+    },
+    /// A mask has another length than what it masks.
+    #[error("the mask has {length} entries, but there are {count} elements")]
+    MaskLength {
+        /// The mask's length.
+        length: usize,
+        /// The number of vertices or triangles.
+        count: usize,
+    },
+    /// A prescribed normal is not finite or not of length one (to 1e-3).
+    #[error("the normal given for vertex {vertex} is not a finite unit vector")]
+    BadNormal {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// A border vertex has no normal: none was given, and none can be computed from its triangles.
+    #[error("no normal can be found for border vertex {vertex}: its triangles have no area; prescribe one")]
+    NoNormal {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// An option is outside its range.
+    #[error("option {name} is {value}: it must be {range}")]
+    BadOption {
+        /// The option's name.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The values allowed.
+        range: &'static str,
+    },
+    /// The region is too large for 32-bit indices.
+    #[error("the mesh has {count} {what}: more than 32-bit indices can name")]
+    TooLarge {
+        /// "vertices" or "triangles".
+        what: &'static str,
+        /// How many.
+        count: usize,
+    },
+    /// The worker threads could not be started.
+    #[error("could not start {threads} threads: {why}")]
+    Threads {
+        /// The number asked for.
+        threads: usize,
+        /// The system's reason.
+        why: String,
+    },
+}

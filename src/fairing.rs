@@ -1,0 +1,224 @@
+//! The public entry: what is asked, what came of it.
+
+use std::ops::ControlFlow;
+
+use crate::error::Error;
+use crate::quality::Quality;
+
+/// Which vertices may move.
+#[derive(Debug, Clone, Copy)]
+pub enum Selection<'a> {
+    /// One entry per vertex, true: free.
+    Mask(&'a [bool]),
+    /// The free vertices, in any order, repeats allowed.
+    Vertices(&'a [u32]),
+    /// Selected triangles: free are the vertices all of whose triangles are selected and that are not on
+    /// the border of the mesh.
+    Faces(&'a [u32]),
+}
+
+/// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
+#[derive(Debug, Clone, Copy, Default)]
+pub enum BorderNormals<'a> {
+    /// Fitted to second order to the surface outside the region, blended with the average where the scan
+    /// is rough; by the paper's rule (7.5) where there is no outside.
+    #[default]
+    Fitted,
+    /// The average of the outside triangles, as the paper does (7.5).
+    Averaged,
+    /// Given for some or all border vertices (`(vertex, unit normal)`); the others are fitted. Entries for
+    /// vertices that are not on the border are ignored.
+    Given(&'a [(u32, [f64; 3])]),
+}
+
+/// How vertices are distributed within the surface (paper 7.3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum InnerFairness {
+    /// Equal weights: a regular distribution.
+    #[default]
+    Uniform,
+    /// Cotangents of the input mesh: least distortion of the input triangles.
+    Conformal,
+}
+
+/// How normals and mean curvature are discretized (paper 5, 6).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Discretization {
+    /// Max's normals and the gradient-corrected curvature: second order on irregular meshes.
+    #[default]
+    SecondOrder,
+    /// The paper's: normals from summed cross products, plain Moreton-Sequin curvature.
+    Paper,
+}
+
+/// What is asked. `Options::default()` is right for most uses.
+pub struct Options<'a> {
+    /// Border normals. Default: fitted to the surroundings.
+    pub normals: BorderNormals<'a>,
+    /// Inner fairness. Default: uniform.
+    pub inner: InnerFairness,
+    /// Discretization. Default: second order.
+    pub discretization: Discretization,
+    /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
+    /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
+    pub tolerance: f64,
+    /// At most this many nonlinear iterations in all. Default 200. At least 1.
+    pub max_iterations: usize,
+    /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
+    pub threads: usize,
+    /// Called after every iteration on the calling thread; `Break` stops with the best surface so far.
+    pub progress: Option<&'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send)>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self {
+            normals: BorderNormals::default(),
+            inner: InnerFairness::default(),
+            discretization: Discretization::default(),
+            tolerance: 1e-8,
+            max_iterations: 200,
+            threads: 0,
+            progress: None,
+        }
+    }
+}
+
+/// How far a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Between 0 and 1, never falling.
+    pub fraction: f64,
+    /// Nonlinear iterations so far.
+    pub iterations: usize,
+    /// The last step norm, in diagonals.
+    pub step: f64,
+    /// What is being done, in a word or two.
+    pub stage: &'static str,
+}
+
+/// How the run ended. The positions are usable in every case.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// Tolerance met and the surface is sound.
+    Converged,
+    /// Tolerance met, but some triangles are flipped or have an angle below one degree.
+    ConvergedPoorTriangles {
+        /// Those triangles.
+        triangles: Vec<u32>,
+    },
+    /// A sound surface whose step norm stayed above the tolerance, or that holds with the first-order
+    /// curvature alone (the reason says which).
+    ConvergedLoosely {
+        /// What was met.
+        reason: String,
+    },
+    /// No surface with the prescribed border normals was found; the linear surface is returned.
+    NormalsNotReachable {
+        /// How much of the way from the membrane's normals to the prescribed ones was found, 0 to 1.
+        reached: f64,
+        /// The border vertices whose normals stood farthest away, worst first.
+        vertices: Vec<u32>,
+    },
+    /// No sound nonlinear surface was found; the linear surface is returned.
+    NotConverged,
+    /// The iteration limit was reached; the best surface so far is returned.
+    IterationLimit,
+    /// The progress callback stopped the run; the best surface so far is returned.
+    Cancelled,
+}
+
+impl Outcome {
+    /// Tolerance met and the surface is sound: the only case without reservation.
+    pub fn is_success(&self) -> bool {
+        matches!(self, Outcome::Converged)
+    }
+
+    /// A stable lower-case name: `converged`, `converged_poor_triangles`, `converged_loosely`,
+    /// `normals_not_reachable`, `not_converged`, `iteration_limit`, `cancelled`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Outcome::Converged => "converged",
+            Outcome::ConvergedPoorTriangles { .. } => "converged_poor_triangles",
+            Outcome::ConvergedLoosely { .. } => "converged_loosely",
+            Outcome::NormalsNotReachable { .. } => "normals_not_reachable",
+            Outcome::NotConverged => "not_converged",
+            Outcome::IterationLimit => "iteration_limit",
+            Outcome::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// Wall seconds per stage.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Seconds {
+    /// Half-edges, rings, border normals.
+    pub setup: f64,
+    /// Symbolic analysis, membrane and linear start.
+    pub start: f64,
+    /// Nonlinear iterations.
+    pub iterate: f64,
+    /// Soundness figures.
+    pub quality: f64,
+    /// All of it.
+    pub total: f64,
+}
+
+/// What came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// Nonlinear iterations.
+    pub iterations: usize,
+    /// Harmonic defect `max_i |sum_j w_ij (H_i - H_j)| / sum_j |w_ij| x L`, L the region's diagonal.
+    pub defect: f64,
+    /// The last step norm, in diagonals.
+    pub step: f64,
+    /// Seconds per stage.
+    pub seconds: Seconds,
+    /// Soundness of the result.
+    pub quality: Quality,
+    /// Number of free vertices.
+    pub free_vertices: usize,
+    /// The region's bounding-box diagonal, in the unit of the positions.
+    pub diagonal: f64,
+    /// The returned surface is the linear one: no sound nonlinear surface was found.
+    pub linear_surface: bool,
+    /// Border vertices whose prescribed normal points against the surface beside it or contradicts its
+    /// neighbours': probably flipped or wrong.
+    pub suspicious_normals: Vec<u32>,
+    /// Free vertices that took fallback weights, because their input triangles allow no conformal ones.
+    pub fallback_weights: usize,
+}
+
+/// The result: all vertices of the mesh, and the report.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// All positions; fixed vertices keep their bits.
+    pub positions: Vec<[f64; 3]>,
+    /// The border vertices and the unit normals that were used there.
+    pub border_normals: Vec<(u32, [f64; 3])>,
+    /// Free vertices and the mean curvature of the result there; negative on a sphere with outward normals.
+    pub mean_curvature: Vec<(u32, f64)>,
+    /// How it went.
+    pub report: Report,
+}
+
+/// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)) between
+/// the fixed vertices, with tangent continuity there.
+///
+/// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to.
+///
+/// # Errors
+/// Anything in the region or the ring of triangles around it that makes the problem meaningless; see [`Error`].
+pub fn fair(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: Options<'_>,
+) -> Result<Solution, Error> {
+    let _ = (positions, triangles, selection, options);
+    Err(Error::EmptyRegion)
+}

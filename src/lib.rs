@@ -1,0 +1,27 @@
+//! Intrinsic G1 fairing of triangle meshes.
+//!
+//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that border
+//! them, fairmesh moves the free vertices until the surface solves `Delta_B H = 0`, so that the shape
+//! depends on the boundary alone and not on the triangulation.
+//!
+//! R. Schneider, L. Kobbelt, "Geometric fairing of irregular meshes for free-form surface design",
+//! CAGD 18 (2001); "the paper" throughout.
+//!
+//! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
+
+pub mod discrete;
+pub mod error;
+pub mod fairing;
+pub mod linear;
+pub mod mesh;
+pub mod quality;
+#[cfg(feature = "shapes")]
+pub mod shapes;
+pub mod solve;
+
+pub use error::Error;
+pub use fairing::{
+    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
+    Solution, fair,
+};
+pub use quality::Quality;

@@ -1,0 +1,5 @@
+//! HalfEdges.
+
+/// HalfEdges.
+#[derive(Debug)]
+pub struct HalfEdges;

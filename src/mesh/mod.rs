@@ -1,0 +1,12 @@
+//! The region of a triangle mesh: half-edges, rings, and what is free, fixed and border.
+
+pub mod halfedge;
+pub mod region;
+pub mod rings;
+
+pub use halfedge::HalfEdges;
+pub use region::Region;
+pub use rings::Rings;
+
+/// No element: the partner of a border half-edge, the flap that is not there.
+pub const NONE: u32 = u32::MAX;

@@ -1,0 +1,5 @@
+//! Region.
+
+/// Region.
+#[derive(Debug)]
+pub struct Region;

@@ -1,0 +1,5 @@
+//! Rings.
+
+/// Rings.
+#[derive(Debug)]
+pub struct Rings;
