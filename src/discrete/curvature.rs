@@ -1,0 +1,322 @@
+//! Mean curvature at a vertex from samples of the surface around it (paper 6.1).
+//!
+//! A sample is given by its vector `e` from the vertex. Its normal curvature is that of the circle through both
+//! points with the vertex's tangent plane, `kappa = 2 <e, n> / |e|^2` (paper (8)). By Euler's theorem
+//! `kappa = x0 u^2 + x1 u v + x2 v^2` for the unit tangent direction `(u, v)`, and `H = (x0 + x2) / 2` (paper (10)).
+//! All fits here use the equivalent basis `1, u^2 - v^2, 2 u v` of that quadratic form, in which the coefficient of
+//! `1` is `H` itself.
+
+use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis};
+
+/// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
+/// says that it is not (all directions on two lines), without any switch.
+const RIDGE: f64 = 1e-6;
+
+/// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
+pub const TILT_RIDGE: f64 = 1e-3;
+
+/// A tilt ridge so large that the tilt stays zero: plain Moreton-Sequin, first order on irregular meshes.
+pub const NO_TILT: f64 = 1e6;
+
+/// Weight of the flap vertices (across the ring's edges) beside the ring's own weight of 1.
+pub const FLAP_WEIGHT: f64 = 0.1;
+
+/// Curvature, normal and quadratic form at one vertex.
+#[derive(Debug, Clone, Copy)]
+pub struct Curvature<const L: usize> {
+    /// Mean curvature.
+    pub h: Lanes<L>,
+    /// Gaussian curvature.
+    pub k: Lanes<L>,
+    /// The normal with the fitted tilt taken away.
+    pub normal: Vec3<L>,
+}
+
+/// Accumulates a weighted least-squares fit with `N` basis functions; only the lower triangle of the normal
+/// equations is kept (paper (11)).
+#[derive(Debug, Clone, Copy)]
+pub struct NormalEquations<const L: usize, const N: usize> {
+    matrix: [[Lanes<L>; N]; N],
+    right: [Lanes<L>; N],
+    weight: Lanes<L>,
+}
+
+impl<const L: usize, const N: usize> NormalEquations<L, N> {
+    /// No samples.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { matrix: [[Lanes::zero(); N]; N], right: [Lanes::zero(); N], weight: Lanes::zero() }
+    }
+
+    /// One more sample with basis values `phi`, value `kappa` and a weight.
+    #[inline(always)]
+    pub fn add(&mut self, phi: &[Lanes<L>; N], kappa: Lanes<L>, weight: Lanes<L>) {
+        for r in 0..N {
+            let weighted = phi[r] * weight;
+            for c in 0..=r {
+                self.matrix[r][c] += weighted * phi[c];
+            }
+            self.right[r] += weighted * kappa;
+        }
+        self.weight += weight;
+    }
+
+    /// Adds `ridge` times the sum of weights to the diagonal and factors it: `L L^T` with the inverse diagonal.
+    /// Positive definite for any samples, as long as the ridge is positive beyond the constant function.
+    #[inline(always)]
+    pub fn cholesky(&self, ridge: &[f64; N]) -> [[Lanes<L>; N]; N] {
+        let mut l = self.matrix;
+        for j in 0..N {
+            let mut d = l[j][j] + self.weight * ridge[j];
+            for k in 0..j {
+                d = d - l[j][k] * l[j][k];
+            }
+            l[j][j] = d.max(Lanes::splat(f64::MIN_POSITIVE)).sqrt().recip();
+            for i in j + 1..N {
+                let mut x = l[i][j];
+                for k in 0..j {
+                    x = x - l[i][k] * l[j][k];
+                }
+                l[i][j] = x * l[j][j];
+            }
+        }
+        l
+    }
+
+    /// The coefficients of the fit.
+    #[inline(always)]
+    pub fn solve(&self, ridge: &[f64; N]) -> [Lanes<L>; N] {
+        back_substitute(&self.cholesky(ridge), self.right)
+    }
+
+    /// The sum of weights.
+    #[inline(always)]
+    pub fn weight(&self) -> Lanes<L> {
+        self.weight
+    }
+}
+
+impl<const L: usize, const N: usize> Default for NormalEquations<L, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Solves `L L^T y = right` for a factor with inverse diagonal.
+#[inline(always)]
+pub fn back_substitute<const L: usize, const N: usize>(
+    l: &[[Lanes<L>; N]; N],
+    right: [Lanes<L>; N],
+) -> [Lanes<L>; N] {
+    let mut y = right;
+    for i in 0..N {
+        for k in 0..i {
+            y[i] = y[i] - l[i][k] * y[k];
+        }
+        y[i] = y[i] * l[i][i];
+    }
+    for i in (0..N).rev() {
+        for k in i + 1..N {
+            y[i] = y[i] - l[k][i] * y[k];
+        }
+        y[i] = y[i] * l[i][i];
+    }
+    y
+}
+
+/// The tangent frame at a vertex in which samples are measured.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame<const L: usize> {
+    n: Vec3<L>,
+    b_x: Vec3<L>,
+    b_y: Vec3<L>,
+}
+
+impl<const L: usize> Frame<L> {
+    /// The frame of a unit normal.
+    #[inline(always)]
+    pub fn new(n: Vec3<L>) -> Self {
+        let (b_x, b_y) = tangent_basis(&n);
+        Self { n, b_x, b_y }
+    }
+
+    /// Basis values `1, (u^2 - v^2)/d, 2uv/d, 2lu/d, 2lv/d` and the normal curvature `2w/d` of a sample, with
+    /// `d = |e|^2`, the whole length and not the projected one.
+    #[inline(always)]
+    pub fn sample(&self, e: &Vec3<L>, l: Lanes<L>) -> ([Lanes<L>; 5], Lanes<L>) {
+        let twice_over_d = Lanes::splat(2.0) / dot(e, e).max(Lanes::splat(f64::MIN_POSITIVE));
+        let (u, v, w) = (dot(e, &self.b_x), dot(e, &self.b_y), dot(e, &self.n));
+        let phi = [
+            Lanes::splat(1.0),
+            (u * u - v * v) * twice_over_d * 0.5,
+            u * v * twice_over_d,
+            l * u * twice_over_d,
+            l * v * twice_over_d,
+        ];
+        (phi, w * twice_over_d)
+    }
+
+    /// The normal `n - g_x b_x - g_y b_y`, normalized.
+    #[inline(always)]
+    pub fn tilted(&self, g_x: Lanes<L>, g_y: Lanes<L>) -> Vec3<L> {
+        normalized(&minus(&self.n, &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y))))
+    }
+}
+
+/// Gradient-corrected Moreton-Sequin fit at a vertex with a closed ring and the approximate normal `n`.
+///
+/// The normal of a one-ring is wrong by `O(h)` on irregular meshes, and a normal tilted by `g` changes every `kappa`
+/// by `2 <g, e> / |e|^2`: an `O(1)` error. Two more unknowns `l g` take that tilt out. `ring` has weight 1;
+/// `flap(k)` yields further samples with their weights (0 for none). `tilt_ridge` is [`TILT_RIDGE`] or, for plain
+/// Moreton-Sequin, [`NO_TILT`].
+#[inline(always)]
+pub fn gradient_corrected<const L: usize>(
+    n: &Vec3<L>,
+    ring: &[Vec3<L>],
+    flap: impl Fn(usize) -> (Vec3<L>, Lanes<L>),
+    tilt_ridge: f64,
+) -> Curvature<L> {
+    let frame = Frame::new(*n);
+    let l = mean_square(ring).sqrt();
+    let mut fit = NormalEquations::<L, 5>::new();
+    for (k, e) in ring.iter().enumerate() {
+        let (phi, kappa) = frame.sample(e, l);
+        fit.add(&phi, kappa, Lanes::splat(1.0));
+        let (e, weight) = flap(k);
+        let (phi, kappa) = frame.sample(&e, l);
+        fit.add(&phi, kappa, weight);
+    }
+    let y = fit.solve(&[0.0, RIDGE, RIDGE, tilt_ridge, tilt_ridge]);
+    let (g_x, g_y) = (l * y[3], l * y[4]);
+    let tilt = (g_x * g_x + g_y * g_y + 1.0).sqrt().recip();
+    Curvature {
+        h: y[0] * tilt,
+        k: (y[0] * y[0] - y[1] * y[1] - y[2] * y[2]) * tilt * tilt,
+        normal: frame.tilted(g_x, g_y),
+    }
+}
+
+/// Mean of `|e|^2`.
+#[inline(always)]
+pub fn mean_square<const L: usize>(ring: &[Vec3<L>]) -> Lanes<L> {
+    let mut sum = Lanes::zero();
+    for e in ring {
+        sum += dot(e, e);
+    }
+    sum * (1.0 / ring.len() as f64)
+}
+
+/// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a border vertex with its prescribed normal, or
+/// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them. Returns `(H, K)`.
+#[inline(always)]
+pub fn moreton_sequin<const L: usize>(
+    n: &Vec3<L>,
+    samples: impl Iterator<Item = Vec3<L>>,
+) -> (Lanes<L>, Lanes<L>) {
+    let frame = Frame::new(*n);
+    let mut fit = NormalEquations::<L, 3>::new();
+    for e in samples {
+        let (phi, kappa) = frame.sample(&e, Lanes::zero());
+        fit.add(&[phi[0], phi[1], phi[2]], kappa, Lanes::splat(1.0));
+    }
+    let y = fit.solve(&[0.0, RIDGE, RIDGE]);
+    (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discrete::lanes::{lane, one};
+    use crate::discrete::normals::max_normal;
+    use nalgebra::Vector3;
+
+    const RING: [(f64, f64); 6] = [(0.1, 1.0), (0.9, 0.6), (2.2, 1.2), (3.0, 0.7), (4.1, 1.1), (5.5, 0.8)];
+
+    /// Ring and flaps on a graph `z = f(x, y)` around the origin, shrunk by `h`.
+    fn graph(f: impl Fn(f64, f64) -> f64, h: f64) -> (Vec<Vec3<1>>, Vec<Vec3<1>>) {
+        let point = |phi: f64, r: f64| {
+            let (x, y) = (h * r * phi.cos(), h * r * phi.sin());
+            one(&Vector3::new(x, y, f(x, y)))
+        };
+        let ring = RING.iter().map(|&(phi, r)| point(phi, r)).collect();
+        let flaps = (0..RING.len()).map(|k| {
+            let ((a, r), (b, s)) = (RING[k], RING[(k + 1) % RING.len()]);
+            let b = if b < a { b + std::f64::consts::TAU } else { b };
+            point((a + b) / 2.0, 0.9 * (r + s))
+        });
+        (ring, flaps.collect())
+    }
+
+    fn fit(ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
+        let n = max_normal(ring);
+        gradient_corrected(&n, ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), tilt_ridge)
+    }
+
+    #[test]
+    fn exact_and_negative_on_a_sphere_with_outward_normals() {
+        let sphere = |x: f64, y: f64| (4.0 - x * x - y * y).sqrt() - 2.0;
+        let (ring, flaps) = graph(sphere, 0.7);
+        for mu in [TILT_RIDGE, NO_TILT] {
+            let c = fit(&ring, &flaps, mu);
+            assert!((c.h.0[0] + 0.5).abs() < 1e-14);
+            assert!((c.k.0[0] - 0.25).abs() < 1e-14);
+            assert!((lane(&c.normal, 0) - Vector3::z()).norm() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn gradient_corrected_error_falls_with_h_where_plain_stays() {
+        // Mean curvature at the origin: (f_xx + f_yy) / 2 = 0.2; cubic terms make ring normals wrong by O(h^2).
+        let f = |x: f64, y: f64| 0.5 * x * x - 0.3 * y * y + 0.4 * x * x * x - 0.7 * x * y * y + 0.3 * x * y;
+        let error = |h: f64, mu: f64| {
+            let (ring, flaps) = graph(f, h);
+            (fit(&ring, &flaps, mu).h.0[0] - 0.2).abs()
+        };
+        assert!(error(1e-3, NO_TILT) > 1e-3, "plain: {}", error(1e-3, NO_TILT));
+        let (coarse, fine) = (error(1e-2, TILT_RIDGE), error(1e-3, TILT_RIDGE));
+        assert!(fine < 5e-4 && fine < 0.2 * coarse, "{coarse} {fine}");
+    }
+
+    #[test]
+    fn moreton_sequin_recovers_an_exact_quadratic_form() {
+        // Points whose circles have curvature 1 + 0.5 cos 2 phi.
+        let samples = RING.map(|(phi, r)| {
+            let kappa = 1.0 + 0.5 * (2.0 * phi).cos();
+            let angle = kappa * r;
+            let (t, z) = (angle.sin() / kappa, (1.0 - angle.cos()) / kappa);
+            one(&Vector3::new(t * phi.cos(), t * phi.sin(), z))
+        });
+        let n = one(&Vector3::z());
+        let (h, _) = moreton_sequin(&n, samples.into_iter());
+        // The projected direction is used with the whole length, so this is exact only in the limit of small r.
+        assert!((h.0[0] - 1.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn h_changes_sign_with_the_normal() {
+        let (ring, flaps) = graph(|x, y| x * x + 0.2 * y * y + 0.1 * x * y, 0.3);
+        let up = fit(&ring, &flaps, TILT_RIDGE).h.0[0];
+        let n = max_normal(&ring).map(|x| -x);
+        let down = gradient_corrected(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+        assert!((up + down).abs() < 1e-12 * up.abs());
+    }
+
+    #[test]
+    fn continuous_along_a_path_that_drags_a_neighbour_across_its_ring() {
+        let (mut ring, flaps) = graph(|x, y| 0.5 * x * x - 0.3 * y * y + 0.2 * x * y, 0.5);
+        ring.truncate(4);
+        let steps = 2000;
+        let mut last = None;
+        for s in 0..=steps {
+            let phi = 0.1 + 2.8 * s as f64 / steps as f64;
+            ring[0] = one(&Vector3::new(0.3 * phi.cos(), 0.3 * phi.sin(), 0.05));
+            let n = one(&Vector3::z());
+            let h = gradient_corrected(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+            if let Some(before) = last {
+                let jump: f64 = h - before;
+                assert!(jump.abs() < 0.05, "jump of {jump} at step {s}");
+            }
+            last = Some(h);
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! Both fairness equations over the region, evaluated at a surface.
+//!
+//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`.
+//! Inner fairness, a tangent vector per free vertex (paper 7.3): the part of `sum_j lambda_ij (q_j - q_i)` that is
+//! orthogonal to the normal. (The paper prints the projection with a plus sign; it is a minus.)
+//!
+//! Fixed positions and normals enter through `H` at the border vertices, taken one-sidedly from the region with the
+//! prescribed normal (paper 6.1, 6.2, 7.5).
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::curvature::{FLAP_WEIGHT, gradient_corrected, moreton_sequin};
+use super::groups::{Groups, LANES, gather, gather_flap, gather_scalar, split_lengths};
+use super::inner_fairness::FairnessWeights;
+use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled};
+use super::laplace_beltrami::{area, cotangent, ring_weights};
+use super::low_valence::spiral_sample;
+use super::normals::{cross_product_normal, max_normal};
+use crate::mesh::Rings;
+
+/// How `H` is taken at free vertices.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FreeCurvature {
+    /// Max's normals and the gradient-corrected fit with this tilt ridge.
+    GradientCorrected {
+        /// [`super::curvature::TILT_RIDGE`], or [`super::curvature::NO_TILT`] for plain Moreton-Sequin.
+        tilt_ridge: f64,
+    },
+    /// The paper's: cross-product normals, plain Moreton-Sequin, spiral samples at valence 3 and 4.
+    Paper,
+}
+
+/// Valences up to this take extra samples in the paper's discretization (paper 6.2).
+const LOW_VALENCE: usize = 4;
+
+/// What does not change from surface to surface.
+#[derive(Debug)]
+pub struct Equations<'a> {
+    /// The rings of the region.
+    pub rings: &'a Rings,
+    /// The same, transposed.
+    pub groups: &'a Groups,
+    /// Unit normals at the border vertices.
+    pub border_normals: &'a [Vector3<f64>],
+    /// Inner fairness.
+    pub weights: &'a FairnessWeights,
+    /// Curvature at free vertices.
+    pub curvature: FreeCurvature,
+}
+
+/// Everything that is evaluated at a surface. Free vertices come first in `h`.
+#[derive(Debug, Clone, Default)]
+pub struct State {
+    /// Normals of the ring: the direction of normal steps and of the tangential projection.
+    pub normal: Vec<Vector3<f64>>,
+    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization).
+    pub corrected: Vec<Vector3<f64>>,
+    /// Mean curvature at free, then at border vertices.
+    pub h: Vec<f64>,
+    /// Gaussian curvature at free vertices.
+    pub k: Vec<f64>,
+    /// Area of the 1-disk, free vertices.
+    pub area: Vec<f64>,
+    /// Cotangent weights `w_ij` by slot.
+    pub weight: Vec<[f64; LANES]>,
+    /// Outer residual `R1`.
+    pub outer: Vec<f64>,
+    /// Inner residual, tangential.
+    pub inner: Vec<Vector3<f64>>,
+}
+
+impl State {
+    /// Room for a region.
+    pub fn new(groups: &Groups, border: usize) -> Self {
+        let free = groups.place.len();
+        Self {
+            normal: vec![Vector3::zeros(); free],
+            corrected: vec![Vector3::zeros(); free],
+            h: vec![0.0; free + border],
+            k: vec![0.0; free],
+            area: vec![0.0; free],
+            weight: vec![[0.0; LANES]; groups.neighbour.len()],
+            outer: vec![0.0; free],
+            inner: vec![Vector3::zeros(); free],
+        }
+    }
+}
+
+/// Where one chunk of free vertices puts its results.
+struct ChunkOutput<'s> {
+    normal: &'s mut [Vector3<f64>],
+    corrected: &'s mut [Vector3<f64>],
+    h: &'s mut [f64],
+    k: &'s mut [f64],
+    area: &'s mut [f64],
+    weight: &'s mut [[f64; LANES]],
+    inner: &'s mut [Vector3<f64>],
+}
+
+impl Equations<'_> {
+    /// Number of free vertices.
+    pub fn free(&self) -> usize {
+        self.groups.place.len()
+    }
+
+    /// Evaluates everything at the surface `x` (free, then border vertices).
+    pub fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
+        self.free_vertices(x, state);
+        if self.curvature == FreeCurvature::Paper {
+            self.paper_curvature(x, state);
+        }
+        let free = self.free();
+        let (inside, border) = state.h.split_at_mut(free);
+        let _ = inside;
+        let corrected = &state.corrected;
+        border
+            .par_iter_mut()
+            .with_min_len(64)
+            .enumerate()
+            .for_each(|(b, h)| *h = self.border_curvature(x, corrected, b));
+        self.outer_residual(state);
+    }
+
+    /// Normals, weights, area, inner residual and (but for the paper's discretization) curvature of free vertices.
+    fn free_vertices(&self, x: &[Vector3<f64>], state: &mut State) {
+        let groups = self.groups;
+        let chunks = &groups.chunks;
+        let lengths = || chunks.iter().map(|c| c.vertices.len());
+        let mut weight = split_lengths(&mut state.weight, chunks.iter().map(|c| c.slots.len())).into_iter();
+        let mut normal = split_lengths(&mut state.normal, lengths()).into_iter();
+        let mut corrected = split_lengths(&mut state.corrected, lengths()).into_iter();
+        let mut h = split_lengths(&mut state.h, lengths()).into_iter();
+        let mut k = split_lengths(&mut state.k, lengths()).into_iter();
+        let mut area = split_lengths(&mut state.area, lengths()).into_iter();
+        let inner = split_lengths(&mut state.inner, lengths()).into_iter();
+        let outputs: Vec<ChunkOutput<'_>> = inner
+            .filter_map(|inner| {
+                Some(ChunkOutput {
+                    normal: normal.next()?,
+                    corrected: corrected.next()?,
+                    h: h.next()?,
+                    k: k.next()?,
+                    area: area.next()?,
+                    weight: weight.next()?,
+                    inner,
+                })
+            })
+            .collect();
+        outputs.into_par_iter().zip(chunks.par_iter()).for_each(|(mut output, chunk)| {
+            let mut ring = vec![[Lanes::zero(); 3]; groups.largest_valence];
+            let mut weight = vec![Lanes::zero(); groups.largest_valence];
+            for group in chunk.groups.clone() {
+                let m = groups.slots(group).len();
+                let place = (group, chunk.vertices.start, chunk.slots.start);
+                self.free_group(x, place, &mut ring[..m], &mut weight[..m], &mut output);
+            }
+        });
+    }
+
+    #[inline(always)]
+    fn free_group(
+        &self,
+        x: &[Vector3<f64>],
+        (group, first_vertex, first_slot): (usize, usize, usize),
+        ring: &mut [Vec3<LANES>],
+        weight: &mut [Lanes<LANES>],
+        out: &mut ChunkOutput<'_>,
+    ) {
+        let groups = self.groups;
+        let slots = groups.slots(group);
+        let vertex = &groups.vertex[group];
+        let q = gather(x, vertex);
+        for (e, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
+            *e = minus(&gather(x, j), &q);
+        }
+        let area = ring_weights(ring, weight);
+        for (to, from) in out.weight[slots.start - first_slot..].iter_mut().zip(weight.iter()) {
+            *to = from.0;
+        }
+        let (n, corrected, h, k) = match self.curvature {
+            FreeCurvature::Paper => {
+                let n = cross_product_normal(ring);
+                (n, n, Lanes::zero(), Lanes::zero())
+            }
+            FreeCurvature::GradientCorrected { tilt_ridge } => {
+                let n = max_normal(ring);
+                let flap = |s: usize| {
+                    let slot = slots.start + s;
+                    let (p, weight) =
+                        gather_flap(x, &groups.flap[slot], &groups.neighbour[slot], FLAP_WEIGHT);
+                    (minus(&p, &q), weight)
+                };
+                let c = gradient_corrected(&n, ring, flap, tilt_ridge);
+                (n, c.normal, c.h, c.k)
+            }
+        };
+        let mut sum = [Lanes::zero(); 3];
+        for (s, e) in ring.iter().enumerate() {
+            match &self.weights.slots {
+                None => sum = super::lanes::plus(&sum, e),
+                Some(w) => sum = super::lanes::plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
+            }
+        }
+        let inner = minus(&sum, &scaled(&n, dot(&sum, &n)));
+        for (l, &i) in vertex.iter().enumerate() {
+            let i = i as usize - first_vertex;
+            out.normal[i] = lane(&n, l);
+            out.corrected[i] = lane(&corrected, l);
+            out.inner[i] = lane(&inner, l);
+            out.h[i] = h.0[l];
+            out.k[i] = k.0[l];
+            out.area[i] = area.0[l];
+        }
+    }
+
+    /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
+    /// of the neighbours, hence a pass of its own.
+    fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
+        let rings = self.rings;
+        let normal = &state.normal;
+        let free = self.free();
+        let of = |i: u32| self.normal_at(normal, i);
+        state.h[..free].par_iter_mut().zip(state.k.par_iter_mut()).with_min_len(256).enumerate().for_each(
+            |(i, (h, k))| {
+                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
+                let q = one(&x[i]);
+                let at = |j: u32| minus(&one(&x[j as usize]), &q);
+                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
+                let between = (0..extra).map(|s| {
+                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
+                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
+                });
+                let n = one(&normal[i]);
+                let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
+                (*h, *k) = (mean.0[0], gauss.0[0]);
+            },
+        );
+    }
+
+    fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
+        let i = i as usize;
+        if i < self.free() { normal[i] } else { self.border_normals[i - self.free()] }
+    }
+
+    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region
+    /// and a spiral sample on every ring edge.
+    pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+        let rings = self.rings;
+        let range = |start: &[u32]| start[b] as usize..start[b + 1] as usize;
+        let q = one(&x[self.free() + b]);
+        let at = |j: u32| minus(&one(&x[j as usize]), &q);
+        let of = |j: u32| one(&self.normal_at(corrected, j));
+        let neighbours = rings.border_neighbour[range(&rings.border_start)].iter().map(|&j| at(j));
+        let between = rings.border_edge[range(&rings.border_edge_start)]
+            .iter()
+            .map(|&[a, c]| spiral_sample(&at(a), &at(c), &of(a), &of(c)));
+        moreton_sequin(&one(&self.border_normals[b]), neighbours.chain(between)).0.0[0]
+    }
+
+    /// `R1 = S H` from the weights and curvatures of `state`.
+    pub fn outer_residual(&self, state: &mut State) {
+        let groups = self.groups;
+        let (h, weight) = (&state.h, &state.weight);
+        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
+        pieces.into_par_iter().zip(groups.chunks.par_iter()).for_each(|(outer, chunk)| {
+            for group in chunk.groups.clone() {
+                let vertex = &groups.vertex[group];
+                let own = gather_scalar(h, vertex);
+                let mut sum = Lanes::<LANES>::zero();
+                for slot in groups.slots(group) {
+                    let other = gather_scalar(h, &groups.neighbour[slot]);
+                    sum += Lanes(weight[slot]) * (own - other);
+                }
+                for (l, &i) in vertex.iter().enumerate() {
+                    outer[i as usize - chunk.vertices.start] = sum.0[l];
+                }
+            }
+        });
+    }
+
+    /// The harmonic defect `max_i |R1_i| / sum_j |w_ij|` (a mean curvature: times a length it has no unit), and
+    /// `|S H| / (|S| |H|)`, how much of the residual is more than cancellation.
+    pub fn defect(&self, state: &State) -> (f64, f64) {
+        let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
+        for i in 0..self.free() {
+            let (mut absolute, mut size) = (0.0, 0.0);
+            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
+            let start = self.rings.start[i] as usize;
+            for s in start..self.rings.start[i + 1] as usize {
+                let w = state.weight[first + s - start][lane].abs();
+                absolute += w;
+                size += w * state.h[self.rings.neighbour[s] as usize].abs();
+            }
+            size += absolute * state.h[i].abs();
+            worst = worst.max(state.outer[i].abs() / absolute.max(f64::MIN_POSITIVE));
+            num += state.outer[i] * state.outer[i];
+            den += size * size;
+        }
+        (worst, (num / den.max(f64::MIN_POSITIVE)).sqrt())
+    }
+
+    /// Area of the one-sided disk at border vertex `b`, and the one-sided cotangent weights to each of its ring edges'
+    /// ends are left to [`Self::border_weights`].
+    pub fn border_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
+        let q = &x[self.free() + b];
+        self.border_triangles(b).iter().map(|&[a, c]| area(q, &x[a as usize], &x[c as usize])).sum()
+    }
+
+    /// The ring edges of border vertex `b`'s triangles in the region.
+    pub fn border_triangles(&self, b: usize) -> &[[u32; 2]] {
+        let rings = self.rings;
+        &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize]
+    }
+
+    /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of border vertex `b`.
+    pub fn border_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
+        let q = &x[self.free() + b];
+        for &[a, c] in self.border_triangles(b) {
+            let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
+            add(a, cotangent(p_c, p_a, q));
+            add(c, cotangent(p_a, q, p_c));
+        }
+    }
+}

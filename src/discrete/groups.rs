@@ -1,0 +1,157 @@
+//! Free vertices in groups of [`LANES`] with equal valence, so that one formula runs on a whole group at once.
+//!
+//! Groups never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
+//! threads, and the same whatever their number.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::lanes::{Lanes, Vec3};
+use crate::mesh::{NONE, Rings};
+
+/// Vertices per group.
+pub const LANES: usize = 8;
+
+/// Vertices per chunk.
+pub const CHUNK: usize = 2048;
+
+/// Free vertices `vertices` and the groups that hold them.
+#[derive(Debug, Clone)]
+pub struct Chunk {
+    /// A run of free vertices.
+    pub vertices: Range<usize>,
+    /// Their groups.
+    pub groups: Range<usize>,
+    /// The slots of those groups.
+    pub slots: Range<usize>,
+}
+
+/// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
+#[derive(Debug, Clone)]
+pub struct Groups {
+    /// The chunks, in the order of their vertices.
+    pub chunks: Vec<Chunk>,
+    /// Per group its vertices; a group that is not full repeats its last vertex.
+    pub vertex: Vec<[u32; LANES]>,
+    /// Per group its first slot, and the end.
+    pub start: Vec<usize>,
+    /// Per slot the neighbours.
+    pub neighbour: Vec<[u32; LANES]>,
+    /// Per slot the flaps across ring edge `(k, k+1)`, or [`NONE`].
+    pub flap: Vec<[u32; LANES]>,
+    /// Per free vertex its first slot and its lane.
+    pub place: Vec<(u32, u32)>,
+    /// The largest valence.
+    pub largest_valence: usize,
+}
+
+impl Groups {
+    /// Sorts the rings of the free vertices into groups.
+    pub fn new(rings: &Rings) -> Self {
+        let free = rings.start.len() - 1;
+        let valence = |i: u32| (rings.start[i as usize + 1] - rings.start[i as usize]) as usize;
+        let mut groups = Self {
+            chunks: Vec::with_capacity(free.div_ceil(CHUNK)),
+            vertex: Vec::new(),
+            start: vec![0],
+            neighbour: Vec::new(),
+            flap: Vec::new(),
+            place: vec![(0, 0); free],
+            largest_valence: (0..free as u32).map(valence).max().unwrap_or(0),
+        };
+        let mut sorted: Vec<u32> = Vec::with_capacity(CHUNK);
+        for first in (0..free).step_by(CHUNK) {
+            let vertices = first..(first + CHUNK).min(free);
+            let (group, slot) = (groups.vertex.len(), groups.neighbour.len());
+            sorted.clear();
+            sorted.extend(vertices.clone().map(|i| i as u32));
+            sorted.sort_by_key(|&i| (valence(i), i));
+            for class in sorted.chunk_by(|&a, &b| valence(a) == valence(b)) {
+                for members in class.chunks(LANES) {
+                    groups.push(rings, members);
+                }
+            }
+            groups.chunks.push(Chunk {
+                vertices,
+                groups: group..groups.vertex.len(),
+                slots: slot..groups.neighbour.len(),
+            });
+        }
+        groups
+    }
+
+    fn push(&mut self, rings: &Rings, members: &[u32]) {
+        let vertex: [u32; LANES] = std::array::from_fn(|l| members[l.min(members.len() - 1)]);
+        let first = self.neighbour.len();
+        for (l, &i) in members.iter().enumerate() {
+            self.place[i as usize] = (first as u32, l as u32);
+        }
+        let start = vertex.map(|i| rings.start[i as usize] as usize);
+        let valence = rings.start[vertex[0] as usize + 1] as usize - start[0];
+        for k in 0..valence {
+            self.neighbour.push(start.map(|s| rings.neighbour[s + k]));
+            self.flap.push(start.map(|s| rings.flap[s + k]));
+        }
+        self.vertex.push(vertex);
+        self.start.push(self.neighbour.len());
+    }
+
+    /// The slots of a group.
+    pub fn slots(&self, group: usize) -> Range<usize> {
+        self.start[group]..self.start[group + 1]
+    }
+}
+
+/// The positions of one slot.
+#[inline(always)]
+pub fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
+    let mut r = [Lanes::zero(); 3];
+    for (l, &i) in vertex.iter().enumerate() {
+        let p = &x[i as usize];
+        r[0].0[l] = p.x;
+        r[1].0[l] = p.y;
+        r[2].0[l] = p.z;
+    }
+    r
+}
+
+/// The numbers of one slot.
+#[inline(always)]
+pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Lanes<LANES> {
+    let mut r = Lanes::zero();
+    for (l, &i) in vertex.iter().enumerate() {
+        r.0[l] = x[i as usize];
+    }
+    r
+}
+
+/// The flaps of one slot with weight `weight`; where there is none, the neighbour itself with weight zero.
+#[inline(always)]
+pub fn gather_flap(
+    x: &[Vector3<f64>],
+    flap: &[u32; LANES],
+    neighbour: &[u32; LANES],
+    weight: f64,
+) -> (Vec3<LANES>, Lanes<LANES>) {
+    let mut weights = Lanes::splat(weight);
+    let mut vertex = *flap;
+    for l in 0..LANES {
+        if flap[l] == NONE {
+            vertex[l] = neighbour[l];
+            weights.0[l] = 0.0;
+        }
+    }
+    (gather(x, &vertex), weights)
+}
+
+/// Cuts a slice into consecutive pieces of the given lengths.
+pub fn split_lengths<'a, T>(mut slice: &'a mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&'a mut [T]> {
+    let mut pieces = Vec::with_capacity(lengths.size_hint().0);
+    for length in lengths {
+        let (head, tail) = slice.split_at_mut(length);
+        pieces.push(head);
+        slice = tail;
+    }
+    pieces
+}

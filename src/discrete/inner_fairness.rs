@@ -1,0 +1,109 @@
+//! How vertices are distributed within the surface (paper 7.3).
+//!
+//! The inner fairness condition is that `Delta(q_i) = sum_j lambda_ij (q_j - q_i)` has no tangential part. Weights are
+//! kept unnormalized: scaling a row changes neither the condition nor, up to the row's own scale, the iteration.
+
+use nalgebra::Vector3;
+
+use super::groups::{Groups, LANES};
+use super::laplace_beltrami::cotangent;
+use crate::linear::sparse::SymmetricPattern;
+use crate::mesh::Rings;
+
+/// A cotangent of the input mesh is clamped to this range, so that the weights are convex and the scalar Laplacian
+/// positive definite for any input.
+pub const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
+
+/// Weights `lambda_ij` of all free vertices, slot by slot as in [`Groups`].
+#[derive(Debug, Clone)]
+pub struct FairnessWeights {
+    /// Per slot the weights; `None`: all are one.
+    pub slots: Option<Vec<[f64; LANES]>>,
+    /// Free vertices with an input triangle too thin for its cotangents: those are clamped.
+    pub clamped: usize,
+}
+
+impl FairnessWeights {
+    /// Equal weights: a regular distribution.
+    pub fn uniform() -> Self {
+        Self { slots: None, clamped: 0 }
+    }
+
+    /// `cot alpha_j + cot beta_j` of the input mesh: the result is discretely conformal to it.
+    pub fn conformal(groups: &Groups, input: &[Vector3<f64>]) -> Self {
+        let mut weights = Self { slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]), clamped: 0 };
+        for i in 0..groups.place.len() {
+            let was_clamped = weights.set_conformal(groups, input, i);
+            weights.clamped += usize::from(was_clamped);
+        }
+        weights
+    }
+
+    /// Gives one vertex the clamped cotangent weights of the input mesh. Returns whether an angle was too close to 0
+    /// or 180 degrees, where the fallback is the nearer end of [`COTANGENT_RANGE`].
+    pub fn set_conformal(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) -> bool {
+        let slots = self.slots.get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
+        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+        let valence = ring_length(groups, first);
+        let ring = |k: usize| &input[groups.neighbour[first + k % valence][lane] as usize];
+        let q = &input[i];
+        let mut clamped = false;
+        let mut clamp = |c: f64| {
+            let inside = c.clamp(COTANGENT_RANGE[0], COTANGENT_RANGE[1]);
+            clamped |= !(c.abs() < 1e6);
+            if c.is_nan() { COTANGENT_RANGE[0] } else { inside }
+        };
+        for k in 0..valence {
+            let (before, here, after) = (ring(k + valence - 1), ring(k), ring(k + 1));
+            slots[first + k][lane] = clamp(cotangent(before, q, here)) + clamp(cotangent(after, here, q));
+        }
+        clamped
+    }
+
+    /// The weight in one slot.
+    pub fn at(&self, slot: usize, lane: usize) -> f64 {
+        self.slots.as_ref().map_or(1.0, |s| s[slot][lane])
+    }
+}
+
+/// The valence of the group whose first slot is `first`.
+fn ring_length(groups: &Groups, first: usize) -> usize {
+    let group = groups.start.partition_point(|&s| s <= first) - 1;
+    groups.start[group + 1] - first
+}
+
+/// The scalar Laplacian `G` of the weights on the pattern of the free one-ring graph: `(G f)_i = sum_j m_ij (f_i -
+/// f_j)` with `m_ij` the mean of `lambda_ij` and `lambda_ji`, fixed `f_j` being zero. Symmetric positive definite.
+pub fn laplacian(
+    pattern: &SymmetricPattern,
+    rings: &Rings,
+    groups: &Groups,
+    weights: &FairnessWeights,
+) -> Vec<f64> {
+    let free = pattern.order();
+    let mut values = vec![0.0; pattern.column.len()];
+    let mut diagonal = vec![0.0; free];
+    for i in 0..free {
+        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+        for (k, s) in (rings.start[i] as usize..rings.start[i + 1] as usize).enumerate() {
+            let j = rings.neighbour[s] as usize;
+            let own = weights.at(first + k, lane);
+            if j >= free {
+                diagonal[i] += own;
+            } else if j < i {
+                let (first, lane) = (groups.place[j].0 as usize, groups.place[j].1 as usize);
+                let twin = (rings.twin[s] - rings.start[j]) as usize;
+                let mean = 0.5 * (own + weights.at(first + twin, lane));
+                diagonal[i] += mean;
+                diagonal[j] += mean;
+                if let Ok(c) = pattern.row(i).binary_search(&(j as u32)) {
+                    values[pattern.start[i] + c] = -mean;
+                }
+            }
+        }
+    }
+    for i in 0..free {
+        values[pattern.start[i + 1] - 1] = diagonal[i];
+    }
+    values
+}

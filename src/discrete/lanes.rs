@@ -1,0 +1,197 @@
+//! `L` numbers at once: the same formula on `L` vertices of equal valence.
+//!
+//! Plain arrays that the compiler turns into vector instructions. Every operation is the IEEE one, lane by
+//! lane and without fused multiply-add, so that results do not depend on the instruction set.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// `L` numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes<const L: usize>(pub [f64; L]);
+
+/// `L` vectors, by coordinate.
+pub type Vec3<const L: usize> = [Lanes<L>; 3];
+
+impl<const L: usize> Lanes<L> {
+    /// The same number in every lane.
+    #[inline(always)]
+    pub fn splat(x: f64) -> Self {
+        Self([x; L])
+    }
+
+    /// Zero in every lane.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self::splat(0.0)
+    }
+
+    /// Lane by lane.
+    #[inline(always)]
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut r = self.0;
+        for x in &mut r {
+            *x = f(*x);
+        }
+        Self(r)
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut r = self.0;
+        for (x, y) in r.iter_mut().zip(other.0) {
+            *x = f(*x, y);
+        }
+        Self(r)
+    }
+
+    /// Square root.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+
+    /// The larger of the two.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+
+    /// One over each.
+    #[inline(always)]
+    pub fn recip(self) -> Self {
+        self.map(|x| 1.0 / x)
+    }
+
+    /// Magnitude of `self`, sign of `sign`.
+    #[inline(always)]
+    pub fn copysign(self, sign: Self) -> Self {
+        self.zip(sign, f64::copysign)
+    }
+
+    /// Absolute value.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $op:tt) => {
+        impl<const L: usize> $trait for Lanes<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, |a, b| a $op b)
+            }
+        }
+        impl<const L: usize> $trait<f64> for Lanes<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.map(|a| a $op other)
+            }
+        }
+    };
+}
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);
+
+impl<const L: usize> Neg for Lanes<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|x| -x)
+    }
+}
+
+impl<const L: usize> AddAssign for Lanes<L> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+/// `<a, b>`.
+#[inline(always)]
+pub fn dot<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Lanes<L> {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a x b`.
+#[inline(always)]
+pub fn cross<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// `a - b`.
+#[inline(always)]
+pub fn minus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// `a + b`.
+#[inline(always)]
+pub fn plus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// `s a`.
+#[inline(always)]
+pub fn scaled<const L: usize>(a: &Vec3<L>, s: Lanes<L>) -> Vec3<L> {
+    [a[0] * s, a[1] * s, a[2] * s]
+}
+
+/// `a / |a|`; the zero vector stays zero.
+#[inline(always)]
+pub fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
+    let length = dot(a, a).sqrt().max(Lanes::splat(f64::MIN_POSITIVE));
+    scaled(a, length.recip())
+}
+
+/// Two unit vectors that complete the unit vector `n` to a right-handed orthonormal basis.
+/// Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
+#[inline(always)]
+pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+    let one = Lanes::splat(1.0);
+    let sign = one.copysign(n[2]);
+    let a = -(sign + n[2]).recip();
+    let b = n[0] * n[1] * a;
+    (
+        [one + sign * n[0] * n[0] * a, sign * b, -(sign * n[0])],
+        [b, sign + n[1] * n[1] * a, -n[1]],
+    )
+}
+
+/// One vector as one lane.
+pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
+    [Lanes([v.x]), Lanes([v.y]), Lanes([v.z])]
+}
+
+/// One lane as a vector.
+pub fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
+    nalgebra::Vector3::new(v[0].0[l], v[1].0[l], v[2].0[l])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tangent_basis_is_orthonormal_and_right_handed() {
+        for n in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.6, -0.8, 0.0], [0.48, 0.6, -0.64]] {
+            let n: Vec3<1> = n.map(Lanes::splat);
+            let (x, y) = tangent_basis(&n);
+            for (a, b, want) in [(&x, &x, 1.0), (&y, &y, 1.0), (&x, &y, 0.0), (&x, &n, 0.0), (&y, &n, 0.0)] {
+                assert!((dot(a, b).0[0] - want).abs() < 1e-15);
+            }
+            assert!((dot(&cross(&x, &y), &n).0[0] - 1.0).abs() < 1e-15);
+        }
+    }
+}

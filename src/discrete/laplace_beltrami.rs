@@ -1,0 +1,120 @@
+//! The Laplace-Beltrami operator (paper section 5): the matrix `S` of (6) and (7).
+//!
+//! `w_ij = cot alpha_j + cot beta_j`, `(S f)_i = sum_j w_ij (f_i - f_j)`. With `D_i = 3 / (4 A_i)`, `A_i` the area of
+//! the 1-disk, `-D_i (S q)_i` is the mean curvature normal of (5).
+
+use nalgebra::Vector3;
+
+use super::lanes::{Lanes, Vec3, cross, dot};
+
+/// Below this sine of a corner's angle (about), a cotangent stops growing: `1 / SMALLEST_SINE` bounds it.
+const SMALLEST_SINE: f64 = 1e-8;
+
+/// The cotangent weights of a closed ring with edge vectors `e_k` from its centre, written to `weight`, and the area
+/// of its triangles.
+#[inline(always)]
+pub fn ring_weights<const L: usize>(ring: &[Vec3<L>], weight: &mut [Lanes<L>]) -> Lanes<L> {
+    let last = ring.len() - 1;
+    for w in weight.iter_mut() {
+        *w = Lanes::zero();
+    }
+    let mut twice_area = Lanes::zero();
+    let mut a = last;
+    for b in 0..ring.len() {
+        let (e_a, e_b) = (&ring[a], &ring[b]);
+        let (aa, bb, ab) = (dot(e_a, e_a), dot(e_b, e_b), dot(e_a, e_b));
+        let c = cross(e_a, e_b);
+        let area = dot(&c, &c).sqrt();
+        let inverse = area.max((aa + bb) * SMALLEST_SINE).max(Lanes::splat(f64::MIN_POSITIVE)).recip();
+        // The angle at b's end faces edge a, and the other way round.
+        weight[a] += (bb - ab) * inverse;
+        weight[b] += (aa - ab) * inverse;
+        twice_area += area;
+        a = b;
+    }
+    twice_area * 0.5
+}
+
+/// Cotangent of the angle at `apex` in the triangle `(apex, a, b)`.
+pub fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    let (e_a, e_b) = (a - apex, b - apex);
+    let sine = e_a.cross(&e_b).norm();
+    let floor = (e_a.norm_squared() + e_b.norm_squared()) * SMALLEST_SINE;
+    e_a.dot(&e_b) / sine.max(floor).max(f64::MIN_POSITIVE)
+}
+
+/// Area of a triangle.
+pub fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
+    (b - a).cross(&(c - a)).norm() * 0.5
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discrete::lanes::{lane, minus, one, plus, scaled};
+
+    fn ring() -> (Vector3<f64>, Vec<Vector3<f64>>) {
+        let q = Vector3::new(0.1, -0.2, 0.3);
+        let ring = [(0.0, 1.0, 0.2), (0.8, 0.7, 0.0), (2.0, 1.3, -0.1), (3.5, 0.9, 0.3), (4.9, 1.1, 0.0)]
+            .map(|(phi, r, z): (f64, f64, f64)| Vector3::new(r * phi.cos(), r * phi.sin(), z));
+        (q, ring.to_vec())
+    }
+
+    fn weights(q: &Vector3<f64>, ring: &[Vector3<f64>]) -> (Vec<f64>, f64) {
+        let e: Vec<Vec3<1>> = ring.iter().map(|p| minus(&one(p), &one(q))).collect();
+        let mut w = vec![Lanes::zero(); e.len()];
+        let area = ring_weights(&e, &mut w);
+        (w.iter().map(|w| w.0[0]).collect(), area.0[0])
+    }
+
+    #[test]
+    fn weights_are_the_cotangents_of_the_facing_angles() {
+        let (q, p) = ring();
+        let (w, total) = weights(&q, &p);
+        let m = p.len();
+        let mut sum = 0.0;
+        for k in 0..m {
+            let (before, here, after) = (&p[(k + m - 1) % m], &p[k], &p[(k + 1) % m]);
+            let want = cotangent(before, &q, here) + cotangent(after, here, &q);
+            assert!((w[k] - want).abs() < 1e-13);
+            sum += area(&q, here, after);
+        }
+        assert!((total - sum).abs() < 1e-14);
+    }
+
+    #[test]
+    fn linear_functions_in_a_plane_are_harmonic() {
+        let (_, mut p) = ring();
+        for x in &mut p {
+            x.z = 0.0;
+        }
+        let q = Vector3::new(0.05, 0.1, 0.0);
+        let (w, _) = weights(&q, &p);
+        let residual: Vector3<f64> = p.iter().zip(&w).map(|(x, &w)| (x - q) * w).sum();
+        assert!(residual.norm() < 1e-13);
+    }
+
+    #[test]
+    fn the_gradient_of_area_is_half_the_laplacian() {
+        // Two routes to one operator: d A / d q_i = 1/2 sum w_ij (q_i - q_j) (Pinkall, Polthier 1993).
+        let (q, p) = ring();
+        let (w, _) = weights(&q, &p);
+        let e: Vec<Vec3<1>> = p.iter().map(|x| minus(&one(&q), &one(x))).collect();
+        let zero = [Lanes::zero(); 3];
+        let sum = e.iter().zip(&w).fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
+        let gradient = lane(&sum, 0);
+        for d in 0..3 {
+            let mut step = Vector3::zeros();
+            step[d] = 1e-6;
+            let slope = (weights(&(q + step), &p).1 - weights(&(q - step), &p).1) / 2e-6;
+            assert!((slope - gradient[d]).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_triangle_without_area_gives_finite_weights() {
+        let q = Vector3::zeros();
+        let p = [Vector3::x(), Vector3::x() * 2.0, Vector3::x() * -1.0];
+        assert!(weights(&q, &p).0.iter().all(|w| w.is_finite()));
+    }
+}
