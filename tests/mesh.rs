@@ -114,8 +114,9 @@ fn one_free_vertex_in_a_grid() {
     assert_eq!(rings.flap, [NONE; 6]);
     assert_eq!(rings.twin, [NONE; 6]);
     assert_eq!(rings.border_half_edges.len(), 6);
-    // All 32 triangles but the two at the corners that touch no border vertex.
-    assert_eq!(region.half_edges.triangles.len(), 30);
+    // All 32 triangles but four in each of the two corners away from the diagonal, which touch no border
+    // vertex.
+    assert_eq!(region.half_edges.triangles.len(), 24);
     // Vertex 6: two region triangles; outside it has four and a fan of five neighbours.
     let caller = |v: &[u32]| {
         v.iter()
@@ -133,7 +134,7 @@ fn flaps_of_the_outside_lie_in_the_ring_or_beyond() {
     let mesh = grid(9);
     let (region, rings) = sound(&mesh, Selection::Vertices(&[40]));
     let id = |v: u32| region.vertex_ids[v as usize];
-    // Border vertex 30 = (3, 3); its outside edge (20, 21) has (20, 11, 21)?: the cell below gives vertex 11.
+    // Border vertex 30, whose outside edges run from 39 to 31; 38 and 11 are not of the outside ring's vertices.
     let row = rings.outside_edge_start[0] as usize..rings.outside_edge_start[1] as usize;
     let found: Vec<_> = row
         .map(|k| (rings.outside_edge[k].map(id), rings.outside_flap[k]))
@@ -271,28 +272,21 @@ fn annulus() {
 }
 
 #[test]
-fn corners_of_valence_two_on_a_rim() {
+fn corners_of_valence_two_on_a_rim_are_outside() {
     // A fan around vertex 0 with nothing outside: every rim vertex has one triangle left and one right.
-    let positions = vec![
-        [0.0; 3],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [-1.0, -1.0, 0.0],
-        [2.0, 2.0, 0.0],
-    ];
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [2.0, 2.0, 0.0]];
     let mut mesh = (positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
     let (_, rings) = sound(&mesh, Selection::Vertices(&[0]));
-    assert_eq!(rings.border_edge.len(), 6);
-    // A tooth: vertex 4 has one triangle with the rim edge (1, 2), which now lies outside.
+    assert_eq!((rings.border_edge.len(), rings.outside_edge.len()), (6, 0));
+    // A tooth: vertex 4 has only the triangle over the rim edge (1, 2). No corner of it is free, so it is no
+    // region triangle, and vertex 4 no border vertex.
     mesh.1.push([2, 1, 4]);
-    let (region, rings) = sound(&mesh, Selection::Vertices(&[0]));
-    assert_eq!(region.half_edges.region_triangles, 3);
-    assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
-    // With both ends of that edge free, vertex 4 is a border corner of valence two.
-    let tooth = grid(4);
-    let (region, rings) = sound(&tooth, Selection::Vertices(&[5, 6, 10]));
-    let valence: Vec<usize> = (0..region.border).map(|b| rings.border_ring(b).len()).collect();
-    assert!(valence.contains(&2));
+    for selection in [Selection::Vertices(&[0]), Selection::Faces(&[0, 1, 2, 3])] {
+        let (region, rings) = sound(&mesh, selection);
+        assert_eq!((region.half_edges.region_triangles, region.border), (3, 3));
+        assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
+        assert_eq!(rings.outside_flap, [NONE; 2]);
+    }
 }
 
 #[test]
@@ -426,7 +420,7 @@ fn free_vertex_on_the_border_of_the_mesh() {
 
 #[test]
 fn not_finite() {
-    // 33 is free, 22 border, 11 ring; 70 is elsewhere.
+    // 44 is free, 34 border, 23 of the outside ring, the others elsewhere.
     for (vertex, harmful) in [(44, true), (34, true), (23, true), (0, false), (90, false)] {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut mesh = grid(10);
@@ -452,7 +446,7 @@ fn repeated_index() {
 #[test]
 fn duplicate_triangle() {
     let mut mesh = grid(6);
-    // Triangle 16 is (7, 8, 14)... whatever its corners, both orders of them are duplicates.
+    // Whichever way it runs, a triangle with the same corners is a duplicate.
     let first = mesh.1.iter().position(|t| t.contains(&14)).unwrap();
     let [a, b, c] = mesh.1[first];
     for copy in [[b, c, a], [b, a, c]] {

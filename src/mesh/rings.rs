@@ -275,6 +275,10 @@ impl Rings {
             if self.closed[b] && !outside.is_empty() {
                 return Err(format!("border vertex {b} is closed but has an outside"));
             }
+            // A free neighbour has triangles on both sides of the edge to it.
+            if ring.len() < 3 || edges.len() < 2 {
+                return Err(format!("border vertex {b} has fewer than two triangles"));
+            }
             if ring.iter().all(|&j| !region.is_free(j)) {
                 return Err(format!("border vertex {b} has no free neighbour"));
             }
