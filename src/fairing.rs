@@ -3,19 +3,8 @@
 use std::ops::ControlFlow;
 
 use crate::error::Error;
+pub use crate::mesh::region::Selection;
 use crate::quality::Quality;
-
-/// Which vertices may move.
-#[derive(Debug, Clone, Copy)]
-pub enum Selection<'a> {
-    /// One entry per vertex, true: free.
-    Mask(&'a [bool]),
-    /// The free vertices, in any order, repeats allowed.
-    Vertices(&'a [u32]),
-    /// Selected triangles: free are the vertices all of whose triangles are selected and that are not on
-    /// the border of the mesh.
-    Faces(&'a [u32]),
-}
 
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]

@@ -1,5 +1,493 @@
-//! Region.
+//! What is free, fixed and border, and the numbering of the vertices that take part.
 
-/// Region.
-#[derive(Debug)]
-pub struct Region;
+use nalgebra::Vector3;
+
+use super::NONE;
+use super::halfedge::HalfEdges;
+use crate::error::Error;
+
+/// Which vertices may move.
+#[derive(Debug, Clone, Copy)]
+pub enum Selection<'a> {
+    /// One entry per vertex, true: free.
+    Mask(&'a [bool]),
+    /// The free vertices, in any order, repeats allowed.
+    Vertices(&'a [u32]),
+    /// Selected triangles: free are the vertices all of whose triangles are selected and that are not on
+    /// the border of the mesh.
+    Faces(&'a [u32]),
+}
+
+/// The part of a mesh that is faired, with its surroundings.
+///
+/// Region triangles are those with a free vertex; border vertices are their fixed vertices, those with a
+/// closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
+/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the flap
+/// vertices beyond it, each group in the caller's order.
+#[derive(Debug, Clone)]
+pub struct Region {
+    /// The caller's number of each local vertex.
+    pub vertex_ids: Vec<u32>,
+    /// How many vertices are free.
+    pub free: usize,
+    /// How many border vertices there are.
+    pub border: usize,
+    /// The triangles of the region and of the outside ring.
+    pub half_edges: HalfEdges,
+    /// Per free vertex the number of its component. Region triangles with a common vertex, free or fixed,
+    /// belong together; components are numbered by their smallest free vertex.
+    pub component: Vec<u32>,
+    /// How many components there are.
+    pub components: usize,
+}
+
+impl Region {
+    /// Finds the region and checks that it and the outside ring are sound.
+    ///
+    /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise. Triangles elsewhere need only name
+    /// vertices that exist; vertices elsewhere may be anything. Triangles without area are legal.
+    ///
+    /// # Errors
+    /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
+    /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
+    /// [`Error::EmptyRegion`], [`Error::FreeVertexWithoutTriangle`], [`Error::RepeatedIndex`],
+    /// [`Error::NotFinite`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
+    /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBorder`], [`Error::NonManifoldVertex`],
+    /// [`Error::NothingFixed`].
+    pub fn new(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+    ) -> Result<Self, Error> {
+        check_size(positions.len(), triangles.len())?;
+        let mut role = resolve(positions.len(), triangles, selection)?;
+        let (triangle_ids, region_triangles) = collect(triangles, &mut role);
+        let (mut vertex_ids, local, free, border) = number(&role);
+        let numbered: Vec<[u32; 3]> = triangle_ids
+            .iter()
+            .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
+            .collect();
+        check_used(&numbered[..region_triangles], &vertex_ids[..free])?;
+        check_corners(triangles, &triangle_ids)?;
+        check_finite(positions, &vertex_ids)?;
+        let mut half_edges = HalfEdges::new(
+            numbered,
+            triangle_ids,
+            region_triangles,
+            free,
+            border,
+            &vertex_ids,
+        )?;
+        add_flaps(
+            positions,
+            triangles,
+            &role,
+            local,
+            &mut vertex_ids,
+            &mut half_edges,
+        );
+        let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
+        Ok(Self {
+            vertex_ids,
+            free,
+            border,
+            half_edges,
+            component,
+            components,
+        })
+    }
+
+    /// Whether a local vertex is free.
+    #[inline]
+    pub fn is_free(&self, vertex: u32) -> bool {
+        (vertex as usize) < self.free
+    }
+
+    /// How many vertices the region has: free and border.
+    #[inline]
+    pub fn region_vertices(&self) -> usize {
+        self.free + self.border
+    }
+
+    /// The positions of all local vertices, gathered from the caller's.
+    pub fn positions(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
+        self.vertex_ids
+            .iter()
+            .map(|&v| Vector3::from(positions[v as usize]))
+            .collect()
+    }
+
+    /// The triangles of the region, in local vertex numbers.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.half_edges.triangles[..self.half_edges.region_triangles]
+    }
+
+    /// Checks the invariants; for tests.
+    ///
+    /// # Errors
+    /// What is violated.
+    pub fn validate(&self) -> Result<(), String> {
+        self.half_edges.validate()?;
+        let groups = [0, self.free, self.region_vertices()];
+        if groups
+            .windows(2)
+            .any(|g| !self.vertex_ids[g[0]..g[1]].is_sorted_by(|a, b| a < b))
+        {
+            return Err("local numbers are not ascending".into());
+        }
+        for (t, tri) in self.half_edges.triangles.iter().enumerate() {
+            let region = t < self.half_edges.region_triangles;
+            if tri.iter().any(|&v| self.is_free(v)) != region {
+                return Err(format!("triangle {t} is on the wrong side"));
+            }
+            if region && tri.iter().any(|&v| v as usize >= self.region_vertices()) {
+                return Err(format!("triangle {t} has a vertex that is not of the region"));
+            }
+        }
+        if self.component.len() != self.free || self.component.iter().any(|&c| c as usize >= self.components)
+        {
+            return Err("component numbers".into());
+        }
+        Ok(())
+    }
+}
+
+/// What a vertex is to the region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+enum Role {
+    /// Elsewhere, or not known yet.
+    Other,
+    Free,
+    Border,
+    /// Of an outside-ring triangle, but not border.
+    Ring,
+}
+
+/// Indices, half-edge numbers and [`NONE`] must fit into 32 bits.
+fn check_size(vertices: usize, triangles: usize) -> Result<(), Error> {
+    if vertices > NONE as usize {
+        return Err(Error::TooLarge {
+            what: "vertices",
+            count: vertices,
+        });
+    }
+    if triangles > NONE as usize / 3 {
+        return Err(Error::TooLarge {
+            what: "triangles",
+            count: triangles,
+        });
+    }
+    Ok(())
+}
+
+/// Marks the free vertices. Also checks every index of the mesh, and that free vertices have triangles.
+fn resolve(vertices: usize, triangles: &[[u32; 3]], selection: Selection<'_>) -> Result<Vec<Role>, Error> {
+    let mut role = vec![Role::Other; vertices];
+    match selection {
+        Selection::Mask(mask) => {
+            if mask.len() != vertices {
+                return Err(Error::MaskLength {
+                    length: mask.len(),
+                    count: vertices,
+                });
+            }
+            check_indices(vertices, triangles)?;
+            role.iter_mut()
+                .zip(mask)
+                .filter(|(_, free)| **free)
+                .for_each(|(r, _)| *r = Role::Free);
+        }
+        Selection::Vertices(list) => {
+            check_selection(list, vertices)?;
+            check_indices(vertices, triangles)?;
+            list.iter().for_each(|&v| role[v as usize] = Role::Free);
+        }
+        Selection::Faces(list) => {
+            check_selection(list, triangles.len())?;
+            check_indices(vertices, triangles)?;
+            free_of_faces(triangles, list, &mut role);
+        }
+    }
+    if !role.contains(&Role::Free) {
+        return Err(Error::EmptyRegion);
+    }
+    Ok(role)
+}
+
+fn check_selection(list: &[u32], count: usize) -> Result<(), Error> {
+    match list.iter().filter(|&&i| i as usize >= count).min() {
+        Some(&index) => Err(Error::SelectionOutOfRange {
+            index: index as usize,
+            count,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn check_indices(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
+    let outside = |tri: &[u32; 3]| tri[0].max(tri[1]).max(tri[2]) as usize >= vertex_count;
+    let Some(triangle) = triangles.iter().position(outside) else {
+        return Ok(());
+    };
+    let index = triangles[triangle]
+        .into_iter()
+        .find(|&v| v as usize >= vertex_count)
+        .unwrap_or(NONE);
+    Err(Error::IndexOutOfRange {
+        triangle,
+        index,
+        vertex_count,
+    })
+}
+
+/// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's border.
+fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
+    let mut selected = vec![false; triangles.len()];
+    list.iter().for_each(|&t| selected[t as usize] = true);
+    list.iter().for_each(|&t| {
+        triangles[t as usize]
+            .iter()
+            .for_each(|&v| role[v as usize] = Role::Free)
+    });
+    for (tri, _) in triangles.iter().zip(&selected).filter(|(_, s)| !**s) {
+        tri.iter().for_each(|&v| role[v as usize] = Role::Other);
+    }
+    // An edge at a vertex that is still free has all its triangles in the list, so a single one there means
+    // the mesh's border. Edges (i, i) of broken triangles are left for the checks that follow.
+    let mut edges = Vec::new();
+    for (tri, _) in triangles.iter().zip(&selected).filter(|(_, s)| **s) {
+        for k in 0..3 {
+            let (a, b) = (tri[k].min(tri[(k + 1) % 3]), tri[k].max(tri[(k + 1) % 3]));
+            let kept = role[a as usize] == Role::Free || role[b as usize] == Role::Free;
+            if a != b && kept {
+                edges.push(u64::from(a) << 32 | u64::from(b));
+            }
+        }
+    }
+    edges.sort_unstable();
+    for single in edges.chunk_by(|x, y| x == y).filter(|e| e.len() == 1) {
+        role[(single[0] >> 32) as usize] = Role::Other;
+        role[single[0] as u32 as usize] = Role::Other;
+    }
+}
+
+/// The region's triangles, then those of the outside ring; how many belong to the region. Marks border and
+/// ring vertices.
+fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
+    let has = |role: &[Role], tri: &[u32; 3], r| tri.iter().any(|&v| role[v as usize] == r);
+    let mut ids = Vec::new();
+    for (t, tri) in triangles.iter().enumerate() {
+        if has(role, tri, Role::Free) {
+            ids.push(t as u32);
+        }
+    }
+    let region = ids.len();
+    for v in ids.iter().flat_map(|&t| triangles[t as usize]) {
+        if role[v as usize] == Role::Other {
+            role[v as usize] = Role::Border;
+        }
+    }
+    for (t, tri) in triangles.iter().enumerate() {
+        if has(role, tri, Role::Border) && !has(role, tri, Role::Free) {
+            ids.push(t as u32);
+        }
+    }
+    for v in ids[region..].iter().flat_map(|&t| triangles[t as usize]) {
+        if role[v as usize] == Role::Other {
+            role[v as usize] = Role::Ring;
+        }
+    }
+    (ids, region)
+}
+
+/// Local numbers: the caller's number of each, their inverse, how many are free and border.
+fn number(role: &[Role]) -> (Vec<u32>, Vec<u32>, usize, usize) {
+    let mut ids = Vec::new();
+    let mut ends = [0; 3];
+    for (r, end) in [Role::Free, Role::Border, Role::Ring].into_iter().zip(&mut ends) {
+        ids.extend((0..role.len()).filter(|&v| role[v] == r).map(|v| v as u32));
+        *end = ids.len();
+    }
+    let mut local = vec![NONE; role.len()];
+    ids.iter()
+        .enumerate()
+        .for_each(|(l, &v)| local[v as usize] = l as u32);
+    (ids, local, ends[0], ends[1] - ends[0])
+}
+
+fn repeated([a, b, c]: [u32; 3]) -> Option<u32> {
+    if a == b || a == c {
+        Some(a)
+    } else if b == c {
+        Some(b)
+    } else {
+        None
+    }
+}
+
+fn check_used(region: &[[u32; 3]], free_ids: &[u32]) -> Result<(), Error> {
+    let mut used = vec![false; free_ids.len()];
+    for &v in region.iter().flatten() {
+        if let Some(u) = used.get_mut(v as usize) {
+            *u = true;
+        }
+    }
+    match used.iter().position(|u| !u) {
+        Some(v) => Err(Error::FreeVertexWithoutTriangle {
+            vertex: free_ids[v] as usize,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn check_corners(triangles: &[[u32; 3]], ids: &[u32]) -> Result<(), Error> {
+    let broken = ids
+        .iter()
+        .filter_map(|&t| repeated(triangles[t as usize]).map(|v| (t, v)));
+    match broken.min() {
+        Some((t, v)) => Err(Error::RepeatedIndex {
+            triangle: t as usize,
+            vertex: v as usize,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn finite(position: &[f64; 3]) -> bool {
+    position.iter().all(|x| x.is_finite())
+}
+
+fn check_finite(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
+    match ids.iter().filter(|&&v| !finite(&positions[v as usize])).min() {
+        Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
+        None => Ok(()),
+    }
+}
+
+/// Looks up the flap vertices of the outside ring, which may lie in triangles beyond it, and numbers them.
+fn add_flaps(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    role: &[Role],
+    mut local: Vec<u32>,
+    vertex_ids: &mut Vec<u32>,
+    half_edges: &mut HalfEdges,
+) {
+    let outer = outer_layer(triangles, role, vertex_ids, half_edges);
+    let mut thirds: Vec<u32> = outer.iter().map(|o| o.2).filter(|&v| v != NONE).collect();
+    thirds.retain(|&v| local[v as usize] == NONE && finite(&positions[v as usize]));
+    thirds.sort_unstable();
+    thirds.dedup();
+    for v in thirds {
+        local[v as usize] = vertex_ids.len() as u32;
+        vertex_ids.push(v);
+    }
+    half_edges.set_flaps(|h| match outer.binary_search_by_key(&h, |o| o.0) {
+        Ok(at) => (
+            outer[at].1,
+            if outer[at].2 == NONE {
+                NONE
+            } else {
+                local[outer[at].2 as usize]
+            },
+        ),
+        Err(_) => (0, NONE),
+    });
+}
+
+/// Half-edges of the outside ring with further triangles across: the half-edge, how many, and the third vertex
+/// (the caller's number) of one of them; by half-edge.
+fn outer_layer(
+    triangles: &[[u32; 3]],
+    role: &[Role],
+    vertex_ids: &[u32],
+    half_edges: &HalfEdges,
+) -> Vec<(u32, u32, u32)> {
+    let is_ring = |v: u32| role[v as usize] == Role::Ring;
+    let key = |a: u32, b: u32| u64::from(a.min(b)) << 32 | u64::from(a.max(b));
+    let mut rim = Vec::new();
+    for h in 3 * half_edges.region_triangles as u32..half_edges.opposite.len() as u32 {
+        let (a, b) = (half_edges.origin(h), half_edges.target(h));
+        let (a, b) = (vertex_ids[a as usize], vertex_ids[b as usize]);
+        if is_ring(a) && is_ring(b) {
+            rim.push((key(a, b), h));
+        }
+    }
+    rim.sort_unstable();
+    let mut found = Vec::new();
+    if rim.is_empty() {
+        return found;
+    }
+    for tri in triangles {
+        let ring = tri.iter().filter(|&&v| is_ring(v)).count();
+        let elsewhere = tri
+            .iter()
+            .all(|&v| matches!(role[v as usize], Role::Ring | Role::Other));
+        if ring < 2 || !elsewhere || repeated(*tri).is_some() {
+            continue;
+        }
+        for k in 0..3 {
+            let edge = key(tri[k], tri[(k + 1) % 3]);
+            let first = rim.partition_point(|r| r.0 < edge);
+            let here = rim[first..].iter().take_while(|r| r.0 == edge);
+            found.extend(here.map(|r| (r.1, 1, tri[(k + 2) % 3])));
+        }
+    }
+    found.sort_unstable();
+    found.dedup_by(|later, kept| {
+        let same = later.0 == kept.0;
+        kept.1 += u32::from(same);
+        same
+    });
+    found
+}
+
+/// Numbers the components by smallest free vertex, and checks that each has a fixed vertex.
+fn components(
+    half_edges: &HalfEdges,
+    free: usize,
+    border: usize,
+    vertex_ids: &[u32],
+) -> Result<(Vec<u32>, usize), Error> {
+    // Union-find whose root is the smallest vertex, so that roots come first and are free.
+    let mut parent: Vec<u32> = (0..(free + border) as u32).collect();
+    for &[a, b, c] in &half_edges.triangles[..half_edges.region_triangles] {
+        unite(&mut parent, a, b);
+        unite(&mut parent, b, c);
+    }
+    let mut number = vec![NONE; free];
+    let mut count = 0;
+    for v in 0..free {
+        let root = find(&mut parent, v as u32) as usize;
+        if root == v {
+            number[v] = count;
+            count += 1;
+        } else {
+            number[v] = number[root];
+        }
+    }
+    let mut fixed = vec![false; count as usize];
+    for b in free..free + border {
+        fixed[number[find(&mut parent, b as u32) as usize] as usize] = true;
+    }
+    match number.iter().position(|&c| !fixed[c as usize]) {
+        Some(v) => Err(Error::NothingFixed {
+            vertex: vertex_ids[v] as usize,
+        }),
+        None => Ok((number, count as usize)),
+    }
+}
+
+fn find(parent: &mut [u32], mut v: u32) -> u32 {
+    while parent[v as usize] != v {
+        parent[v as usize] = parent[parent[v as usize] as usize];
+        v = parent[v as usize];
+    }
+    v
+}
+
+fn unite(parent: &mut [u32], a: u32, b: u32) {
+    let (a, b) = (find(parent, a), find(parent, b));
+    parent[a.max(b) as usize] = a.min(b);
+}

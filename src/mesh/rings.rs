@@ -1,5 +1,306 @@
-//! Rings.
+//! Ordered one-rings as compressed rows, and the sparsity patterns that follow from them.
 
-/// Rings.
-#[derive(Debug)]
-pub struct Rings;
+use super::NONE;
+use super::halfedge::{next, previous};
+use super::region::Region;
+use crate::linear::sparse::SymmetricPattern;
+
+/// The neighbourhoods of the region's vertices, in local vertex numbers. Row `i` of a quantity `x` is
+/// `x[x_start[i]..x_start[i + 1]]`; border rows are numbered from the first border vertex.
+#[derive(Debug, Clone, Default)]
+pub struct Rings {
+    /// Rows of `neighbour`, `flap` and `twin`; free + 1 offsets.
+    pub start: Vec<u32>,
+    /// The closed ring of each free vertex, counter-clockwise from the smallest local number.
+    pub neighbour: Vec<u32>,
+    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`].
+    pub flap: Vec<u32>,
+    /// Where this vertex stands in the ring of a free neighbour: a position in `neighbour`. [`NONE`] at
+    /// fixed neighbours.
+    pub twin: Vec<u32>,
+
+    /// Rows of `border_neighbour`; border + 1 offsets.
+    pub border_start: Vec<u32>,
+    /// The neighbours of each border vertex within the region, each once, counter-clockwise fan by fan.
+    pub border_neighbour: Vec<u32>,
+    /// Rows of `border_edge`; border + 1 offsets.
+    pub border_edge_start: Vec<u32>,
+    /// Ring edges of the region triangles at each border vertex `b`: `(b, e[0], e[1])` is counter-clockwise.
+    pub border_edge: Vec<[u32; 2]>,
+    /// Per border vertex: its triangles form one closed ring inside the region, nothing is outside.
+    pub closed: Vec<bool>,
+
+    /// The half-edges of region triangles with no region triangle across, ascending: the region lies on
+    /// their left. Something is outside where [`HalfEdges::opposite`](super::HalfEdges::opposite) is there.
+    pub border_half_edges: Vec<u32>,
+
+    /// Rows of `outside_neighbour`; border + 1 offsets.
+    pub outside_start: Vec<u32>,
+    /// The neighbours of each border vertex in the outside ring, each once, counter-clockwise fan by fan.
+    pub outside_neighbour: Vec<u32>,
+    /// Rows of `outside_edge` and `outside_flap`; border + 1 offsets.
+    pub outside_edge_start: Vec<u32>,
+    /// Ring edges of the outside triangles at each border vertex, oriented as in `border_edge`.
+    pub outside_edge: Vec<[u32; 2]>,
+    /// The third vertex across that ring edge, not of the region's triangles, or [`NONE`].
+    pub outside_flap: Vec<u32>,
+}
+
+impl Rings {
+    /// Walks around every vertex of the region.
+    pub fn new(region: &Region) -> Self {
+        let mut rings = Self::default();
+        rings.walk_free(region);
+        rings.walk_border(region);
+        let half_edges = &region.half_edges;
+        rings.border_half_edges = (0..3 * half_edges.region_triangles as u32)
+            .filter(|&h| {
+                let o = half_edges.opposite[h as usize];
+                o == NONE || !half_edges.in_region(o)
+            })
+            .collect();
+        rings
+    }
+
+    /// How many free vertices there are.
+    #[inline]
+    pub fn free(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// How many border vertices there are.
+    #[inline]
+    pub fn border(&self) -> usize {
+        self.border_start.len() - 1
+    }
+
+    /// The ring of a free vertex, counter-clockwise.
+    #[inline]
+    pub fn ring(&self, i: usize) -> &[u32] {
+        &self.neighbour[self.start[i] as usize..self.start[i + 1] as usize]
+    }
+
+    /// The region neighbours of border vertex `free + b`.
+    #[inline]
+    pub fn border_ring(&self, b: usize) -> &[u32] {
+        row(&self.border_start, &self.border_neighbour, b)
+    }
+
+    /// The region neighbours of any region vertex.
+    #[inline]
+    pub fn neighbours(&self, v: usize) -> &[u32] {
+        if v < self.free() {
+            self.ring(v)
+        } else {
+            self.border_ring(v - self.free())
+        }
+    }
+
+    fn walk_free(&mut self, region: &Region) {
+        let half_edges = &region.half_edges;
+        let inside = 3 * half_edges.region_triangles;
+        let mut position = vec![NONE; inside];
+        let mut spoke = Vec::with_capacity(inside);
+        self.neighbour.reserve(inside);
+        self.flap.reserve(inside);
+        self.start.push(0);
+        for i in 0..region.free {
+            for h in half_edges.around(i) {
+                position[h as usize] = spoke.len() as u32;
+                spoke.push(h);
+                self.neighbour.push(half_edges.target(h));
+                let across = half_edges.flap(next(h));
+                self.flap.push(if across == i as u32 { NONE } else { across });
+            }
+            self.start.push(spoke.len() as u32);
+        }
+        // Half-edges that leave a fixed vertex have no position.
+        self.twin = spoke
+            .iter()
+            .map(|&h| position[half_edges.opposite[h as usize] as usize])
+            .collect();
+    }
+
+    fn walk_border(&mut self, region: &Region) {
+        let half_edges = &region.half_edges;
+        self.border_start.push(0);
+        self.border_edge_start.push(0);
+        self.outside_start.push(0);
+        self.outside_edge_start.push(0);
+        for b in region.free..region.region_vertices() {
+            self.closed.push(true);
+            for h in half_edges.around(b) {
+                self.add_border_triangle(region, h);
+            }
+            self.border_start.push(self.border_neighbour.len() as u32);
+            self.border_edge_start.push(self.border_edge.len() as u32);
+            self.outside_start.push(self.outside_neighbour.len() as u32);
+            self.outside_edge_start.push(self.outside_edge.len() as u32);
+        }
+    }
+
+    /// Enters the triangle left of `h`, which leaves the border vertex of the row under construction.
+    fn add_border_triangle(&mut self, region: &Region, h: u32) {
+        let half_edges = &region.half_edges;
+        let inside = half_edges.in_region(h);
+        let other = |g: u32| {
+            let o = half_edges.opposite[g as usize];
+            o == NONE || half_edges.in_region(o) != inside
+        };
+        let (begins, ends) = (other(h), other(previous(h)));
+        if let Some(closed) = self.closed.last_mut() {
+            *closed &= inside && !begins && !ends;
+        }
+        let edge = [half_edges.target(h), half_edges.apex(h)];
+        let neighbours = if inside {
+            &mut self.border_neighbour
+        } else {
+            &mut self.outside_neighbour
+        };
+        neighbours.push(edge[0]);
+        if ends {
+            neighbours.push(edge[1]);
+        }
+        if inside {
+            self.border_edge.push(edge);
+        } else {
+            self.outside_edge.push(edge);
+            self.outside_flap.push(half_edges.flap_beyond(next(h)));
+        }
+    }
+
+    /// The one-ring graph of the free vertices: the pattern of the scalar graph Laplacian.
+    pub fn graph(&self) -> SymmetricPattern {
+        let free = self.free();
+        let mut pattern = SymmetricPattern {
+            start: Vec::with_capacity(free + 1),
+            column: Vec::new(),
+        };
+        pattern.column.reserve(self.neighbour.len() / 2 + free);
+        pattern.start.push(0);
+        for i in 0..free {
+            let row = pattern.column.len();
+            pattern
+                .column
+                .extend(self.ring(i).iter().filter(|&&j| (j as usize) < i));
+            pattern.column[row..].sort_unstable();
+            pattern.column.push(i as u32);
+            pattern.start.push(pattern.column.len());
+        }
+        pattern
+    }
+
+    /// The pattern of `S_I D S_I^T`, where S_I holds the free rows and all region columns of the Laplacian:
+    /// free vertices are connected if they are the same, neighbours, or have a common neighbour, free or border.
+    pub fn two_ring_pattern(&self) -> SymmetricPattern {
+        let free = self.free();
+        let mut pattern = SymmetricPattern {
+            start: Vec::with_capacity(free + 1),
+            column: Vec::new(),
+        };
+        pattern.column.reserve(self.neighbour.len() * 3 / 2 + free);
+        let mut seen = vec![NONE; free];
+        pattern.start.push(0);
+        for i in 0..free as u32 {
+            let row = pattern.column.len();
+            let mut visit = |j: u32| {
+                if j < i && seen[j as usize] != i {
+                    seen[j as usize] = i;
+                    pattern.column.push(j);
+                }
+            };
+            for &k in self.ring(i as usize) {
+                visit(k);
+                self.neighbours(k as usize).iter().for_each(|&j| visit(j));
+            }
+            pattern.column[row..].sort_unstable();
+            pattern.column.push(i);
+            pattern.start.push(pattern.column.len());
+        }
+        pattern
+    }
+
+    /// Checks the invariants; for tests.
+    ///
+    /// # Errors
+    /// What is violated.
+    pub fn validate(&self, region: &Region) -> Result<(), String> {
+        self.validate_free(region)?;
+        self.validate_border(region)?;
+        self.validate_euler(region)
+    }
+
+    fn validate_free(&self, region: &Region) -> Result<(), String> {
+        if self.free() != region.free || self.border() != region.border {
+            return Err("row counts".into());
+        }
+        for i in 0..self.free() {
+            let ring = self.ring(i);
+            if ring.len() < 3 || ring.iter().min() != ring.first() {
+                return Err(format!("ring of {i}"));
+            }
+            for p in self.start[i]..self.start[i + 1] {
+                let (j, twin) = (self.neighbour[p as usize], self.twin[p as usize]);
+                if region.is_free(j) != (twin != NONE) {
+                    return Err(format!("twin of {p} is missing or superfluous"));
+                }
+                if twin != NONE
+                    && (self.twin[twin as usize] != p
+                        || self.neighbour[twin as usize] != i as u32
+                        || !(self.start[j as usize]..self.start[j as usize + 1]).contains(&twin))
+                {
+                    return Err(format!("twin of {p}"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn validate_border(&self, region: &Region) -> Result<(), String> {
+        let distinct = |row: &[u32]| {
+            let mut sorted = row.to_vec();
+            sorted.sort_unstable();
+            sorted.windows(2).all(|w| w[0] < w[1])
+        };
+        for b in 0..self.border() {
+            let ring = self.border_ring(b);
+            let edges = row(&self.border_edge_start, &self.border_edge, b);
+            let outside = row(&self.outside_edge_start, &self.outside_edge, b);
+            if !distinct(ring) || !distinct(row(&self.outside_start, &self.outside_neighbour, b)) {
+                return Err(format!("border vertex {b} has a neighbour twice"));
+            }
+            if edges.is_empty() || self.closed[b] != (ring.len() == edges.len()) {
+                return Err(format!("fans of border vertex {b}"));
+            }
+            if self.closed[b] && !outside.is_empty() {
+                return Err(format!("border vertex {b} is closed but has an outside"));
+            }
+            // A free neighbour has triangles on both sides of the edge to it.
+            if ring.len() < 3 || edges.len() < 2 {
+                return Err(format!("border vertex {b} has fewer than two triangles"));
+            }
+            if ring.iter().all(|&j| !region.is_free(j)) {
+                return Err(format!("border vertex {b} has no free neighbour"));
+            }
+        }
+        Ok(())
+    }
+
+    /// V - E + F with the border vertices split into their fans must match the count of half-edges: every
+    /// half-edge of the region is a spoke of exactly one ring, and every border half-edge begins one fan.
+    fn validate_euler(&self, region: &Region) -> Result<(), String> {
+        let half_edges = 3 * region.half_edges.region_triangles;
+        if self.neighbour.len() + self.border_edge.len() != half_edges {
+            return Err("spokes and half-edges differ".into());
+        }
+        let fans = self.border_neighbour.len() - self.border_edge.len();
+        if fans != self.border_half_edges.len() {
+            return Err("open fans and border half-edges differ".into());
+        }
+        Ok(())
+    }
+}
+
+fn row<'a, T>(start: &[u32], values: &'a [T], i: usize) -> &'a [T] {
+    &values[start[i] as usize..start[i + 1] as usize]
+}

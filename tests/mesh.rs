@@ -1,0 +1,574 @@
+//! The region of a mesh: structure, invariants, and every error with its exact value.
+
+use fairmesh::mesh::{NONE, Region, Rings};
+use fairmesh::{Error, Selection};
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// `n` by `n` vertices, vertex `n * y + x`, two triangles per cell.
+fn grid(n: u32) -> Mesh {
+    let positions = (0..n * n)
+        .map(|v| [f64::from(v % n), f64::from(v / n), 0.0])
+        .collect();
+    let mut triangles = Vec::new();
+    for y in 0..n - 1 {
+        for x in 0..n - 1 {
+            let v = n * y + x;
+            triangles.push([v, v + 1, v + n + 1]);
+            triangles.push([v, v + n + 1, v + n]);
+        }
+    }
+    (positions, triangles)
+}
+
+/// Grid vertices at least `margin` away from the grid's border.
+fn inner(n: u32, margin: u32) -> Vec<u32> {
+    let inside = |x: u32| (margin..n - margin).contains(&x);
+    (0..n * n).filter(|v| inside(v % n) && inside(v / n)).collect()
+}
+
+/// A sphere of `m` rings of `n` vertices with two poles, the poles last.
+fn sphere(n: u32, m: u32) -> Mesh {
+    let mut positions = Vec::new();
+    for r in 0..m {
+        for s in 0..n {
+            let (theta, phi) = (
+                std::f64::consts::PI * f64::from(r + 1) / f64::from(m + 1),
+                std::f64::consts::TAU * f64::from(s) / f64::from(n),
+            );
+            positions.push([theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()]);
+        }
+    }
+    positions.extend([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]);
+    let (top, bottom) = (n * m, n * m + 1);
+    let mut triangles = Vec::new();
+    for s in 0..n {
+        let t = (s + 1) % n;
+        triangles.push([top, s, t]);
+        triangles.push([bottom, n * (m - 1) + t, n * (m - 1) + s]);
+        for r in 0..m - 1 {
+            triangles.push([n * r + s, n * (r + 1) + s, n * (r + 1) + t]);
+            triangles.push([n * r + s, n * (r + 1) + t, n * r + t]);
+        }
+    }
+    (positions, triangles)
+}
+
+/// A region that must be sound, with all invariants checked.
+fn sound(mesh: &Mesh, selection: Selection<'_>) -> (Region, Rings) {
+    let region = Region::new(&mesh.0, &mesh.1, selection).expect("a sound region");
+    let rings = Rings::new(&region);
+    check(&region, &rings);
+    (region, rings)
+}
+
+fn check(region: &Region, rings: &Rings) {
+    region.validate().expect("region");
+    rings.validate(region).expect("rings");
+    check_patterns(rings);
+}
+
+/// The two patterns against their definitions, by brute force.
+fn check_patterns(rings: &Rings) {
+    let free = rings.free();
+    let own = |v: usize| {
+        rings
+            .neighbours(v)
+            .iter()
+            .copied()
+            .filter(|&j| (j as usize) < free)
+    };
+    let (graph, two) = (rings.graph(), rings.two_ring_pattern());
+    assert_eq!((graph.order(), two.order()), (free, free));
+    for i in 0..free {
+        let mut near: BTreeSet<u32> = own(i).collect();
+        near.insert(i as u32);
+        let mut far = near.clone();
+        rings.ring(i).iter().for_each(|&k| far.extend(own(k as usize)));
+        let lower = |s: BTreeSet<u32>| s.into_iter().filter(|&j| j as usize <= i).collect::<Vec<_>>();
+        assert_eq!(graph.row(i), lower(near));
+        assert_eq!(two.row(i), lower(far));
+    }
+}
+
+fn error(mesh: &Mesh, selection: Selection<'_>) -> Error {
+    Region::new(&mesh.0, &mesh.1, selection).expect_err("a flaw")
+}
+
+/// The free vertices of a region, as the caller numbers them.
+fn free_ids(region: &Region) -> &[u32] {
+    &region.vertex_ids[..region.free]
+}
+
+#[test]
+fn one_free_vertex_in_a_grid() {
+    let mesh = grid(5);
+    let (region, rings) = sound(&mesh, Selection::Vertices(&[12, 12]));
+    assert_eq!(region.vertex_ids[..7], [12, 6, 7, 11, 13, 17, 18]);
+    assert_eq!((region.free, region.border, region.components), (1, 6, 1));
+    assert_eq!(region.half_edges.triangle_ids[..6], [10, 11, 13, 18, 20, 21]);
+    // Counter-clockwise from the smallest: 6, 7, 13, 18, 17, 11.
+    assert_eq!(rings.ring(0), [1, 2, 4, 6, 5, 3]);
+    assert_eq!(rings.flap, [NONE; 6]);
+    assert_eq!(rings.twin, [NONE; 6]);
+    assert_eq!(rings.border_half_edges.len(), 6);
+    // All 32 triangles but four in each of the two corners away from the diagonal, which touch no border
+    // vertex.
+    assert_eq!(region.half_edges.triangles.len(), 24);
+    // Vertex 6: two region triangles; outside it has four and a fan of five neighbours.
+    let caller = |v: &[u32]| {
+        v.iter()
+            .map(|&v| region.vertex_ids[v as usize])
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(caller(rings.border_ring(0)), [7, 12, 11]);
+    assert_eq!(caller(&rings.outside_neighbour[..5]), [11, 5, 0, 1, 7]);
+    assert_eq!(caller(&rings.border_edge[0]), [7, 12]);
+    assert!(rings.closed.iter().all(|c| !c));
+}
+
+#[test]
+fn flaps_of_the_outside_lie_in_the_ring_or_beyond() {
+    let mesh = grid(9);
+    let (region, rings) = sound(&mesh, Selection::Vertices(&[40]));
+    let id = |v: u32| region.vertex_ids[v as usize];
+    // Border vertex 30, whose outside edges run from 39 to 31; 38 and 11 are not of the outside ring's vertices.
+    let row = rings.outside_edge_start[0] as usize..rings.outside_edge_start[1] as usize;
+    let found: Vec<_> = row
+        .map(|k| (rings.outside_edge[k].map(id), rings.outside_flap[k]))
+        .map(|(e, f)| (e, if f == NONE { NONE } else { id(f) }))
+        .collect();
+    assert_eq!(
+        found,
+        [([39, 29], 38), ([29, 20], 19), ([20, 21], 11), ([21, 31], 22)]
+    );
+    // 10 or 11 is beyond the ring: numbered after every ring vertex.
+    assert!(region.vertex_ids.contains(&11));
+}
+
+#[test]
+fn an_ambiguous_or_unusable_flap_is_none() {
+    let mut mesh = grid(9);
+    let flap = |mesh: &Mesh| {
+        let (region, rings) = sound(mesh, Selection::Vertices(&[40]));
+        let at = rings
+            .outside_edge
+            .iter()
+            .position(|e| e.map(|v| region.vertex_ids[v as usize]) == [20, 21]);
+        rings.outside_flap[at.unwrap()]
+    };
+    assert_ne!(flap(&mesh), NONE);
+    mesh.0[11][1] = f64::NAN;
+    assert_eq!(flap(&mesh), NONE);
+    mesh.0[11][1] = 1.0;
+    mesh.1.push([20, 21, 80]);
+    assert_eq!(flap(&mesh), NONE);
+}
+
+#[test]
+fn faces_free_what_they_enclose() {
+    let mesh = grid(6);
+    let all: Vec<u32> = (0..mesh.1.len() as u32).collect();
+    let (region, _) = sound(&mesh, Selection::Faces(&all));
+    assert_eq!(free_ids(&region), inner(6, 1));
+    assert_eq!(region.half_edges.region_triangles, mesh.1.len() - 2);
+    let around: Vec<u32> = all
+        .iter()
+        .copied()
+        .filter(|&t| mesh.1[t as usize].contains(&14))
+        .chain([0, 0])
+        .collect();
+    let (region, _) = sound(&mesh, Selection::Faces(&around));
+    assert_eq!(free_ids(&region), [14]);
+    assert_eq!(error(&mesh, Selection::Faces(&around[1..])), Error::EmptyRegion);
+}
+
+#[test]
+fn mask_and_list_agree() {
+    let mesh = grid(8);
+    let list = inner(8, 2);
+    let mask: Vec<bool> = (0..64).map(|v| list.contains(&v)).collect();
+    let reversed: Vec<u32> = list.iter().rev().copied().collect();
+    let (a, ra) = sound(&mesh, Selection::Mask(&mask));
+    let (b, rb) = sound(&mesh, Selection::Vertices(&reversed));
+    assert_eq!(a.vertex_ids, b.vertex_ids);
+    assert_eq!(a.half_edges.opposite, b.half_edges.opposite);
+    assert_eq!((ra.neighbour, ra.flap, ra.twin), (rb.neighbour, rb.flap, rb.twin));
+}
+
+#[test]
+fn closed_fixed_vertex_inside_the_region() {
+    let mesh = grid(9);
+    let mut list = inner(9, 2);
+    list.retain(|&v| v != 40);
+    let (region, rings) = sound(&mesh, Selection::Vertices(&list));
+    let at = region.vertex_ids.iter().position(|&v| v == 40).unwrap() - region.free;
+    assert!(rings.closed[at]);
+    assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
+    assert_eq!(rings.border_ring(at).len(), 6);
+    assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 6);
+    assert_eq!(rings.outside_start[at + 1], rings.outside_start[at]);
+    // V - E + F = 1 of the disc that is left.
+    let faces = region.half_edges.region_triangles as i64;
+    let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
+    assert_eq!(region.region_vertices() as i64 - edges + faces, 1);
+}
+
+#[test]
+fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
+    let mut mesh = sphere(12, 7);
+    let top = 12 * 7;
+    let all: Vec<u32> = (0..top + 2).filter(|&v| v != top).collect();
+    let (region, rings) = sound(&mesh, Selection::Vertices(&all));
+    assert_eq!((region.border, rings.closed.as_slice()), (1, &[true][..]));
+    assert!(rings.border_half_edges.is_empty());
+    let faces = mesh.1.len() as i64;
+    assert_eq!(region.region_vertices() as i64 - faces / 2, 2);
+    // Now a hole in place of the pole: its rim is fixed and has no outside.
+    mesh.1.retain(|t| !t.contains(&top));
+    let all: Vec<u32> = (12..top).chain([top + 1]).collect();
+    let (region, rings) = sound(&mesh, Selection::Vertices(&all));
+    assert_eq!(region.border, 12);
+    assert_eq!(rings.border_half_edges.len(), 12);
+    let rim_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
+    assert!(rings.border_half_edges.iter().all(|h| rim_opposite(h) == NONE));
+    assert!(rings.outside_neighbour.is_empty());
+}
+
+#[test]
+fn components_join_at_common_vertices() {
+    let mesh = grid(12);
+    let (region, _) = sound(&mesh, Selection::Vertices(&[26, 116, 117]));
+    assert_eq!(
+        (region.component.as_slice(), region.components),
+        (&[0, 1, 1][..], 2)
+    );
+    // (2, 2) and (4, 4) have the fixed vertex (3, 3) in common, which then has two region fans.
+    let (region, rings) = sound(&mesh, Selection::Vertices(&[26, 52]));
+    assert_eq!(region.components, 1);
+    let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
+    assert_eq!((rings.border_ring(at).len(), rings.closed[at]), (6, false));
+    assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 4);
+    assert_eq!(rings.outside_start[at + 1] - rings.outside_start[at], 4);
+    // The common border vertex connects the two in S_I D S_I^T, though they are no neighbours.
+    assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
+    assert_eq!(rings.graph().row(1), [1]);
+}
+
+#[test]
+fn annulus() {
+    let mesh = grid(13);
+    let mut list = inner(13, 2);
+    let hole = inner(13, 5);
+    list.retain(|v| !hole.contains(v));
+    let (region, rings) = sound(&mesh, Selection::Vertices(&list));
+    let faces = region.half_edges.region_triangles as i64;
+    let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
+    assert_eq!(region.region_vertices() as i64 - edges + faces, 0);
+    assert_eq!(region.components, 1);
+    assert!(rings.closed.iter().all(|c| !c));
+}
+
+#[test]
+fn corners_of_valence_two_on_a_rim_are_outside() {
+    // A fan around vertex 0 with nothing outside: every rim vertex has one triangle left and one right.
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [2.0, 2.0, 0.0]];
+    let mut mesh = (positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
+    let (_, rings) = sound(&mesh, Selection::Vertices(&[0]));
+    assert_eq!((rings.border_edge.len(), rings.outside_edge.len()), (6, 0));
+    // A tooth: vertex 4 has only the triangle over the rim edge (1, 2). No corner of it is free, so it is no
+    // region triangle, and vertex 4 no border vertex.
+    mesh.1.push([2, 1, 4]);
+    for selection in [Selection::Vertices(&[0]), Selection::Faces(&[0, 1, 2, 3])] {
+        let (region, rings) = sound(&mesh, selection);
+        assert_eq!((region.half_edges.region_triangles, region.border), (3, 3));
+        assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
+        assert_eq!(rings.outside_flap, [NONE; 2]);
+    }
+}
+
+#[test]
+fn renumbering_gives_the_isomorphic_structure() {
+    let mesh = grid(9);
+    let list = inner(9, 2);
+    // 32 and 81 are coprime, as are 37 and 128.
+    let vertex = |v: u32| (v * 32 + 5) % 81;
+    let mut other: Mesh = (vec![[0.0; 3]; 81], vec![[0; 3]; 128]);
+    (0..81).for_each(|v| other.0[vertex(v) as usize] = mesh.0[v as usize]);
+    for (t, tri) in mesh.1.iter().enumerate() {
+        let [a, b, c] = tri.map(vertex);
+        other.1[(t * 37 + 11) % 128] = [[a, b, c], [b, c, a], [c, a, b]][t % 3];
+    }
+    let moved: Vec<u32> = list.iter().map(|&v| vertex(v)).collect();
+    let (a, ra) = sound(&mesh, Selection::Vertices(&list));
+    let (b, rb) = sound(&other, Selection::Vertices(&moved));
+    assert_eq!((a.free, a.border, a.components), (b.free, b.border, b.components));
+    assert_eq!(a.vertex_ids.len(), b.vertex_ids.len());
+    let local = |v: u32| b.vertex_ids.iter().position(|&w| w == vertex(v)).unwrap();
+    let flap_id = |region: &Region, f: u32| {
+        if f == NONE {
+            NONE
+        } else {
+            region.vertex_ids[f as usize]
+        }
+    };
+    for i in 0..a.region_vertices() {
+        let j = local(a.vertex_ids[i]);
+        let mut left: Vec<_> = ra
+            .neighbours(i)
+            .iter()
+            .map(|&k| vertex(a.vertex_ids[k as usize]))
+            .collect();
+        let right: Vec<_> = rb
+            .neighbours(j)
+            .iter()
+            .map(|&k| b.vertex_ids[k as usize])
+            .collect();
+        if i < a.free {
+            let begin = left.iter().position(|&k| k == right[0]).unwrap();
+            left.rotate_left(begin);
+            let mut flaps: Vec<_> = ra.flap[ra.start[i] as usize..ra.start[i + 1] as usize].to_vec();
+            flaps.rotate_left(begin);
+            let flaps: Vec<_> = flaps.iter().map(|&f| flap_id(&a, f)).collect();
+            let flaps: Vec<_> = flaps
+                .iter()
+                .map(|&f| if f == NONE { f } else { vertex(f) })
+                .collect();
+            let same = &rb.flap[rb.start[j] as usize..rb.start[j + 1] as usize];
+            assert_eq!(flaps, same.iter().map(|&f| flap_id(&b, f)).collect::<Vec<_>>());
+        }
+        assert_eq!(left, right);
+    }
+}
+
+#[test]
+fn flaws_far_away_are_harmless() {
+    let mut mesh = grid(20);
+    let list = [105u32, 106, 125];
+    let (clean, _) = sound(&mesh, Selection::Vertices(&list));
+    mesh.0[399] = [f64::NAN; 3];
+    mesh.1.push([379, 398, 5]); // a third triangle on an edge
+    mesh.1.push(mesh.1[700]); // a duplicate
+    mesh.1.push([390, 390, 391]); // a repeated index
+    mesh.1[650].swap(0, 1); // flipped
+    mesh.1.push([300, 19, 280]); // bow-ties
+    let (region, _) = sound(&mesh, Selection::Vertices(&list));
+    assert_eq!(region.vertex_ids, clean.vertex_ids);
+    assert_eq!(region.half_edges.opposite, clean.half_edges.opposite);
+}
+
+#[test]
+fn triangles_without_area_are_legal() {
+    let mut mesh = grid(7);
+    mesh.0.iter_mut().for_each(|p| *p = [1.0, 2.0, 3.0]);
+    sound(&mesh, Selection::Vertices(&inner(7, 2)));
+}
+
+// ---- errors ---------------------------------------------------------------------------------------------
+
+#[test]
+fn selection_errors() {
+    let mesh = grid(4);
+    let none = [false; 16];
+    assert_eq!(
+        error(&mesh, Selection::Mask(&none[1..])),
+        Error::MaskLength {
+            length: 15,
+            count: 16
+        }
+    );
+    assert_eq!(error(&mesh, Selection::Mask(&none)), Error::EmptyRegion);
+    assert_eq!(error(&mesh, Selection::Vertices(&[])), Error::EmptyRegion);
+    assert_eq!(error(&mesh, Selection::Faces(&[0])), Error::EmptyRegion);
+    let out = Error::SelectionOutOfRange { index: 16, count: 16 };
+    assert_eq!(error(&mesh, Selection::Vertices(&[5, 99, 16])), out);
+    let out = Error::SelectionOutOfRange { index: 18, count: 18 };
+    assert_eq!(error(&mesh, Selection::Faces(&[u32::MAX, 18])), out);
+    assert_eq!(error(&(vec![], vec![]), Selection::Mask(&[])), Error::EmptyRegion);
+}
+
+#[test]
+fn an_index_out_of_range_is_found_anywhere() {
+    let mut mesh = grid(20);
+    mesh.1[700][1] = 400;
+    mesh.1[701][1] = 777;
+    let expected = Error::IndexOutOfRange {
+        triangle: 700,
+        index: 400,
+        vertex_count: 400,
+    };
+    assert_eq!(error(&mesh, Selection::Vertices(&[105])), expected);
+    assert_eq!(error(&mesh, Selection::Faces(&[1])), expected);
+}
+
+#[test]
+fn free_vertex_without_triangle() {
+    let mut mesh = grid(5);
+    mesh.0.extend([[0.0; 3]; 2]);
+    let expected = Error::FreeVertexWithoutTriangle { vertex: 25 };
+    assert_eq!(error(&mesh, Selection::Vertices(&[12, 26, 25])), expected);
+}
+
+#[test]
+fn free_vertex_on_the_border_of_the_mesh() {
+    let mesh = grid(5);
+    let expected = Error::FreeVertexOnBorder { vertex: 2 };
+    assert_eq!(error(&mesh, Selection::Vertices(&[12, 7, 3, 2])), expected);
+}
+
+#[test]
+fn not_finite() {
+    // 44 is free, 34 border, 23 of the outside ring, the others elsewhere.
+    for (vertex, harmful) in [(44, true), (34, true), (23, true), (0, false), (90, false)] {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut mesh = grid(10);
+            mesh.0[vertex][2] = bad;
+            let found = Region::new(&mesh.0, &mesh.1, Selection::Vertices(&[44])).err();
+            assert_eq!(found, harmful.then_some(Error::NotFinite { vertex }));
+        }
+    }
+}
+
+#[test]
+fn repeated_index() {
+    let mut mesh = grid(6);
+    mesh.1.push([14, 20, 14]);
+    mesh.1.push([15, 15, 15]);
+    let expected = Error::RepeatedIndex {
+        triangle: 50,
+        vertex: 14,
+    };
+    assert_eq!(error(&mesh, Selection::Vertices(&[14])), expected);
+}
+
+#[test]
+fn duplicate_triangle() {
+    let mut mesh = grid(6);
+    // Whichever way it runs, a triangle with the same corners is a duplicate.
+    let first = mesh.1.iter().position(|t| t.contains(&14)).unwrap();
+    let [a, b, c] = mesh.1[first];
+    for copy in [[b, c, a], [b, a, c]] {
+        let mut mesh = mesh.clone();
+        mesh.1.push(copy);
+        let expected = Error::DuplicateTriangle {
+            triangle: 50,
+            other: first,
+        };
+        assert_eq!(error(&mesh, Selection::Vertices(&[14])), expected);
+    }
+    // A pillow: two triangles back to back.
+    mesh = (vec![[0.0; 3]; 3], vec![[0, 1, 2], [2, 1, 0]]);
+    let expected = Error::DuplicateTriangle {
+        triangle: 1,
+        other: 0,
+    };
+    assert_eq!(error(&mesh, Selection::Vertices(&[0])), expected);
+}
+
+#[test]
+fn three_triangles_on_an_edge() {
+    let mut mesh = grid(6);
+    mesh.0.push([9.0; 3]);
+    mesh.1.push([14, 15, 36]);
+    let expected = Error::NonManifoldEdge {
+        a: 14,
+        b: 15,
+        triangle: 50,
+    };
+    assert_eq!(error(&mesh, Selection::Vertices(&[14])), expected);
+}
+
+#[test]
+fn flipped_triangle() {
+    let mut mesh = grid(6);
+    let flipped = mesh.1.iter().position(|t| *t == [14, 15, 21]).unwrap();
+    mesh.1[flipped] = [15, 14, 21];
+    let found = error(&mesh, Selection::Vertices(&[14]));
+    let below = mesh.1.iter().position(|t| *t == [8, 15, 14]).unwrap();
+    let expected = Error::InconsistentOrientation {
+        a: 14,
+        b: 15,
+        triangle: flipped,
+        other: below,
+    };
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn bow_ties() {
+    // Two grids joined at one vertex, which is free or border.
+    let (mut positions, mut triangles) = grid(5);
+    let (p, t) = grid(5);
+    positions.extend(p);
+    triangles.extend(t.iter().map(|t| t.map(|v| if v == 12 { 12 } else { v + 25 })));
+    let mesh = (positions, triangles);
+    let expected = Error::NonManifoldVertex { vertex: 12 };
+    assert_eq!(error(&mesh, Selection::Vertices(&[12])), expected);
+    assert_eq!(error(&mesh, Selection::Vertices(&[13])), expected);
+    // Two open fans at a border vertex.
+    let mut mesh = grid(4);
+    mesh.0.extend([[8.0; 3]; 2]);
+    mesh.1.push([1, 16, 17]);
+    let expected = Error::NonManifoldVertex { vertex: 1 };
+    assert_eq!(error(&mesh, Selection::Vertices(&[5])), expected);
+}
+
+#[test]
+fn nothing_fixed() {
+    let mut mesh = sphere(6, 3);
+    let all: Vec<u32> = (0..20).collect();
+    assert_eq!(
+        error(&mesh, Selection::Vertices(&all)),
+        Error::NothingFixed { vertex: 0 }
+    );
+    // A second sphere, sound, before it.
+    let (p, t) = sphere(6, 3);
+    mesh.0.extend(p);
+    mesh.1.extend(t.iter().map(|t| t.map(|v| v + 20)));
+    let all: Vec<u32> = (1..40).collect();
+    assert_eq!(
+        error(&mesh, Selection::Vertices(&all)),
+        Error::NothingFixed { vertex: 20 }
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn any_selection_of_a_jittered_grid(
+        n in 3u32..9,
+        bits in prop::collection::vec(any::<bool>(), 128),
+        dense in any::<bool>(),
+        jitter in prop::collection::vec(-0.3f64..0.3, 64),
+        kind in 0..3,
+    ) {
+        let mut mesh = grid(n);
+        mesh.0.iter_mut().zip(&jitter).for_each(|(p, j)| { p[0] += j; p[2] -= j });
+        let pick = |k: u32| bits[k as usize] || (dense && bits[(k as usize * 7 + 1) % 128]);
+        let interior = |v: u32| (1..n - 1).contains(&(v % n)) && (1..n - 1).contains(&(v / n));
+        let list: Vec<u32> = (0..n * n).filter(|&v| pick(v) && (kind == 0 || interior(v))).collect();
+        let faces: Vec<u32> = (0..mesh.1.len() as u32).filter(|&t| pick(t)).collect();
+        let selection = if kind == 2 { Selection::Faces(&faces) } else { Selection::Vertices(&list) };
+        match Region::new(&mesh.0, &mesh.1, selection) {
+            Ok(region) => check(&region, &Rings::new(&region)),
+            Err(Error::FreeVertexOnBorder { .. }) => prop_assert_eq!(kind, 0),
+            Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
+        }
+    }
+
+    #[test]
+    fn any_triangles_give_a_region_or_a_named_error(
+        triangles in prop::collection::vec(prop::array::uniform3(0u32..9), 1..24),
+        free in prop::collection::vec(0u32..9, 1..5),
+        faces in any::<bool>(),
+    ) {
+        let positions = vec![[0.0; 3]; 8 + usize::from(faces)];
+        let selection = if faces { Selection::Faces(&free) } else { Selection::Vertices(&free) };
+        if let Ok(region) = Region::new(&positions, &triangles, selection) {
+            check(&region, &Rings::new(&region));
+        }
+    }
+}
