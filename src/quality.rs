@@ -1,6 +1,14 @@
 //! Is the result sound: triangles, normals, extent.
 
-/// Figures of the faired region, all measured on the result.
+use nalgebra::Vector3;
+
+use crate::discrete::border_normals::angle;
+use crate::mesh::Region;
+
+/// An angle below this makes a triangle a needle, in degrees.
+pub const NEEDLE: f64 = 1.0;
+
+/// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Quality {
     /// The smallest angle of the region's triangles, in degrees.
@@ -15,10 +23,132 @@ pub struct Quality {
     pub h_inside: [f64; 2],
     /// The smallest and largest mean curvature at border vertices.
     pub h_border: [f64; 2],
-    /// The largest angle, in degrees, between a prescribed border normal and the normal of the surface there.
+    /// The largest angle, in degrees, between a prescribed border normal and the area-weighted mean normal of the
+    /// region's triangles there. On a smooth surface it falls in proportion to the edge length.
     pub normal_deviation: f64,
     /// The border vertex that has it.
     pub normal_deviation_vertex: usize,
     /// The root mean square of those angles, in degrees.
     pub normal_deviation_rms: f64,
+}
+
+impl Quality {
+    /// No flipped triangle and no needle.
+    pub fn is_sound(&self) -> bool {
+        self.flipped.is_empty() && self.needles.is_empty()
+    }
+}
+
+/// A surface to be judged: positions of the region's vertices (free, border), unit normals and mean curvature there.
+#[derive(Debug, Clone, Copy)]
+pub struct Surface<'a> {
+    /// Connectivity.
+    pub region: &'a Region,
+    /// Positions.
+    pub x: &'a [Vector3<f64>],
+    /// Normals of the surface at free vertices.
+    pub normals: &'a [Vector3<f64>],
+    /// Prescribed normals at border vertices.
+    pub border_normals: &'a [Vector3<f64>],
+    /// Mean curvature, free then border; may be empty.
+    pub h: &'a [f64],
+}
+
+/// The worst angle of a triangle in degrees.
+pub fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
+    let corner = |i: usize| {
+        let (a, b) = (p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
+        angle(&a, &b).to_degrees()
+    };
+    let smallest = corner(0).min(corner(1)).min(corner(2));
+    if smallest.is_finite() { smallest } else { 0.0 }
+}
+
+impl Surface<'_> {
+    fn normal(&self, v: u32) -> Vector3<f64> {
+        let v = v as usize;
+        if v < self.region.free { self.normals[v] } else { self.border_normals[v - self.region.free] }
+    }
+
+    /// Calls `visit(triangle, flipped, smallest angle)` for every region triangle (local number).
+    pub fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
+        let half_edges = &self.region.half_edges;
+        for (t, corners) in half_edges.triangles[..half_edges.region_triangles].iter().enumerate() {
+            let p = corners.map(|v| self.x[v as usize]);
+            let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
+            let sum: Vector3<f64> = corners.iter().map(|&v| self.normal(v)).sum();
+            // Not "< 0": what is not a number counts as flipped.
+            let flipped = !(cross.dot(&sum) >= 0.0);
+            visit(t, flipped, smallest_angle(&p));
+        }
+    }
+
+    /// All figures.
+    pub fn quality(&self) -> Quality {
+        let free = self.region.free;
+        let mut quality = Quality { worst_angle: f64::INFINITY, ..Quality::default() };
+        self.triangles(|t, flipped, angle| {
+            let id = self.region.half_edges.triangle_ids[t];
+            if angle < quality.worst_angle {
+                quality.worst_angle = angle;
+                quality.worst_triangle = id as usize;
+            }
+            if flipped {
+                quality.flipped.push(id);
+            }
+            if angle < NEEDLE {
+                quality.needles.push(id);
+            }
+        });
+        if self.h.len() == self.x.len() {
+            quality.h_inside = range(&self.h[..free]);
+            quality.h_border = range(&self.h[free..]);
+        }
+        let mut squares = 0.0;
+        for (b, degrees) in self.normal_deviations().into_iter().enumerate() {
+            squares += degrees * degrees;
+            if degrees > quality.normal_deviation {
+                quality.normal_deviation = degrees;
+                quality.normal_deviation_vertex = self.region.vertex_ids[free + b] as usize;
+            }
+        }
+        quality.normal_deviation_rms = (squares / self.region.border.max(1) as f64).sqrt();
+        quality
+    }
+
+    /// Per border vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross
+    /// products.
+    pub fn normal_deviations(&self) -> Vec<f64> {
+        let free = self.region.free;
+        let half_edges = &self.region.half_edges;
+        let mut sums = vec![Vector3::zeros(); self.region.border];
+        for corners in &half_edges.triangles[..half_edges.region_triangles] {
+            let p = corners.map(|v| self.x[v as usize]);
+            let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
+            for &v in corners {
+                if v as usize >= free {
+                    sums[v as usize - free] += cross;
+                }
+            }
+        }
+        sums.iter().zip(self.border_normals).map(|(s, n)| angle(s, n).to_degrees()).collect()
+    }
+}
+
+fn range(values: &[f64]) -> [f64; 2] {
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| [low.min(v), high.max(v)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smallest_angle_of_known_triangles() {
+        let p = |x: f64, y: f64| Vector3::new(x, y, 0.0);
+        assert!((smallest_angle(&[p(0., 0.), p(1., 0.), p(0., 1.)]) - 45.0).abs() < 1e-12);
+        assert!((smallest_angle(&[p(0., 0.), p(1., 0.), p(0.5, 0.75f64.sqrt())]) - 60.0).abs() < 1e-12);
+        assert!(smallest_angle(&[p(0., 0.), p(1., 0.), p(2., 0.)]) < 1e-12);
+        assert_eq!(smallest_angle(&[p(f64::NAN, 0.), p(1., 0.), p(2., 0.)]), 0.0);
+    }
 }

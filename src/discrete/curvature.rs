@@ -89,6 +89,23 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
         back_substitute(&self.cholesky(ridge), self.right)
     }
 
+    /// The right-hand side.
+    pub fn right(&self) -> [Lanes<L>; N] {
+        self.right
+    }
+
+    /// `z^T M z` of the matrix without ridge.
+    pub fn quadratic_form(&self, z: &[Lanes<L>; N]) -> Lanes<L> {
+        let mut sum = Lanes::zero();
+        for r in 0..N {
+            for c in 0..r {
+                sum += z[r] * z[c] * self.matrix[r][c] * 2.0;
+            }
+            sum += z[r] * z[r] * self.matrix[r][r];
+        }
+        sum
+    }
+
     /// The sum of weights.
     #[inline(always)]
     pub fn weight(&self) -> Lanes<L> {

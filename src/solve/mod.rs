@@ -1,1 +1,17 @@
-//! The default solver.
+//! The default solver: a quasi-Newton iteration on both fairness equations together.
+//!
+//! [`initial`] makes a start from connectivity and border data alone, [`quasi_newton`] iterates to tolerance with a
+//! frozen matrix ([`bilaplacian`]), and [`globalize`] is the order in which harder means are tried: repaired inner
+//! fairness, plain curvature, pseudo-time, continuation in the border normals.
+
+pub mod bilaplacian;
+pub mod control;
+pub mod factor;
+pub mod globalize;
+pub mod initial;
+pub mod quasi_newton;
+pub mod system;
+
+pub use control::Control;
+pub use globalize::{Ending, Solved, solve};
+pub use system::System;

@@ -1,0 +1,258 @@
+//! The frozen matrix of the normal step, `P = S_I D S_I^T`, and of the linear start.
+//!
+//! Moving by `t` along the normals changes `H` by about `-D S t` with `D_i = 3 / (4 A_i)` (paper (5)), so `P t = R1`
+//! with the free rows `S_I` of `S` and all its columns: the clamped bilaplacian. The factor `D_b` at fixed border
+//! vertices says how much the one-sided `H_b` answers to the surface beside it.
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use crate::discrete::equations::{Equations, State};
+use crate::discrete::groups::CHUNK;
+use crate::linear::sparse::SymmetricPattern;
+use crate::mesh::{Region, Rings};
+
+/// `S` and `D` of one surface, vertex by vertex.
+#[derive(Debug, Clone, Default)]
+pub struct Metric {
+    /// `w_ij` of the free vertices' rings, parallel to `rings.neighbour`.
+    weight: Vec<f64>,
+    /// `sum_j w_ij` of the free vertices.
+    total: Vec<f64>,
+    /// One-sided `w_bj` of the border vertices, parallel to `rings.border_neighbour`.
+    border_weight: Vec<f64>,
+    /// `D` at free, then at border vertices.
+    d: Vec<f64>,
+}
+
+/// `D_b` stays within this factor of `3 / (4 A_b)`.
+const BORDER_RANGE: f64 = 4.0;
+
+impl Metric {
+    /// `S` and `D` at the evaluated surface `x`. With `response`, `D_b` is taken from the finite-difference answer of
+    /// `H_b` to a shift of all free vertices along their normals; else `D_b = 3 / (4 A_b)`.
+    pub fn update(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &State, response: bool) {
+        let (rings, groups) = (equations.rings, equations.groups);
+        let free = equations.free();
+        let border = rings.closed.len();
+        self.weight.resize(rings.neighbour.len(), 0.0);
+        self.total.resize(free, 0.0);
+        self.border_weight.clear();
+        self.border_weight.resize(rings.border_neighbour.len(), 0.0);
+        self.d.resize(free + border, 0.0);
+        for i in 0..free {
+            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let range = rings.start[i] as usize..rings.start[i + 1] as usize;
+            let mut total = 0.0;
+            for (k, w) in self.weight[range].iter_mut().enumerate() {
+                *w = state.weight[first + k][lane];
+                total += *w;
+            }
+            self.total[i] = total;
+            self.d[i] = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+        }
+        let shifted = response.then(|| Shift::new(equations, x, state));
+        for b in 0..border {
+            let range = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+            let neighbours = &rings.border_neighbour[range.clone()];
+            let weights = &mut self.border_weight[range];
+            equations.border_weights(x, b, |j, w| {
+                if let Some(k) = neighbours.iter().position(|&n| n == j) {
+                    weights[k] += w;
+                }
+            });
+            let plain = 0.75 / equations.border_area(x, b).max(f64::MIN_POSITIVE);
+            let to_free = neighbours.iter().zip(weights).filter(|(j, _)| (**j as usize) < free);
+            let sum: f64 = to_free.map(|(_, w)| *w).sum();
+            self.d[free + b] = match &shifted {
+                Some(shift) if sum > 0.0 => {
+                    let answer = shift.answer(equations, state, b) / sum;
+                    answer.clamp(plain / BORDER_RANGE, plain * BORDER_RANGE)
+                }
+                _ => plain,
+            };
+        }
+        self.bound(free);
+    }
+
+    /// Collapsed disks would make single entries of `D` astronomically large: none exceeds the median by more than
+    /// this factor.
+    fn bound(&mut self, free: usize) {
+        const LARGEST: f64 = 1e6;
+        let mut sorted = self.d[..free].to_vec();
+        let middle = sorted.len() / 2;
+        let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+        for d in &mut self.d {
+            *d = d.min(median * LARGEST);
+        }
+    }
+
+    /// Puts the values of `P + diag(mass)` on `pattern`, row by row; `mass(i)` is 0 for the plain matrix.
+    pub fn assemble(
+        &self,
+        rings: &Rings,
+        pattern: &SymmetricPattern,
+        mass: impl Fn(usize) -> f64 + Sync,
+        values: &mut [f64],
+    ) {
+        let free = pattern.order();
+        let lengths = (0..free).step_by(CHUNK).map(|i| {
+            let end = (i + CHUNK).min(free);
+            pattern.start[end] - pattern.start[i]
+        });
+        let pieces = crate::discrete::groups::split_lengths(values, lengths);
+        pieces.into_par_iter().enumerate().for_each_init(
+            || vec![0u32; free],
+            |place, (chunk, piece)| {
+                let first = chunk * CHUNK;
+                for i in first..(first + CHUNK).min(free) {
+                    let offset = pattern.start[i] - pattern.start[first];
+                    let row = &mut piece[offset..offset + pattern.row(i).len()];
+                    self.row(rings, pattern, i, place, row);
+                    if let Some(diagonal) = row.last_mut() {
+                        *diagonal += mass(i);
+                    }
+                }
+            },
+        );
+    }
+
+    /// Row `i` of `P`: `sum_k D_k s_ki s_kj` over `k` in the closed ring of `i`, `s_k` the `k`-th column of `S_I`.
+    fn row(
+        &self,
+        rings: &Rings,
+        pattern: &SymmetricPattern,
+        i: usize,
+        place: &mut [u32],
+        row: &mut [f64],
+    ) {
+        let free = pattern.order();
+        for (c, &j) in pattern.row(i).iter().enumerate() {
+            place[j as usize] = c as u32;
+        }
+        row.fill(0.0);
+        let limit = i as u32;
+        let mut column = |factor: f64, neighbours: &[u32], weights: &[f64]| {
+            for (&j, w) in neighbours.iter().zip(weights) {
+                if j <= limit {
+                    row[place[j as usize] as usize] -= factor * w;
+                }
+            }
+        };
+        let ring = rings.start[i] as usize..rings.start[i + 1] as usize;
+        column(self.d[i] * self.total[i], &rings.neighbour[ring.clone()], &self.weight[ring.clone()]);
+        let mut diagonal = self.d[i] * self.total[i] * self.total[i];
+        for s in ring {
+            let k = rings.neighbour[s] as usize;
+            let factor = -self.d[k] * self.weight[s];
+            if k < free {
+                let ring = rings.start[k] as usize..rings.start[k + 1] as usize;
+                column(factor, &rings.neighbour[ring.clone()], &self.weight[ring]);
+                if k < i {
+                    column(factor, &[k as u32], &[-self.total[k]]);
+                }
+            } else {
+                let b = k - free;
+                let ring = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+                column(factor, &rings.border_neighbour[ring.clone()], &self.border_weight[ring]);
+            }
+        }
+        let last = row.len() - 1;
+        diagonal += row[last];
+        row[last] = diagonal;
+    }
+
+    /// `y = S_I D (S x - flux)`, all vertices of the region in `x`, `flux` at border vertices; `u` is scratch of the
+    /// same length as `x`.
+    pub fn apply<const K: usize>(
+        &self,
+        rings: &Rings,
+        x: &[[f64; K]],
+        flux: Option<&[[f64; K]]>,
+        u: &mut [[f64; K]],
+        y: &mut [[f64; K]],
+    ) {
+        let free = y.len();
+        u.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(k, u)| {
+            let (range, neighbours, weights) = if k < free {
+                let range = rings.start[k] as usize..rings.start[k + 1] as usize;
+                (range, &rings.neighbour, &self.weight)
+            } else {
+                let range = rings.border_start[k - free] as usize..rings.border_start[k - free + 1] as usize;
+                (range, &rings.border_neighbour, &self.border_weight)
+            };
+            let mut sum = [0.0; K];
+            for (j, w) in neighbours[range.clone()].iter().zip(&weights[range]) {
+                for c in 0..K {
+                    sum[c] += w * (x[k][c] - x[*j as usize][c]);
+                }
+            }
+            if let (Some(flux), true) = (flux, k >= free) {
+                for c in 0..K {
+                    sum[c] -= flux[k - free][c];
+                }
+            }
+            *u = sum.map(|s| s * self.d[k]);
+        });
+        let u = &*u;
+        y.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(i, y)| {
+            let range = rings.start[i] as usize..rings.start[i + 1] as usize;
+            let mut sum = [0.0; K];
+            for (j, w) in rings.neighbour[range.clone()].iter().zip(&self.weight[range]) {
+                for c in 0..K {
+                    sum[c] += w * (u[i][c] - u[*j as usize][c]);
+                }
+            }
+            *y = sum;
+        });
+    }
+}
+
+/// The surface with every free vertex moved a little along its normal.
+struct Shift {
+    x: Vec<Vector3<f64>>,
+    length: f64,
+}
+
+impl Shift {
+    /// The shift is this fraction of the typical edge.
+    const FRACTION: f64 = 1e-5;
+
+    fn new(equations: &Equations<'_>, x: &[Vector3<f64>], state: &State) -> Self {
+        let free = equations.free();
+        let mean_area = state.area.iter().sum::<f64>() / free as f64;
+        let length = Self::FRACTION * mean_area.sqrt();
+        let mut shifted = x.to_vec();
+        for (x, n) in shifted.iter_mut().zip(&state.normal) {
+            *x += n * length;
+        }
+        Self { x: shifted, length }
+    }
+
+    /// Change of `H_b` per unit shift.
+    fn answer(&self, equations: &Equations<'_>, state: &State, b: usize) -> f64 {
+        let after = equations.border_curvature(&self.x, &state.corrected, b);
+        (after - state.h[equations.free() + b]) / self.length
+    }
+}
+
+/// The conormal flux that the G1 data prescribe: at border vertex `b` the sum over its border edges of `e x n`, `e`
+/// running with the region on its left and `n` the mean of the edge's two normals (the outward conormal times the
+/// edge's length; paper, section 7.4, asks for a linear start without saying how normals enter).
+pub fn conormal_flux(
+    region: &Region,
+    rings: &Rings,
+    x: &[Vector3<f64>],
+    border_normals: &[Vector3<f64>],
+) -> Vec<[f64; 3]> {
+    let mut flux = vec![Vector3::zeros(); region.border];
+    for &half_edge in &rings.border_half_edges {
+        let (a, b) = (region.half_edges.origin(half_edge) as usize, region.half_edges.target(half_edge) as usize);
+        let (n_a, n_b) = (border_normals[a - region.free], border_normals[b - region.free]);
+        let n = (n_a + n_b).try_normalize(1e-9).unwrap_or(n_a);
+        let conormal = (x[b] - x[a]).cross(&n);
+        flux[a - region.free] += conormal;
+        flux[b - region.free] += conormal;
+    }
+    flux.iter().map(|f| [f.x, f.y, f.z]).collect()
+}

@@ -1,0 +1,52 @@
+//! Iteration count, progress and cancelling, shared by every stage.
+
+use std::ops::ControlFlow;
+
+/// What a stage tells the caller after an iteration.
+pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + Send + 'a;
+
+/// Limits and progress of one run.
+pub struct Control<'a> {
+    /// Nonlinear iterations so far.
+    pub iterations: usize,
+    /// The limit.
+    pub max_iterations: usize,
+    /// The step norm to reach, in diagonals.
+    pub tolerance: f64,
+    /// Set when the callback asked to stop.
+    pub cancelled: bool,
+    /// The fraction last reported.
+    fraction: f64,
+    callback: Option<&'a mut Callback<'a>>,
+}
+
+impl<'a> Control<'a> {
+    /// A fresh run.
+    pub fn new(tolerance: f64, max_iterations: usize, callback: Option<&'a mut Callback<'a>>) -> Self {
+        Self { iterations: 0, max_iterations, tolerance, cancelled: false, fraction: 0.0, callback }
+    }
+
+    /// Reports a stage of the preparation, `fraction` of the whole.
+    pub fn stage(&mut self, fraction: f64, stage: &'static str) {
+        self.tell(fraction, f64::NAN, stage);
+    }
+
+    /// Counts an iteration with step norm `d` and reports it. The fraction follows the digits gained, from 0.3 to 1.
+    pub fn iteration(&mut self, d: f64, stage: &'static str) {
+        self.iterations += 1;
+        let digits = (d.max(self.tolerance).log10()) / self.tolerance.log10();
+        self.tell(0.3 + 0.69 * digits.clamp(0.0, 1.0), d, stage);
+    }
+
+    fn tell(&mut self, fraction: f64, d: f64, stage: &'static str) {
+        self.fraction = self.fraction.max(fraction);
+        if let Some(callback) = &mut self.callback {
+            self.cancelled |= callback(self.fraction, self.iterations, d, stage).is_break();
+        }
+    }
+
+    /// Whether to stop for either reason.
+    pub fn exhausted(&self) -> bool {
+        self.cancelled || self.iterations >= self.max_iterations
+    }
+}

@@ -1,0 +1,47 @@
+//! A factored matrix in the precision that its condition asks for.
+
+use std::sync::Arc;
+
+use crate::linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork};
+use crate::linear::symbolic::Symbolic;
+
+/// Single precision halves the memory traffic of a solve; it suffices wherever the solution is refined or only a
+/// direction.
+pub enum Factor {
+    /// 32-bit factor.
+    Single(Cholesky<f32>, SolveWork<f32>),
+    /// 64-bit factor.
+    Double(Cholesky<f64>, SolveWork<f64>),
+}
+
+impl Factor {
+    /// Room for a factor.
+    pub fn new(symbolic: &Arc<Symbolic>, double: bool) -> Self {
+        if double {
+            Self::Double(Cholesky::new(symbolic.clone()), SolveWork::default())
+        } else {
+            Self::Single(Cholesky::new(symbolic.clone()), SolveWork::default())
+        }
+    }
+
+    /// Factors the matrix with these values.
+    pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+        match self {
+            Self::Single(c, _) => c.factor(values),
+            Self::Double(c, _) => c.factor(values),
+        }
+    }
+
+    /// Solves in place.
+    pub fn solve<const K: usize>(&mut self, x: &mut [[f64; K]]) {
+        match self {
+            Self::Single(c, work) => c.solve(x, work),
+            Self::Double(c, work) => c.solve(x, work),
+        }
+    }
+
+    /// Whether this is the 64-bit one.
+    pub fn is_double(&self) -> bool {
+        matches!(self, Self::Double(..))
+    }
+}

@@ -1,0 +1,179 @@
+//! The start surface, made from connectivity and border data alone, so that the result does not depend on the input's
+//! interior: a membrane, a linear clamped bilaplacian on its metric with the G1 data as conormal flux, and a few
+//! tangential steps.
+
+use nalgebra::Vector3;
+
+use super::bilaplacian::conormal_flux;
+use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
+use crate::linear::cholesky::Cholesky;
+use crate::linear::ordering::amd;
+use crate::linear::sparse::SymmetricPattern;
+use crate::linear::symbolic::Symbolic;
+
+/// Refinement stops when the correction is this small against the solution.
+const REFINED: f64 = 1e-9;
+/// A refinement step that gains less than this factor says that 32 bits do not suffice.
+const CONTRACTION: f64 = 0.3;
+/// Tangential steps before the first normal step.
+const TANGENTIAL_STEPS: usize = 4;
+
+impl System<'_> {
+    /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
+    /// component has other fixed ones: they give their place to a better metric.
+    pub fn membrane(&mut self) -> Vec<Vector3<f64>> {
+        let mut x = self.input[..self.region.region_vertices()].to_vec();
+        self.relax_fixed_inside(&mut x);
+        x[..self.region.free].fill(Vector3::zeros());
+        let mut correction = vec![[0.0; 3]; self.region.free];
+        for _ in 0..4 {
+            self.fairness_residual(&x, &mut correction);
+            self.solve_g(&mut correction);
+            let size = norm(&correction);
+            for (x, c) in x.iter_mut().zip(&correction) {
+                *x += Vector3::from(*c);
+            }
+            if size <= REFINED * norm_of(&x) {
+                break;
+            }
+        }
+        x
+    }
+
+    /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
+    fn fairness_residual(&self, x: &[Vector3<f64>], residual: &mut [[f64; 3]]) {
+        for (i, r) in residual.iter_mut().enumerate() {
+            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
+            let mut sum = Vector3::zeros();
+            for (k, &j) in self.rings.ring(i).iter().enumerate() {
+                sum += (x[j as usize] - x[i]) * self.weights.at(first + k, lane);
+            }
+            *r = [sum.x, sum.y, sum.z];
+        }
+    }
+
+    /// Moves fixed vertices with a closed ring to the uniform membrane of their component's open border.
+    fn relax_fixed_inside(&self, x: &mut [Vector3<f64>]) {
+        let free = self.region.free;
+        let mut has_open_border = vec![false; self.region.components];
+        for (b, &closed) in self.rings.closed.iter().enumerate() {
+            let touched = self.rings.border_ring(b).iter().find(|&&j| (j as usize) < free);
+            if let (false, Some(&j)) = (closed, touched) {
+                has_open_border[self.region.component[j as usize] as usize] = true;
+            }
+        }
+        let relaxes = |v: usize| {
+            v < free
+                || self.rings.closed[v - free]
+                    && self.rings.border_ring(v - free).iter().all(|&j| {
+                        j as usize >= free || has_open_border[self.region.component[j as usize] as usize]
+                    })
+        };
+        let unknown: Vec<u32> = (0..x.len() as u32).filter(|&v| relaxes(v as usize)).collect();
+        if unknown.len() == free {
+            return;
+        }
+        let mut number = vec![u32::MAX; x.len()];
+        for (n, &v) in unknown.iter().enumerate() {
+            number[v as usize] = n as u32;
+        }
+        let mut edges = Vec::new();
+        let mut degree = vec![0.0; unknown.len()];
+        let mut right = vec![[0.0; 3]; unknown.len()];
+        for (n, &v) in unknown.iter().enumerate() {
+            for &j in self.rings.neighbours(v as usize) {
+                degree[n] += 1.0;
+                let other = number[j as usize];
+                if other == u32::MAX {
+                    let p = x[j as usize];
+                    right[n] = [right[n][0] + p.x, right[n][1] + p.y, right[n][2] + p.z];
+                } else if other < n as u32 {
+                    edges.push([n as u32, other]);
+                }
+            }
+        }
+        let pattern = SymmetricPattern::from_edges(unknown.len(), &edges);
+        let mut values = vec![-1.0; pattern.column.len()];
+        for (n, d) in degree.iter().enumerate() {
+            values[pattern.start[n + 1] - 1] = *d;
+        }
+        let symbolic = Symbolic::new(&pattern, &amd(&pattern));
+        let mut factor = Cholesky::<f64>::new(symbolic.into());
+        if factor.factor(&values).is_ok() {
+            factor.solve(&mut right, &mut Default::default());
+            for (&v, p) in unknown.iter().zip(&right) {
+                x[v as usize] = Vector3::from(*p);
+            }
+        }
+    }
+
+    /// The linear surface: `S_I D (S x - F) = 0` on the metric of `membrane`, with the true fixed positions and the
+    /// conormal flux `F` of the border normals. Leaves `P` factored on that metric.
+    pub fn linear_surface(&mut self, membrane: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        self.evaluate(membrane);
+        self.rebuild(membrane, false, |_| 0.0)?;
+        self.linear_solve()
+    }
+
+    /// The same on the metric that `P` is factored on.
+    pub fn linear_solve(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let free = self.region.free;
+        let flux = conormal_flux(self.region, self.rings, self.input, &self.border_normals);
+        let fixed = &self.input[free..self.region.region_vertices()];
+        let mut x = vec![[0.0; 3]; free];
+        x.extend(fixed.iter().map(|p| [p.x, p.y, p.z]));
+        let mut scratch = vec![[0.0; 3]; x.len()];
+        let mut residual = vec![[0.0; 3]; free];
+        let mut last = f64::INFINITY;
+        for round in 0..12 {
+            self.metric.apply(self.rings, &x, Some(&flux), &mut scratch, &mut residual);
+            self.solve_p(&mut residual);
+            let size = norm(&residual);
+            if !size.is_finite() {
+                return Err(Collapsed);
+            }
+            if round > 0 && size > CONTRACTION * last && !self.is_double() {
+                self.refactor_double()?;
+                last = f64::INFINITY;
+                continue;
+            }
+            for (x, r) in x.iter_mut().zip(&residual) {
+                for c in 0..3 {
+                    x[c] -= r[c];
+                }
+            }
+            let whole = norm(&x[..free]);
+            if size <= REFINED * whole || round > 0 && size >= last {
+                break;
+            }
+            // One correction of this size would follow, contracted as the last one was.
+            if last.is_finite() && size * size / last <= REFINED * whole {
+                break;
+            }
+            last = size;
+        }
+        Ok(x.iter().map(|p| Vector3::from(*p)).collect())
+    }
+
+    /// Tangential steps alone, each as long as the edges allow.
+    pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>]) {
+        let mut step = vec![0.0; 3 * self.region.free];
+        for _ in 0..TANGENTIAL_STEPS {
+            self.evaluate(x);
+            self.step(&mut step, false);
+            let change = self.edge_change(x, &step);
+            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            if change < 0.01 {
+                break;
+            }
+        }
+    }
+}
+
+fn norm(x: &[[f64; 3]]) -> f64 {
+    x.iter().map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sum::<f64>().sqrt()
+}
+
+fn norm_of(x: &[Vector3<f64>]) -> f64 {
+    x.iter().map(Vector3::norm_squared).sum::<f64>().sqrt()
+}

@@ -1,0 +1,153 @@
+//! The iteration: quasi-Newton steps with a frozen matrix, Anderson-accelerated.
+
+use nalgebra::Vector3;
+
+use super::control::Control;
+use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
+use crate::linear::anderson::Anderson;
+
+/// Steps that Anderson acceleration looks back on.
+const WINDOW: usize = 5;
+/// A round that gains less than this in [`PATIENCE`] steps is left.
+const STALL: f64 = 0.7;
+/// See [`STALL`].
+const PATIENCE: usize = 5;
+/// At most this many rounds, each with a matrix made at the best surface so far.
+const ROUNDS: usize = 5;
+/// The start's matrix is replaced when two steps gain less than this.
+const START_GAIN: f64 = 0.15;
+/// Near the solution the start's matrix stays.
+const NEAR: f64 = 1e-6;
+
+/// How an iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The step norm is below the tolerance.
+    Converged,
+    /// No round gains any more.
+    Stalled,
+    /// Limit or cancel, see [`Control`].
+    Stopped,
+}
+
+/// What one call may do.
+#[derive(Debug, Clone, Copy)]
+pub struct Plan {
+    /// The step norm to reach, in diagonals.
+    pub tolerance: f64,
+    /// A round is left when the step norm exceeds this many times the best.
+    pub guard: f64,
+    /// Start with the matrix that is there.
+    pub reuse: bool,
+    /// What to call it in progress reports.
+    pub stage: &'static str,
+}
+
+/// The surface with the smallest step norm.
+#[derive(Debug, Clone)]
+struct Best {
+    x: Vec<Vector3<f64>>,
+    d: f64,
+}
+
+/// Iterates from `x`; leaves the best surface there, and its step norm.
+pub fn iterate(
+    system: &mut System<'_>,
+    x: &mut Vec<Vector3<f64>>,
+    plan: Plan,
+    control: &mut Control<'_>,
+) -> (End, f64) {
+    let mut best = Best { x: x.clone(), d: f64::INFINITY };
+    let mut anderson = Anderson::new(3 * system.free(), WINDOW);
+    let mut end = End::Stalled;
+    for round in 0..ROUNDS {
+        let fresh = !(plan.reuse && round == 0);
+        let before = best.d;
+        match run(system, x, &plan, fresh, &mut anderson, &mut best, control) {
+            Ok(End::Stalled) => {}
+            Ok(other) => {
+                end = other;
+                break;
+            }
+            Err(Collapsed) => break,
+        }
+        x.clone_from(&best.x);
+        // A round with a fresh matrix that gains nothing will not gain in another.
+        if fresh && best.d > 0.9 * before {
+            break;
+        }
+    }
+    if end != End::Converged {
+        x.clone_from(&best.x);
+    }
+    (end, best.d)
+}
+
+/// One round: until converged, stopped, diverging or stalling.
+fn run(
+    system: &mut System<'_>,
+    x: &mut Vec<Vector3<f64>>,
+    plan: &Plan,
+    fresh: bool,
+    anderson: &mut Anderson,
+    best: &mut Best,
+    control: &mut Control<'_>,
+) -> Result<End, Collapsed> {
+    let n = 3 * system.free();
+    let (mut step, mut accelerated, mut flat) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+    let mut history: Vec<f64> = Vec::new();
+    let mut start_matrix = !fresh;
+    anderson.clear();
+    system.evaluate(x);
+    if fresh {
+        system.rebuild(x, true, |_| 0.0)?;
+    }
+    loop {
+        let d = system.step(&mut step, true).total();
+        control.iteration(d, plan.stage);
+        if !d.is_finite() {
+            return Ok(End::Stalled);
+        }
+        if d < best.d {
+            best.d = d;
+            best.x.clone_from(x);
+        }
+        if d <= plan.tolerance {
+            advance(x, &step, 1.0);
+            return Ok(End::Converged);
+        }
+        if control.exhausted() {
+            return Ok(End::Stopped);
+        }
+        history.push(d);
+        let k = history.len() - 1;
+        if start_matrix {
+            if k > 0 && d > history[0] {
+                // The first steps grow: back to the start, which is the best so far.
+                return Ok(End::Stalled);
+            }
+            if k >= 2 && d > START_GAIN * history[k - 2] && d > NEAR {
+                system.rebuild(x, true, |_| 0.0)?;
+                anderson.clear();
+                start_matrix = false;
+                history.clear();
+                system.step(&mut step, true);
+            }
+        } else if d > plan.guard * best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE] {
+            return Ok(End::Stalled);
+        }
+        for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {
+            flat.copy_from_slice(x.as_slice());
+        }
+        anderson.accelerate(&flat, &step, &mut accelerated);
+        let change = system.edge_change(x, &accelerated);
+        if change <= 2.0 * LARGEST_CHANGE {
+            advance(x, &accelerated, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+        } else {
+            anderson.clear();
+            let change = system.edge_change(x, &step);
+            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+        }
+        system.evaluate(x);
+    }
+}
