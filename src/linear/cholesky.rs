@@ -1,1 +1,527 @@
-//! cholesky.
+//! Sparse Cholesky factorization by dense fronts (Duff & Reid 1983), in single or double precision.
+//!
+//! Two threads share the work by subtrees of the elimination tree. The split is part of [`Symbolic`], so that
+//! every number is computed by the same operations in the same order for any number of threads.
+
+use std::sync::Arc;
+
+use super::front::{self, Real};
+use super::symbolic::{Symbolic, Task};
+
+/// A pivot that is not positive and finite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the matrix is not positive definite at row {row}")]
+pub struct NotPositiveDefinite {
+    /// The row in the numbering of the matrix.
+    pub row: usize,
+}
+
+/// The factor of a symmetric positive definite matrix in the precision `T`, `f32` or `f64`.
+///
+/// The memory is allocated by the first factorization and reused by later ones.
+#[derive(Debug)]
+pub struct Cholesky<T> {
+    symbolic: Arc<Symbolic>,
+    panels: Vec<T>,
+    updates: [Vec<T>; 2],
+}
+
+/// The vectors that a solve works in. Reuse it: its memory is allocated once.
+#[derive(Debug)]
+pub struct SolveWork<T> {
+    permuted: Vec<T>,
+    local: Vec<T>,
+}
+
+impl<T> Default for SolveWork<T> {
+    fn default() -> Self {
+        Self {
+            permuted: Vec::new(),
+            local: Vec::new(),
+        }
+    }
+}
+
+impl<T> SolveWork<T> {
+    /// The memory in use, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of::<T>() * (self.permuted.capacity() + self.local.capacity())
+    }
+}
+
+impl<T: Real> Cholesky<T> {
+    /// A factorization of matrices of this structure, without a factor yet.
+    pub fn new(symbolic: Arc<Symbolic>) -> Self {
+        Self {
+            symbolic,
+            panels: Vec::new(),
+            updates: [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// The structure of the factor.
+    pub fn symbolic(&self) -> &Arc<Symbolic> {
+        &self.symbolic
+    }
+
+    /// The memory of the factor and of the update matrices, in bytes; without the structure.
+    pub fn bytes(&self) -> usize {
+        size_of::<T>() * (self.panels.len() + self.updates[0].len() + self.updates[1].len())
+    }
+
+    /// What [`Cholesky::bytes`] will be after the first factorization.
+    pub fn planned_bytes(&self) -> usize {
+        let updates: usize = self.symbolic.update_size.iter().sum();
+        size_of::<T>() * (self.symbolic.panel_size() + updates)
+    }
+
+    /// Gives back the memory that only a factorization needs; the next one allocates it again.
+    pub fn shrink(&mut self) {
+        self.updates = [Vec::new(), Vec::new()];
+    }
+
+    /// Factors the matrix with these values, parallel to the columns of the pattern.
+    ///
+    /// # Errors
+    /// The first row whose pivot is not positive and finite; the factor is then useless. The precision `T`
+    /// matters: a nearly singular matrix may fail in `f32` alone.
+    ///
+    /// # Panics
+    /// If the number of values is not that of the pattern.
+    pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+        let symbolic = &*self.symbolic;
+        assert_eq!(values.len(), symbolic.input, "one value per entry of the pattern");
+        self.panels.resize(symbolic.panel_size(), T::ZERO);
+        for (stack, size) in self.updates.iter_mut().zip(symbolic.update_size) {
+            stack.resize(size, T::ZERO);
+        }
+        let Some(root) = symbolic.tasks.len().checked_sub(1) else {
+            return Ok(());
+        };
+        let [even, odd] = &mut self.updates;
+        run(symbolic, values, root, &mut self.panels, [even, odd]).map_err(|column| NotPositiveDefinite {
+            row: symbolic.order[column] as usize,
+        })
+    }
+
+    /// Solves `A X = B` in place for `K` right-hand sides, `x[i]` the values of row `i` of the matrix in its
+    /// own numbering. Before a successful [`Cholesky::factor`] the result is meaningless.
+    ///
+    /// # Panics
+    /// If `x` does not have one element per row, or nothing was ever factored.
+    pub fn solve<const K: usize>(&self, x: &mut [[f64; K]], work: &mut SolveWork<T>) {
+        let symbolic = &*self.symbolic;
+        let n = symbolic.n;
+        assert_eq!(x.len(), n, "one right-hand side value per row");
+        assert_eq!(self.panels.len(), symbolic.panel_size(), "factor before solving");
+        work.permuted.resize(n * K, T::ZERO);
+        let largest = (0..symbolic.supernodes())
+            .map(|s| symbolic.columns(s).len() + symbolic.rows(s).len())
+            .max()
+            .unwrap_or(0);
+        work.local.resize(largest * K, T::ZERO);
+        let (y, _) = work.permuted.as_chunks_mut::<K>();
+        for (y, &old) in y.iter_mut().zip(&symbolic.order) {
+            *y = x[old as usize].map(T::from_f64);
+        }
+        front::vectorized(
+            #[inline(always)]
+            || substitute(symbolic, &self.panels, y, &mut work.local),
+        );
+        for (y, &old) in y.iter().zip(&symbolic.order) {
+            x[old as usize] = y.map(T::to_f64);
+        }
+    }
+}
+
+/// Forward and backward substitution in the new numbering.
+#[inline(always)]
+fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mut [[T; K]], local: &mut [T]) {
+    for s in 0..symbolic.supernodes() {
+        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
+        let (p, m) = (columns.len(), columns.len() + rows.len());
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1]];
+        let local = &mut local[..K * m];
+        for (k, v) in local.chunks_exact_mut(m).enumerate() {
+            for (v, y) in v.iter_mut().zip(&y[columns.clone()]) {
+                *v = y[k];
+            }
+            v[p..].fill(T::ZERO);
+        }
+        front::forward::<T, K>(panel, m, p, local);
+        for (k, v) in local.chunks_exact(m).enumerate() {
+            for (v, y) in v.iter().zip(&mut y[columns.clone()]) {
+                y[k] = *v;
+            }
+            for (v, &i) in v[p..].iter().zip(rows) {
+                let y = &mut y[i as usize][k];
+                *y = *y + *v;
+            }
+        }
+    }
+    for s in (0..symbolic.supernodes()).rev() {
+        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
+        let (p, m) = (columns.len(), columns.len() + rows.len());
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1]];
+        let local = &mut local[..K * m];
+        for (k, v) in local.chunks_exact_mut(m).enumerate() {
+            for (v, y) in v.iter_mut().zip(&y[columns.clone()]) {
+                *v = y[k];
+            }
+            for (v, &i) in v[p..].iter_mut().zip(rows) {
+                *v = y[i as usize][k];
+            }
+        }
+        front::backward::<T, K>(panel, m, p, local);
+        for (k, v) in local.chunks_exact(m).enumerate() {
+            for (v, y) in v.iter().zip(&mut y[columns.clone()]) {
+                y[k] = *v;
+            }
+        }
+    }
+}
+
+/// Factors the supernodes of a task. `panels` and `updates` are the task's own parts of the memory. The
+/// error is the column of the failing pivot.
+fn run<T: Real>(
+    symbolic: &Symbolic,
+    values: &[f64],
+    task: usize,
+    panels: &mut [T],
+    updates: [&mut [T]; 2],
+) -> Result<(), usize> {
+    let Task {
+        range,
+        top,
+        parts,
+        area,
+    } = &symbolic.tasks[task];
+    let [even, odd] = updates;
+    if let &Some([left, right]) = parts {
+        let next = &symbolic.tasks[right];
+        let base = symbolic.panel_start[range.start];
+        let (first, rest) = panels.split_at_mut(symbolic.panel_start[next.range.start] - base);
+        let (even_left, even_right) = even.split_at_mut(next.area[0].start - area[0].start);
+        let (odd_left, odd_right) = odd.split_at_mut(next.area[1].start - area[1].start);
+        let (a, b) = rayon::join(
+            || run(symbolic, values, left, first, [even_left, odd_left]),
+            || run(symbolic, values, right, rest, [even_right, odd_right]),
+        );
+        a.and(b)?;
+    }
+    let base = symbolic.panel_start[range.start];
+    let mut work = front::Work::default();
+    for s in *top..range.end {
+        let panel = &mut panels[symbolic.panel_start[s] - base..symbolic.panel_start[s + 1] - base];
+        let (own, below, own_base, below_base) = if symbolic.stack[s] == 0 {
+            (&mut *even, &*odd, area[0].start, area[1].start)
+        } else {
+            (&mut *odd, &*even, area[1].start, area[0].start)
+        };
+        let r = symbolic.rows(s).len();
+        let start = symbolic.update_start[s] - own_base;
+        let update = &mut own[start..start + r * r];
+        assemble(symbolic, values, s, panel, update, below, below_base);
+        let p = symbolic.columns(s).len();
+        let fresh = symbolic.children(s).is_empty();
+        front::eliminate(panel, p + r, p, update, fresh, &mut work)
+            .map_err(|k| symbolic.first[s] as usize + k)?;
+    }
+    Ok(())
+}
+
+/// Sums the entries of the matrix and the children's update matrices into a front. The update matrix of a
+/// front without children is not touched: the elimination overwrites it.
+fn assemble<T: Real>(
+    symbolic: &Symbolic,
+    values: &[f64],
+    s: usize,
+    panel: &mut [T],
+    update: &mut [T],
+    below: &[T],
+    below_base: usize,
+) {
+    panel.fill(T::ZERO);
+    let entries = symbolic.entry_start[s]..symbolic.entry_start[s + 1];
+    for (&t, &target) in symbolic.entry_value[entries.clone()]
+        .iter()
+        .zip(&symbolic.entry_target[entries])
+    {
+        panel[target as usize] = T::from_f64(values[t as usize]);
+    }
+    let children = symbolic.children(s);
+    if children.is_empty() {
+        return;
+    }
+    let (p, r) = (symbolic.columns(s).len(), symbolic.rows(s).len());
+    let m = p + r;
+    for j in 0..r {
+        update[j * r + j..(j + 1) * r].fill(T::ZERO);
+    }
+    for &c in children {
+        let rows = symbolic.row_start[c as usize]..symbolic.row_start[c as usize + 1];
+        let relative = &symbolic.relative[rows];
+        let size = relative.len();
+        let start = symbolic.update_start[c as usize] - below_base;
+        let source = &below[start..start + size * size];
+        for (j, &to) in relative.iter().enumerate() {
+            let column = &source[j * size + j..(j + 1) * size];
+            let to = to as usize;
+            if to < p {
+                let target = &mut panel[to * m..(to + 1) * m];
+                for (&i, &a) in relative[j..].iter().zip(column) {
+                    let target = &mut target[i as usize];
+                    *target = *target + a;
+                }
+            } else {
+                let target = &mut update[(to - p) * r..(to - p + 1) * r];
+                for (&i, &a) in relative[j..].iter().zip(column) {
+                    let target = &mut target[i as usize - p];
+                    *target = *target + a;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::ordering::{amd, landmark_coordinates, nested_dissection};
+    use crate::linear::sparse::SymmetricPattern;
+    use crate::linear::sparse::tests::{Noise, grid, laplacian};
+
+    fn factored<T: Real>(pattern: &SymmetricPattern, order: &[u32], values: &[f64]) -> Cholesky<T> {
+        let mut factor = Cholesky::new(Arc::new(Symbolic::new(pattern, order)));
+        factor.factor(values).unwrap();
+        factor
+    }
+
+    fn right_hand_side<const K: usize>(n: usize) -> Vec<[f64; K]> {
+        let mut noise = Noise(3);
+        (0..n)
+            .map(|_| std::array::from_fn(|_| noise.next() - 0.5))
+            .collect()
+    }
+
+    /// max |A x - b| / max |b|.
+    fn residual<T: Real, const K: usize>(
+        pattern: &SymmetricPattern,
+        values: &[f64],
+        factor: &Cholesky<T>,
+    ) -> (Vec<[f64; K]>, f64) {
+        let b = right_hand_side::<K>(pattern.order());
+        let mut x = b.clone();
+        factor.solve(&mut x, &mut SolveWork::default());
+        let mut ax = b.clone();
+        pattern.multiply(values, &x, &mut ax);
+        let defect = ax
+            .iter()
+            .flatten()
+            .zip(b.iter().flatten())
+            .map(|(a, b)| (a - b).abs());
+        (x, defect.fold(0.0, f64::max) / 0.5)
+    }
+
+    /// Pattern of the matrix, order by nested dissection.
+    fn meshes() -> Vec<(SymmetricPattern, Vec<u32>)> {
+        let mut all = Vec::new();
+        for (side, shuffle) in [(2, false), (3, true), (12, true), (45, false), (70, true)] {
+            let (graph, coords) = grid(side, shuffle);
+            all.push((graph.clone(), nested_dissection(&graph, 1, &coords)));
+            all.push((
+                graph.square(),
+                nested_dissection(&graph, 2, &landmark_coordinates(&graph)),
+            ));
+        }
+        all
+    }
+
+    #[test]
+    fn solutions_satisfy_the_system_in_every_order() {
+        for (pattern, order) in meshes() {
+            let values = laplacian(&pattern, 0.01);
+            let natural: Vec<u32> = (0..pattern.order() as u32).collect();
+            let dissected = factored::<f64>(&pattern, &order, &values);
+            let (x, defect) = residual::<f64, 3>(&pattern, &values, &dissected);
+            assert!(defect < 1e-11, "{defect}");
+            for order in [amd(&pattern), natural] {
+                let factor = factored::<f64>(&pattern, &order, &values);
+                let (y, defect) = residual::<f64, 3>(&pattern, &values, &factor);
+                assert!(defect < 1e-11, "{defect}");
+                let scale = x.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+                assert!(
+                    x.iter()
+                        .flatten()
+                        .zip(y.iter().flatten())
+                        .all(|(a, b)| (a - b).abs() < 1e-10 * scale)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn single_precision_keeps_six_digits_of_the_residual() {
+        for (pattern, order) in meshes() {
+            let values = laplacian(&pattern, 0.5);
+            let factor = factored::<f32>(&pattern, &order, &values);
+            let (_, defect) = residual::<f32, 1>(&pattern, &values, &factor);
+            assert!(defect < 1e-4, "{defect}");
+        }
+    }
+
+    #[test]
+    fn one_right_hand_side_is_one_of_three() {
+        let (pattern, order) = meshes().swap_remove(7);
+        let values = laplacian(&pattern, 0.1);
+        let factor = factored::<f64>(&pattern, &order, &values);
+        let mut three = right_hand_side::<3>(pattern.order());
+        let mut one: Vec<[f64; 1]> = three.iter().map(|b| [b[2]]).collect();
+        factor.solve(&mut three, &mut SolveWork::default());
+        factor.solve(&mut one, &mut SolveWork::default());
+        assert!(three.iter().zip(&one).all(|(a, b)| a[2] == b[0]));
+    }
+
+    #[test]
+    fn the_discrete_parabola_solves_the_path() {
+        // -u'' = 2 with u = 0 beyond both ends: u_i = (i + 1)(n - i), exact for the second difference.
+        let n = 1000;
+        let edges: Vec<[u32; 2]> = (1..n).map(|i| [i - 1, i]).collect();
+        let pattern = SymmetricPattern::from_edges(n as usize, &edges);
+        let mut values = Vec::new();
+        for i in 0..n as usize {
+            values.extend(
+                pattern
+                    .row(i)
+                    .iter()
+                    .map(|&j| if j as usize == i { 2.0 } else { -1.0 }),
+            );
+        }
+        for order in [amd(&pattern), (0..n).collect()] {
+            let factor = factored::<f64>(&pattern, &order, &values);
+            let mut x = vec![[2.0]; n as usize];
+            factor.solve(&mut x, &mut SolveWork::default());
+            for (i, [x]) in x.iter().enumerate() {
+                let exact = (i + 1) as f64 * (n as usize - i) as f64;
+                assert!((x - exact).abs() < 1e-9 * 250_000.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_linear_field_is_harmonic_on_the_square_grid() {
+        // Five-point Laplacian with the border values 3 + 2 c - r eliminated.
+        let side = 41_i64;
+        let id = |r: i64, c: i64| (r * side + c) as u32;
+        let mut edges = Vec::new();
+        let mut x = Vec::new();
+        for r in 0..side {
+            for c in 0..side {
+                edges.extend((c > 0).then(|| [id(r, c - 1), id(r, c)]));
+                edges.extend((r > 0).then(|| [id(r - 1, c), id(r, c)]));
+                let outside = [(r - 1, c), (r + 1, c), (r, c - 1), (r, c + 1)]
+                    .into_iter()
+                    .filter(|(r, c)| *r < 0 || *c < 0 || *r >= side || *c >= side);
+                x.push([outside.map(|(r, c)| (3 + 2 * c - r) as f64).sum::<f64>()]);
+            }
+        }
+        let pattern = SymmetricPattern::from_edges((side * side) as usize, &edges);
+        let mut values = vec![-1.0; pattern.column.len()];
+        for i in 0..pattern.order() {
+            values[pattern.start[i + 1] - 1] = 4.0;
+        }
+        let order = nested_dissection(&pattern, 1, &landmark_coordinates(&pattern));
+        factored::<f64>(&pattern, &order, &values).solve(&mut x, &mut SolveWork::default());
+        for r in 0..side {
+            for c in 0..side {
+                assert!((x[id(r, c) as usize][0] - (3 + 2 * c - r) as f64).abs() < 1e-11);
+            }
+        }
+    }
+
+    #[test]
+    fn the_failing_row_is_named() {
+        for (pattern, order) in meshes() {
+            let n = pattern.order();
+            for bad in [0, n / 2, n - 1] {
+                for value in [-1e6, 0.0, f64::NAN, f64::INFINITY] {
+                    let mut values = laplacian(&pattern, 0.1);
+                    values[pattern.start[bad + 1] - 1] = value;
+                    let mut factor = Cholesky::<f64>::new(Arc::new(Symbolic::new(&pattern, &order)));
+                    assert_eq!(
+                        factor.factor(&values),
+                        Err(NotPositiveDefinite { row: bad }),
+                        "{value}"
+                    );
+                    // The memory of a failed factorization is as good as new.
+                    let good = laplacian(&pattern, 0.1);
+                    factor.factor(&good).unwrap();
+                    assert!(residual::<f64, 1>(&pattern, &good, &factor).1 < 1e-11);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn components_are_solved_side_by_side() {
+        // Three copies of a grid, and vertices without neighbours.
+        let (one, _) = grid(20, true);
+        let mut edges = Vec::new();
+        for copy in 0..3 {
+            for i in 0..400 {
+                edges.extend(
+                    one.row(i)
+                        .iter()
+                        .map(|&j| [copy * 405 + i as u32, copy * 405 + j]),
+                );
+            }
+        }
+        let graph = SymmetricPattern::from_edges(3 * 405, &edges);
+        let pattern = graph.square();
+        let values = laplacian(&pattern, 0.2);
+        for order in [
+            amd(&pattern),
+            nested_dissection(&graph, 2, &landmark_coordinates(&graph)),
+        ] {
+            let factor = factored::<f64>(&pattern, &order, &values);
+            assert!(residual::<f64, 3>(&pattern, &values, &factor).1 < 1e-11);
+        }
+    }
+
+    #[test]
+    fn one_unknown_and_none() {
+        for n in [0, 1] {
+            let pattern = SymmetricPattern::from_edges(n, &[]);
+            let order = nested_dissection(&pattern, 2, &landmark_coordinates(&pattern));
+            assert_eq!(order, amd(&pattern));
+            let factor = factored::<f64>(&pattern, &order, &vec![4.0; n]);
+            let mut x = vec![[2.0, 4.0, 8.0]; n];
+            factor.solve(&mut x, &mut SolveWork::default());
+            assert_eq!(x, vec![[0.5, 1.0, 2.0]; n]);
+        }
+    }
+
+    #[test]
+    fn the_bits_do_not_depend_on_the_number_of_threads() {
+        let (graph, coords) = grid(120, true);
+        let pattern = graph.square();
+        let values = laplacian(&pattern, 0.01);
+        let bits: Vec<Vec<u64>> = (1..=3)
+            .map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new()
+                    .num_threads(threads)
+                    .build()
+                    .unwrap();
+                pool.install(|| {
+                    let order = nested_dissection(&graph, 2, &coords);
+                    let factor = factored::<f32>(&pattern, &order, &values);
+                    assert!(factor.symbolic().tasks.len() > 4);
+                    let (x, _) = residual::<f32, 3>(&pattern, &values, &factor);
+                    x.iter().flatten().map(|x| x.to_bits()).collect()
+                })
+            })
+            .collect();
+        assert_eq!(bits[0], bits[1]);
+        assert_eq!(bits[0], bits[2]);
+    }
+}

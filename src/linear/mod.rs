@@ -2,6 +2,9 @@
 
 pub mod anderson;
 pub mod cholesky;
+mod front;
 pub mod ordering;
 pub mod sparse;
 pub mod symbolic;
+
+pub use front::Real;

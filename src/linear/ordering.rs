@@ -1,1 +1,287 @@
-//! ordering.
+//! Elimination orders with little fill.
+
+use std::collections::VecDeque;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::amd as faer_amd;
+
+use super::sparse::{Adjacency, SymmetricPattern};
+
+/// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
+const LEAF: [usize; 2] = [48, 32];
+
+/// An approximate minimum degree order of a matrix, `order[new] = old`.
+pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
+    let n = pattern.order();
+    let (mut order, mut inverse) = (vec![0_u32; n], vec![0_u32; n]);
+    let start: Vec<u32> = pattern.start.iter().map(|&s| s as u32).collect();
+    // The lower triangle by rows is the upper triangle by columns.
+    let upper = SymbolicSparseColMatRef::new_checked(n, n, &start, None, &pattern.column);
+    let mut memory = MemBuffer::new(faer_amd::order_scratch::<u32>(n, pattern.column.len()));
+    let done = faer_amd::order(
+        &mut order,
+        &mut inverse,
+        upper,
+        Default::default(),
+        MemStack::new(&mut memory),
+    );
+    if done.is_err() {
+        // Only an index overflow is possible: any order is valid.
+        order = (0..n as u32).collect();
+    }
+    order
+}
+
+/// An order by recursive bisection of the vertices of the 1-ring graph `graph`, `order[new] = old`, for a
+/// matrix on its `ring`-ring graph (1 or 2). The cuts are planes across the longest axes of `coords`, one
+/// position per vertex; bad positions cost fill but nothing else.
+pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 3]]) -> Vec<u32> {
+    let n = graph.order();
+    debug_assert_eq!(coords.len(), n);
+    let ring = ring.clamp(1, 2);
+    let mut split = Bisection {
+        graph: graph.adjacency(),
+        ring,
+        coords,
+        side: vec![0; n],
+        stamp: 0,
+        low: Vec::new(),
+        high: Vec::new(),
+        separator: Vec::new(),
+        best: Vec::new(),
+    };
+    let mut order: Vec<u32> = (0..n as u32).collect();
+    let mut parts = vec![0..n];
+    while let Some(part) = parts.pop() {
+        if part.len() <= LEAF[ring - 1] {
+            continue;
+        }
+        let begin = part.start;
+        if let Some([low, high]) = split.bisect(&mut order[part]) {
+            parts.push(begin..begin + low);
+            parts.push(begin + low..begin + low + high);
+        }
+    }
+    order
+}
+
+/// The state of the recursive bisection.
+struct Bisection<'a> {
+    graph: Adjacency,
+    ring: usize,
+    coords: &'a [[f64; 3]],
+    /// `stamp`: low side of the current part, `stamp + 1`: high side, `stamp + 2`: separator.
+    side: Vec<u32>,
+    stamp: u32,
+    low: Vec<u32>,
+    high: Vec<u32>,
+    separator: Vec<u32>,
+    best: Vec<u32>,
+}
+
+impl Bisection<'_> {
+    /// Reorders a part to low side, high side, separator and returns the sizes of the sides. None if one of
+    /// them would be empty.
+    fn bisect(&mut self, part: &mut [u32]) -> Option<[usize; 2]> {
+        let middle = part.len() / 2;
+        let axes = self.axes(part);
+        self.best.clear();
+        let mut last = None;
+        for (k, &axis) in axes.iter().flatten().enumerate() {
+            self.halve(part, axis);
+            self.find_separator(part, middle);
+            if k == 0 || self.separator.len() < self.best.len() {
+                std::mem::swap(&mut self.separator, &mut self.best);
+                last = Some(axis);
+            } else {
+                // Back to the better cut.
+                self.halve(part, last.unwrap_or(axis));
+                self.mark(part, middle);
+            }
+        }
+        for &v in &self.best {
+            self.side[v as usize] = self.stamp + 2;
+        }
+        let mut sizes = [0; 2];
+        self.low.clear();
+        self.high.clear();
+        for &v in &*part {
+            match self.side[v as usize] - self.stamp {
+                0 => self.low.push(v),
+                1 => self.high.push(v),
+                _ => {}
+            }
+        }
+        sizes[0] = self.low.len();
+        sizes[1] = self.high.len();
+        if sizes[0] == 0 || sizes[1] == 0 {
+            return None;
+        }
+        let (a, rest) = part.split_at_mut(sizes[0]);
+        let (b, c) = rest.split_at_mut(sizes[1]);
+        a.copy_from_slice(&self.low);
+        b.copy_from_slice(&self.high);
+        c.copy_from_slice(&self.best);
+        Some(sizes)
+    }
+
+    /// The one or two axes worth a try.
+    fn axes(&self, part: &[u32]) -> [Option<usize>; 2] {
+        let mut low = [f64::INFINITY; 3];
+        let mut high = [f64::NEG_INFINITY; 3];
+        for &v in part {
+            for k in 0..3 {
+                let x = self.coords[v as usize][k];
+                low[k] = low[k].min(x);
+                high[k] = high[k].max(x);
+            }
+        }
+        let extent: [f64; 3] = std::array::from_fn(|k| high[k] - low[k]);
+        let mut axis = [0, 1, 2];
+        axis.sort_by(|&a, &b| extent[b].total_cmp(&extent[a]));
+        let second = extent[axis[1]] > 0.7 * extent[axis[0]];
+        [Some(axis[0]), second.then_some(axis[1])]
+    }
+
+    /// Partitions a part at its median along an axis, ties by the other axes and the index.
+    fn halve(&self, part: &mut [u32], axis: usize) {
+        let middle = part.len() / 2;
+        let coords = self.coords;
+        part.select_nth_unstable_by(middle, |&a, &b| {
+            let (x, y) = (&coords[a as usize], &coords[b as usize]);
+            x[axis]
+                .total_cmp(&y[axis])
+                .then_with(|| x[(axis + 1) % 3].total_cmp(&y[(axis + 1) % 3]))
+                .then_with(|| x[(axis + 2) % 3].total_cmp(&y[(axis + 2) % 3]))
+                .then(a.cmp(&b))
+        });
+    }
+
+    fn mark(&mut self, part: &[u32], middle: usize) {
+        self.stamp += 3;
+        for (k, &v) in part.iter().enumerate() {
+            self.side[v as usize] = self.stamp + u32::from(k >= middle);
+        }
+    }
+
+    /// The smallest of the separators at hand, for a part whose halves are its two ends.
+    fn find_separator(&mut self, part: &[u32], middle: usize) {
+        self.mark(part, middle);
+        let (side, graph, stamp) = (&self.side, &self.graph, self.stamp);
+        let border = |half: &[u32], other: u32, out: &mut Vec<u32>| {
+            out.clear();
+            out.extend(
+                half.iter()
+                    .filter(|&&v| graph.of(v).iter().any(|&w| side[w as usize] == other)),
+            );
+        };
+        border(&part[..middle], stamp + 1, &mut self.low);
+        border(&part[middle..], stamp, &mut self.high);
+        self.separator.clear();
+        if self.ring == 1 {
+            let smaller = if self.low.len() <= self.high.len() {
+                &self.low
+            } else {
+                &self.high
+            };
+            self.separator.extend_from_slice(smaller);
+        } else {
+            // One ring on each side: what remains of the sides is three steps apart.
+            self.separator.extend_from_slice(&self.low);
+            self.separator.extend_from_slice(&self.high);
+        }
+    }
+}
+
+/// Positions made from the graph alone, for [`nested_dissection`]: differences of distances to far-apart
+/// landmarks, smoothed over the neighbours. Connected components lie side by side.
+pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
+    let n = graph.order();
+    let ring = graph.adjacency();
+    let mut coords = vec![[0.0; 3]; n];
+    let mut distance = [
+        vec![u32::MAX; n],
+        vec![u32::MAX; n],
+        vec![u32::MAX; n],
+        vec![u32::MAX; n],
+    ];
+    let mut component = Vec::new();
+    let mut queue = VecDeque::new();
+    let mut offset = 0.0;
+    for root in 0..n as u32 {
+        if distance[0][root as usize] != u32::MAX {
+            continue;
+        }
+        component.clear();
+        let far = breadth_first(&ring, root, &mut distance[0], &mut queue, &mut component);
+        let reached = &mut Vec::new();
+        let opposite = breadth_first(&ring, far, &mut distance[1], &mut queue, reached);
+        breadth_first(&ring, opposite, &mut distance[2], &mut queue, reached);
+        let [_, from_a, from_b, from_c] = &mut distance;
+        // A third landmark off the axis of the first two: far from both, equally far if possible.
+        let side = component.iter().copied().max_by_key(|&v| {
+            let (a, b) = (from_a[v as usize], from_b[v as usize]);
+            (
+                2 * a.min(b),
+                std::cmp::Reverse(a.abs_diff(b)),
+                std::cmp::Reverse(v),
+            )
+        });
+        breadth_first(&ring, side.unwrap_or(root), from_c, &mut queue, reached);
+        let mut last = offset;
+        for &v in &component {
+            let [a, b, c] = [&*from_a, &*from_b, &*from_c].map(|d| f64::from(d[v as usize]));
+            coords[v as usize] = [offset + 0.5 * (a - b), c, 0.25 * (a + b)];
+            last = f64::max(last, coords[v as usize][0]);
+        }
+        offset = last + 0.5 * f64::from(from_a[opposite as usize]) + 1.0;
+    }
+    for _ in 0..SMOOTHING {
+        coords = smoothed(&ring, &coords);
+    }
+    coords
+}
+
+/// The sweeps that turn the integer distances into positions without ties.
+const SMOOTHING: usize = 4;
+
+fn smoothed(ring: &Adjacency, coords: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    (0..coords.len())
+        .map(|i| {
+            let near = ring.of(i as u32);
+            let mut sum = coords[i];
+            for &j in near {
+                for k in 0..3 {
+                    sum[k] += coords[j as usize][k];
+                }
+            }
+            sum.map(|s| s / (near.len() + 1) as f64)
+        })
+        .collect()
+}
+
+/// Distances from a root within its component. Appends the component to `reached` and returns the vertex
+/// reached last.
+fn breadth_first(
+    ring: &Adjacency,
+    root: u32,
+    distance: &mut [u32],
+    queue: &mut VecDeque<u32>,
+    reached: &mut Vec<u32>,
+) -> u32 {
+    let mut last = root;
+    distance[root as usize] = 0;
+    queue.push_back(root);
+    while let Some(v) = queue.pop_front() {
+        last = v;
+        reached.push(v);
+        for &w in ring.of(v) {
+            if distance[w as usize] == u32::MAX {
+                distance[w as usize] = distance[v as usize] + 1;
+                queue.push_back(w);
+            }
+        }
+    }
+    last
+}
