@@ -1,10 +1,23 @@
 //! The public entry: what is asked, what came of it.
 
 use std::ops::ControlFlow;
+use std::sync::mpsc;
+use std::time::Instant;
 
+use nalgebra::Vector3;
+
+use crate::discrete::border_normals::estimate;
+use crate::discrete::curvature::TILT_RIDGE;
+use crate::discrete::equations::FreeCurvature;
+use crate::discrete::groups::Groups;
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::error::Error;
+use crate::mesh::{Region, Rings};
 pub use crate::mesh::region::Selection;
-use crate::quality::Quality;
+use crate::quality::{Quality, Surface};
+use crate::solve::control::Callback;
+use crate::solve::globalize::bounding_box;
+use crate::solve::{Control, Ending, System, solve};
 
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -208,6 +221,200 @@ pub fn fair(
     selection: Selection<'_>,
     options: Options<'_>,
 ) -> Result<Solution, Error> {
-    let _ = (positions, triangles, selection, options);
-    Err(Error::EmptyRegion)
+    check(&options)?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads)
+        .build()
+        .map_err(|e| Error::Threads { threads: options.threads, why: e.to_string() })?;
+    let request = Request {
+        positions,
+        triangles,
+        selection,
+        normals: options.normals,
+        inner: options.inner,
+        discretization: options.discretization,
+        tolerance: options.tolerance,
+        max_iterations: options.max_iterations,
+    };
+    match options.progress {
+        None => pool.install(|| run(&request, None)),
+        Some(callback) => relay(&pool, callback, |told| run(&request, Some(told))),
+    }
+}
+
+/// What is asked, without the callback.
+struct Request<'a> {
+    positions: &'a [[f64; 3]],
+    triangles: &'a [[u32; 3]],
+    selection: Selection<'a>,
+    normals: BorderNormals<'a>,
+    inner: InnerFairness,
+    discretization: Discretization,
+    tolerance: f64,
+    max_iterations: usize,
+}
+
+/// Runs `work` on the pool and `callback` on this thread, which waits for it in between.
+fn relay<T: Send>(
+    pool: &rayon::ThreadPool,
+    callback: &mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send),
+    work: impl for<'t> FnOnce(&'t mut Callback<'t>) -> T + Send,
+) -> T {
+    let (to_caller, messages) = mpsc::channel::<Progress>();
+    let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
+    let mut tell = move |fraction, iterations, step, stage| {
+        let sent = to_caller.send(Progress { fraction, iterations, step, stage });
+        // Nobody listens any more: the callback has panicked, so stop.
+        sent.ok().and_then(|()| answers.recv().ok()).unwrap_or(ControlFlow::Break(()))
+    };
+    std::thread::scope(|scope| {
+        let worker = scope.spawn(move || {
+            pool.install(move || work(&mut tell))
+        });
+        for message in messages {
+            if answer.send(callback(&message)).is_err() {
+                break;
+            }
+        }
+        match worker.join() {
+            Ok(result) => result,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    })
+}
+
+fn check(options: &Options<'_>) -> Result<(), Error> {
+    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
+        return Err(Error::BadOption {
+            name: "tolerance",
+            value: options.tolerance,
+            range: "greater than 0 and less than 1",
+        });
+    }
+    if options.max_iterations == 0 {
+        return Err(Error::BadOption { name: "max_iterations", value: 0.0, range: "at least 1" });
+    }
+    Ok(())
+}
+
+/// The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power
+/// of two, so that only the translation rounds.
+struct Frame {
+    centre: Vector3<f64>,
+    scale: f64,
+}
+
+impl Frame {
+    fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
+        let border = &x[region.free..region.region_vertices()];
+        let size = bounding_box(border);
+        let (low, high) = if (size.1 - size.0).norm() > 0.0 { size } else { bounding_box(x) };
+        let diagonal = (high - low).norm();
+        let exponent = if diagonal > 0.0 && diagonal.is_finite() { diagonal.log2().round() } else { 0.0 };
+        Self { centre: low + (high - low) * 0.5, scale: exponent.exp2() }
+    }
+
+    fn enter(&self, x: &mut [Vector3<f64>]) {
+        for p in x {
+            *p = (*p - self.centre) / self.scale;
+        }
+    }
+
+    fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
+        (p * self.scale + self.centre).into()
+    }
+}
+
+fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Result<Solution, Error> {
+    let clock = Instant::now();
+    let mut seconds = Seconds::default();
+    let region = Region::new(request.positions, request.triangles, request.selection)?;
+    let rings = Rings::new(&region);
+    let mut x = region.positions(request.positions);
+    let frame = Frame::new(&region, &x);
+    frame.enter(&mut x);
+    let border_normals = border_normals(&region, &rings, &x, request.normals)?;
+    let groups = Groups::new(&rings);
+    let weights = match request.inner {
+        InnerFairness::Uniform => FairnessWeights::uniform(),
+        InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
+    };
+    let fallback_weights = weights.clamped;
+    let curvature = match request.discretization {
+        Discretization::SecondOrder => FreeCurvature::GradientCorrected { tilt_ridge: TILT_RIDGE },
+        Discretization::Paper => FreeCurvature::Paper,
+    };
+    seconds.setup = clock.elapsed().as_secs_f64();
+    let mut control = Control::new(request.tolerance, request.max_iterations, progress);
+    let mut system = System::new(&region, &rings, &groups, &x, border_normals, weights, curvature);
+    let solved = solve(&mut system, &mut control).map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    seconds.start = solved.start_seconds;
+    seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
+    system.evaluate(&solved.x);
+    let surface = Surface {
+        region: &region,
+        x: &solved.x,
+        normals: &system.state.corrected,
+        border_normals: &system.border_normals,
+        h: &system.state.h,
+    };
+    let mut quality = surface.quality();
+    for h in quality.h_inside.iter_mut().chain(&mut quality.h_border) {
+        *h /= frame.scale;
+    }
+    let (defect, _) = system.equations().defect(&system.state);
+    let mut positions = request.positions.to_vec();
+    for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
+        positions[v as usize] = frame.leave(p);
+    }
+    let border = region.vertex_ids[region.free..region.region_vertices()].iter();
+    let border_normals = border.zip(&system.border_normals).map(|(&v, n)| (v, (*n).into())).collect();
+    let inside = region.vertex_ids[..region.free].iter();
+    let mean_curvature = inside.zip(&system.state.h).map(|(&v, h)| (v, h / frame.scale)).collect();
+    seconds.total = clock.elapsed().as_secs_f64();
+    seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
+    let report = Report {
+        outcome: match solved.ending {
+            Ending::Converged => Outcome::Converged,
+            Ending::Stopped if control.cancelled => Outcome::Cancelled,
+            Ending::Stopped => Outcome::IterationLimit,
+            _ => Outcome::NotConverged,
+        },
+        iterations: control.iterations,
+        defect: defect * system.diagonal,
+        step: solved.step,
+        seconds,
+        quality,
+        free_vertices: region.free,
+        diagonal: system.diagonal * frame.scale,
+        linear_surface: false,
+        suspicious_normals: Vec::new(),
+        fallback_weights,
+    };
+    Ok(Solution { positions, border_normals, mean_curvature, report })
+}
+
+/// A given normal may miss unit length by this much.
+const UNIT: f64 = 1e-3;
+
+fn border_normals(
+    region: &Region,
+    rings: &Rings,
+    x: &[Vector3<f64>],
+    asked: BorderNormals<'_>,
+) -> Result<Vec<Vector3<f64>>, Error> {
+    let mut given = vec![None; region.border];
+    if let BorderNormals::Given(list) = asked {
+        let border = &region.vertex_ids[region.free..region.region_vertices()];
+        for &(v, n) in list {
+            let Ok(b) = border.binary_search(&v) else { continue };
+            let n = Vector3::from(n);
+            let length = n.norm();
+            if !((length - 1.0).abs() <= UNIT) {
+                return Err(Error::BadNormal { vertex: v as usize });
+            }
+            given[b] = Some(n / length);
+        }
+    }
+    estimate(region, rings, x, !matches!(asked, BorderNormals::Averaged), &given)
 }

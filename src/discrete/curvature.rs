@@ -30,6 +30,8 @@ pub struct Curvature<const L: usize> {
     pub k: Lanes<L>,
     /// The normal with the fitted tilt taken away.
     pub normal: Vec3<L>,
+    /// `-dH/dt` under a motion of the vertex along `n`, every `|e|` held (paper 7.2); zero unless asked for.
+    pub response: Lanes<L>,
 }
 
 /// Accumulates a weighted least-squares fit with `N` basis functions; only the lower triangle of the normal
@@ -187,7 +189,7 @@ impl<const L: usize> Frame<L> {
 /// `flap(k)` yields further samples with their weights (0 for none). `tilt_ridge` is [`TILT_RIDGE`] or, for plain
 /// Moreton-Sequin, [`NO_TILT`].
 #[inline(always)]
-pub fn gradient_corrected<const L: usize>(
+pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     n: &Vec3<L>,
     ring: &[Vec3<L>],
     flap: impl Fn(usize) -> (Vec3<L>, Lanes<L>),
@@ -196,17 +198,28 @@ pub fn gradient_corrected<const L: usize>(
     let frame = Frame::new(*n);
     let l = mean_square(ring).sqrt();
     let mut fit = NormalEquations::<L, 5>::new();
-    for (k, e) in ring.iter().enumerate() {
+    let mut moved = [Lanes::zero(); 5];
+    let mut add = |e: &Vec3<L>, weight| {
         let (phi, kappa) = frame.sample(e, l);
-        fit.add(&phi, kappa, Lanes::splat(1.0));
-        let (e, weight) = flap(k);
-        let (phi, kappa) = frame.sample(&e, l);
         fit.add(&phi, kappa, weight);
+        if RESPONSE {
+            let change = weight * 2.0 / dot(e, e).max(Lanes::splat(f64::MIN_POSITIVE));
+            for (m, phi) in moved.iter_mut().zip(phi) {
+                *m += phi * change;
+            }
+        }
+    };
+    for (k, e) in ring.iter().enumerate() {
+        add(e, Lanes::splat(1.0));
+        let (e, weight) = flap(k);
+        add(&e, weight);
     }
-    let y = fit.solve(&[0.0, RIDGE, RIDGE, tilt_ridge, tilt_ridge]);
+    let factor = fit.cholesky(&[0.0, RIDGE, RIDGE, tilt_ridge, tilt_ridge]);
+    let y = back_substitute(&factor, fit.right);
     let (g_x, g_y) = (l * y[3], l * y[4]);
     let tilt = (g_x * g_x + g_y * g_y + 1.0).sqrt().recip();
     Curvature {
+        response: if RESPONSE { back_substitute(&factor, moved)[0] * tilt } else { Lanes::zero() },
         h: y[0] * tilt,
         k: (y[0] * y[0] - y[1] * y[1] - y[2] * y[2]) * tilt * tilt,
         normal: frame.tilted(g_x, g_y),
@@ -266,7 +279,7 @@ mod tests {
 
     fn fit(ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
         let n = max_normal(ring);
-        gradient_corrected(&n, ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), tilt_ridge)
+        gradient_corrected::<1, false>(&n, ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), tilt_ridge)
     }
 
     #[test]
@@ -314,7 +327,7 @@ mod tests {
         let (ring, flaps) = graph(|x, y| x * x + 0.2 * y * y + 0.1 * x * y, 0.3);
         let up = fit(&ring, &flaps, TILT_RIDGE).h.0[0];
         let n = max_normal(&ring).map(|x| -x);
-        let down = gradient_corrected(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+        let down = gradient_corrected::<1, false>(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
         assert!((up + down).abs() < 1e-12 * up.abs());
     }
 
@@ -328,7 +341,7 @@ mod tests {
             let phi = 0.1 + 2.8 * s as f64 / steps as f64;
             ring[0] = one(&Vector3::new(0.3 * phi.cos(), 0.3 * phi.sin(), 0.05));
             let n = one(&Vector3::z());
-            let h = gradient_corrected(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+            let h = gradient_corrected::<1, false>(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
             if let Some(before) = last {
                 let jump: f64 = h - before;
                 assert!(jump.abs() < 0.05, "jump of {jump} at step {s}");

@@ -10,7 +10,7 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{FLAP_WEIGHT, gradient_corrected, moreton_sequin};
+use super::curvature::{Curvature, FLAP_WEIGHT, gradient_corrected, moreton_sequin};
 use super::groups::{Groups, LANES, gather, gather_flap, gather_scalar, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled};
@@ -62,6 +62,8 @@ pub struct State {
     pub k: Vec<f64>,
     /// Area of the 1-disk, free vertices.
     pub area: Vec<f64>,
+    /// `-dH_i/dt_i` at free vertices under a motion along the normal, as of the last [`Equations::evaluate_with_response`].
+    pub response: Vec<f64>,
     /// Cotangent weights `w_ij` by slot.
     pub weight: Vec<[f64; LANES]>,
     /// Outer residual `R1`.
@@ -80,6 +82,7 @@ impl State {
             h: vec![0.0; free + border],
             k: vec![0.0; free],
             area: vec![0.0; free],
+            response: vec![0.0; free],
             weight: vec![[0.0; LANES]; groups.neighbour.len()],
             outer: vec![0.0; free],
             inner: vec![Vector3::zeros(); free],
@@ -94,6 +97,7 @@ struct ChunkOutput<'s> {
     h: &'s mut [f64],
     k: &'s mut [f64],
     area: &'s mut [f64],
+    response: &'s mut [f64],
     weight: &'s mut [[f64; LANES]],
     inner: &'s mut [Vector3<f64>],
 }
@@ -106,7 +110,16 @@ impl Equations<'_> {
 
     /// Evaluates everything at the surface `x` (free, then border vertices).
     pub fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
-        self.free_vertices(x, state);
+        self.evaluate_as::<false>(x, state);
+    }
+
+    /// The same, and how `H` answers to normal motions.
+    pub fn evaluate_with_response(&self, x: &[Vector3<f64>], state: &mut State) {
+        self.evaluate_as::<true>(x, state);
+    }
+
+    fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
+        self.free_vertices::<RESPONSE>(x, state);
         if self.curvature == FreeCurvature::Paper {
             self.paper_curvature(x, state);
         }
@@ -123,7 +136,7 @@ impl Equations<'_> {
     }
 
     /// Normals, weights, area, inner residual and (but for the paper's discretization) curvature of free vertices.
-    fn free_vertices(&self, x: &[Vector3<f64>], state: &mut State) {
+    fn free_vertices<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         let groups = self.groups;
         let chunks = &groups.chunks;
         let lengths = || chunks.iter().map(|c| c.vertices.len());
@@ -133,6 +146,7 @@ impl Equations<'_> {
         let mut h = split_lengths(&mut state.h, lengths()).into_iter();
         let mut k = split_lengths(&mut state.k, lengths()).into_iter();
         let mut area = split_lengths(&mut state.area, lengths()).into_iter();
+        let mut response = split_lengths(&mut state.response, lengths()).into_iter();
         let inner = split_lengths(&mut state.inner, lengths()).into_iter();
         let outputs: Vec<ChunkOutput<'_>> = inner
             .filter_map(|inner| {
@@ -142,6 +156,7 @@ impl Equations<'_> {
                     h: h.next()?,
                     k: k.next()?,
                     area: area.next()?,
+                    response: response.next()?,
                     weight: weight.next()?,
                     inner,
                 })
@@ -153,13 +168,13 @@ impl Equations<'_> {
             for group in chunk.groups.clone() {
                 let m = groups.slots(group).len();
                 let place = (group, chunk.vertices.start, chunk.slots.start);
-                self.free_group(x, place, &mut ring[..m], &mut weight[..m], &mut output);
+                self.free_group::<RESPONSE>(x, place, &mut ring[..m], &mut weight[..m], &mut output);
             }
         });
     }
 
     #[inline(always)]
-    fn free_group(
+    fn free_group<const RESPONSE: bool>(
         &self,
         x: &[Vector3<f64>],
         (group, first_vertex, first_slot): (usize, usize, usize),
@@ -178,10 +193,11 @@ impl Equations<'_> {
         for (to, from) in out.weight[slots.start - first_slot..].iter_mut().zip(weight.iter()) {
             *to = from.0;
         }
-        let (n, corrected, h, k) = match self.curvature {
+        let (n, c) = match self.curvature {
             FreeCurvature::Paper => {
                 let n = cross_product_normal(ring);
-                (n, n, Lanes::zero(), Lanes::zero())
+                let zero = Lanes::zero();
+                (n, Curvature { h: zero, k: zero, normal: n, response: zero })
             }
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
@@ -191,8 +207,7 @@ impl Equations<'_> {
                         gather_flap(x, &groups.flap[slot], &groups.neighbour[slot], FLAP_WEIGHT);
                     (minus(&p, &q), weight)
                 };
-                let c = gradient_corrected(&n, ring, flap, tilt_ridge);
-                (n, c.normal, c.h, c.k)
+                (n, gradient_corrected::<LANES, RESPONSE>(&n, ring, flap, tilt_ridge))
             }
         };
         let mut sum = [Lanes::zero(); 3];
@@ -206,10 +221,13 @@ impl Equations<'_> {
         for (l, &i) in vertex.iter().enumerate() {
             let i = i as usize - first_vertex;
             out.normal[i] = lane(&n, l);
-            out.corrected[i] = lane(&corrected, l);
+            out.corrected[i] = lane(&c.normal, l);
             out.inner[i] = lane(&inner, l);
-            out.h[i] = h.0[l];
-            out.k[i] = k.0[l];
+            out.h[i] = c.h.0[l];
+            out.k[i] = c.k.0[l];
+            if RESPONSE {
+                out.response[i] = c.response.0[l];
+            }
             out.area[i] = area.0[l];
         }
     }

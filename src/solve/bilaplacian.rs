@@ -25,6 +25,8 @@ pub struct Metric {
     d: Vec<f64>,
 }
 
+/// `D_i` stays within these factors of `3 / (4 A_i)`.
+const FREE_RANGE: [f64; 2] = [0.2, 5.0];
 /// `D_b` stays within this factor of `3 / (4 A_b)`.
 const BORDER_RANGE: f64 = 4.0;
 
@@ -49,7 +51,12 @@ impl Metric {
                 total += *w;
             }
             self.total[i] = total;
-            self.d[i] = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+            let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+            self.d[i] = if response && total > 0.0 {
+                (state.response[i] / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1])
+            } else {
+                plain
+            };
         }
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..border {

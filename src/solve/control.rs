@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 /// What a stage tells the caller after an iteration.
-pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + Send + 'a;
+pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
 
 /// Limits and progress of one run.
 pub struct Control<'a> {

@@ -1,5 +1,7 @@
 //! The order in which harder means are tried, until a sound surface is found or none is left.
 
+use std::time::Instant;
+
 use nalgebra::Vector3;
 
 use super::control::Control;
@@ -30,14 +32,18 @@ pub struct Solved {
     pub ending: Ending,
     /// The last step norm.
     pub step: f64,
+    /// Seconds until the first iteration.
+    pub start_seconds: f64,
 }
 
 /// Solves.
 pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
+    let clock = Instant::now();
     let membrane = system.membrane();
     let mut x = system.linear_surface(&membrane)?;
     system.diagonal = diagonal(&x);
     system.tangential_steps(&mut x);
+    let start_seconds = clock.elapsed().as_secs_f64();
     let plan = Plan { tolerance: control.tolerance, guard: 3.0, reuse: true, stage: "fairing" };
     let (end, step) = iterate(system, &mut x, plan, control);
     let ending = match end {
@@ -45,15 +51,17 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         End::Stopped => Ending::Stopped,
         End::Stalled => Ending::Failed,
     };
-    Ok(Solved { x, ending, step })
+    Ok(Solved { x, ending, step, start_seconds })
 }
 
 /// The diagonal of the bounding box.
 pub fn diagonal(x: &[Vector3<f64>]) -> f64 {
-    let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
-    for p in x {
-        low = low.inf(p);
-        high = high.sup(p);
-    }
+    let (low, high) = bounding_box(x);
     (high - low).norm()
+}
+
+/// Lowest and highest corner.
+pub fn bounding_box(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
+    let start = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+    x.iter().fold(start, |(low, high), p| (low.inf(p), high.sup(p)))
 }

@@ -10,7 +10,7 @@ use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
-use crate::linear::ordering::fill_reducing;
+use crate::linear::ordering::nested_dissection as fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 use crate::mesh::{Region, Rings};
@@ -160,6 +160,11 @@ impl<'a> System<'a> {
         response: bool,
         mass: impl Fn(usize) -> f64 + Sync,
     ) -> Result<(), Collapsed> {
+        if response {
+            let mut state = std::mem::take(&mut self.state);
+            self.equations().evaluate_with_response(x, &mut state);
+            self.state = state;
+        }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;

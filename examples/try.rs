@@ -1,0 +1,36 @@
+//! scratch
+use fairmesh::shapes::*;
+use fairmesh::*;
+use std::ops::ControlFlow;
+fn main() {
+    let args: Vec<String> = std::env::args().collect();
+    let n: usize = args[2].parse().unwrap();
+    let irr = Sampling::Irregular { seed: 7 };
+    let s = match args[1].as_str() {
+        "sphere" => sphere_cap(60.0, n, irr, 4),
+        "zone" => sphere_zone(-40.0, 50.0, n, irr, 4),
+        "cylinder" => cylinder_band(n, irr, 4),
+        "catenoid" => catenoid_band(n, irr, 4),
+        "unduloid" => unduloid_band(0.6, 1.0, n, irr, 4),
+        _ => panic!(),
+    };
+    let given = s.border_normals();
+    let start = match args.get(3).map(|s| s.as_str()) { Some("noise") => s.noise(3, 0.4), Some("random") => s.random(5), _ => s.flat() };
+    let normals = if args.iter().any(|a| a == "fit") { BorderNormals::Fitted } else if args.iter().any(|a| a == "avg") { BorderNormals::Averaged } else { BorderNormals::Given(&given) };
+    let disc = if args.iter().any(|a| a == "paper") { Discretization::Paper } else { Discretization::SecondOrder };
+    let inner = if args.iter().any(|a| a == "conformal") { InnerFairness::Conformal } else { InnerFairness::Uniform };
+    let verbose = args.iter().any(|a| a == "-v");
+    let mut cb = |p: &Progress| { if verbose { eprintln!("  {:3} {:.3} {:.3e} {}", p.iterations, p.fraction, p.step, p.stage); } ControlFlow::Continue(()) };
+    let threads = args.iter().find_map(|a| a.strip_prefix("t=")).map_or(1, |t| t.parse().unwrap());
+    let mut o = Options { normals, discretization: disc, inner, threads, ..Options::default() };
+    if verbose { o.progress = Some(&mut cb); }
+    let r = fair(&start, &s.triangles, Selection::Mask(&s.free), o).unwrap();
+    let d = r.report.diagonal;
+    let e: Vec<f64> = s.free.iter().zip(&r.positions).filter(|p| *p.0).map(|(_, p)| s.surface.as_ref().unwrap().distance(*p) / d).collect();
+    let max = e.iter().fold(0.0f64, |a, b| a.max(*b));
+    let rms = (e.iter().map(|x| x * x).sum::<f64>() / e.len() as f64).sqrt();
+    println!("{} {} {} it {} max {:.2e} rms {:.2e} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} q {:.4} total {:.4} | angle {:.2} flips {} H {:?} {:?} dev {:.3}",
+        args[1], r.report.free_vertices, r.report.outcome.name(), r.report.iterations, max, rms, r.report.defect, r.report.step,
+        r.report.seconds.setup, r.report.seconds.start, r.report.seconds.iterate, r.report.seconds.quality, r.report.seconds.total,
+        r.report.quality.worst_angle, r.report.quality.flipped.len(), r.report.quality.h_inside, r.report.quality.h_border, r.report.quality.normal_deviation);
+}
