@@ -281,7 +281,7 @@ impl Fan {
             let [_, target, apex] = half_edges.corners(h);
             [target, apex, h]
         }));
-        self.spoke.sort_unstable();
+        self.spoke.sort_unstable_by_key(|s| s[0]);
         let mut sound = self.spoke.windows(2).all(|s| s[0][0] != s[1][0]);
         self.following.clear();
         self.following.resize(row.len(), NONE);
@@ -428,5 +428,59 @@ impl Flaws {
             });
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A fan of `n` triangles around vertex 0, their order scrambled; vertex 0 is free if the fan is closed.
+    fn fan(n: u32, closed: bool) -> Result<HalfEdges, Error> {
+        let last = if closed { 1 } else { n + 1 };
+        let target = |k: u32| if k == n { last } else { k + 1 };
+        let mut triangles: Vec<[u32; 3]> = (0..n).map(|k| [k + 1, target(k + 1), 0]).collect();
+        triangles.sort_unstable_by_key(|t| t[0] * 7 % n);
+        let vertices = if closed { n + 1 } else { n + 2 };
+        let ids: Vec<u32> = (100..100 + vertices).collect();
+        let triangle_ids = (0..n).collect();
+        let (free, border) = (usize::from(closed), usize::from(!closed));
+        HalfEdges::new(triangles, triangle_ids, n as usize, free, border, &ids)
+    }
+
+    #[test]
+    fn next_and_previous_stay_in_the_triangle() {
+        for h in 0..12 {
+            assert_eq!((previous(next(h)), next(previous(h))), (h, h));
+            assert_eq!((next(h) / 3, next(next(h))), (h / 3, previous(h)));
+        }
+    }
+
+    #[test]
+    fn fans_of_any_valence_come_into_order() {
+        for n in [3, 4, 5, 6, 15, 16, 17, 18, 100, 1000] {
+            for closed in [true, false] {
+                let half_edges = fan(n, closed).unwrap();
+                half_edges.validate().unwrap();
+                let ring: Vec<u32> = half_edges
+                    .spokes(0)
+                    .iter()
+                    .map(|&h| half_edges.target(h))
+                    .collect();
+                assert_eq!(ring, (1..=n).collect::<Vec<_>>());
+            }
+        }
+    }
+
+    #[test]
+    fn corners_are_origin_target_and_apex() {
+        let half_edges = fan(5, true).unwrap();
+        for h in 0..15 {
+            assert_eq!(
+                half_edges.corners(h),
+                [half_edges.origin(h), half_edges.target(h), half_edges.apex(h)]
+            );
+            assert_eq!(half_edges.apex(h), half_edges.target(next(h)));
+        }
     }
 }

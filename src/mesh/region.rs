@@ -483,3 +483,43 @@ fn unite(parent: &mut [u32], a: u32, b: u32) {
     let (a, b) = (find(parent, a), find(parent, b));
     parent[a.max(b) as usize] = a.min(b);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_that_fit_into_32_bits() {
+        let (most, third) = (u32::MAX as usize, u32::MAX as usize / 3);
+        assert_eq!(check_size(most, third), Ok(()));
+        let vertices = Error::TooLarge {
+            what: "vertices",
+            count: most + 1,
+        };
+        assert_eq!(check_size(most + 1, 0), Err(vertices));
+        let triangles = Error::TooLarge {
+            what: "triangles",
+            count: third + 1,
+        };
+        assert_eq!(check_size(0, third + 1), Err(triangles));
+    }
+
+    #[test]
+    fn the_root_of_a_united_set_is_its_smallest_member() {
+        let mut parent: Vec<u32> = (0..10).collect();
+        for (a, b) in [(9, 7), (3, 5), (7, 5), (1, 2), (8, 8)] {
+            unite(&mut parent, a, b);
+        }
+        let roots: Vec<u32> = (0..10).map(|v| find(&mut parent, v)).collect();
+        assert_eq!(roots, [0, 1, 1, 3, 4, 3, 6, 3, 8, 3]);
+    }
+
+    #[test]
+    fn repeated_corners() {
+        assert_eq!(repeated([1, 2, 3]), None);
+        assert_eq!(
+            [[4, 4, 1], [4, 1, 4], [1, 4, 4], [4; 3]].map(repeated),
+            [Some(4); 4]
+        );
+    }
+}

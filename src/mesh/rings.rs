@@ -13,7 +13,8 @@ pub struct Rings {
     pub start: Vec<u32>,
     /// The closed ring of each free vertex, counter-clockwise from the smallest local number.
     pub neighbour: Vec<u32>,
-    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`].
+    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`]. Never the vertex
+    /// itself: that would be a duplicate triangle.
     pub flap: Vec<u32>,
     /// Where this vertex stands in the ring of a free neighbour: a position in `neighbour`. [`NONE`] at
     /// fixed neighbours.
