@@ -3,7 +3,7 @@
 use fairmesh::mesh::{NONE, Region, Rings};
 use fairmesh::{Error, Selection};
 use proptest::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
@@ -60,14 +60,175 @@ fn sphere(n: u32, m: u32) -> Mesh {
 fn sound(mesh: &Mesh, selection: Selection<'_>) -> (Region, Rings) {
     let region = Region::new(&mesh.0, &mesh.1, selection).expect("a sound region");
     let rings = Rings::new(&region);
-    check(&region, &rings);
+    check(mesh, &region, &rings);
     (region, rings)
 }
 
-fn check(region: &Region, rings: &Rings) {
+fn check(mesh: &Mesh, region: &Region, rings: &Rings) {
     region.validate().expect("region");
     rings.validate(region).expect("rings");
     check_patterns(rings);
+    check_rings(mesh, region, rings);
+}
+
+/// Rings, fans and flaps against their definitions, by searching the whole mesh.
+fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
+    let id = |v: u32| {
+        if v == NONE {
+            NONE
+        } else {
+            region.vertex_ids[v as usize]
+        }
+    };
+    let free: BTreeSet<u32> = free_ids(region).iter().copied().collect();
+    let mut sharing: BTreeMap<[u32; 2], Vec<(u32, bool)>> = BTreeMap::new();
+    let mut link: BTreeMap<u32, BTreeSet<[u32; 2]>> = BTreeMap::new();
+    for &[a, b, c] in mesh
+        .1
+        .iter()
+        .filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+        let inside = [a, b, c].iter().any(|v| free.contains(v));
+        for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
+            sharing.entry([u.min(v), u.max(v)]).or_default().push((w, inside));
+            link.entry(w).or_default().insert([u, v]);
+        }
+    }
+    // The third vertex of the only other triangle at an edge of a triangle at `v`, if that is where asked.
+    let flap = |v: u32, [a, b]: [u32; 2], wanted: bool| {
+        let others: Vec<_> = sharing[&[a.min(b), a.max(b)]]
+            .iter()
+            .filter(|s| s.0 != v)
+            .collect();
+        let finite = |w: u32| mesh.0[w as usize].iter().all(|x| x.is_finite());
+        match others[..] {
+            [&(w, inside)] if inside == wanted && finite(w) => w,
+            _ => NONE,
+        }
+    };
+    for i in 0..region.free {
+        let (v, ring) = (id(i as u32), rings.ring(i));
+        let edges: Vec<_> = (0..ring.len())
+            .map(|k| [id(ring[k]), id(ring[(k + 1) % ring.len()])])
+            .collect();
+        assert_eq!(link[&v], edges.iter().copied().collect());
+        for (k, &edge) in edges.iter().enumerate() {
+            assert_eq!(id(rings.flap[rings.start[i] as usize + k]), flap(v, edge, true));
+        }
+    }
+    for b in 0..region.border {
+        let v = id((region.free + b) as u32);
+        let inner = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
+        let inside: BTreeSet<_> = rings.border_edge[inner].iter().map(|e| e.map(id)).collect();
+        let outside: BTreeSet<_> = rings.outside_edge[outer.clone()]
+            .iter()
+            .map(|e| e.map(id))
+            .collect();
+        let (left, right): (BTreeSet<_>, BTreeSet<_>) =
+            link[&v].iter().partition(|e| e.iter().any(|w| free.contains(w)));
+        assert_eq!((&inside, &outside), (&left, &right));
+        let ends = |edges: &BTreeSet<[u32; 2]>| edges.iter().flatten().copied().collect::<BTreeSet<_>>();
+        assert_eq!(
+            ends(&inside),
+            rings.border_ring(b).iter().map(|&j| id(j)).collect()
+        );
+        let outer_row = rings.outside_start[b] as usize..rings.outside_start[b + 1] as usize;
+        assert_eq!(
+            ends(&outside),
+            rings.outside_neighbour[outer_row]
+                .iter()
+                .map(|&j| id(j))
+                .collect()
+        );
+        for k in outer {
+            assert_eq!(
+                id(rings.outside_flap[k]),
+                flap(v, rings.outside_edge[k].map(id), false)
+            );
+        }
+    }
+}
+
+/// Whether `free` has a sound region by the definitions. All positions are taken to be finite.
+fn is_sound(triangles: &[[u32; 3]], free: &BTreeSet<u32>) -> bool {
+    let touches = |t: &[u32; 3], set: &BTreeSet<u32>| t.iter().any(|v| set.contains(v));
+    let inside: Vec<_> = triangles.iter().filter(|t| touches(t, free)).collect();
+    let vertices: BTreeSet<u32> = inside.iter().flat_map(|t| **t).collect();
+    let part: Vec<_> = triangles.iter().filter(|t| touches(t, &vertices)).collect();
+    let proper = part.iter().all(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+    let corners: BTreeSet<_> = part.iter().map(|t| BTreeSet::from(**t)).collect();
+    let directed: BTreeSet<_> = part
+        .iter()
+        .flat_map(|&&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .collect();
+    if free.is_empty()
+        || !free.is_subset(&vertices)
+        || !proper
+        || corners.len() != part.len()
+        || directed.len() != 3 * part.len()
+    {
+        return false;
+    }
+    let one_fan = |v: &u32| {
+        let links: BTreeMap<u32, u32> = part
+            .iter()
+            .flat_map(|&&[a, b, c]| [(a, b, c), (b, c, a), (c, a, b)])
+            .filter_map(|(o, a, b)| (o == *v).then_some((a, b)))
+            .collect();
+        let ends: BTreeSet<u32> = links.values().copied().collect();
+        let start = links
+            .keys()
+            .find(|a| !ends.contains(a))
+            .or(links.keys().next())
+            .copied();
+        let mut at = start;
+        let mut length = 0;
+        while let Some(&b) = at.and_then(|a| links.get(&a)) {
+            length += 1;
+            at = (Some(b) != start).then_some(b);
+        }
+        length == links.len() && (at.is_none() || !free.contains(v))
+    };
+    let has_fixed = |v: &u32| {
+        let mut reached = BTreeSet::from([*v]);
+        for _ in 0..vertices.len() {
+            let more: Vec<u32> = inside
+                .iter()
+                .filter(|t| touches(t, &reached))
+                .flat_map(|t| **t)
+                .collect();
+            reached.extend(more);
+        }
+        !reached.is_subset(free)
+    };
+    vertices.iter().all(one_fan) && free.iter().all(has_fixed)
+}
+
+/// The free vertices of a selection of faces, by definition.
+fn enclosed(triangles: &[[u32; 3]], faces: &[u32]) -> BTreeSet<u32> {
+    let chosen = |t: usize| faces.contains(&(t as u32));
+    let all = |v: &u32| {
+        triangles
+            .iter()
+            .enumerate()
+            .all(|(t, tri)| chosen(t) || !tri.contains(v))
+    };
+    let count = |a, b| {
+        triangles
+            .iter()
+            .filter(|t| t.contains(&a) && t.contains(&b))
+            .count()
+    };
+    let inner = |v: &u32| {
+        let at_v = triangles.iter().filter(|t| t.contains(v));
+        at_v.flatten().all(|w| w == v || count(*v, *w) > 1)
+    };
+    faces
+        .iter()
+        .flat_map(|&t| triangles[t as usize])
+        .filter(|v| all(v) && inner(v))
+        .collect()
 }
 
 /// The two patterns against their definitions, by brute force.
@@ -274,7 +435,13 @@ fn annulus() {
 #[test]
 fn corners_of_valence_two_on_a_rim_are_outside() {
     // A fan around vertex 0 with nothing outside: every rim vertex has one triangle left and one right.
-    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [2.0, 2.0, 0.0]];
+    let positions = vec![
+        [0.0; 3],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [-1.0, -1.0, 0.0],
+        [2.0, 2.0, 0.0],
+    ];
     let mut mesh = (positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
     let (_, rings) = sound(&mesh, Selection::Vertices(&[0]));
     assert_eq!((rings.border_edge.len(), rings.outside_edge.len()), (6, 0));
@@ -535,7 +702,7 @@ fn nothing_fixed() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_selection_of_a_jittered_grid(
@@ -553,22 +720,53 @@ proptest! {
         let faces: Vec<u32> = (0..mesh.1.len() as u32).filter(|&t| pick(t)).collect();
         let selection = if kind == 2 { Selection::Faces(&faces) } else { Selection::Vertices(&list) };
         match Region::new(&mesh.0, &mesh.1, selection) {
-            Ok(region) => check(&region, &Rings::new(&region)),
+            Ok(region) => check(&mesh, &region, &Rings::new(&region)),
             Err(Error::FreeVertexOnBorder { .. }) => prop_assert_eq!(kind, 0),
             Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
         }
     }
 
     #[test]
-    fn any_triangles_give_a_region_or_a_named_error(
-        triangles in prop::collection::vec(prop::array::uniform3(0u32..9), 1..24),
-        free in prop::collection::vec(0u32..9, 1..5),
-        faces in any::<bool>(),
+    fn any_triangles_give_a_region_exactly_if_they_are_sound(
+        triangles in prop::collection::vec(prop::array::uniform3(0u32..7), 1..16),
+        free in prop::collection::vec(0u32..7, 1..5),
     ) {
-        let positions = vec![[0.0; 3]; 8 + usize::from(faces)];
-        let selection = if faces { Selection::Faces(&free) } else { Selection::Vertices(&free) };
-        if let Ok(region) = Region::new(&positions, &triangles, selection) {
-            check(&region, &Rings::new(&region));
+        agrees(&triangles, Selection::Vertices(&free), &free.iter().copied().collect());
+    }
+
+    #[test]
+    fn a_few_changed_triangles_of_a_sphere(
+        changes in prop::collection::vec((0usize..40, 0usize..3, 0u32..20), 0..3),
+        flips in prop::collection::vec(0usize..40, 0..2),
+        removed in prop::collection::vec(0usize..30, 0..3),
+        picks in prop::collection::vec(0u32..30, 1..30),
+    ) {
+        let (_, mut triangles) = sphere(6, 3);
+        changes.iter().for_each(|&(t, k, v)| triangles[t % 36][k] = v);
+        flips.iter().for_each(|&t| triangles[t % 36].swap(0, 1));
+        for &t in &removed {
+            triangles.swap_remove(t);
         }
+        let vertices: Vec<u32> = picks.iter().map(|v| v % 20).collect();
+        agrees(&triangles, Selection::Vertices(&vertices), &vertices.iter().copied().collect());
+        let proper = triangles.iter().all(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+        if proper {
+            let faces: Vec<u32> =
+                (0..triangles.len() as u32).filter(|t| !picks.contains(t) || picks.len() < 9).collect();
+            agrees(&triangles, Selection::Faces(&faces), &enclosed(&triangles, &faces));
+        }
+    }
+}
+
+/// A region is found exactly if it is sound by definition; then it has these free vertices.
+fn agrees(triangles: &[[u32; 3]], selection: Selection<'_>, free: &BTreeSet<u32>) {
+    let mesh = (vec![[0.0; 3]; 20], triangles.to_vec());
+    match Region::new(&mesh.0, &mesh.1, selection) {
+        Ok(region) => {
+            assert!(is_sound(triangles, free));
+            assert_eq!(free_ids(&region), free.iter().copied().collect::<Vec<_>>());
+            check(&mesh, &region, &Rings::new(&region));
+        }
+        Err(found) => assert!(!is_sound(triangles, free), "{found}"),
     }
 }

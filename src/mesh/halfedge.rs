@@ -30,10 +30,12 @@ pub struct HalfEdges {
     pub region_triangles: usize,
     /// Per half-edge its partner, or [`NONE`].
     pub opposite: Vec<u32>,
-    /// Per free and border vertex one outgoing half-edge, the first of its fan counter-clockwise. Of a closed
-    /// fan: at a border vertex that has an outside, the beginning of a run of region triangles; among the
-    /// choices left, the one to the smallest local vertex.
-    pub outgoing: Vec<u32>,
+    /// Rows of `spoke`; one offset per free and border vertex, and the end.
+    pub spoke_start: Vec<u32>,
+    /// The outgoing half-edges of each free and border vertex, counter-clockwise, one per triangle. An open fan
+    /// begins at its border; a closed one at a border vertex that has an outside begins with a run of region
+    /// triangles; among the choices left it begins at the smallest local vertex.
+    pub spoke: Vec<u32>,
     /// Per half-edge of the outside ring (the first is `3 * region_triangles`): the third vertex of the
     /// triangle across, in the ring or beyond; [`NONE`] where there is none, where several share the edge,
     /// where it belongs to the region, or where that vertex is not finite.
@@ -58,8 +60,18 @@ impl HalfEdges {
             region_triangles,
             ..Self::default()
         };
-        half_edges.pair(vertex_ids)?;
-        half_edges.fans(free, free + border, vertex_ids)?;
+        half_edges.sort_spokes(vertex_ids.len());
+        let starts = half_edges.spoke_start[..=free].windows(2);
+        if let Some(v) = starts.into_iter().position(|w| w[0] == w[1]) {
+            return Err(Error::FreeVertexWithoutTriangle {
+                vertex: vertex_ids[v] as usize,
+            });
+        }
+        half_edges.link(free, free + border, vertex_ids)?;
+        half_edges.spoke_start.truncate(free + border + 1);
+        half_edges
+            .spoke
+            .truncate(half_edges.spoke_start[free + border] as usize);
         Ok(half_edges)
     }
 
@@ -98,96 +110,91 @@ impl HalfEdges {
         }
     }
 
-    /// The outgoing half-edges of a free or border vertex, counter-clockwise, one per triangle.
+    /// Origin, target and apex of `h`.
     #[inline]
-    pub fn around(&self, vertex: usize) -> Around<'_> {
-        Around {
-            half_edges: self,
-            first: self.outgoing[vertex],
-            at: self.outgoing[vertex],
+    pub fn corners(&self, h: u32) -> [u32; 3] {
+        let [a, b, c] = self.triangles[h as usize / 3];
+        match h % 3 {
+            0 => [a, b, c],
+            1 => [b, c, a],
+            _ => [c, a, b],
         }
     }
 
-    /// Finds every half-edge's partner. Half-edges are sorted into buckets by the smaller vertex, each
-    /// bucket by the larger one.
-    fn pair(&mut self, vertex_ids: &[u32]) -> Result<(), Error> {
-        let (end, mut bucket) = buckets(vertex_ids.len(), &self.triangles);
-        self.opposite = vec![NONE; 3 * self.triangles.len()];
+    /// The outgoing half-edges of a free or border vertex; see [`HalfEdges::spoke`].
+    #[inline]
+    pub fn spokes(&self, vertex: usize) -> &[u32] {
+        &self.spoke[self.spoke_start[vertex] as usize..self.spoke_start[vertex + 1] as usize]
+    }
+
+    /// Sorts the half-edges by the vertex that they leave.
+    fn sort_spokes(&mut self, vertices: usize) {
+        let mut cursor = vec![0u32; vertices + 1];
+        self.triangles
+            .iter()
+            .flatten()
+            .for_each(|&v| cursor[v as usize] += 1);
+        let mut sum = 0;
+        for c in &mut cursor {
+            sum += std::mem::replace(c, sum);
+        }
+        self.spoke_start = cursor.clone();
+        self.spoke = vec![0; 3 * self.triangles.len()];
+        for (h, &v) in self.triangles.iter().flatten().enumerate() {
+            let at = &mut cursor[v as usize];
+            self.spoke[*at as usize] = h as u32;
+            *at += 1;
+        }
+    }
+
+    /// Finds every half-edge's partner, brings the spokes of free and border vertices into order, and checks
+    /// that each of these has one fan.
+    fn link(&mut self, free: usize, region: usize, vertex_ids: &[u32]) -> Result<(), Error> {
+        let mut opposite = vec![NONE; 3 * self.triangles.len()];
+        let mut spoke = std::mem::take(&mut self.spoke);
+        let mut fan = Fan::default();
+        let (mut sound, mut open, mut bow_tie) = (true, NONE, NONE);
+        for (v, &id) in vertex_ids.iter().enumerate() {
+            let row = &mut spoke[self.spoke_start[v] as usize..self.spoke_start[v + 1] as usize];
+            sound &= fan.link(self, row, &mut opposite);
+            if v < free && fan.is_open() {
+                open = open.min(id);
+            } else if v < region && !fan.order(self, row) {
+                bow_tie = bow_tie.min(id);
+            }
+        }
+        (self.spoke, self.opposite) = (spoke, opposite);
+        if !sound {
+            self.find_flaws(vertex_ids).into_result()?;
+        }
+        if open != NONE {
+            return Err(Error::FreeVertexOnBorder {
+                vertex: open as usize,
+            });
+        }
+        if bow_tie != NONE {
+            return Err(Error::NonManifoldVertex {
+                vertex: bow_tie as usize,
+            });
+        }
+        Ok(())
+    }
+
+    /// Goes through all edges for those that are not of two triangles side by side.
+    #[cold]
+    fn find_flaws(&self, vertex_ids: &[u32]) -> Flaws {
+        let (end, mut bucket) = buckets(vertex_ids.len(), self.triangles.iter().enumerate());
         let mut flaws = Flaws::default();
         let mut begin = 0;
         for (v, &end) in end.iter().enumerate() {
             let bucket = &mut bucket[begin..end as usize];
             begin = end as usize;
             bucket.sort_unstable();
-            for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32) {
-                match *edge {
-                    [_] => {}
-                    [x, y] if self.fits(x as u32, y as u32) => {
-                        self.opposite[x as u32 as usize] = y as u32;
-                        self.opposite[y as u32 as usize] = x as u32;
-                    }
-                    _ => flaws.note(self, v, edge, vertex_ids),
-                }
+            for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32).filter(|e| e.len() > 1) {
+                flaws.note(self, v, edge, vertex_ids);
             }
         }
-        flaws.into_result()
-    }
-
-    /// Whether two half-edges on one edge are partners: opposite directions, different triangles.
-    #[inline]
-    fn fits(&self, x: u32, y: u32) -> bool {
-        self.origin(x) != self.origin(y) && self.apex(x) != self.apex(y)
-    }
-
-    /// Chooses `outgoing`, and checks that the triangles around every free vertex form one closed fan and
-    /// those around every border vertex one fan.
-    fn fans(&mut self, free: usize, vertices: usize, vertex_ids: &[u32]) -> Result<(), Error> {
-        let mut valence = vec![0u32; vertices];
-        let mut rank = vec![u64::MAX; vertices];
-        let mut outgoing = vec![NONE; vertices];
-        let mut open = NONE;
-        for h in 0..self.opposite.len() as u32 {
-            let v = self.origin(h);
-            if v as usize >= vertices {
-                continue;
-            }
-            let r = self.rank(h);
-            valence[v as usize] += 1;
-            if r < rank[v as usize] {
-                rank[v as usize] = r;
-                outgoing[v as usize] = h;
-            }
-            if (v as usize) < free
-                && (self.opposite[h as usize] == NONE || self.opposite[previous(h) as usize] == NONE)
-            {
-                open = open.min(v);
-            }
-        }
-        if open != NONE {
-            return Err(Error::FreeVertexOnBorder {
-                vertex: vertex_ids[open as usize] as usize,
-            });
-        }
-        self.outgoing = outgoing;
-        (0..vertices)
-            .filter(|&v| self.around(v).count() != valence[v] as usize)
-            .map(|v| vertex_ids[v])
-            .min()
-            .map_or(Ok(()), |v| Err(Error::NonManifoldVertex { vertex: v as usize }))
-    }
-
-    /// Orders the outgoing half-edges of a vertex: the smallest is where its fan begins.
-    #[inline]
-    fn rank(&self, h: u32) -> u64 {
-        let clockwise = self.opposite[h as usize];
-        let class = if clockwise == NONE {
-            0
-        } else if self.in_region(h) && !self.in_region(clockwise) {
-            1
-        } else {
-            2
-        };
-        class << 32 | u64::from(self.target(h))
+        flaws
     }
 
     /// Fills `flap_outside`. `beyond(h)` tells what further triangles, not among these, share the edge of
@@ -234,19 +241,111 @@ impl HalfEdges {
                 return Err(format!("ends of {h} and {o}"));
             }
         }
-        for (v, &h) in self.outgoing.iter().enumerate() {
-            if self.origin(h) as usize != v {
-                return Err(format!("outgoing half-edge of {v}"));
+        for v in 0..self.spoke_start.len() - 1 {
+            let spokes = self.spokes(v);
+            if spokes.is_empty() || spokes.iter().any(|&h| self.origin(h) as usize != v) {
+                return Err(format!("spokes of {v}"));
+            }
+            if spokes
+                .windows(2)
+                .any(|s| self.opposite[previous(s[0]) as usize] != s[1])
+            {
+                return Err(format!("order of the spokes of {v}"));
+            }
+            let last = self.opposite[previous(spokes[spokes.len() - 1]) as usize];
+            if last != spokes[0] && (last != NONE || self.opposite[spokes[0] as usize] != NONE) {
+                return Err(format!("fan of {v}"));
             }
         }
         Ok(())
     }
 }
 
+/// The triangles around one vertex, on the way from a heap to a fan. One for all vertices: no allocation.
+#[derive(Default)]
+struct Fan {
+    /// (target, apex, half-edge) of each spoke, by target.
+    spoke: Vec<[u32; 3]>,
+    /// Per spoke the next one counter-clockwise, or [`NONE`].
+    following: Vec<u32>,
+    /// Per spoke the one before, or [`NONE`].
+    preceding: Vec<u32>,
+}
+
+impl Fan {
+    /// Enters the spokes of `row` and finds their partners. False where an edge has two triangles on one side
+    /// or two triangles lie back to back.
+    fn link(&mut self, half_edges: &HalfEdges, row: &[u32], opposite: &mut [u32]) -> bool {
+        self.spoke.clear();
+        self.spoke.extend(row.iter().map(|&h| {
+            let [_, target, apex] = half_edges.corners(h);
+            [target, apex, h]
+        }));
+        self.spoke.sort_unstable_by_key(|s| s[0]);
+        let mut sound = self.spoke.windows(2).all(|s| s[0][0] != s[1][0]);
+        self.following.clear();
+        self.following.resize(row.len(), NONE);
+        self.preceding.clear();
+        self.preceding.resize(row.len(), NONE);
+        for (i, &[target, apex, h]) in self.spoke.iter().enumerate() {
+            let Some(j) = self.to(apex) else { continue };
+            sound &= self.spoke[j][1] != target && self.preceding[j] == NONE;
+            self.following[i] = j as u32;
+            self.preceding[j] = i as u32;
+            opposite[self.spoke[j][2] as usize] = previous(h);
+        }
+        sound
+    }
+
+    /// The spoke to a neighbour.
+    #[inline]
+    fn to(&self, neighbour: u32) -> Option<usize> {
+        if self.spoke.len() > 16 {
+            return self.spoke.binary_search_by_key(&neighbour, |s| s[0]).ok();
+        }
+        self.spoke.iter().position(|s| s[0] == neighbour)
+    }
+
+    fn is_open(&self) -> bool {
+        self.following.contains(&NONE)
+    }
+
+    /// Writes the spokes to `row` in order. False if they are not all of one fan.
+    fn order(&self, half_edges: &HalfEdges, row: &mut [u32]) -> bool {
+        let first = self.first(half_edges);
+        let mut at = first;
+        for (count, h) in row.iter_mut().enumerate() {
+            if at == NONE || (at == first && count > 0) {
+                return false;
+            }
+            *h = self.spoke[at as usize][2];
+            at = self.following[at as usize];
+        }
+        true
+    }
+
+    /// Where the fan begins; see [`HalfEdges::spoke`].
+    fn first(&self, half_edges: &HalfEdges) -> u32 {
+        let inside = |i: u32| half_edges.in_region(self.spoke[i as usize][2]);
+        let enters = |&(i, &p): &(usize, &u32)| inside(i as u32) && !inside(p);
+        if let Some(i) = self.preceding.iter().position(|&p| p == NONE) {
+            return i as u32;
+        }
+        self.preceding
+            .iter()
+            .enumerate()
+            .find(enters)
+            .map_or(0, |(i, _)| i as u32)
+    }
+}
+
 /// Half-edges as `larger vertex << 32 | half-edge`, grouped by the smaller vertex; the end of each group.
-fn buckets(vertices: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<u64>) {
+pub(super) fn buckets<'a>(
+    vertices: usize,
+    triangles: impl Iterator<Item = (usize, &'a [u32; 3])> + Clone,
+) -> (Vec<u32>, Vec<u64>) {
     let mut cursor = vec![0u32; vertices];
-    for &[a, b, c] in triangles {
+    for (_, &[a, b, c]) in triangles.clone() {
         cursor[a.min(b) as usize] += 1;
         cursor[b.min(c) as usize] += 1;
         cursor[c.min(a) as usize] += 1;
@@ -255,8 +354,8 @@ fn buckets(vertices: usize, triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<u64>) {
     for c in &mut cursor {
         sum += std::mem::replace(c, sum);
     }
-    let mut entries = vec![0u64; 3 * triangles.len()];
-    for (t, tri) in triangles.iter().enumerate() {
+    let mut entries = vec![0u64; sum as usize];
+    for (t, tri) in triangles {
         for k in 0..3 {
             let (a, b) = (tri[k], tri[(k + 1) % 3]);
             let at = &mut cursor[a.min(b) as usize];
@@ -287,7 +386,6 @@ fn keep<T: Ord>(least: &mut Option<T>, found: T) {
 
 impl Flaws {
     /// Records what is wrong with an edge whose smaller end is `v`.
-    #[cold]
     fn note(&mut self, half_edges: &HalfEdges, v: usize, edge: &[u64], vertex_ids: &[u32]) {
         let id = |h: u64| half_edges.triangle_ids[h as u32 as usize / 3];
         let mut by_third: Vec<_> = edge.iter().map(|&h| (half_edges.apex(h as u32), id(h))).collect();
@@ -300,7 +398,7 @@ impl Flaws {
         let last = edge.iter().map(|&h| id(h)).max().unwrap_or(NONE);
         if edge.len() > 2 {
             keep(&mut self.edge, (a, b, last));
-        } else {
+        } else if half_edges.origin(edge[0] as u32) == half_edges.origin(edge[1] as u32) {
             let first = edge.iter().map(|&h| id(h)).min().unwrap_or(NONE);
             keep(&mut self.orientation, (last, first, a, b));
         }
@@ -333,25 +431,56 @@ impl Flaws {
     }
 }
 
-/// See [`HalfEdges::around`].
-#[derive(Debug, Clone)]
-pub struct Around<'a> {
-    half_edges: &'a HalfEdges,
-    first: u32,
-    at: u32,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Iterator for Around<'_> {
-    type Item = u32;
+    /// A fan of `n` triangles around vertex 0, their order scrambled; vertex 0 is free if the fan is closed.
+    fn fan(n: u32, closed: bool) -> Result<HalfEdges, Error> {
+        let last = if closed { 1 } else { n + 1 };
+        let target = |k: u32| if k == n { last } else { k + 1 };
+        let mut triangles: Vec<[u32; 3]> = (0..n).map(|k| [k + 1, target(k + 1), 0]).collect();
+        triangles.sort_unstable_by_key(|t| t[0] * 7 % n);
+        let vertices = if closed { n + 1 } else { n + 2 };
+        let ids: Vec<u32> = (100..100 + vertices).collect();
+        let triangle_ids = (0..n).collect();
+        let (free, border) = (usize::from(closed), usize::from(!closed));
+        HalfEdges::new(triangles, triangle_ids, n as usize, free, border, &ids)
+    }
 
-    #[inline]
-    fn next(&mut self) -> Option<u32> {
-        let h = self.at;
-        if h == NONE {
-            return None;
+    #[test]
+    fn next_and_previous_stay_in_the_triangle() {
+        for h in 0..12 {
+            assert_eq!((previous(next(h)), next(previous(h))), (h, h));
+            assert_eq!((next(h) / 3, next(next(h))), (h / 3, previous(h)));
         }
-        let following = self.half_edges.opposite[previous(h) as usize];
-        self.at = if following == self.first { NONE } else { following };
-        Some(h)
+    }
+
+    #[test]
+    fn fans_of_any_valence_come_into_order() {
+        for n in [3, 4, 5, 6, 15, 16, 17, 18, 100, 1000] {
+            for closed in [true, false] {
+                let half_edges = fan(n, closed).unwrap();
+                half_edges.validate().unwrap();
+                let ring: Vec<u32> = half_edges
+                    .spokes(0)
+                    .iter()
+                    .map(|&h| half_edges.target(h))
+                    .collect();
+                assert_eq!(ring, (1..=n).collect::<Vec<_>>());
+            }
+        }
+    }
+
+    #[test]
+    fn corners_are_origin_target_and_apex() {
+        let half_edges = fan(5, true).unwrap();
+        for h in 0..15 {
+            assert_eq!(
+                half_edges.corners(h),
+                [half_edges.origin(h), half_edges.target(h), half_edges.apex(h)]
+            );
+            assert_eq!(half_edges.apex(h), half_edges.target(next(h)));
+        }
     }
 }

@@ -5,7 +5,7 @@ pub mod region;
 pub mod rings;
 
 pub use halfedge::HalfEdges;
-pub use region::Region;
+pub use region::{Region, Selection};
 pub use rings::Rings;
 
 /// No element: the partner of a border half-edge, the flap that is not there.

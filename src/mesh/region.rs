@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NONE;
-use super::halfedge::HalfEdges;
+use super::halfedge::{HalfEdges, buckets};
 use crate::error::Error;
 
 /// Which vertices may move.
@@ -50,8 +50,8 @@ impl Region {
     /// # Errors
     /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
     /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
-    /// [`Error::EmptyRegion`], [`Error::FreeVertexWithoutTriangle`], [`Error::RepeatedIndex`],
-    /// [`Error::NotFinite`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
+    /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`],
+    /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
     /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBorder`], [`Error::NonManifoldVertex`],
     /// [`Error::NothingFixed`].
     pub fn new(
@@ -63,13 +63,12 @@ impl Region {
         let mut role = resolve(positions.len(), triangles, selection)?;
         let (triangle_ids, region_triangles) = collect(triangles, &mut role);
         let (mut vertex_ids, local, free, border) = number(&role);
-        let numbered: Vec<[u32; 3]> = triangle_ids
+        check_corners(triangles, &triangle_ids)?;
+        check_finite(positions, &vertex_ids)?;
+        let numbered = triangle_ids
             .iter()
             .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
             .collect();
-        check_used(&numbered[..region_triangles], &vertex_ids[..free])?;
-        check_corners(triangles, &triangle_ids)?;
-        check_finite(positions, &vertex_ids)?;
         let mut half_edges = HalfEdges::new(
             numbered,
             triangle_ids,
@@ -255,20 +254,25 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     }
     // An edge at a vertex that is still free has all its triangles in the list, so a single one there means
     // the mesh's border. Edges (i, i) of broken triangles are left for the checks that follow.
-    let mut edges = Vec::new();
-    for (tri, _) in triangles.iter().zip(&selected).filter(|(_, s)| **s) {
-        for k in 0..3 {
-            let (a, b) = (tri[k].min(tri[(k + 1) % 3]), tri[k].max(tri[(k + 1) % 3]));
-            let kept = role[a as usize] == Role::Free || role[b as usize] == Role::Free;
-            if a != b && kept {
-                edges.push(u64::from(a) << 32 | u64::from(b));
+    let touched = |tri: &[u32; 3]| tri.iter().any(|&v| role[v as usize] == Role::Free);
+    let kept = triangles
+        .iter()
+        .zip(&selected)
+        .enumerate()
+        .filter(|(_, (tri, s))| **s && touched(tri));
+    let (end, mut bucket) = buckets(role.len(), kept.map(|(t, (tri, _))| (t, tri)));
+    let mut begin = 0;
+    for (a, &end) in end.iter().enumerate() {
+        let bucket = &mut bucket[begin..end as usize];
+        begin = end as usize;
+        bucket.sort_unstable();
+        for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32) {
+            let b = (edge[0] >> 32) as usize;
+            if edge.len() == 1 && a != b {
+                role[a] = Role::Other;
+                role[b] = Role::Other;
             }
         }
-    }
-    edges.sort_unstable();
-    for single in edges.chunk_by(|x, y| x == y).filter(|e| e.len() == 1) {
-        role[(single[0] >> 32) as usize] = Role::Other;
-        role[single[0] as u32 as usize] = Role::Other;
     }
 }
 
@@ -323,21 +327,6 @@ fn repeated([a, b, c]: [u32; 3]) -> Option<u32> {
         Some(b)
     } else {
         None
-    }
-}
-
-fn check_used(region: &[[u32; 3]], free_ids: &[u32]) -> Result<(), Error> {
-    let mut used = vec![false; free_ids.len()];
-    for &v in region.iter().flatten() {
-        if let Some(u) = used.get_mut(v as usize) {
-            *u = true;
-        }
-    }
-    match used.iter().position(|u| !u) {
-        Some(v) => Err(Error::FreeVertexWithoutTriangle {
-            vertex: free_ids[v] as usize,
-        }),
-        None => Ok(()),
     }
 }
 
@@ -488,6 +477,49 @@ fn find(parent: &mut [u32], mut v: u32) -> u32 {
 }
 
 fn unite(parent: &mut [u32], a: u32, b: u32) {
+    if parent[a as usize] == parent[b as usize] {
+        return;
+    }
     let (a, b) = (find(parent, a), find(parent, b));
     parent[a.max(b) as usize] = a.min(b);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_that_fit_into_32_bits() {
+        let (most, third) = (u32::MAX as usize, u32::MAX as usize / 3);
+        assert_eq!(check_size(most, third), Ok(()));
+        let vertices = Error::TooLarge {
+            what: "vertices",
+            count: most + 1,
+        };
+        assert_eq!(check_size(most + 1, 0), Err(vertices));
+        let triangles = Error::TooLarge {
+            what: "triangles",
+            count: third + 1,
+        };
+        assert_eq!(check_size(0, third + 1), Err(triangles));
+    }
+
+    #[test]
+    fn the_root_of_a_united_set_is_its_smallest_member() {
+        let mut parent: Vec<u32> = (0..10).collect();
+        for (a, b) in [(9, 7), (3, 5), (7, 5), (1, 2), (8, 8)] {
+            unite(&mut parent, a, b);
+        }
+        let roots: Vec<u32> = (0..10).map(|v| find(&mut parent, v)).collect();
+        assert_eq!(roots, [0, 1, 1, 3, 4, 3, 6, 3, 8, 3]);
+    }
+
+    #[test]
+    fn repeated_corners() {
+        assert_eq!(repeated([1, 2, 3]), None);
+        assert_eq!(
+            [[4, 4, 1], [4, 1, 4], [1, 4, 4], [4; 3]].map(repeated),
+            [Some(4); 4]
+        );
+    }
 }

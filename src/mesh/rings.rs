@@ -13,7 +13,8 @@ pub struct Rings {
     pub start: Vec<u32>,
     /// The closed ring of each free vertex, counter-clockwise from the smallest local number.
     pub neighbour: Vec<u32>,
-    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`].
+    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`]. Never the vertex
+    /// itself: that would be a duplicate triangle.
     pub flap: Vec<u32>,
     /// Where this vertex stands in the ring of a free neighbour: a position in `neighbour`. [`NONE`] at
     /// fixed neighbours.
@@ -98,23 +99,16 @@ impl Rings {
 
     fn walk_free(&mut self, region: &Region) {
         let half_edges = &region.half_edges;
-        let inside = 3 * half_edges.region_triangles;
-        let mut position = vec![NONE; inside];
-        let mut spoke = Vec::with_capacity(inside);
-        self.neighbour.reserve(inside);
-        self.flap.reserve(inside);
-        self.start.push(0);
-        for i in 0..region.free {
-            for h in half_edges.around(i) {
-                position[h as usize] = spoke.len() as u32;
-                spoke.push(h);
-                self.neighbour.push(half_edges.target(h));
-                let across = half_edges.flap(next(h));
-                self.flap.push(if across == i as u32 { NONE } else { across });
-            }
-            self.start.push(spoke.len() as u32);
-        }
+        self.start = half_edges.spoke_start[..=region.free].to_vec();
+        let spoke = &half_edges.spoke[..self.start[region.free] as usize];
+        self.neighbour = spoke.iter().map(|&h| half_edges.target(h)).collect();
+        self.flap = spoke.iter().map(|&h| half_edges.flap(next(h))).collect();
         // Half-edges that leave a fixed vertex have no position.
+        let mut position = vec![NONE; 3 * half_edges.region_triangles];
+        spoke
+            .iter()
+            .enumerate()
+            .for_each(|(p, &h)| position[h as usize] = p as u32);
         self.twin = spoke
             .iter()
             .map(|&h| position[half_edges.opposite[h as usize] as usize])
@@ -129,7 +123,7 @@ impl Rings {
         self.outside_edge_start.push(0);
         for b in region.free..region.region_vertices() {
             self.closed.push(true);
-            for h in half_edges.around(b) {
+            for &h in half_edges.spokes(b) {
                 self.add_border_triangle(region, h);
             }
             self.border_start.push(self.border_neighbour.len() as u32);
@@ -151,7 +145,8 @@ impl Rings {
         if let Some(closed) = self.closed.last_mut() {
             *closed &= inside && !begins && !ends;
         }
-        let edge = [half_edges.target(h), half_edges.apex(h)];
+        let [_, target, apex] = half_edges.corners(h);
+        let edge = [target, apex];
         let neighbours = if inside {
             &mut self.border_neighbour
         } else {
