@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 fn main() {
     let args: Vec<String> = std::env::args().collect();
     let n: usize = args[2].parse().unwrap();
-    let irr = Sampling::Irregular { seed: 7 };
+    let irr = if args.iter().any(|a| a == "reg") { Sampling::Regular } else { Sampling::Irregular { seed: args.iter().find_map(|a| a.strip_prefix("seed=")).map_or(7, |t| t.parse().unwrap()) } };
     let s = match args[1].as_str() {
         "sphere" => sphere_cap(60.0, n, irr, 4),
         "zone" => sphere_zone(-40.0, 50.0, n, irr, 4),

@@ -373,12 +373,25 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     let mean_curvature = inside.zip(&system.state.h).map(|(&v, h)| (v, h / frame.scale)).collect();
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
+    let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
+    let border_ids = &region.vertex_ids[region.free..];
+    let linear_surface = matches!(solved.ending, Ending::Failed | Ending::Partly(..));
     let report = Report {
-        outcome: match solved.ending {
-            Ending::Converged => Outcome::Converged,
+        outcome: match &solved.ending {
+            Ending::Converged if solved.poor.is_empty() => Outcome::Converged,
+            Ending::FirstOrder if solved.poor.is_empty() => Outcome::ConvergedLoosely {
+                reason: "the surface holds with the first-order curvature alone".to_owned(),
+            },
+            Ending::Converged | Ending::FirstOrder => Outcome::ConvergedPoorTriangles {
+                triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
+            },
             Ending::Stopped if control.cancelled => Outcome::Cancelled,
             Ending::Stopped => Outcome::IterationLimit,
-            _ => Outcome::NotConverged,
+            Ending::Partly(reached, farthest) => Outcome::NormalsNotReachable {
+                reached: *reached,
+                vertices: local_ids(farthest, border_ids),
+            },
+            Ending::Failed => Outcome::NotConverged,
         },
         iterations: control.iterations,
         defect: defect * system.diagonal,
@@ -387,7 +400,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         quality,
         free_vertices: region.free,
         diagonal: system.diagonal * frame.scale,
-        linear_surface: false,
+        linear_surface,
         suspicious_normals: Vec::new(),
         fallback_weights,
     };

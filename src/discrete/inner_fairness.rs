@@ -14,6 +14,9 @@ use crate::mesh::Rings;
 /// positive definite for any input.
 pub const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
 
+/// Mean-value weights stay within this factor of one.
+const LARGEST_RATIO: f64 = 20.0;
+
 /// Weights `lambda_ij` of all free vertices, slot by slot as in [`Groups`].
 #[derive(Debug, Clone)]
 pub struct FairnessWeights {
@@ -58,6 +61,33 @@ impl FairnessWeights {
             slots[first + k][lane] = clamp(cotangent(before, q, here)) + clamp(cotangent(after, here, q));
         }
         clamped
+    }
+
+    /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
+    /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
+    /// coordinates", CAGD 20 (2003).
+    pub fn set_mean_value(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) {
+        let slots = self.slots.get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
+        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+        let valence = ring_length(groups, first);
+        let edge = |k: usize| input[groups.neighbour[first + k % valence][lane] as usize] - input[i];
+        let half_tangent = |k: usize| {
+            let (a, b) = (edge(k), edge(k + 1));
+            let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
+            let whole = (sine * sine + cosine * cosine).sqrt();
+            (sine / (whole + cosine).max(whole * LARGEST_RATIO.recip())).clamp(0.0, LARGEST_RATIO)
+        };
+        let mean = (0..valence).map(|k| edge(k).norm()).sum::<f64>() / valence as f64;
+        let mut sum = 0.0;
+        for k in 0..valence {
+            let w = (half_tangent(k + valence - 1) + half_tangent(k)) * mean / edge(k).norm();
+            let w = if w.is_finite() { w.clamp(LARGEST_RATIO.recip(), LARGEST_RATIO) } else { 1.0 };
+            slots[first + k][lane] = w;
+            sum += w;
+        }
+        for k in 0..valence {
+            slots[first + k][lane] *= valence as f64 / sum;
+        }
     }
 
     /// The weight in one slot.

@@ -25,8 +25,15 @@ pub struct Metric {
     d: Vec<f64>,
 }
 
+/// `-dH_i/dt_i` of a constant fit to the ring: the mean of `2 / |e_j|^2`. `3 / (4 A_i)` times `sum_j w_ij` is three times
+/// that at a regular ring of valence 3.
+fn moreton_sequin_response(ring: &[u32], x: &[Vector3<f64>], i: usize) -> f64 {
+    let sum: f64 = ring.iter().map(|&j| 2.0 / (x[j as usize] - x[i]).norm_squared()).sum();
+    sum / ring.len() as f64
+}
+
 /// `D_i` stays within these factors of `3 / (4 A_i)`.
-const FREE_RANGE: [f64; 2] = [0.2, 5.0];
+const FREE_RANGE: [f64; 2] = [0.1, 5.0];
 /// `D_b` stays within this factor of `3 / (4 A_b)`.
 const BORDER_RANGE: f64 = 4.0;
 
@@ -52,11 +59,8 @@ impl Metric {
             }
             self.total[i] = total;
             let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-            self.d[i] = if response && total > 0.0 {
-                (state.response[i] / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1])
-            } else {
-                plain
-            };
+            let answer = if response { state.response[i] } else { moreton_sequin_response(rings.ring(i), x, i) };
+            self.d[i] = (answer / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
         }
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..border {

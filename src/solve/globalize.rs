@@ -1,12 +1,32 @@
-//! The order in which harder means are tried, until a sound surface is found or none is left.
+//! The order in which harder means are tried, until a sound surface is found or none is left:
+//!
+//! 1. directly, from the linear surface, with repaired inner fairness where triangles end flipped or thin;
+//! 2. plain (first-order) curvature first, whose basin is larger, then a jump to the second order;
+//! 3. pseudo-time from there;
+//! 4. the plain solution to tolerance, reported as what it is;
+//! 5. pseudo-time from the start;
+//! 6. continuation in the border normals.
 
 use std::time::Instant;
 
 use nalgebra::Vector3;
 
+use super::continuation::continuation;
 use super::control::Control;
+use super::pseudo_time::pseudo_time;
 use super::quasi_newton::{End, Plan, iterate};
 use super::system::{Collapsed, System};
+use super::weight_repair::Repair;
+use crate::discrete::curvature::NO_TILT;
+use crate::discrete::equations::FreeCurvature;
+use crate::quality::Surface;
+
+/// Divergence guard of the direct iteration: every change of matrix makes the step norm jump.
+const GUARD: f64 = 3.0;
+/// Divergence guard with plain curvature.
+const PLAIN_GUARD: f64 = 1.5;
+/// Plain curvature only prepares: it goes no further than this.
+const PLAIN_TOLERANCE: f64 = 1e-4;
 
 /// How the solve ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,11 +35,12 @@ pub enum Ending {
     Converged,
     /// Tolerance met with plain (first-order) curvature only.
     FirstOrder,
-    /// No sound nonlinear surface.
+    /// No sound nonlinear surface; the linear one.
     Failed,
-    /// Border normals reached only to this fraction.
-    Partly(f64),
-    /// Limit or cancel.
+    /// Border normals reached only to this fraction of the way; the linear surface. Border vertices (numbered from
+    /// the first border vertex), the farthest first.
+    Partly(f64, Vec<u32>),
+    /// Limit or cancel: the best surface so far.
     Stopped,
 }
 
@@ -32,26 +53,253 @@ pub struct Solved {
     pub ending: Ending,
     /// The last step norm.
     pub step: f64,
+    /// Triangles of the region (local numbers) that are flipped or thin.
+    pub poor: Vec<u32>,
     /// Seconds until the first iteration.
     pub start_seconds: f64,
 }
 
-/// Solves.
+/// A surface that one of the means has led to.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// The surface.
+    pub x: Vec<Vector3<f64>>,
+    /// How the iteration ended.
+    pub end: End,
+    /// Its step norm.
+    pub step: f64,
+    /// Its poor triangles.
+    pub poor: Vec<u32>,
+}
+
+impl Candidate {
+    fn is_sound(&self) -> bool {
+        self.end == End::Converged && self.poor.is_empty()
+    }
+
+    fn is_settled(&self) -> bool {
+        self.is_sound() || self.end == End::Stopped
+    }
+}
+
+/// Solves both fairness equations.
+///
+/// # Errors
+/// [`Collapsed`] where not even the linear surface exists.
 pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
     let clock = Instant::now();
-    let membrane = system.membrane();
-    let mut x = system.linear_surface(&membrane)?;
-    system.diagonal = diagonal(&x);
-    system.tangential_steps(&mut x);
-    let start_seconds = clock.elapsed().as_secs_f64();
-    let plan = Plan { tolerance: control.tolerance, guard: 3.0, reuse: true, stage: "fairing" };
-    let (end, step) = iterate(system, &mut x, plan, control);
-    let ending = match end {
-        End::Converged => Ending::Converged,
-        End::Stopped => Ending::Stopped,
-        End::Stalled => Ending::Failed,
+    control.stage(0.05, "start surface");
+    let linear = system.start()?;
+    control.stage(0.3, "start surface");
+    let mut solved = Solved {
+        x: linear.clone(),
+        ending: Ending::Failed,
+        step: f64::NAN,
+        poor: Vec::new(),
+        start_seconds: clock.elapsed().as_secs_f64(),
     };
-    Ok(Solved { x, ending, step, start_seconds })
+    let (candidate, ending) = attempts(system, &linear, control);
+    solved.ending = ending;
+    match candidate {
+        Some(candidate) => {
+            solved.step = candidate.step;
+            solved.poor = candidate.poor;
+            solved.x = candidate.x;
+        }
+        None => {
+            system.evaluate(&linear);
+            solved.poor = system.poor(&linear, crate::quality::NEEDLE);
+        }
+    }
+    Ok(solved)
+}
+
+fn attempts(
+    system: &mut System<'_>,
+    linear: &[Vector3<f64>],
+    control: &mut Control<'_>,
+) -> (Option<Candidate>, Ending) {
+    let asked = system.curvature;
+    let weights = system.weights.clone();
+    let direct = Plan { tolerance: control.tolerance, guard: GUARD, reuse: true, stage: "fairing" };
+    let mut fallback = Vec::new();
+
+    let first = with_repair(system, linear.to_vec(), direct, control);
+    if first.is_settled() {
+        return settled(first, Ending::Converged);
+    }
+    keep(&mut fallback, first, Ending::Converged);
+
+    if let FreeCurvature::GradientCorrected { .. } = asked {
+        restore(system, &weights);
+        system.curvature = FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT };
+        let coarse = Plan {
+            tolerance: PLAIN_TOLERANCE.max(control.tolerance),
+            guard: PLAIN_GUARD,
+            reuse: false,
+            stage: "plain curvature",
+        };
+        let plain = with_repair(system, linear.to_vec(), coarse, control);
+        if plain.end == End::Stopped {
+            return settled(plain, Ending::Stopped);
+        }
+        if plain.end == End::Converged {
+            let (candidate, ending) = from_plain(system, plain, asked, control);
+            if candidate.is_settled() {
+                return settled(candidate, ending);
+            }
+            keep(&mut fallback, candidate, ending);
+        }
+        system.curvature = asked;
+    }
+
+    restore(system, &weights);
+    let slow = slowly(system, linear.to_vec(), control);
+    if slow.is_settled() {
+        return settled(slow, Ending::Converged);
+    }
+    keep(&mut fallback, slow, Ending::Converged);
+
+    let continued = continuation(system, linear, control);
+    match continued.candidate {
+        Some(candidate) if candidate.is_settled() => return settled(candidate, Ending::Converged),
+        Some(candidate) => keep(&mut fallback, candidate, Ending::Converged),
+        None => {}
+    }
+    fallback.sort_by_key(|(candidate, _)| candidate.poor.len());
+    match fallback.into_iter().next() {
+        Some((candidate, ending)) => (Some(candidate), ending),
+        None if continued.reached > 0.0 => (None, Ending::Partly(continued.reached, continued.farthest)),
+        None => (None, Ending::Failed),
+    }
+}
+
+/// Surfaces that met the tolerance, but on poor triangles, are kept for the case that nothing better comes.
+fn keep(fallback: &mut Vec<(Candidate, Ending)>, candidate: Candidate, ending: Ending) {
+    if candidate.end == End::Converged {
+        fallback.push((candidate, ending));
+    }
+}
+
+fn settled(candidate: Candidate, ending: Ending) -> (Option<Candidate>, Ending) {
+    let ending = if candidate.end == End::Stopped { Ending::Stopped } else { ending };
+    (Some(candidate), ending)
+}
+
+/// Goes back to the weights that were asked for. They were factored before, so that they can be again.
+fn restore(system: &mut System<'_>, weights: &crate::discrete::inner_fairness::FairnessWeights) {
+    let _ = system.set_weights(weights.clone());
+}
+
+/// From a plain solution: the jump to the asked curvature, else pseudo-time, else the plain solution itself.
+fn from_plain(
+    system: &mut System<'_>,
+    plain: Candidate,
+    asked: FreeCurvature,
+    control: &mut Control<'_>,
+) -> (Candidate, Ending) {
+    system.curvature = asked;
+    let jump = Plan { tolerance: control.tolerance, guard: GUARD, reuse: false, stage: "second order" };
+    let jumped = iterated(system, plain.x.clone(), jump, control);
+    if jumped.is_settled() {
+        return (jumped, Ending::Converged);
+    }
+    let slow = slowly(system, plain.x.clone(), control);
+    if slow.is_settled() {
+        return (slow, Ending::Converged);
+    }
+    system.curvature = FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT };
+    let finish = Plan { guard: PLAIN_GUARD, stage: "plain curvature", ..jump };
+    let finished = iterated(system, plain.x, finish, control);
+    let poorer = |c: &Candidate| (c.end != End::Converged, c.poor.len());
+    let better = [jumped, slow].into_iter().min_by_key(poorer);
+    match better {
+        Some(c) if poorer(&c) <= poorer(&finished) => (c, Ending::Converged),
+        _ => (finished, Ending::FirstOrder),
+    }
+}
+
+/// Pseudo-time, then the iteration.
+fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Control<'_>) -> Candidate {
+    match pseudo_time(system, &mut x, control) {
+        Ok(true) => {
+            let plan = Plan { tolerance: control.tolerance, guard: GUARD, reuse: false, stage: "fairing" };
+            iterated(system, x, plan, control)
+        }
+        Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
+        Ok(false) | Err(Collapsed) => judged(system, x, End::Stalled, f64::NAN),
+    }
+}
+
+/// Iterates from `x` and judges what comes of it.
+pub fn iterated(
+    system: &mut System<'_>,
+    mut x: Vec<Vector3<f64>>,
+    plan: Plan,
+    control: &mut Control<'_>,
+) -> Candidate {
+    let (end, step) = iterate(system, &mut x, plan, control);
+    judged(system, x, end, step)
+}
+
+fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) -> Candidate {
+    system.evaluate(&x);
+    let poor = system.poor(&x, crate::quality::NEEDLE);
+    Candidate { x, end, step, poor }
+}
+
+/// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
+fn with_repair(
+    system: &mut System<'_>,
+    x: Vec<Vector3<f64>>,
+    plan: Plan,
+    control: &mut Control<'_>,
+) -> Candidate {
+    let mut best = iterated(system, x, plan, control);
+    let mut repair = Repair::new(system);
+    while best.end == End::Converged && !best.poor.is_empty() {
+        let Some(weights) = repair.next(system, &best.x) else { break };
+        let restarted = system.set_weights(weights).and_then(|()| system.start());
+        let Ok(start) = restarted else { break };
+        let candidate = iterated(system, start, plan, control);
+        if candidate.end == End::Stopped {
+            return candidate;
+        }
+        if candidate.end == End::Converged && candidate.poor.len() < best.poor.len() {
+            best = candidate;
+        }
+    }
+    best
+}
+
+impl System<'_> {
+    /// Membrane, linear surface and tangential steps with the current weights and normals.
+    fn start(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let membrane = self.membrane();
+        let mut x = self.linear_surface(&membrane)?;
+        self.diagonal = diagonal(&x);
+        self.tangential_steps(&mut x);
+        Ok(x)
+    }
+
+    /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated
+    /// last.
+    pub fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
+        let surface = Surface {
+            region: self.region,
+            x,
+            normals: &self.state.corrected,
+            border_normals: &self.border_normals,
+            h: &[],
+        };
+        let mut poor = Vec::new();
+        surface.triangles(|t, flipped, angle| {
+            if flipped || angle < degrees {
+                poor.push(t as u32);
+            }
+        });
+        poor
+    }
 }
 
 /// The diagonal of the bounding box.

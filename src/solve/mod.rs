@@ -5,12 +5,15 @@
 //! fairness, plain curvature, pseudo-time, continuation in the border normals.
 
 pub mod bilaplacian;
+pub mod continuation;
 pub mod control;
 pub mod factor;
 pub mod globalize;
 pub mod initial;
+pub mod pseudo_time;
 pub mod quasi_newton;
 pub mod system;
+pub mod weight_repair;
 
 pub use control::Control;
 pub use globalize::{Ending, Solved, solve};

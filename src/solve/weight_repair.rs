@@ -1,0 +1,58 @@
+//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged rim.
+
+use nalgebra::Vector3;
+
+use super::system::System;
+use crate::discrete::inner_fairness::FairnessWeights;
+
+/// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
+const THRESHOLDS: [f64; 3] = [1.0, 3.0, 5.0];
+
+/// Vertices marked so far.
+#[derive(Debug)]
+pub struct Repair {
+    asked: FairnessWeights,
+    marked: Vec<bool>,
+    round: usize,
+}
+
+impl Repair {
+    /// Nothing marked; the system's weights are the asked ones.
+    pub fn new(system: &System<'_>) -> Self {
+        Self { asked: system.weights.clone(), marked: vec![false; system.free()], round: 0 }
+    }
+
+    /// Marks the vertices of poor triangles at `x` and gives them mean-value weights of the input mesh. `None` when there
+    /// is nothing left to try.
+    pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
+        let threshold = *THRESHOLDS.get(self.round)?;
+        self.round += 1;
+        system.evaluate(x);
+        for t in system.poor(x, threshold) {
+            for v in system.region.half_edges.triangles[t as usize] {
+                if (v as usize) < system.free() {
+                    self.marked[v as usize] = true;
+                }
+            }
+        }
+        for _ in 1..self.round {
+            self.grow(system);
+        }
+        let mut weights = self.asked.clone();
+        for i in (0..system.free()).filter(|&i| self.marked[i]) {
+            weights.set_mean_value(system.groups, system.input, i);
+        }
+        Some(weights)
+    }
+
+    fn grow(&mut self, system: &System<'_>) {
+        let before = self.marked.clone();
+        for i in (0..system.free()).filter(|&i| before[i]) {
+            for &j in system.rings.ring(i) {
+                if (j as usize) < system.free() {
+                    self.marked[j as usize] = true;
+                }
+            }
+        }
+    }
+}
