@@ -287,6 +287,113 @@ fn arguments_out_of_range_are_moved_into_it() {
     }
 }
 
+/// Blend: topology of a pair of pants, circles on the tubes, no triangle degenerate or turned inside out.
+fn check_blend(s: &Shape, vertices: usize, triangles: usize, circle: usize) {
+    assert_eq!((s.positions.len(), s.triangles.len()), (vertices, triangles));
+    assert_eq!(topology(s), (-1, vec![circle; 3]));
+    assert_eq!(s.free_count(), vertices - 3 * circle);
+    for v in 0..s.free.len() {
+        let (p, n) = (s.positions[v], s.normals[v]);
+        if s.free[v] {
+            assert_eq!(n, [0.0; 3]);
+            continue;
+        }
+        let radial: [f64; 3] = std::array::from_fn(|i| p[i] - BLEND_RADIUS * n[i]);
+        assert!((dot(n, n) - 1.0).abs() < 1e-15 && dot(n, radial).abs() < 1e-15);
+        assert!((dot(radial, radial).sqrt() - BLEND_DISTANCE).abs() < 1e-15 && radial[2] == 0.0);
+    }
+    let mut worst = 1.0f64;
+    for t in &s.triangles {
+        let [a, b, c] = t.map(|v| s.positions[v as usize]);
+        let area = cross(sub(b, a), sub(c, a));
+        let square: f64 = [sub(b, a), sub(c, b), sub(a, c)]
+            .iter()
+            .map(|e| dot(*e, *e))
+            .sum();
+        worst = worst.min(2.0 * 3f64.sqrt() * dot(area, area).sqrt() / square);
+        let mid = [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0);
+        let out = (0..3).map(|k| {
+            let angle = k as f64 * std::f64::consts::TAU / 3.0;
+            let d = [angle.cos(), angle.sin(), 0.0];
+            let along = dot(mid, d).max(0.0);
+            sub(mid, d.map(|x| along * x))
+        });
+        let out = out.min_by(|a, b| dot(*a, *a).total_cmp(&dot(*b, *b))).unwrap();
+        assert!(dot(out, area) > 0.0, "inside out at {mid:?}");
+        for v in t {
+            assert!(s.free[*v as usize] || dot(area, s.normals[*v as usize]) > 0.0);
+        }
+    }
+    eprintln!(
+        "{vertices}: worst triangle {worst:.3}, valences {:?}, mean edge {}",
+        s.valence_range(),
+        s.mean_edge()
+    );
+    assert!(worst > 0.1, "{worst}");
+}
+
+/// Does the isometry map vertices to vertices (to 1e-14) and triangles to triangles?
+fn is_symmetric(s: &Shape, map: impl Fn([f64; 3]) -> [f64; 3]) -> bool {
+    let image: Option<Vec<u32>> = s
+        .positions
+        .iter()
+        .map(|&p| {
+            let q = map(p);
+            let near = |r: &[f64; 3]| (0..3).all(|i| (r[i] - q[i]).abs() < 1e-14);
+            s.positions.iter().position(near).map(|v| v as u32)
+        })
+        .collect();
+    let Some(image) = image else { return false };
+    let sorted = |mut t: [u32; 3]| {
+        t.sort_unstable();
+        t
+    };
+    let known: std::collections::HashSet<[u32; 3]> = s.triangles.iter().map(|t| sorted(*t)).collect();
+    s.triangles
+        .iter()
+        .all(|t| known.contains(&sorted(t.map(|v| image[v as usize]))))
+}
+
+fn third_turn(p: [f64; 3]) -> [f64; 3] {
+    let s = 0.75f64.sqrt();
+    [-0.5 * p[0] - s * p[1], s * p[0] - 0.5 * p[1], p[2]]
+}
+
+#[test]
+fn the_blend_of_three_cylinders() {
+    let s = cylinder_blend();
+    check_blend(&s, 920, 1_746, 32);
+    assert!(is_symmetric(&s, third_turn));
+    assert!(is_symmetric(&s, |p| [p[0], p[1], -p[2]]) && is_symmetric(&s, |p| [p[0], -p[1], p[2]]));
+    assert_eq!(s.border_normals().len(), 96);
+    assert_eq!(s.flat(), s.positions);
+}
+
+#[test]
+fn the_blend_at_other_resolutions() {
+    let coarse = cylinder_blend_coarse();
+    check_blend(&coarse, 118, 2 * (118 + 1) - 36, 12);
+    assert!(is_symmetric(&coarse, third_turn));
+    let fine = cylinder_blend_fine();
+    check_blend(&fine, 13_308, 2 * (13_308 + 1) - 312, 104);
+    for (arc, seam, rings) in [(3, 1, 0), (8, 3, 1), (16, 6, 2), (20, 8, 3)] {
+        let n = arc * arc + 4 * arc * seam + seam * seam + 6 * arc * rings + 3 * arc - 1;
+        let s = cylinder_blend_with(arc, seam, rings);
+        check_blend(&s, n, 2 * (n + 1) - 6 * arc, 2 * arc);
+        assert!(is_symmetric(&s, third_turn));
+    }
+}
+
+#[test]
+fn the_blend_with_a_refined_patch() {
+    let (whole, s) = (cylinder_blend(), cylinder_blend_refined_patch());
+    let n = s.positions.len();
+    check_blend(&s, n, 2 * (n + 1) - 96, 32);
+    assert!(n > 1_300 && s.positions[..920] == whole.positions[..]);
+    assert!(!is_symmetric(&s, third_turn));
+    assert_eq!(s, cylinder_blend_refined_patch());
+}
+
 /// Largest shapes; run with `--ignored --nocapture` to see the times.
 #[test]
 #[ignore = "a minute"]

@@ -6,6 +6,8 @@
 //!
 //! Triangles run counter-clockwise seen from outside, normals point outward.
 
+mod blend;
+mod blend_start;
 mod chart;
 mod planar;
 mod revolution;
@@ -16,6 +18,10 @@ mod sphere;
 mod surface;
 mod unduloid;
 
+pub use blend::{
+    BLEND_DISTANCE, BLEND_RADIUS, cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine,
+    cylinder_blend_refined_patch, cylinder_blend_with,
+};
 pub use revolution::{catenoid_band, cylinder_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
 pub use shape::Shape;
