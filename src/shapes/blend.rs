@@ -46,7 +46,7 @@ pub fn cylinder_blend_fine() -> Shape {
 /// nine, its neighbours so that the mesh conforms: not symmetric.
 pub fn cylinder_blend_refined_patch() -> Shape {
     let mut shape = cylinder_blend();
-    let inside = |p: [f64; 3]| p[2] > 0.0 && (0.05..0.55).contains(&p[0]) && (-0.25..0.3).contains(&p[1]);
+    let inside = |p: [f64; 3]| p[2] > 0.0 && (0.0..0.65).contains(&p[0]) && (-0.3..0.35).contains(&p[1]);
     super::blend_start::trisect(&mut shape, inside);
     shape
 }

@@ -78,7 +78,7 @@ pub(super) fn relax(shape: &mut Shape) {
     let free: Vec<usize> = shape.free_vertices().into_iter().map(|v| v as usize).collect();
     let across = (free.len() as f64 / 4.0).sqrt();
     let omega = 2.0 / (1.0 + 3.0 / across.max(2.0));
-    for _ in 0..(40.0 + 14.0 * across) as usize {
+    for _ in 0..(100.0 + 40.0 * across) as usize {
         for &v in &free {
             let m = near.mean(&shape.positions, v);
             let p = shape.positions[v];

@@ -25,7 +25,7 @@ pub use blend::{
 pub use revolution::{catenoid_band, cylinder_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
 pub use shape::Shape;
-pub use sphere::{saddle_graph, sphere_cap};
+pub use sphere::{saddle_graph, sphere_cap, sphere_with_hole};
 pub use surface::{Similarity, Surface};
 pub use unduloid::Unduloid;
 
