@@ -71,7 +71,7 @@ pub fn sphere_with_hole(hole_half_angle: f64, n: usize, sampling: Sampling, outs
         globe.h = (2.0 * TAU * 2.0 / (3f64.sqrt() * globe.points)).sqrt();
         globe.hole = globe.hole.max(2.5 * globe.h);
     }
-    let room = (globe.hole / globe.h - 0.5) / 1.3 - 1.0;
+    let room = (globe.hole / globe.h - 0.5) / 1.7 - 1.0;
     let outside = outside.min(room.max(0.0) as usize);
     globe.inmost = (globe.hole - margin(outside) * globe.h).max(0.5 * globe.h);
     let points = sample(&globe, sampling);
