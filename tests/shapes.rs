@@ -52,7 +52,7 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
     assert!(corners.iter().all(|&c| c > 0), "a vertex without triangle");
     // One fan at every vertex: as many triangles as a walk around it meets.
     let mut start = HashMap::new();
-    for (&(a, b), _) in &next {
+    for &(a, b) in next.keys() {
         if !border.contains_key(&a) || border[&a] == b {
             start.insert(a, b);
         }
@@ -158,7 +158,7 @@ fn exact_shapes_keep_their_promises() {
 #[test]
 fn irregular_seeds_stay_manifold() {
     for (name, make, euler, loops) in families() {
-        for seed in 0..30 {
+        for seed in 0..15 {
             for outside in [0, 4] {
                 let s = make(700, Sampling::Irregular { seed }, outside);
                 check(
@@ -212,9 +212,8 @@ fn wrong_starts_leave_the_fixed_vertices_alone() {
     for (name, make, ..) in families() {
         let s = make(3_000, IRREGULAR, 2);
         for start in [s.flat(), s.noise(1, 0.5), s.random(1)] {
-            for v in 0..s.free.len() {
-                assert!(s.free[v] || start[v] == s.positions[v]);
-            }
+            let same = |v: &usize| start[*v] == s.positions[*v];
+            assert!((0..s.free.len()).filter(|&v| !s.free[v]).all(|v| same(&v)));
             let far = (0..s.free.len())
                 .filter(|&v| s.free[v])
                 .map(|v| dot(sub(start[v], s.positions[v]), sub(start[v], s.positions[v])));
@@ -281,10 +280,17 @@ fn arguments_out_of_range_are_moved_into_it() {
     for n in [0, 1, 20] {
         for sampling in [Sampling::Regular, IRREGULAR, Sampling::locally_refined()] {
             for x in [f64::NAN, -1.0, 1e9] {
+                let refined = Sampling::LocallyRefined {
+                    factor: x,
+                    min: [x, -0.5],
+                    max: [0.5, x],
+                };
+                assert!(cylinder_band(n, refined, 1).free_count() > 3);
+                assert!(Surface::Catenoid.distance([x; 3]).is_nan() == x.is_nan());
                 assert!(sphere_cap(x, n, sampling, 0).free_count() > 3);
                 assert!(sphere_with_hole(x, n, sampling, 0).free_count() > 3);
                 assert!(sphere_zone(x, x, n, sampling, 0).free_count() > 3);
-                assert!(unduloid_band(x, x, n, sampling, 0).free_count() > 3);
+                assert!(unduloid_band(x, x, n, sampling, 1_000_000).free_count() > 3);
             }
         }
     }
@@ -327,12 +333,8 @@ fn check_blend(s: &Shape, vertices: usize, triangles: usize, circle: usize) {
             assert!(s.free[*v as usize] || dot(area, s.normals[*v as usize]) > 0.0);
         }
     }
-    eprintln!(
-        "{vertices}: worst triangle {worst:.3}, valences {:?}, mean edge {}",
-        s.valence_range(),
-        s.mean_edge()
-    );
-    assert!(worst > 0.1, "{worst}");
+    // 1 for an equilateral triangle.
+    assert!(worst > 0.35, "{worst}");
 }
 
 /// Does the isometry map vertices to vertices (to 1e-14) and triangles to triangles?
@@ -399,7 +401,8 @@ fn the_blend_with_a_refined_patch() {
 
 /// Largest shapes; run with `--ignored --nocapture` to see the times.
 #[test]
-#[ignore = "a minute"]
+#[ignore = "minutes"]
+#[allow(clippy::print_stderr)]
 fn a_million_vertices() {
     for (name, make, euler, loops) in families() {
         for sampling in [Sampling::Regular, IRREGULAR, Sampling::locally_refined()] {

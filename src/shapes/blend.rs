@@ -52,10 +52,10 @@ pub fn cylinder_blend_refined_patch() -> Shape {
 }
 
 /// The cylinder blend with `arc` edges on half a circle, `seam` edges on a seam and `rings` rings of
-/// vertices on every tube beyond the sheets (`arc` 3 to 4,000, `seam` 1 to 4,000, `rings` up to 4,000).
+/// vertices on every tube beyond the sheets (`arc` 3 to 1,000, `seam` 1 to 1,000, `rings` up to 1,000).
 /// It has `arc^2 + 4 arc seam + seam^2 + 6 arc rings + 3 arc - 1` vertices and all the symmetries.
 pub fn cylinder_blend_with(arc: usize, seam: usize, rings: usize) -> Shape {
-    Net::new(arc.clamp(3, 4_000), seam.clamp(1, 4_000), rings.min(4_000)).finish()
+    Net::new(arc.clamp(3, 1_000), seam.clamp(1, 1_000), rings.min(1_000)).finish()
 }
 
 type Triple = [usize; 3];

@@ -5,6 +5,9 @@
 
 use super::blend::BLEND_RADIUS;
 use super::shape::Shape;
+use faer::linalg::solvers::Solve;
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
 use std::collections::HashMap;
 
 /// Direction of tube t and the horizontal direction across it, counter-clockwise from it.
@@ -34,6 +37,10 @@ fn project(mut p: [f64; 3]) -> [f64; 3] {
         let slope = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).max(1e-6);
         let step = ((BLEND_RADIUS - f) / slope).clamp(-0.5, 0.5);
         p = std::array::from_fn(|i| p[i] + step * g[i]);
+        // Newton's method: what is left is of the order of the step squared.
+        if step.abs() < 1e-9 {
+            break;
+        }
     }
     p
 }
@@ -61,8 +68,12 @@ impl Neighbours {
         }
     }
 
+    fn of(&self, v: usize) -> &[u32] {
+        &self.list[self.start[v] as usize..self.start[v + 1] as usize]
+    }
+
     fn mean(&self, positions: &[[f64; 3]], v: usize) -> [f64; 3] {
-        let of = &self.list[self.start[v] as usize..self.start[v + 1] as usize];
+        let of = self.of(v);
         let mut sum = [0.0; 3];
         for &w in of {
             (0..3).for_each(|i| sum[i] += positions[w as usize][i]);
@@ -71,20 +82,12 @@ impl Neighbours {
     }
 }
 
-/// Gives the free vertices positions: uniform weights harmonic by successive over-relaxation, projected to
-/// the start surface, then evened out on it.
+/// Gives the free vertices positions: harmonic with uniform weights, projected to the start surface, then
+/// evened out on it.
 pub(super) fn relax(shape: &mut Shape) {
     let near = Neighbours::new(&shape.triangles, shape.positions.len());
     let free: Vec<usize> = shape.free_vertices().into_iter().map(|v| v as usize).collect();
-    let across = (free.len() as f64 / 4.0).sqrt();
-    let omega = 2.0 / (1.0 + 3.0 / across.max(2.0));
-    for _ in 0..(100.0 + 40.0 * across) as usize {
-        for &v in &free {
-            let m = near.mean(&shape.positions, v);
-            let p = shape.positions[v];
-            shape.positions[v] = std::array::from_fn(|i| p[i] + omega * (m[i] - p[i]));
-        }
-    }
+    harmonic(shape, &near, &free);
     free.iter()
         .for_each(|&v| shape.positions[v] = project(shape.positions[v]));
     for _ in 0..60 {
@@ -95,6 +98,36 @@ pub(super) fn relax(shape: &mut Shape) {
         free.iter().zip(moved).for_each(|(&v, p)| shape.positions[v] = p);
     }
     shape.flattened = shape.positions.clone();
+}
+
+/// Puts every free vertex into the mean of its neighbours. The matrix, valence on the diagonal and -1 for
+/// free neighbours, is positive definite because every free vertex is connected to a circle.
+fn harmonic(shape: &mut Shape, near: &Neighbours, free: &[usize]) {
+    let n = free.len();
+    let mut unknown = vec![usize::MAX; shape.positions.len()];
+    free.iter().enumerate().for_each(|(i, &v)| unknown[v] = i);
+    let mut entries = Vec::with_capacity(7 * n);
+    let mut right = Mat::<f64>::zeros(n, 3);
+    for (i, &v) in free.iter().enumerate() {
+        let of = near.of(v);
+        entries.push(Triplet::new(i, i, of.len() as f64));
+        for &w in of {
+            let w = w as usize;
+            if shape.free[w] {
+                entries.push(Triplet::new(i, unknown[w], -1.0));
+            } else {
+                (0..3).for_each(|a| right[(i, a)] += shape.positions[w][a]);
+            }
+        }
+    }
+    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries);
+    let Some(factor) = matrix.ok().and_then(|m| m.sp_cholesky(Side::Lower).ok()) else {
+        return;
+    };
+    let solution = factor.solve(&right);
+    for (i, &v) in free.iter().enumerate() {
+        shape.positions[v] = std::array::from_fn(|a| solution[(i, a)]);
+    }
 }
 
 /// Divides every triangle whose centre is `inside` into nine, keeping the mesh conforming: a neighbour with

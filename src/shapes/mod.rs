@@ -1,8 +1,8 @@
 //! Analytic surfaces and the paper's inputs as triangle meshes, regular and irregular.
 //!
 //! Every generator is deterministic: the same arguments give the same bits. `n` is the approximate number
-//! of free vertices (at least 12), `outside` the number of rings of exact triangles around the free region;
-//! with 0 the fixed rim is the border of the mesh. Arguments out of range are moved into it.
+//! of free vertices (12 to 50 million), `outside` the number of rings of exact triangles around the free
+//! region (at most 16); with 0 the fixed rim is the border of the mesh. Arguments out of range are moved into it.
 //!
 //! Triangles run counter-clockwise seen from outside, normals point outward.
 
@@ -31,3 +31,15 @@ pub use unduloid::Unduloid;
 
 /// Rings of fixed triangles around the free region unless there is a reason for another number.
 pub const OUTSIDE: usize = 4;
+
+/// The most rings of fixed triangles a generator makes.
+const MOST_OUTSIDE: usize = 16;
+
+/// `x` moved into [low, high]; a NaN becomes `low`.
+fn between(low: f64, x: f64, high: f64) -> f64 {
+    if x > low {
+        if x < high { x } else { high }
+    } else {
+        low
+    }
+}

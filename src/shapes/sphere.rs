@@ -1,5 +1,6 @@
 //! Surfaces over a disc: the spherical cap, most of a sphere, and a saddle.
 
+use super::between;
 use super::chart::{Chart, cut, delaunay};
 use super::planar::{disc_chart, margin};
 use super::rng::Rng;
@@ -28,7 +29,7 @@ pub(super) fn on_sphere(position: [f64; 3], p: [f64; 2], radius: f64) -> Lifted 
 /// A cap of the unit sphere about the north pole, free within `half_angle` degrees (1 to 150) of it.
 /// The lattice is drawn in the stereographic plane, so triangles grow smaller towards the rim.
 pub fn sphere_cap(half_angle: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
-    let radius = (0.5 * half_angle.max(1.0).min(150.0).to_radians()).tan();
+    let radius = (0.5 * between(1.0, half_angle, 150.0).to_radians()).tan();
     let chart = disc_chart(radius, n, sampling, outside);
     Shape::lifted(chart, Some(Surface::Sphere), |p| {
         on_sphere(stereographic(p), p, radius)
@@ -59,7 +60,7 @@ pub fn saddle_graph(n: usize, sampling: Sampling, outside: usize) -> Shape {
 /// The vertices are a Fibonacci lattice, so that triangles have the same size everywhere; Delaunay triangles
 /// of the sphere are those of the stereographic plane, because circles stay circles.
 pub fn sphere_with_hole(hole_half_angle: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
-    let hole = hole_half_angle.max(1.0).min(170.0).to_radians();
+    let hole = between(1.0, hole_half_angle, 170.0).to_radians();
     let mut globe = Globe {
         hole,
         points: 0.0,
