@@ -1,5 +1,6 @@
 //! Planar (or periodic) triangulations: Delaunay, then the free region with its rings around it.
 
+use super::MOST_OUTSIDE;
 use delaunator::{Point, triangulate};
 
 /// A triangulated piece of the parameter plane.
@@ -67,7 +68,7 @@ const FAR: u32 = u32::MAX;
 /// Where the jagged rim of the kept triangles touches itself in a vertex (or encloses a lone triangle)
 /// that vertex is counted one ring nearer; with no ring outside it becomes free.
 pub(super) fn cut<P: Copy>(points: &[P], all: &[[u32; 3]], free: &[bool], outside: usize) -> Chart<P> {
-    let outside = outside as u32;
+    let outside = outside.min(MOST_OUTSIDE) as u32;
     let mut ring: Vec<u32> = free.iter().map(|&f| if f { 0 } else { FAR }).collect();
     for k in 0..=outside {
         grow(all, &mut ring, k);

@@ -1,5 +1,6 @@
 //! Parameter domains: the disc and the periodic band.
 
+use super::MOST_OUTSIDE;
 use super::chart::{Chart, cut, delaunay, delaunay_periodic};
 use super::rng::Rng;
 use super::sampling::{Domain, Sampling, lattice_count, sample};
@@ -8,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 /// Width of the margin that is triangulated around the free part, in spacings: room for the rings and
 /// for the bad triangles at the hull.
 pub(super) fn margin(outside: usize) -> f64 {
-    1.5 * outside as f64 + 5.0
+    1.5 * outside.min(MOST_OUTSIDE) as f64 + 5.0
 }
 
 /// A disc of the given radius about the origin, triangulated.

@@ -1,6 +1,7 @@
 //! Bands of surfaces of revolution about the z axis, in conformal coordinates: the angle u and a height v
 //! with dv = ds / r, so that equilateral triangles of the chart stay equilateral.
 
+use super::between;
 use super::planar::band_chart;
 use super::sampling::Sampling;
 use super::shape::{Lifted, Shape};
@@ -78,8 +79,8 @@ pub fn catenoid_band(n: usize, sampling: Sampling, outside: usize) -> Shape {
 
 /// The unit sphere between two latitudes in degrees (within -85 and 85, at least 5 apart).
 pub fn sphere_zone(south: f64, north: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
-    let south = south.max(-85.0).min(80.0);
-    let north = north.max(south + 5.0).min(85.0);
+    let south = between(-85.0, south, 80.0);
+    let north = between(south + 5.0, north, 85.0);
     // Mercator: v = artanh(sin latitude).
     let range = [south, north].map(|l| l.to_radians().sin().atanh());
     let meridian = |v: f64| {

@@ -1,5 +1,6 @@
 //! Where the vertices go: a lattice, a disturbed lattice, or a lattice with a finer rectangle.
 
+use super::between;
 use super::rng::Rng;
 use std::collections::HashMap;
 
@@ -18,7 +19,7 @@ pub enum Sampling {
     /// disc is the unit disc and a band is (-1, 1) x (-1, 1): angle about the axis over pi, minus 1,
     /// and relative height.
     LocallyRefined {
-        /// How many times finer (at least 1).
+        /// How many times finer (1 to 10).
         factor: f64,
         /// Lower left corner of the rectangle.
         min: [f64; 2],
@@ -62,15 +63,17 @@ const DROPPED: f64 = 0.2;
 const INSERTED: f64 = 0.15;
 const SHAKE: f64 = 0.3;
 const CLOSEST: f64 = 0.15;
+/// The largest factor of local refinement.
+const FINEST: f64 = 10.0;
 
 /// Number of lattice points in the free region for which the sampled region has about `n`.
 pub(super) fn lattice_count<D: Domain>(n: usize, sampling: Sampling, domain: &D) -> f64 {
-    let n = n.max(12) as f64;
+    let n = n.clamp(12, 50_000_000) as f64;
     match sampling {
         Sampling::Regular => n,
         Sampling::Irregular { .. } => n / (1.0 - DROPPED + INSERTED),
         Sampling::LocallyRefined { factor, min, max } => {
-            n / (1.0 + (factor.max(1.0).powi(2) - 1.0) * share(domain, min, max))
+            n / (1.0 + (between(1.0, factor, FINEST).powi(2) - 1.0) * share(domain, min, max))
         }
     }
 }
@@ -84,7 +87,8 @@ fn share<D: Domain>(domain: &D, min: [f64; 2], max: [f64; 2]) -> f64 {
         let (i, j) = ((k % M) as f64 + 0.5, (k / M) as f64 + 0.5);
         sum += domain.density([min[0] + i * w, min[1] + j * h]) * w * h;
     }
-    sum.clamp(0.0, 1.0)
+    // In this order a NaN becomes 0.
+    between(0.0, sum, 1.0)
 }
 
 /// The points of the domain under a sampling.
@@ -95,7 +99,7 @@ pub(super) fn sample<D: Domain>(domain: &D, sampling: Sampling) -> Vec<D::Point>
         Sampling::Regular => lattice,
         Sampling::Irregular { seed } => irregular(domain, lattice, h, &mut Rng::new(seed)),
         Sampling::LocallyRefined { factor, min, max } => {
-            let factor = factor.max(1.0);
+            let factor = between(1.0, factor, FINEST);
             let within = |p: D::Point| {
                 let c = domain.chart(p);
                 (0..2).all(|i| c[i] > min[i] && c[i] < max[i])

@@ -4,6 +4,7 @@
 //! `s` from the neck, `theta = 2 H s` (Kenmotsu 1980):
 //! `r^2 = (1 + B^2 - 2 B cos theta) / (2 H)^2`, `dz/ds = (1 - B cos theta) / (2 H r)`.
 
+use super::between;
 use super::surface::Profile;
 use std::f64::consts::{PI, TAU};
 
@@ -29,7 +30,7 @@ impl Unduloid {
         } else {
             1.0
         };
-        let neck = neck.max(0.05 * bulge).min(0.95 * bulge);
+        let neck = between(0.05 * bulge, neck, 0.95 * bulge);
         let mut u = Unduloid {
             neck,
             bulge,
