@@ -11,7 +11,8 @@ fn main() {
         "zone" => sphere_zone(-40.0, 50.0, n, irr, 4),
         "cylinder" => cylinder_band(n, irr, 4),
         "catenoid" => catenoid_band(n, irr, 4),
-        "unduloid" => unduloid_band(0.6, 1.0, n, irr, 4),
+        "unduloid" => unduloid_band(args.iter().find_map(|a| a.strip_prefix("neck=")).map_or(0.6, |t| t.parse().unwrap()), 1.0, n, irr, 4),
+        "hole" => sphere_with_hole(args.iter().find_map(|a| a.strip_prefix("hole=")).map_or(60.0, |t| t.parse().unwrap()), n, irr, 4),
         _ => panic!(),
     };
     let given = s.border_normals();
