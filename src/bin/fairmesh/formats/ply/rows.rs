@@ -87,10 +87,7 @@ impl Rows<'_> {
         for (property, described) in self.element.properties.iter().enumerate() {
             let word = self.word(&mut words, at, property)?;
             let field = match described.kind {
-                PropertyKind::Scalar(_) => Field {
-                    range: word,
-                    items: 1,
-                },
+                PropertyKind::Scalar(_) => word,
                 PropertyKind::List { .. } => {
                     let items = text::integer(self.bytes, word.clone(), "length of a list")?;
                     let items = usize::try_from(items)
@@ -140,13 +137,7 @@ impl Rows<'_> {
             let left = self.bytes.len() - at;
             let length = size.checked_mul(items).filter(|&length| length <= left);
             let end = at + length.ok_or_else(|| self.cut_short(at))?;
-            visit(
-                property,
-                Field {
-                    range: at..end,
-                    items,
-                },
-            )?;
+            visit(property, at..end)?;
             at = end;
         }
         Ok(at)
