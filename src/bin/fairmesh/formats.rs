@@ -5,6 +5,8 @@ pub mod off;
 pub mod patches;
 pub mod ply;
 pub mod stl;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 

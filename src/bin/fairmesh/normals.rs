@@ -28,7 +28,8 @@ pub fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
     // Scaled first, so that neither tiny nor huge vectors lose their direction.
     let a = a.map(|c| c / largest);
     let length = dot(a, a).sqrt();
-    Some(a.map(|c| c / length))
+    // Adding zero turns -0 into 0, which reads better in text.
+    Some(a.map(|c| c / length + 0.0))
 }
 
 /// Unit normals of the marked vertices by Max's weights (the sum of `e1 x e2 / (|e1|^2 |e2|^2)` over the

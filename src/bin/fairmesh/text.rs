@@ -113,7 +113,7 @@ pub fn triple(bytes: &[u8], words: &mut Words<'_>, what: &str) -> Result<[f64; 3
         let at = words.offset();
         let word = words
             .next()
-            .ok_or_else(|| Malformed::text(at, format!("{what} has {axis} numbers; it needs 3")))?;
+            .ok_or_else(|| Malformed::text(at, format!("{what} has {axis} of 3 numbers")))?;
         *value = number(bytes, word, what)?;
     }
     Ok(triple)
