@@ -1,1 +1,0 @@
-//! Analytic surfaces and the paper's inputs as triangle meshes, regular and irregular.

@@ -1,0 +1,114 @@
+//! Bands of surfaces of revolution about the z axis, in conformal coordinates: the angle u and a height v
+//! with dv = ds / r, so that equilateral triangles of the chart stay equilateral.
+
+use super::planar::band_chart;
+use super::sampling::Sampling;
+use super::shape::{Lifted, Shape};
+use super::surface::{Surface, unit};
+use super::unduloid::Unduloid;
+use std::f64::consts::PI;
+
+/// A point of a profile: r, z and its direction (dr, dz), dz > 0.
+struct Meridian {
+    r: f64,
+    z: f64,
+    slope: [f64; 2],
+}
+
+/// Lifts the band `low < v < high`; `flat_radius` gives the wrong radius at (v, z).
+fn revolve(
+    surface: Surface,
+    range: [f64; 2],
+    (n, sampling, outside): (usize, Sampling, usize),
+    meridian: impl Fn(f64) -> Meridian,
+    flat_radius: impl Fn(f64, &Meridian) -> f64,
+) -> Shape {
+    let chart = band_chart(range[0], range[1], n, sampling, outside);
+    Shape::lifted(chart, Some(surface), |[u, v]| {
+        let (sin, cos) = u.sin_cos();
+        let m = meridian(v);
+        let f = flat_radius(v, &m);
+        Lifted {
+            position: [m.r * cos, m.r * sin, m.z],
+            normal: unit([m.slope[1] * cos, m.slope[1] * sin, -m.slope[0]]),
+            flat: [f * cos, f * sin, m.z],
+        }
+    })
+}
+
+/// Radius of the straight tube (a cone in general) through two meridian points.
+fn straight(a: &Meridian, b: &Meridian) -> impl Fn(f64, &Meridian) -> f64 + use<> {
+    let (r, z, slope) = (a.r, a.z, (b.r - a.r) / (b.z - a.z));
+    move |_, m| r + slope * (m.z - z)
+}
+
+/// The cylinder of radius 1, free where |z| < 1.
+pub fn cylinder_band(n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let meridian = |v| Meridian {
+        r: 1.0,
+        z: v,
+        slope: [0.0, 1.0],
+    };
+    let pinched = |v: f64, _: &Meridian| 1.0 - 0.4 * (1.0 - v * v).max(0.0);
+    revolve(
+        Surface::Cylinder,
+        [-1.0, 1.0],
+        (n, sampling, outside),
+        meridian,
+        pinched,
+    )
+}
+
+/// The catenoid `r = cosh z`, free where |z| < 0.9.
+pub fn catenoid_band(n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let meridian = |v: f64| Meridian {
+        r: v.cosh(),
+        z: v,
+        slope: [v.sinh(), 1.0],
+    };
+    let flat = straight(&meridian(-0.9), &meridian(0.9));
+    revolve(
+        Surface::Catenoid,
+        [-0.9, 0.9],
+        (n, sampling, outside),
+        meridian,
+        flat,
+    )
+}
+
+/// The unit sphere between two latitudes in degrees (within -85 and 85, at least 5 apart).
+pub fn sphere_zone(south: f64, north: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let south = south.max(-85.0).min(80.0);
+    let north = north.max(south + 5.0).min(85.0);
+    // Mercator: v = artanh(sin latitude).
+    let range = [south, north].map(|l| l.to_radians().sin().atanh());
+    let meridian = |v: f64| {
+        let (r, z) = (1.0 / v.cosh(), v.tanh());
+        Meridian { r, z, slope: [-z, r] }
+    };
+    let flat = straight(&meridian(range[0]), &meridian(range[1]));
+    revolve(Surface::Sphere, range, (n, sampling, outside), meridian, flat)
+}
+
+/// Three quarters of a wave of the unduloid between the radii `neck` and `bulge`, centred on the neck.
+/// For the ranges of the radii see [`Unduloid::new`].
+pub fn unduloid_band(neck: f64, bulge: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let u = Unduloid::new(neck, bulge);
+    let end = u.conformal_height(0.75 * PI);
+    let meridian = |v: f64| {
+        let p = u.profile(u.theta(v));
+        Meridian {
+            r: p.at[0],
+            z: p.at[1],
+            slope: p.slope,
+        }
+    };
+    let flat = straight(&meridian(-end), &meridian(end));
+    revolve(
+        Surface::Unduloid(u.clone()),
+        [-end, end],
+        (n, sampling, outside),
+        meridian,
+        flat,
+    )
+}

@@ -1,0 +1,414 @@
+//! The generators against what they promise: topology, exactness, counts, determinism.
+#![cfg(feature = "shapes")]
+
+use fairmesh::shapes::*;
+use std::collections::HashMap;
+
+const IRREGULAR: Sampling = Sampling::Irregular { seed: 7 };
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Euler characteristic and border loops of a consistently oriented manifold; panics on anything else.
+fn topology(s: &Shape) -> (i64, Vec<usize>) {
+    let mut next = HashMap::new();
+    for t in &s.triangles {
+        for k in 0..3 {
+            assert_ne!(t[k], t[(k + 1) % 3]);
+            assert!(
+                next.insert((t[k], t[(k + 1) % 3]), t[(k + 2) % 3]).is_none(),
+                "edge used twice in one direction"
+            );
+        }
+    }
+    let mut border = HashMap::new();
+    for &(a, b) in next.keys() {
+        if !next.contains_key(&(b, a)) {
+            assert!(border.insert(a, b).is_none(), "two border edges leave vertex {a}");
+            assert!(
+                !s.free[a as usize] && !s.free[b as usize],
+                "a free vertex on the border"
+            );
+        }
+    }
+    let mut corners = vec![0usize; s.positions.len()];
+    s.triangles
+        .iter()
+        .flatten()
+        .for_each(|&v| corners[v as usize] += 1);
+    assert!(corners.iter().all(|&c| c > 0), "a vertex without triangle");
+    // One fan at every vertex: as many triangles as a walk around it meets.
+    let mut start = HashMap::new();
+    for (&(a, b), _) in &next {
+        if !border.contains_key(&a) || border[&a] == b {
+            start.insert(a, b);
+        }
+    }
+    for (&v, &first) in &start {
+        let (mut w, mut met) = (first, 0);
+        while let Some(&third) = next.get(&(v, w)) {
+            (w, met) = (third, met + 1);
+            if w == first {
+                break;
+            }
+        }
+        assert_eq!(met, corners[v as usize], "two fans at vertex {v}");
+    }
+    let edges = (next.len() + border.len()) / 2;
+    let euler = s.positions.len() as i64 - edges as i64 + s.triangles.len() as i64;
+    let mut loops = Vec::new();
+    while let Some(&first) = border.keys().min() {
+        let (mut v, mut length) = (first, 0);
+        while let Some(w) = border.remove(&v) {
+            (v, length) = (w, length + 1);
+        }
+        assert_eq!(v, first);
+        loops.push(length);
+    }
+    loops.sort_unstable();
+    (euler, loops)
+}
+
+/// Everything an exact shape promises, with its topology given.
+fn check(name: &str, s: &Shape, n: usize, euler: i64, loops: usize) {
+    let (e, l) = topology(s);
+    assert_eq!((e, l.len()), (euler, loops), "{name}");
+    let count = s.free_count();
+    assert!(
+        count.abs_diff(n) * 10 <= n.max(100),
+        "{name}: {count} free of {n}"
+    );
+    for t in &s.triangles {
+        let [a, b, c] = t.map(|v| s.positions[v as usize]);
+        let area = cross(sub(b, a), sub(c, a));
+        assert!(dot(area, area) > 0.0, "{name}: no area");
+        for v in t {
+            assert!(
+                dot(area, s.normals[*v as usize]) > 0.0,
+                "{name}: a triangle seen from behind"
+            );
+        }
+    }
+    for (p, m) in s.positions.iter().zip(&s.normals) {
+        assert!((dot(*m, *m).sqrt() - 1.0).abs() < 1e-14, "{name}: normal {m:?}");
+        if let Some(surface) = &s.surface {
+            let d = surface.distance(*p);
+            assert!(d < 1e-13, "{name}: distance {d:e} of {p:?}");
+            let n = surface.normal(*p);
+            assert!(
+                dot(sub(n, *m), sub(n, *m)).sqrt() < 1e-11,
+                "{name}: normal {n:?} {m:?}"
+            );
+        }
+    }
+    let border = s.border_normals();
+    assert!(
+        border
+            .iter()
+            .all(|(v, m)| !s.free[*v as usize] && *m == s.normals[*v as usize])
+    );
+    assert!(border.len() > 5 && s.free_vertices().len() == count);
+}
+
+type Make = fn(usize, Sampling, usize) -> Shape;
+
+/// Every family with its Euler characteristic and number of border loops.
+fn families() -> Vec<(&'static str, Make, i64, usize)> {
+    vec![
+        ("cap", |n, s, o| sphere_cap(60.0, n, s, o), 1, 1),
+        ("wide cap", |n, s, o| sphere_cap(110.0, n, s, o), 1, 1),
+        ("saddle", saddle_graph, 1, 1),
+        ("cylinder", cylinder_band, 0, 2),
+        ("catenoid", catenoid_band, 0, 2),
+        ("zone", |n, s, o| sphere_zone(-50.0, 60.0, n, s, o), 0, 2),
+        ("unduloid", |n, s, o| unduloid_band(0.6, 1.0, n, s, o), 0, 2),
+    ]
+}
+
+#[test]
+fn exact_shapes_keep_their_promises() {
+    for (name, make, euler, loops) in families() {
+        for n in [500, 3_000] {
+            for outside in [0, 1, 4] {
+                for sampling in [Sampling::Regular, IRREGULAR, Sampling::locally_refined()] {
+                    let name = format!("{name} {n} {outside} {sampling:?}");
+                    check(&name, &make(n, sampling, outside), n, euler, loops);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn irregular_seeds_stay_manifold() {
+    for (name, make, euler, loops) in families() {
+        for seed in 0..30 {
+            for outside in [0, 4] {
+                let s = make(700, Sampling::Irregular { seed }, outside);
+                check(
+                    &format!("{name} seed {seed} outside {outside}"),
+                    &s,
+                    700,
+                    euler,
+                    loops,
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn valences() {
+    for (name, make, ..) in families() {
+        let s = make(10_000, IRREGULAR, 4);
+        let (low, high) = s.valence_range();
+        assert!(
+            low == 3 && (10..=13).contains(&high),
+            "{name}: valences {low} to {high}"
+        );
+        if name != "saddle" {
+            assert_eq!(
+                make(10_000, Sampling::Regular, 4).valence_range(),
+                (6, 6),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn same_seed_same_bits() {
+    for (_, make, ..) in families() {
+        let (a, b) = (make(2_000, IRREGULAR, 2), make(2_000, IRREGULAR, 2));
+        assert_eq!(a, b);
+        assert_eq!(a.noise(3, 0.4), b.noise(3, 0.4));
+        assert_eq!(a.random(3), b.random(3));
+        assert_eq!(a.renumbered(5), b.renumbered(5));
+        assert_ne!(
+            a.positions,
+            make(2_000, Sampling::Irregular { seed: 8 }, 2).positions
+        );
+        assert_ne!(a.noise(3, 0.4), b.noise(4, 0.4));
+    }
+}
+
+#[test]
+fn wrong_starts_leave_the_fixed_vertices_alone() {
+    for (name, make, ..) in families() {
+        let s = make(3_000, IRREGULAR, 2);
+        for start in [s.flat(), s.noise(1, 0.5), s.random(1)] {
+            for v in 0..s.free.len() {
+                assert!(s.free[v] || start[v] == s.positions[v]);
+            }
+            let far = (0..s.free.len())
+                .filter(|&v| s.free[v])
+                .map(|v| dot(sub(start[v], s.positions[v]), sub(start[v], s.positions[v])));
+            assert!(far.fold(0.0, f64::max).sqrt() > 0.02, "{name}");
+        }
+        let (noise, count) = (s.noise(1, 0.5), s.free_count() as f64);
+        let sum: f64 = noise
+            .iter()
+            .zip(&s.positions)
+            .map(|(a, b)| dot(sub(*a, *b), sub(*a, *b)))
+            .sum();
+        let deviation = (sum / (3.0 * count)).sqrt() / s.mean_edge();
+        assert!((deviation - 0.5).abs() < 0.03, "{name}: {deviation}");
+    }
+    let pinched = cylinder_band(3_000, Sampling::Regular, 2).flat();
+    let waist = pinched.iter().map(|p| p[0].hypot(p[1])).fold(1.0, f64::min);
+    assert!((waist - 0.6).abs() < 0.01, "{waist}");
+}
+
+#[test]
+fn renumbering_and_placing() {
+    let s = unduloid_band(0.5, 1.2, 1_000, IRREGULAR, 2);
+    let (t, new) = s.renumbered(9);
+    check("renumbered", &t, 1_000, 0, 2);
+    for (old, &v) in new.iter().enumerate() {
+        assert_eq!(t.positions[v as usize], s.positions[old]);
+        assert_eq!(t.flat()[v as usize], s.flat()[old]);
+    }
+    assert_eq!(t.valence_range(), s.valence_range());
+    let by = Similarity::new([1.0, 2.0, -0.5], 0.7, 3.0, [5.0, -1.0, 2.0]);
+    let moved = s.transformed(&by);
+    let surface = moved.surface.as_ref().unwrap();
+    for (p, n) in moved.positions.iter().zip(&moved.normals) {
+        assert!(surface.distance(*p) < 2e-14);
+        let off = std::array::from_fn(|i| p[i] + 0.3 * n[i]);
+        assert!((surface.signed_distance(off) - 0.3).abs() < 2e-14);
+        assert!((surface.mean_curvature(*p) + 1.0 / (1.7 * 3.0)).abs() < 1e-15);
+        assert!((by.apply(by.undo(*p))[0] - p[0]).abs() < 1e-14);
+    }
+}
+
+/// Points at a known distance along the exact normal, inside the focal distance.
+#[test]
+fn distances() {
+    for (name, make, ..) in families() {
+        let s = make(800, IRREGULAR, 3);
+        let Some(surface) = &s.surface else { continue };
+        for (p, n) in s.positions.iter().zip(&s.normals) {
+            for d in [-0.2, -1e-3, 1e-7, 0.1, 0.4] {
+                let off = std::array::from_fn(|i| p[i] + d * n[i]);
+                let got = surface.signed_distance(off);
+                assert!((got - d).abs() < 1e-14, "{name}: {got} for {d} at {p:?}");
+                assert_eq!(surface.distance(off), got.abs());
+            }
+        }
+    }
+    assert_eq!(Surface::Sphere.mean_curvature([0.0, 0.0, 1.0]), -1.0);
+    assert_eq!(Surface::Cylinder.mean_curvature([1.0, 0.0, 0.0]), -0.5);
+    assert_eq!(Surface::Catenoid.mean_curvature([1.0, 0.0, 0.0]), 0.0);
+}
+
+#[test]
+fn arguments_out_of_range_are_moved_into_it() {
+    for n in [0, 1, 20] {
+        for sampling in [Sampling::Regular, IRREGULAR, Sampling::locally_refined()] {
+            for x in [f64::NAN, -1.0, 1e9] {
+                assert!(sphere_cap(x, n, sampling, 0).free_count() > 3);
+                assert!(sphere_zone(x, x, n, sampling, 0).free_count() > 3);
+                assert!(unduloid_band(x, x, n, sampling, 0).free_count() > 3);
+            }
+        }
+    }
+}
+
+/// Blend: topology of a pair of pants, circles on the tubes, no triangle degenerate or turned inside out.
+fn check_blend(s: &Shape, vertices: usize, triangles: usize, circle: usize) {
+    assert_eq!((s.positions.len(), s.triangles.len()), (vertices, triangles));
+    assert_eq!(topology(s), (-1, vec![circle; 3]));
+    assert_eq!(s.free_count(), vertices - 3 * circle);
+    for v in 0..s.free.len() {
+        let (p, n) = (s.positions[v], s.normals[v]);
+        if s.free[v] {
+            assert_eq!(n, [0.0; 3]);
+            continue;
+        }
+        let radial: [f64; 3] = std::array::from_fn(|i| p[i] - BLEND_RADIUS * n[i]);
+        assert!((dot(n, n) - 1.0).abs() < 1e-15 && dot(n, radial).abs() < 1e-15);
+        assert!((dot(radial, radial).sqrt() - BLEND_DISTANCE).abs() < 1e-15 && radial[2] == 0.0);
+    }
+    let mut worst = 1.0f64;
+    for t in &s.triangles {
+        let [a, b, c] = t.map(|v| s.positions[v as usize]);
+        let area = cross(sub(b, a), sub(c, a));
+        let square: f64 = [sub(b, a), sub(c, b), sub(a, c)]
+            .iter()
+            .map(|e| dot(*e, *e))
+            .sum();
+        worst = worst.min(2.0 * 3f64.sqrt() * dot(area, area).sqrt() / square);
+        let mid = [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0);
+        let out = (0..3).map(|k| {
+            let angle = k as f64 * std::f64::consts::TAU / 3.0;
+            let d = [angle.cos(), angle.sin(), 0.0];
+            let along = dot(mid, d).max(0.0);
+            sub(mid, d.map(|x| along * x))
+        });
+        let out = out.min_by(|a, b| dot(*a, *a).total_cmp(&dot(*b, *b))).unwrap();
+        assert!(dot(out, area) > 0.0, "inside out at {mid:?}");
+        for v in t {
+            assert!(s.free[*v as usize] || dot(area, s.normals[*v as usize]) > 0.0);
+        }
+    }
+    eprintln!(
+        "{vertices}: worst triangle {worst:.3}, valences {:?}, mean edge {}",
+        s.valence_range(),
+        s.mean_edge()
+    );
+    assert!(worst > 0.1, "{worst}");
+}
+
+/// Does the isometry map vertices to vertices (to 1e-14) and triangles to triangles?
+fn is_symmetric(s: &Shape, map: impl Fn([f64; 3]) -> [f64; 3]) -> bool {
+    let image: Option<Vec<u32>> = s
+        .positions
+        .iter()
+        .map(|&p| {
+            let q = map(p);
+            let near = |r: &[f64; 3]| (0..3).all(|i| (r[i] - q[i]).abs() < 1e-14);
+            s.positions.iter().position(near).map(|v| v as u32)
+        })
+        .collect();
+    let Some(image) = image else { return false };
+    let sorted = |mut t: [u32; 3]| {
+        t.sort_unstable();
+        t
+    };
+    let known: std::collections::HashSet<[u32; 3]> = s.triangles.iter().map(|t| sorted(*t)).collect();
+    s.triangles
+        .iter()
+        .all(|t| known.contains(&sorted(t.map(|v| image[v as usize]))))
+}
+
+fn third_turn(p: [f64; 3]) -> [f64; 3] {
+    let s = 0.75f64.sqrt();
+    [-0.5 * p[0] - s * p[1], s * p[0] - 0.5 * p[1], p[2]]
+}
+
+#[test]
+fn the_blend_of_three_cylinders() {
+    let s = cylinder_blend();
+    check_blend(&s, 920, 1_746, 32);
+    assert!(is_symmetric(&s, third_turn));
+    assert!(is_symmetric(&s, |p| [p[0], p[1], -p[2]]) && is_symmetric(&s, |p| [p[0], -p[1], p[2]]));
+    assert_eq!(s.border_normals().len(), 96);
+    assert_eq!(s.flat(), s.positions);
+}
+
+#[test]
+fn the_blend_at_other_resolutions() {
+    let coarse = cylinder_blend_coarse();
+    check_blend(&coarse, 118, 2 * (118 + 1) - 36, 12);
+    assert!(is_symmetric(&coarse, third_turn));
+    let fine = cylinder_blend_fine();
+    check_blend(&fine, 13_308, 2 * (13_308 + 1) - 312, 104);
+    for (arc, seam, rings) in [(3, 1, 0), (8, 3, 1), (16, 6, 2), (20, 8, 3)] {
+        let n = arc * arc + 4 * arc * seam + seam * seam + 6 * arc * rings + 3 * arc - 1;
+        let s = cylinder_blend_with(arc, seam, rings);
+        check_blend(&s, n, 2 * (n + 1) - 6 * arc, 2 * arc);
+        assert!(is_symmetric(&s, third_turn));
+    }
+}
+
+#[test]
+fn the_blend_with_a_refined_patch() {
+    let (whole, s) = (cylinder_blend(), cylinder_blend_refined_patch());
+    let n = s.positions.len();
+    check_blend(&s, n, 2 * (n + 1) - 96, 32);
+    assert!(n > 1_300 && s.positions[..920] == whole.positions[..]);
+    assert!(!is_symmetric(&s, third_turn));
+    assert_eq!(s, cylinder_blend_refined_patch());
+}
+
+/// Largest shapes; run with `--ignored --nocapture` to see the times.
+#[test]
+#[ignore = "a minute"]
+fn a_million_vertices() {
+    for (name, make, euler, loops) in families() {
+        for sampling in [Sampling::Regular, IRREGULAR, Sampling::locally_refined()] {
+            let t = std::time::Instant::now();
+            let s = make(1_000_000, sampling, 4);
+            let seconds = t.elapsed().as_secs_f64();
+            eprintln!(
+                "{name} {sampling:?}: {} free, {seconds:.2} s, {:?}",
+                s.free_count(),
+                s.valence_range()
+            );
+            check(name, &s, 1_000_000, euler, loops);
+        }
+    }
+}
