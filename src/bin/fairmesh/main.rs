@@ -2,12 +2,14 @@
 //!
 //! Exit codes: 0 converged and sound, 2 wrong usage or input, 3 written but not converged.
 
+mod demo;
 mod explain;
 mod failure;
 mod fair;
 mod formats;
 mod normals;
 mod output;
+mod render;
 mod report;
 mod selection;
 mod text;
@@ -31,6 +33,8 @@ enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
     Fair(fair::FairArgs),
+    /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
+    Demo(demo::DemoArgs),
 }
 
 const LONG_ABOUT: &str = "Fairs a region of a mesh file: the free vertices move until the surface has \
@@ -79,6 +83,7 @@ best surface is written.";
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
+        Command::Demo(args) => demo::run(&args),
     };
     match result {
         Ok(true) => ExitCode::SUCCESS,
