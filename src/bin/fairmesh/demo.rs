@@ -21,13 +21,16 @@ pub struct DemoArgs {
     directory: PathBuf,
 }
 
-const WHAT_TO_LOOK_AT: &str = "
-blend.png shows the start on the left and the result on the right, above as a matte surface, below as a mirror of
-rings of light. The three tubes' ends are fixed, with the normals of the cylinders that would continue them; the
-surface between them is computed from these circles and normals alone. Look at the rings: in the start they break
-at the ends and wander with the triangles; in the result they flow.
+/// Noise on the start, in edge lengths: to be seen, and to show that the result does not depend on it.
+const ROUGHNESS: f64 = 0.15;
 
-start.ply and result.ply are the meshes, for any viewer. Try your own:
+const WHAT_TO_LOOK_AT: &str = "
+blend.png shows the start on the left and the result on the right: above as a matte surface, below as a mirror
+with rings of light around it. The three circles at the ends are fixed, with the normals of the tubes that would
+continue there; the surface between them follows from these circles and normals alone. The start was roughened on
+purpose, and its rings are torn; in the result they flow, up to the open ends.
+
+start.ply and result.ply are the two meshes, for any viewer. Next, fair a mesh of your own:
   fairmesh fair part.ply -o fair.ply
 ";
 
@@ -35,22 +38,39 @@ start.ply and result.ply are the meshes, for any viewer. Try your own:
 pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let directory = &args.directory;
-    fs::create_dir_all(directory)
-        .map_err(|why| Failure::new(format!("{}: cannot make this directory: {why}", directory.display())))?;
+    fs::create_dir_all(directory).map_err(|why| {
+        Failure::new(format!(
+            "{}: cannot make this directory: {why}",
+            directory.display()
+        ))
+    })?;
     let shape = shapes::cylinder_blend();
+    let rough = shape.noise(1, ROUGHNESS);
     let normals = border_normals(&shape);
-    let options = Options { normals: BorderNormals::Given(&normals), ..Options::default() };
+    let options = Options {
+        normals: BorderNormals::Given(&normals),
+        ..Options::default()
+    };
     let solving = Instant::now();
-    let solution = fairmesh::fair(&shape.positions, &shape.triangles, Selection::Mask(&shape.free), options)
+    let solution = fairmesh::fair(&rough, &shape.triangles, Selection::Mask(&shape.free), options)
         .map_err(|error| Failure::new(format!("demo: {error}")))?;
     let solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
     let polygons: Vec<Vec<u32>> = shape.triangles.iter().map(|triangle| triangle.to_vec()).collect();
     let result = &solution.positions;
-    write(&directory.join("start.ply"), &formats::plain(Format::Ply, &shape.positions, &polygons))?;
-    write(&directory.join("result.ply"), &formats::plain(Format::Ply, result, &polygons))?;
-    write(&directory.join("blend.png"), &picture(&shape, result)?)?;
+    write(
+        &directory.join("start.ply"),
+        &formats::plain(Format::Ply, &rough, &polygons),
+    )?;
+    write(
+        &directory.join("result.ply"),
+        &formats::plain(Format::Ply, result, &polygons),
+    )?;
+    write(
+        &directory.join("blend.png"),
+        &picture(&shape.triangles, &rough, result)?,
+    )?;
     let times = Times {
         read: 0.0,
         solve,
@@ -59,8 +79,16 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     };
 
     let geometry = formats::Geometry::default();
-    let summary = Summary { report: &solution.report, geometry: &geometry, times, stale_normals: 0 };
-    crate::say(&format!("Written to {}: start.ply, result.ply, blend.png\n", directory.display()));
+    let summary = Summary {
+        report: &solution.report,
+        geometry: &geometry,
+        times,
+        stale_normals: 0,
+    };
+    crate::say(&format!(
+        "Written to {}: start.ply, result.ply, blend.png\n",
+        directory.display()
+    ));
     crate::say(WHAT_TO_LOOK_AT);
     crate::say(&format!("\n{}", summary.readable()));
     Ok(solution.report.outcome == Outcome::Converged)
@@ -73,17 +101,31 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// The fixed vertices and their normals.
 fn border_normals(shape: &Shape) -> Vec<(u32, [f64; 3])> {
     let normals = shape.normals.iter().zip(&shape.free).enumerate();
-    normals.filter(|(_, (_, free))| !**free).map(|(v, (&normal, _))| (v as u32, normal)).collect()
+    normals
+        .filter(|(_, (_, free))| !**free)
+        .map(|(v, (&normal, _))| (v as u32, normal))
+        .collect()
 }
 
 /// Start and result side by side, matte and mirrored.
-fn picture(shape: &Shape, result: &[[f64; 3]]) -> Result<Vec<u8>, Failure> {
-    let view = |positions, shading| View { positions, triangles: &shape.triangles, shading, region: &[] };
+fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> Result<Vec<u8>, Failure> {
+    let view = |positions, shading| View {
+        positions,
+        triangles,
+        shading,
+        region: &[],
+    };
     let views = [
-        view(&shape.positions, Shading::Flat),
+        view(start, Shading::Flat),
         view(result, Shading::Flat),
-        view(&shape.positions, Shading::ReflectionLines),
+        view(start, Shading::ReflectionLines),
         view(result, Shading::ReflectionLines),
     ];
-    render::render(&views, &render::Options::default())
+    // From above, along one of the three tubes.
+    let options = render::Options {
+        tile: [760, 660],
+        direction: [0.35, -0.6, 0.9],
+        ..render::Options::default()
+    };
+    render::render(&views, &options)
 }

@@ -1,5 +1,7 @@
 //! A small software renderer: triangles into a z-buffer, supersampled, as PNG.
 
+use rayon::prelude::*;
+
 use crate::failure::Failure;
 use crate::normals::{all as vertex_normals, cross, dot, sub, unit};
 
@@ -54,8 +56,10 @@ impl Default for Options {
 const MARGIN: f64 = 0.06;
 /// Distance of the eye from the centre, in radii of the bounding sphere.
 const DISTANCE: f64 = 5.0;
-/// Rings of light from pole to pole, twice their number.
-const LINES: f64 = 24.0;
+/// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
+const LINES: f64 = 23.0;
+/// Linear light where there is no surface.
+const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
 
 /// Paints the views in rows and encodes the picture.
 pub fn render(views: &[View<'_>], options: &Options) -> Result<Vec<u8>, Failure> {
@@ -65,8 +69,11 @@ pub fn render(views: &[View<'_>], options: &Options) -> Result<Vec<u8>, Failure>
     let [width, height] = options.tile;
     let stride = width * columns;
     let mut pixels = vec![255u8; 3 * stride * height * rows];
-    for (number, view) in views.iter().enumerate() {
-        let tile = Canvas::paint(view, &camera, options).shrunk(options.samples);
+    let tiles: Vec<Vec<u8>> = views
+        .par_iter()
+        .map(|view| Canvas::paint(view, &camera, options).shrunk(options.samples))
+        .collect();
+    for (number, tile) in tiles.iter().enumerate() {
         let (column, row) = (number % columns, number / columns);
         for (y, line) in tile.chunks_exact(3 * width).enumerate() {
             let start = 3 * ((row * height + y) * stride + column * width);
@@ -221,19 +228,13 @@ impl Canvas {
         canvas
     }
 
-    /// A light backdrop, a little darker below.
+    /// Nothing but the backdrop.
     fn empty(size: [usize; 2]) -> Self {
-        let row = |y: usize| {
-            let t = y as f32 / size[1] as f32;
-            [0.93 - 0.13 * t, 0.94 - 0.12 * t, 0.96 - 0.11 * t]
-        };
-        let colour = (0..size[1])
-            .flat_map(|y| std::iter::repeat_n(row(y), size[0]))
-            .collect();
+        let samples = size[0] * size[1];
         Self {
             size,
-            colour,
-            depth: vec![0.0; size[0] * size[1]],
+            colour: vec![BACKDROP; samples],
+            depth: vec![0.0; samples],
         }
     }
 
@@ -377,5 +378,101 @@ impl<'a> Painter<'a> {
         let shade = (0.55 + 0.6 * self.light(normal)) * if is_back { 0.45 } else { 1.0 };
         let (dark, bright) = ([0.025, 0.035, 0.06], [0.80, 0.82, 0.84]);
         [0, 1, 2].map(|channel| (shade * (dark[channel] + stripe * (bright[channel] - dark[channel]))) as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pixels of an encoded picture.
+    fn decode(bytes: &[u8]) -> (Vec<u8>, [usize; 2]) {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
+            .read_info()
+            .unwrap();
+        let size = [reader.info().width as usize, reader.info().height as usize];
+        let mut pixels = vec![0; 3 * size[0] * size[1]];
+        reader.next_frame(&mut pixels).unwrap();
+        (pixels, size)
+    }
+
+    /// A square seen from the front, and one half its size before (`near` > 0) or behind it.
+    fn squares(near: f64) -> (Vec<V3>, Vec<[u32; 3]>) {
+        let mut positions = Vec::new();
+        for (side, z) in [(1.0, 0.0), (0.5, near)] {
+            positions.extend([
+                [-side, -side, z],
+                [side, -side, z],
+                [side, side, z],
+                [-side, side, z],
+            ]);
+        }
+        // The inner one faces away, so that it is painted differently.
+        (positions, vec![[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]])
+    }
+
+    fn picture(near: f64, shading: Shading) -> (Vec<u8>, [usize; 2]) {
+        let (positions, triangles) = squares(near);
+        let view = View {
+            positions: &positions,
+            triangles: &triangles,
+            shading,
+            region: &[],
+        };
+        let options = Options {
+            tile: [50, 50],
+            direction: [0.0, 0.0, 1.0],
+            up: [0.0, 1.0, 0.0],
+            ..Options::default()
+        };
+        decode(&render(&[view], &options).unwrap())
+    }
+
+    fn pixel((pixels, [width, _]): &(Vec<u8>, [usize; 2]), x: usize, y: usize) -> [u8; 3] {
+        let at = 3 * (y * width + x);
+        [pixels[at], pixels[at + 1], pixels[at + 2]]
+    }
+
+    #[test]
+    fn what_is_nearer_hides_what_is_behind() {
+        let (front, behind) = (picture(0.1, Shading::Flat), picture(-0.1, Shading::Flat));
+        let backdrop = BACKDROP.map(srgb);
+        for shown in [&front, &behind] {
+            assert_eq!(pixel(shown, 0, 0), backdrop);
+            assert_ne!(pixel(shown, 10, 25), backdrop);
+        }
+        assert_ne!(pixel(&front, 25, 25), pixel(&front, 8, 8));
+        assert_eq!(pixel(&behind, 25, 25), pixel(&behind, 24, 26));
+        assert_eq!(pixel(&front, 8, 8), pixel(&behind, 8, 8));
+    }
+
+    #[test]
+    fn the_surface_fills_the_tile_up_to_the_margin() {
+        let shown = picture(-0.1, Shading::Flat);
+        let covered = (0..50)
+            .filter(|&x| pixel(&shown, x, 25) != BACKDROP.map(srgb))
+            .count();
+        assert_eq!(covered, 44);
+    }
+
+    #[test]
+    fn odd_input_makes_a_picture_too() {
+        let options = Options {
+            tile: [8, 8],
+            ..Options::default()
+        };
+        let positions = [[f64::NAN; 3], [0.0; 3], [1.0; 3], [1e308; 3]];
+        let triangles = [[0, 1, 2], [1, 1, 1], [1, 2, 3]];
+        for shading in [Shading::Flat, Shading::ReflectionLines] {
+            let view = || View {
+                positions: &positions,
+                triangles: &triangles,
+                shading,
+                region: &[],
+            };
+            let (_, size) = decode(&render(&[view(), view(), view()], &options).unwrap());
+            assert_eq!(size, [16, 16]);
+        }
+        render(&[], &options).unwrap_err();
     }
 }
