@@ -46,34 +46,73 @@ pub struct FairArgs {
     /// Vertices that may move: a text file with one number per line, from 0
     #[arg(long, value_name = "FILE", group = "region", help_heading = "Region")]
     free: Option<PathBuf>,
-    /// Faces to be faired: a text file with one number per line, from 0; a vertex moves if all faces around it
-    /// are listed
-    #[arg(long, value_name = "FILE", group = "region", help_heading = "Region")]
+    /// Faces to be faired: a text file with one number per line, from 0;
+    /// a vertex moves if all faces around it are listed
+    #[arg(
+        long,
+        value_name = "FILE",
+        group = "region",
+        help_heading = "Region",
+        verbatim_doc_comment
+    )]
     faces: Option<PathBuf>,
-    /// Property of a PLY file that is nonzero on what is selected: NAME, vertex:NAME or face:NAME
-    #[arg(long, value_name = "NAME", group = "region", help_heading = "Region")]
+    /// Property of a PLY file that is nonzero on what is selected:
+    /// NAME, vertex:NAME or face:NAME
+    #[arg(
+        long,
+        value_name = "NAME",
+        group = "region",
+        help_heading = "Region",
+        verbatim_doc_comment
+    )]
     selection: Option<String>,
-    /// Normals at fixed vertices beside the region: a text file with 'vertex nx ny nz' per line; the others
-    /// are fitted to the surroundings
-    #[arg(long, value_name = "FILE", help_heading = "Surface")]
+    /// Normals at fixed vertices beside the region: a text file with
+    /// 'vertex nx ny nz' per line; the others are fitted to the surroundings
+    #[arg(long, value_name = "FILE", help_heading = "Surface", verbatim_doc_comment)]
     normals: Option<PathBuf>,
-    /// Border normals are the average of the triangles outside the region, instead of fitted
-    #[arg(long, conflicts_with = "normals", help_heading = "Surface")]
+    /// Border normals are the average of the triangles outside the region,
+    /// instead of fitted
+    #[arg(
+        long,
+        conflicts_with = "normals",
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
     average_normals: bool,
     /// How vertices are distributed within the surface
-    #[arg(long, value_enum, default_value = "uniform", help_heading = "Surface")]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "HOW",
+        default_value = "uniform",
+        help_heading = "Surface"
+    )]
     inner: Inner,
     /// How normals and mean curvature are discretized
-    #[arg(long, value_enum, default_value = "second-order", help_heading = "Surface")]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "HOW",
+        default_value = "second-order",
+        help_heading = "Surface"
+    )]
     discretization: Scheme,
-    /// Stop when the vertices move less than this part of the region's diagonal [default: 1e-8]
-    #[arg(long, value_name = "X", help_heading = "Solver")]
+    /// Stop when the vertices move less than this part of the region's
+    /// diagonal, between 0 and 1 [default: 1e-8]
+    #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
     tolerance: Option<f64>,
     /// Stop after this many iterations [default: 200]
     #[arg(long, value_name = "N", help_heading = "Solver")]
     max_iterations: Option<usize>,
-    /// Worker threads; 0: as many as the machine has. The result is the same to the last bit
-    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Solver")]
+    /// Worker threads, 0: as many as the machine has;
+    /// the result is the same to the last bit
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        help_heading = "Solver",
+        verbatim_doc_comment
+    )]
     threads: usize,
     /// Writes the report as JSON, too
     #[arg(long, value_name = "FILE")]

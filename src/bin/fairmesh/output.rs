@@ -109,3 +109,47 @@ fn usual_permissions() -> Option<Permissions> {
 fn usual_permissions() -> Option<Permissions> {
     None
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    use super::*;
+
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path).unwrap().permissions().mode() & 0o777
+    }
+
+    #[test]
+    fn files_are_replaced_whole_with_their_permissions() {
+        let directory = tempfile::tempdir().unwrap();
+        let (file, link) = (directory.path().join("file"), directory.path().join("link"));
+        Output::prepare(&file).unwrap().write(b"one").unwrap();
+        // Others may read a new file if the umask lets them, unlike a temporary one.
+        fs::write(directory.path().join("usual"), "").unwrap();
+        assert_eq!(mode(&file), mode(&directory.path().join("usual")));
+        fs::set_permissions(&file, Permissions::from_mode(0o666)).unwrap();
+        symlink("file", &link).unwrap();
+        Output::prepare(&link).unwrap().write(b"two").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&file).unwrap(), b"two");
+        assert_eq!(mode(&file), 0o666);
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 3);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_refused_before_the_work() {
+        let directory = tempfile::tempdir().unwrap();
+        let refused = |path: &Path| Output::prepare(path).err().unwrap().to_string();
+        assert!(refused(directory.path()).ends_with("cannot write: this is a directory; name a file in it"));
+        let file = directory.path().join("file");
+        fs::write(&file, "precious").unwrap();
+        fs::set_permissions(&file, Permissions::from_mode(0o444)).unwrap();
+        assert!(refused(&file).ends_with("the file is write-protected; choose another name"));
+        assert!(refused(&directory.path().join("none/file")).ends_with("it does not exist"));
+        Output::prepare(Path::new("/dev/null"))
+            .unwrap()
+            .write(b"gone")
+            .unwrap();
+    }
+}

@@ -1,5 +1,6 @@
 //! Geomview OFF in ASCII, with normals (NOFF), colours (COFF) and texture coordinates (STOFF).
 
+use std::fmt::Arguments;
 use std::ops::Range;
 
 use crate::failure::Malformed;
@@ -23,7 +24,7 @@ struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     /// The next line with words, or what is missing.
-    fn next(&mut self, what: &str) -> Result<(usize, Words<'a>), Malformed> {
+    fn next(&mut self, what: Arguments<'_>) -> Result<(usize, Words<'a>), Malformed> {
         while self.at < self.bytes.len() {
             let start = self.at;
             let (range, next) = text::line(self.bytes, start);
@@ -43,21 +44,21 @@ impl<'a> Lines<'a> {
 /// Reads a file's bytes.
 pub fn parse(bytes: &[u8]) -> Result<(Geometry, Off), Malformed> {
     let mut lines = Lines { bytes, at: 0 };
-    let (at, mut words) = lines.next("the line 'OFF'")?;
+    let (at, mut words) = lines.next(format_args!("the line 'OFF'"))?;
     let first = words.next().unwrap_or(at..at);
     let (has_normals, rest) = keyword(bytes, first)?;
     // The counts may stand on the line of the keyword, even without a gap.
     let (_, line_end) = text::line(bytes, at);
     let mut counts = text::words(bytes, rest..line_end);
     if counts.clone().next().is_none() {
-        (_, counts) = lines.next("the numbers of vertices and faces")?;
+        (_, counts) = lines.next(format_args!("the numbers of vertices and faces"))?;
     }
     let vertices = count(bytes, &mut counts, "number of vertices", 6)?;
     let faces = count(bytes, &mut counts, "number of faces", 2)?;
     let mut geometry = Geometry::default();
     let mut offsets = Vec::with_capacity(vertices);
     for v in 0..vertices {
-        let (at, mut words) = lines.next(&format!("vertex {v}"))?;
+        let (at, mut words) = lines.next(format_args!("vertex {v}"))?;
         geometry
             .positions
             .push(text::triple(bytes, &mut words, "vertex")?);
@@ -65,7 +66,7 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Off), Malformed> {
     }
     let mut corners = Vec::new();
     for f in 0..faces {
-        let (at, mut words) = lines.next(&format!("face {f}"))?;
+        let (at, mut words) = lines.next(format_args!("face {f}"))?;
         read_face(bytes, at, &mut words, &mut corners)?;
         geometry.push_polygon(&corners, at);
     }
