@@ -9,8 +9,10 @@ pub fn refusal(error: &Error, mesh: &MeshFile) -> String {
     let geometry = &mesh.geometry;
     let message = in_polygons(error, geometry).to_string();
     let place = vertex_of(error)
-        .and_then(|v| geometry.positions.get(v))
-        .map_or(String::new(), |[x, y, z]| format!(" (at {x} {y} {z})"));
+        .and_then(|v| Some((v, geometry.positions.get(v)?)))
+        .map_or(String::new(), |(v, [x, y, z])| {
+            format!(" (vertex {v} is at {x} {y} {z})")
+        });
     match remedy(error) {
         Some(remedy) => format!("{message}{place}; {remedy}"),
         None => format!("{message}{place}"),
@@ -112,4 +114,48 @@ pub fn advice(report: &Report) -> String {
         _ => "the file holds the best surface so far",
     };
     advice.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::Format;
+
+    #[test]
+    fn refusals_name_faces_and_places() {
+        let text = "OFF 6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1.5 0\n4 0 1 4 3\n4 1 2 5 4\n";
+        let mesh = MeshFile::parse("quads.off", Format::Off, text.as_bytes().to_vec()).unwrap();
+        let told = |error: Error| refusal(&error, &mesh);
+        assert_eq!(
+            told(Error::RepeatedIndex {
+                triangle: 3,
+                vertex: 5
+            }),
+            "triangle 1 names vertex 5 twice (vertex 5 is at 2 1.5 0); remove the degenerate faces first"
+        );
+        assert!(
+            told(Error::DuplicateTriangle {
+                triangle: 2,
+                other: 1
+            })
+            .starts_with("triangle 1 has the same")
+        );
+        let twisted = Error::InconsistentOrientation {
+            a: 1,
+            b: 4,
+            triangle: 2,
+            other: 0,
+        };
+        assert!(told(twisted).starts_with("triangles 0 and 1 run"));
+        assert!(
+            told(Error::NonManifoldEdge {
+                a: 1,
+                b: 4,
+                triangle: 3
+            })
+            .contains("triangle 1 (vertex 1 is at 1 0 0)")
+        );
+        // A vertex that does not exist has no place.
+        assert!(!told(Error::NotFinite { vertex: 6 }).contains(" is at "));
+    }
 }

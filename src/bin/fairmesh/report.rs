@@ -56,20 +56,21 @@ impl Summary<'_> {
         let mut text = format!("{}\n", explain::outcome(report));
         let advice = explain::advice(report);
         if !advice.is_empty() {
-            let _ = writeln!(text, "  what to do:        {advice}");
+            let _ = writeln!(text, "  what to do:          {advice}");
         }
         let mut row = |name: &str, value: String| {
-            let _ = writeln!(text, "  {:<18} {value}", format!("{name}:"));
+            let _ = writeln!(text, "  {:<20} {value}", format!("{name}:"));
         };
         row("free vertices", report.free_vertices.to_string());
         row(
             "iterations",
             format!(
-                "{}, last step {:.1e} of the region's diagonal",
-                report.iterations, report.step
+                "{}, last step {} of the region's diagonal",
+                report.iterations,
+                scientific(report.step)
             ),
         );
-        row("harmonic defect", format!("{:.2e}", report.defect));
+        row("harmonic defect", scientific(report.defect));
         row("region's diagonal", significant(report.diagonal));
         let worst = self.geometry.polygon_of(quality.worst_triangle);
         row(
@@ -198,6 +199,15 @@ impl Summary<'_> {
     }
 }
 
+/// Two significant digits, for figures of which the order of magnitude counts.
+fn scientific(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:.1e}")
+    } else {
+        "unknown".into()
+    }
+}
+
 /// Four significant digits.
 fn significant(value: f64) -> String {
     if !value.is_finite() {
@@ -229,4 +239,106 @@ fn listed(elements: &[impl ToString], singular: &str) -> String {
     let more = if elements.len() > SHOWN { ", ..." } else { "" };
     let noun = if elements.len() == 1 { singular } else { plural };
     format!("{} {noun}: {}{more}", elements.len(), first.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use fairmesh::{Quality, Seconds};
+
+    use super::*;
+    use crate::formats::{Format, MeshFile};
+
+    /// Two quads: triangles 0 and 1 are face 0, 2 and 3 are face 1.
+    fn quads() -> MeshFile {
+        let text = "OFF 6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n4 0 1 4 3\n4 1 2 5 4\n";
+        MeshFile::parse("quads.off", Format::Off, text.as_bytes().to_vec()).unwrap()
+    }
+
+    fn report(outcome: Outcome) -> Report {
+        Report {
+            outcome,
+            iterations: 7,
+            defect: f64::NAN,
+            step: f64::INFINITY,
+            seconds: Seconds {
+                setup: 0.25,
+                ..Seconds::default()
+            },
+            quality: Quality {
+                worst_angle: 0.5,
+                worst_triangle: 3,
+                flipped: vec![2, 3],
+                needles: vec![0, 3],
+                h_inside: [f64::NAN, 1.0],
+                ..Quality::default()
+            },
+            free_vertices: 1,
+            diagonal: 2.0,
+            linear_surface: true,
+            suspicious_normals: vec![4],
+            fallback_weights: 0,
+        }
+    }
+
+    #[test]
+    fn faces_have_the_numbers_of_the_file_and_json_has_no_nan() {
+        let (mesh, report) = (quads(), report(Outcome::NotConverged));
+        let times = Times {
+            read: 1.0,
+            solve: 2.0,
+            write: 3.0,
+            total: 6.5,
+        };
+        let summary = Summary {
+            report: &report,
+            geometry: &mesh.geometry,
+            times,
+            stale_normals: 2,
+        };
+        let json = summary.json();
+        assert_eq!(json["outcome"], "not_converged");
+        assert_eq!(json["quality"]["worst_triangle"], 1);
+        assert_eq!(json["quality"]["flipped"], json!({ "count": 1, "list": [1] }));
+        assert_eq!(json["quality"]["needles"], json!({ "count": 2, "list": [0, 1] }));
+        assert_eq!(json["quality"]["h_inside"], json!([null, 1.0]));
+        assert_eq!((&json["defect"], &json["step"]), (&Value::Null, &Value::Null));
+        assert_eq!(json["suspicious_normals"], json!([4]));
+        assert_eq!(json["seconds"]["setup"], 0.25);
+        assert_eq!(json["seconds"]["total"], 6.5);
+        assert!(json["reason"].is_string() && json["advice"].is_string());
+        let text = summary.readable();
+        assert!(text.contains("0.5000 degrees, in face 1\n"), "{text}");
+        assert!(text.contains("needles:             2 faces: 0, 1\n"), "{text}");
+        assert!(!text.contains("NaN") && !text.contains("inf "), "{text}");
+    }
+
+    #[test]
+    fn every_outcome_but_the_best_says_what_to_do() {
+        let mesh = quads();
+        let outcomes = [
+            Outcome::ConvergedPoorTriangles { triangles: vec![1] },
+            Outcome::ConvergedLoosely {
+                reason: "the step stayed at 1e-6".into(),
+            },
+            Outcome::NormalsNotReachable {
+                reached: 0.4,
+                vertices: vec![5, 1],
+            },
+            Outcome::NotConverged,
+            Outcome::IterationLimit,
+            Outcome::Cancelled,
+        ];
+        for outcome in outcomes {
+            let report = report(outcome);
+            let times = Times::default();
+            let summary = Summary {
+                report: &report,
+                geometry: &mesh.geometry,
+                times,
+                stale_normals: 0,
+            };
+            assert!(summary.readable().contains("\n  what to do:"));
+        }
+        assert_eq!(explain::advice(&report(Outcome::Converged)), "");
+    }
 }
