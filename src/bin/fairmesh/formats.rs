@@ -1,0 +1,247 @@
+//! Mesh files: read once, written back with nothing changed but what had to.
+
+pub mod obj;
+pub mod off;
+pub mod patches;
+pub mod ply;
+pub mod stl;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use crate::failure::{Failure, Malformed};
+use crate::formats::patches::Patches;
+use crate::normals;
+
+/// The file formats, told by the extension.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    Ply,
+    Obj,
+    Off,
+    Stl,
+}
+
+impl Format {
+    /// The format that a path's extension names.
+    pub fn of(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+        match extension.as_deref() {
+            Some("ply") => Ok(Format::Ply),
+            Some("obj") => Ok(Format::Obj),
+            Some("off" | "coff" | "noff") => Ok(Format::Off),
+            Some("stl") => Ok(Format::Stl),
+            _ => Err(Failure::new(format!(
+                "{}: unknown file format; use a name ending in .ply, .obj, .off or .stl",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// What a mesh file says about the shape, as the solver wants it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Geometry {
+    /// One per vertex, in the file's order.
+    pub positions: Vec<[f64; 3]>,
+    /// The polygons as fans of triangles, in the file's order.
+    pub triangles: Vec<[u32; 3]>,
+    /// The polygon of each triangle; empty if polygons and triangles are the same.
+    polygon_of: Vec<u32>,
+    /// Number of polygons in the file.
+    pub polygon_count: usize,
+    /// The largest vertex number used and where, to be checked when all vertices are known.
+    largest: (u32, usize),
+}
+
+impl Geometry {
+    /// Adds a polygon found at byte `at`. Fewer than three corners: a polygon without triangles.
+    fn push_polygon(&mut self, corners: &[u32], at: usize) {
+        if corners.len() != 3 && self.polygon_of.is_empty() {
+            self.polygon_of = (0..self.polygon_count as u32).collect();
+        }
+        let mapped =
+            corners.len() != 3 || !self.polygon_of.is_empty() || self.triangles.len() != self.polygon_count;
+        for pair in corners.get(1..).unwrap_or_default().windows(2) {
+            self.triangles.push([corners[0], pair[0], pair[1]]);
+            if mapped {
+                self.polygon_of.push(self.polygon_count as u32);
+            }
+        }
+        for &corner in corners {
+            if corner >= self.largest.0 {
+                self.largest = (corner, at);
+            }
+        }
+        self.polygon_count += 1;
+    }
+
+    /// A vertex number of a face as the file has it, 0-based.
+    fn corner(index: i64, at: usize, by_line: bool) -> Result<u32, Malformed> {
+        u32::try_from(index).map_err(|_| Malformed {
+            at,
+            by_line,
+            what: format!("a face names vertex {index}, which cannot exist"),
+        })
+    }
+
+    /// All faces name vertices that exist.
+    fn check(&self, by_line: bool) -> Result<(), Malformed> {
+        let (index, at) = self.largest;
+        if self.polygon_count > 0 && index as usize >= self.positions.len() && self.has_corners() {
+            let count = self.positions.len();
+            let what =
+                format!("a face names vertex {index} (counted from 0), but there are only {count} vertices");
+            return Err(Malformed { at, by_line, what });
+        }
+        Ok(())
+    }
+
+    /// Whether any polygon has a corner: `largest` means nothing otherwise.
+    fn has_corners(&self) -> bool {
+        self.largest != (0, 0) || !self.triangles.is_empty()
+    }
+
+    /// The file's own number of the polygon that a triangle belongs to.
+    pub fn polygon_of(&self, triangle: usize) -> usize {
+        self.polygon_of
+            .get(triangle)
+            .map_or(triangle, |&polygon| polygon as usize)
+    }
+
+    /// The corners of every polygon that has at least three.
+    pub fn polygons(&self) -> Vec<Vec<u32>> {
+        let mut polygons: Vec<Vec<u32>> = Vec::new();
+        let mut last = None;
+        for (t, &[a, b, c]) in self.triangles.iter().enumerate() {
+            let polygon = self.polygon_of(t);
+            match polygons.last_mut() {
+                Some(corners) if last == Some(polygon) => corners.push(c),
+                _ => polygons.push(vec![a, b, c]),
+            }
+            last = Some(polygon);
+        }
+        polygons
+    }
+}
+
+/// Vertex or face: what a selection stored in a file belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    Vertex,
+    Face,
+}
+
+/// The coordinates and normals to be written.
+pub struct Change<'a> {
+    /// All positions.
+    pub positions: &'a [[f64; 3]],
+    /// The vertices whose positions differ from the file's.
+    pub moved: &'a [bool],
+    /// New normals of the moved vertices and their neighbours, by vertex, ascending.
+    pub normals: &'a [(u32, [f64; 3])],
+}
+
+/// Where the numbers are in the file's bytes.
+enum Layout {
+    Ply(ply::Ply),
+    Obj(obj::Obj),
+    Off(off::Off),
+    Stl(stl::Stl),
+}
+
+/// A mesh file: its bytes and what they mean.
+pub struct MeshFile {
+    bytes: Vec<u8>,
+    layout: Layout,
+    /// What the solver needs.
+    pub geometry: Geometry,
+}
+
+/// The bytes of a changed file.
+pub struct Written {
+    /// The whole file.
+    pub bytes: Vec<u8>,
+    /// Vertices whose normals in the file are now out of date, because they could not be matched.
+    pub stale_normals: usize,
+}
+
+impl MeshFile {
+    /// Understands the bytes of a file of this format. `name` is for messages.
+    pub fn parse(name: &str, format: Format, bytes: Vec<u8>) -> Result<Self, Failure> {
+        let parsed = match format {
+            Format::Ply => ply::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Ply(layout))),
+            Format::Obj => obj::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Obj(layout))),
+            Format::Off => off::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Off(layout))),
+            Format::Stl => stl::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Stl(layout))),
+        };
+        let (geometry, layout) = parsed.map_err(|malformed| malformed.locate(name, &bytes))?;
+        Ok(Self {
+            bytes,
+            layout,
+            geometry,
+        })
+    }
+
+    /// Reads and understands a file.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let format = Format::of(path)?;
+        let name = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|why| Failure::new(format!("{name}: cannot read: {why}")))?;
+        Self::parse(&name, format, bytes)
+    }
+
+    /// The file's format.
+    pub fn format(&self) -> Format {
+        match self.layout {
+            Layout::Ply(_) => Format::Ply,
+            Layout::Obj(_) => Format::Obj,
+            Layout::Off(_) => Format::Off,
+            Layout::Stl(_) => Format::Stl,
+        }
+    }
+
+    /// The elements for which the property `name` is nonzero (`flags`: has the selection bit); None if the
+    /// file has no such property.
+    pub fn selected(&self, kind: Kind, name: &str) -> Option<Vec<u32>> {
+        match &self.layout {
+            Layout::Ply(layout) => layout.selected(&self.bytes, kind, name),
+            _ => None,
+        }
+    }
+
+    /// The file with these positions. Only what belongs to the vertices that differ is changed.
+    pub fn with_positions(&self, positions: &[[f64; 3]]) -> Written {
+        let old = &self.geometry.positions;
+        let same = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| a[axis].to_bits() == b[axis].to_bits());
+        let moved: Vec<bool> = old.iter().zip(positions).map(|(a, b)| !same(a, b)).collect();
+        let normals = normals::around(positions, &self.geometry.triangles, &moved);
+        let change = Change {
+            positions,
+            moved: &moved,
+            normals: &normals,
+        };
+        let mut patches = Patches::default();
+        let stale_normals = match &self.layout {
+            Layout::Ply(layout) => layout.patch(&self.bytes, &change, &mut patches),
+            Layout::Obj(layout) => layout.patch(&self.bytes, &change, &mut patches),
+            Layout::Off(layout) => layout.patch(&self.bytes, &change, &mut patches),
+            Layout::Stl(layout) => layout.patch(&self.bytes, &self.geometry.triangles, &change, &mut patches),
+        };
+        Written {
+            bytes: patches.apply(&self.bytes),
+            stale_normals,
+        }
+    }
+}
+
+/// A new file of this format that holds these positions and polygons and nothing else.
+pub fn plain(format: Format, positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+    match format {
+        Format::Ply => ply::plain(positions, polygons),
+        Format::Obj => obj::plain(positions, polygons),
+        Format::Off => off::plain(positions, polygons),
+        Format::Stl => stl::plain(positions, polygons),
+    }
+}

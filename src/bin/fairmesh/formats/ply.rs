@@ -1,0 +1,273 @@
+//! PLY, ASCII and binary of either byte order, with any elements and properties.
+
+mod header;
+mod rows;
+
+use crate::failure::Malformed;
+use crate::formats::patches::Patches;
+use crate::formats::{Change, Geometry, Kind};
+use header::{Element, Encoding, PropertyKind, Scalar};
+use rows::{Field, Rows};
+
+/// MeshLab's (VCG's) bit for "selected" in `flags`, of vertices and faces alike.
+const SELECTED: i64 = 0x20;
+
+/// Where vertices and faces are.
+pub struct Ply {
+    encoding: Encoding,
+    vertex: Table,
+    face: Table,
+    /// The properties x, y, z.
+    position: [usize; 3],
+    /// The properties nx, ny, nz, if the file has them as floats.
+    normal: Option<[usize; 3]>,
+}
+
+/// An element and the byte offset of each of its rows.
+struct Table {
+    element: Element,
+    rows: Vec<usize>,
+}
+
+/// Reads a file's bytes.
+pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
+    let header = header::parse(bytes)?;
+    let mut geometry = Geometry::default();
+    let (mut vertex, mut face) = (None, None);
+    let mut at = header.end;
+    for element in header.elements {
+        let rows = Rows {
+            bytes,
+            encoding: header.encoding,
+            element: &element,
+        };
+        let mut offsets = Vec::new();
+        match element.name.as_str() {
+            "vertex" => {
+                at = read_vertices(&rows, at, &mut geometry, &mut offsets)?;
+                vertex = Some(Table {
+                    element,
+                    rows: offsets,
+                });
+            }
+            "face" => {
+                at = read_faces(&rows, at, &mut geometry, &mut offsets)?;
+                face = Some(Table {
+                    element,
+                    rows: offsets,
+                });
+            }
+            _ => at = pass_over(&rows, at)?,
+        }
+    }
+    let vertex = vertex.ok_or_else(|| Malformed::text(0, "the file has no element 'vertex'"))?;
+    let face = face.ok_or_else(|| {
+        Malformed::text(
+            0,
+            "the file has no element 'face': a mesh, not a point cloud, is needed",
+        )
+    })?;
+    geometry.check(header.encoding == Encoding::Ascii)?;
+    let position = float_properties(&vertex.element, ["x", "y", "z"])?;
+    let normal = float_properties(&vertex.element, ["nx", "ny", "nz"]).ok();
+    Ok((
+        geometry,
+        Ply {
+            encoding: header.encoding,
+            vertex,
+            face,
+            position,
+            normal,
+        },
+    ))
+}
+
+/// The three properties of these names, all float or double.
+fn float_properties(element: &Element, names: [&str; 3]) -> Result<[usize; 3], Malformed> {
+    let is_float = |&p: &usize| {
+        matches!(
+            element.properties[p].kind,
+            PropertyKind::Scalar(Scalar::F32 | Scalar::F64)
+        )
+    };
+    let mut found = [0; 3];
+    for (slot, name) in found.iter_mut().zip(names) {
+        *slot = element.property(name).filter(is_float).ok_or_else(|| {
+            let what = format!(
+                "element '{}' needs a property '{name}' of type float or double",
+                element.name
+            );
+            Malformed::text(element.at, what)
+        })?;
+    }
+    Ok(found)
+}
+
+fn read_vertices(
+    rows: &Rows<'_>,
+    at: usize,
+    geometry: &mut Geometry,
+    offsets: &mut Vec<usize>,
+) -> Result<usize, Malformed> {
+    let wanted = float_properties(rows.element, ["x", "y", "z"])?;
+    let count = rows.check_count(at)?;
+    offsets.reserve_exact(count);
+    geometry.positions.reserve_exact(count);
+    let mut at = at;
+    for _ in 0..count {
+        let mut position = [0.0; 3];
+        at = rows.start(at)?;
+        offsets.push(at);
+        at = rows.walk(at, &mut |property, field: Field| {
+            if let Some(axis) = wanted.iter().position(|&w| w == property) {
+                position[axis] = rows.scalar(property, &field)?;
+            }
+            Ok(())
+        })?;
+        geometry.positions.push(position);
+    }
+    Ok(at)
+}
+
+fn read_faces(
+    rows: &Rows<'_>,
+    at: usize,
+    geometry: &mut Geometry,
+    offsets: &mut Vec<usize>,
+) -> Result<usize, Malformed> {
+    let element = rows.element;
+    let wanted = element
+        .property("vertex_indices")
+        .or_else(|| element.property("vertex_index"));
+    let is_list = |&p: &usize| match element.properties[p].kind {
+        PropertyKind::List { item, .. } => item.is_integer(),
+        PropertyKind::Scalar(_) => false,
+    };
+    let wanted = wanted.filter(is_list).ok_or_else(|| {
+        Malformed::text(
+            element.at,
+            "element 'face' needs a list of integers 'vertex_indices'",
+        )
+    })?;
+    let count = rows.check_count(at)?;
+    offsets.reserve_exact(count);
+    let (mut values, mut corners) = (Vec::new(), Vec::new());
+    let mut at = at;
+    for _ in 0..count {
+        at = rows.start(at)?;
+        let row = at;
+        offsets.push(row);
+        at = rows.walk(row, &mut |property, field: Field| {
+            if property != wanted {
+                return Ok(());
+            }
+            rows.integers(property, &field, &mut values)?;
+            corners.clear();
+            for &value in &values {
+                corners.push(Geometry::corner(value, row, rows.encoding == Encoding::Ascii)?);
+            }
+            geometry.push_polygon(&corners, row);
+            Ok(())
+        })?;
+    }
+    Ok(at)
+}
+
+/// Checks an element that means nothing here.
+fn pass_over(rows: &Rows<'_>, at: usize) -> Result<usize, Malformed> {
+    let mut at = at;
+    for _ in 0..rows.check_count(at)? {
+        at = rows.walk(rows.start(at)?, &mut |_, _| Ok(()))?;
+    }
+    Ok(at)
+}
+
+impl Ply {
+    /// The rows whose property `name` is nonzero; of `flags`, only the bit for "selected" counts.
+    pub fn selected(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<Vec<u32>> {
+        let table = match kind {
+            Kind::Vertex => &self.vertex,
+            Kind::Face => &self.face,
+        };
+        let wanted = table.element.property(name)?;
+        if let PropertyKind::List { .. } = table.element.properties[wanted].kind {
+            return None;
+        }
+        let rows = Rows {
+            bytes,
+            encoding: self.encoding,
+            element: &table.element,
+        };
+        let mut selected = Vec::new();
+        for (number, &row) in table.rows.iter().enumerate() {
+            let mut value = 0.0;
+            // The row was walked before; only a word that is no number can fail, and selects nothing.
+            let _ = rows.walk(row, &mut |property, field: Field| {
+                if property == wanted {
+                    value = rows.scalar(property, &field)?;
+                }
+                Ok(())
+            });
+            let is_selected = if name == "flags" {
+                value as i64 & SELECTED != 0
+            } else {
+                value != 0.0
+            };
+            if is_selected {
+                selected.push(number as u32);
+            }
+        }
+        Some(selected)
+    }
+
+    /// Replaces coordinates of moved vertices, and normals; returns the number of normals left behind.
+    pub fn patch(&self, bytes: &[u8], change: &Change<'_>, patches: &mut Patches) -> usize {
+        let element = &self.vertex.element;
+        let rows = Rows {
+            bytes,
+            encoding: self.encoding,
+            element,
+        };
+        for (v, position, normal) in change.vertices() {
+            let mut write = |columns: &[usize; 3], property: usize, field: &Field, values: [f64; 3]| {
+                if let Some(axis) = columns.iter().position(|&column| column == property)
+                    && let PropertyKind::Scalar(scalar) = element.properties[property].kind
+                {
+                    patches.replace(field.clone(), &rows::encode(self.encoding, scalar, values[axis]));
+                }
+            };
+            // The same walk succeeded when the file was read.
+            let _ = rows.walk(self.vertex.rows[v], &mut |property, field: Field| {
+                if let Some(position) = position {
+                    write(&self.position, property, &field, position);
+                }
+                if let (Some(columns), Some(normal)) = (&self.normal, normal) {
+                    write(columns, property, &field, normal);
+                }
+                Ok(())
+            });
+        }
+        0
+    }
+}
+
+/// A binary file with doubles.
+pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+    let header = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
+         property double z\nelement face {}\nproperty list uint int vertex_indices\nend_header\n",
+        positions.len(),
+        polygons.len()
+    );
+    let mut bytes = header.into_bytes();
+    for coordinate in positions.iter().flatten() {
+        bytes.extend_from_slice(&coordinate.to_le_bytes());
+    }
+    for polygon in polygons {
+        bytes.extend_from_slice(&(polygon.len() as u32).to_le_bytes());
+        polygon
+            .iter()
+            .for_each(|corner| bytes.extend_from_slice(&corner.to_le_bytes()));
+    }
+    bytes
+}
