@@ -30,6 +30,12 @@ fn main() {
     let e: Vec<f64> = s.free.iter().zip(&r.positions).filter(|p| *p.0).map(|(_, p)| s.surface.as_ref().unwrap().distance(*p) / d).collect();
     let max = e.iter().fold(0.0f64, |a, b| a.max(*b));
     let rms = (e.iter().map(|x| x * x).sum::<f64>() / e.len() as f64).sqrt();
+    if args.iter().any(|a| a == "prof") {
+        let mut bins = vec![(0.0f64, 0usize, 9.0f64, 0.0f64); 24];
+        let (lo, hi) = s.positions.iter().fold((9.0f64, -9.0f64), |a, p| (a.0.min(p[2]), a.1.max(p[2])));
+        for (p, f) in r.positions.iter().zip(&s.free) { if *f { let k = (((p[2] - lo) / (hi - lo) * 24.0) as usize).clamp(0, 23); let rr = p[0].hypot(p[1]); let b = &mut bins[k]; b.0 += rr; b.1 += 1; b.2 = b.2.min(rr); b.3 = b.3.max(rr); } }
+        for (k, b) in bins.iter().enumerate() { println!("z {:.3} n {} r {:.3} [{:.3} {:.3}]", lo + (hi - lo) * (k as f64 + 0.5) / 24.0, b.1, b.0 / b.1 as f64, b.2, b.3); }
+    }
     println!("{} {} {} it {} max {:.2e} rms {:.2e} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} q {:.4} total {:.4} | angle {:.2} flips {} H {:?} {:?} dev {:.3}",
         args[1], r.report.free_vertices, r.report.outcome.name(), r.report.iterations, max, rms, r.report.defect, r.report.step,
         r.report.seconds.setup, r.report.seconds.start, r.report.seconds.iterate, r.report.seconds.quality, r.report.seconds.total,

@@ -95,7 +95,7 @@ pub fn sphere_zone(south: f64, north: f64, n: usize, sampling: Sampling, outside
 /// For the ranges of the radii see [`Unduloid::new`].
 pub fn unduloid_band(neck: f64, bulge: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
     let u = Unduloid::new(neck, bulge);
-    let end = u.conformal_height(0.75 * PI);
+    let end = u.conformal_height(0.45 * PI);
     let meridian = |v: f64| {
         let p = u.profile(u.theta(v));
         Meridian {

@@ -8,9 +8,10 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::discrete::equations::{Equations, State};
-use crate::discrete::groups::CHUNK;
+use crate::discrete::groups::{CHUNK, Groups};
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::linear::sparse::SymmetricPattern;
-use crate::mesh::{Region, Rings};
+use crate::mesh::{NONE, Region, Rings};
 
 /// `S` and `D` of one surface, vertex by vertex.
 #[derive(Debug, Clone, Default)]
@@ -84,6 +85,45 @@ impl Metric {
             };
         }
         self.bound(free);
+    }
+
+    /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
+    /// the inner fairness condition has about these weights, whatever its shape.
+    pub fn combinatorial(&mut self, rings: &Rings, groups: &Groups, fairness: &FairnessWeights) {
+        // Of an edge of two equilateral triangles.
+        let equilateral = 2.0 / 3f64.sqrt();
+        let free = rings.free();
+        self.weight.resize(rings.neighbour.len(), 0.0);
+        self.total.resize(free, 0.0);
+        self.border_weight.clear();
+        self.border_weight.resize(rings.border_neighbour.len(), 0.0);
+        self.d.clear();
+        self.d.resize(free + rings.border(), 1.0);
+        for i in 0..free {
+            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let start = rings.start[i] as usize;
+            for s in start..rings.start[i + 1] as usize {
+                let own = fairness.at(first + s - start, lane);
+                let twin = rings.twin[s];
+                let mean = if twin == NONE {
+                    own
+                } else {
+                    let j = rings.neighbour[s] as usize;
+                    let (first, lane) = (groups.place[j].0 as usize, groups.place[j].1 as usize);
+                    0.5 * (own + fairness.at(first + twin as usize - rings.start[j] as usize, lane))
+                };
+                self.weight[s] = equilateral * mean;
+            }
+            self.total[i] = self.weight[start..rings.start[i + 1] as usize].iter().sum();
+        }
+        for b in 0..rings.border() {
+            let range = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+            let edges = &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize];
+            for (j, w) in rings.border_neighbour[range.clone()].iter().zip(&mut self.border_weight[range]) {
+                let triangles = edges.iter().filter(|e| e.contains(j)).count();
+                *w = 0.5 * equilateral * triangles as f64;
+            }
+        }
     }
 
     /// Collapsed disks would make single entries of `D` astronomically large: none exceeds the median by more than

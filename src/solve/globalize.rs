@@ -22,9 +22,9 @@ use crate::discrete::equations::FreeCurvature;
 use crate::quality::Surface;
 
 /// Divergence guard of the direct iteration: every change of matrix makes the step norm jump.
-const GUARD: f64 = 3.0;
+const GUARD: f64 = 10.0;
 /// Divergence guard with plain curvature.
-const PLAIN_GUARD: f64 = 1.5;
+const PLAIN_GUARD: f64 = 5.0;
 /// Plain curvature only prepares: it goes no further than this.
 const PLAIN_TOLERANCE: f64 = 1e-4;
 

@@ -110,6 +110,13 @@ impl System<'_> {
     /// The linear surface: `S_I D (S x - F) = 0` on the metric of `membrane`, with the true fixed positions and the
     /// conormal flux `F` of the border normals. Leaves `P` factored on that metric.
     pub fn linear_surface(&mut self, membrane: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        if std::env::var("GRAPH").is_ok() {
+            let mut metric = std::mem::take(&mut self.metric);
+            metric.combinatorial(self.rings, self.groups, &self.weights);
+            self.metric = metric;
+            self.refactor(|_| 0.0)?;
+            return self.linear_solve();
+        }
         self.evaluate(membrane);
         self.rebuild(membrane, false, |_| 0.0)?;
         self.linear_solve()

@@ -10,7 +10,7 @@ use super::system::{Collapsed, System, advance};
 const TAU: [f64; 2] = [1e-4, 100.0];
 /// The edge-relative change that the step size is steered to.
 const AIM: f64 = 0.21;
-/// Over this change the step is shortened and the step size cut.
+/// Over this change a step is shortened, and for the normal part the step size cut.
 const LARGEST: f64 = 0.3;
 /// Steps at most.
 const STEPS: usize = 60;
@@ -24,6 +24,7 @@ pub fn pseudo_time(
     let mut step = vec![0.0; 3 * system.free()];
     let unit = system.diagonal.powi(4);
     let mut tau = TAU[0];
+    let mut next = x.to_vec();
     for _ in 0..STEPS {
         system.evaluate(x);
         let area = system.state.area.clone();
@@ -36,17 +37,18 @@ pub fn pseudo_time(
         if control.exhausted() {
             return Ok(false);
         }
+        system.normal_step(&mut step);
         let change = system.edge_change(x, &step);
-        if change > LARGEST {
-            advance(x, &step, LARGEST / change);
-            tau *= (LARGEST / change).max(0.1);
-        } else {
-            advance(x, &step, 1.0);
-            tau *= (AIM / change).clamp(1.0, 8.0);
-        }
+        advance(&mut next, &step, (LARGEST / change).min(1.0));
+        tau *= if change > LARGEST { (LARGEST / change).max(0.1) } else { (AIM / change).clamp(1.0, 8.0) };
+        system.tangential_step(&mut step);
+        let change = system.edge_change(x, &step);
+        advance(&mut next, &step, (LARGEST / change).min(1.0));
+        x.copy_from_slice(&next);
         if tau > TAU[1] {
             return Ok(true);
         }
+        if std::env::var("DBG").is_ok() { eprintln!("tau {tau:.2e} change {change:.2e}"); }
         if tau < TAU[0] * 1e-8 {
             return Ok(false);
         }

@@ -43,44 +43,46 @@ pub struct Plan {
     pub stage: &'static str,
 }
 
-/// The surface with the smallest step norm.
+/// The surface with the smallest step norm of a round. Norms of different rounds do not compare: each round has a
+/// matrix of its own.
 #[derive(Debug, Clone)]
 struct Best {
     x: Vec<Vector3<f64>>,
     d: f64,
+    first: f64,
 }
 
-/// Iterates from `x`; leaves the best surface there, and its step norm.
+/// A round with a fresh matrix that gains less than this will not gain in another.
+const ROUND_GAIN: f64 = 0.7;
+
+/// Iterates from `x`; leaves the best surface there, and returns its step norm.
 pub fn iterate(
     system: &mut System<'_>,
     x: &mut Vec<Vector3<f64>>,
     plan: Plan,
     control: &mut Control<'_>,
 ) -> (End, f64) {
-    let mut best = Best { x: x.clone(), d: f64::INFINITY };
+    let mut best = Best { x: x.clone(), d: f64::INFINITY, first: f64::INFINITY };
     let mut anderson = Anderson::new(3 * system.free(), WINDOW);
-    let mut end = End::Stalled;
     for round in 0..ROUNDS {
         let fresh = !(plan.reuse && round == 0);
-        let before = best.d;
+        best.d = f64::INFINITY;
         match run(system, x, &plan, fresh, &mut anderson, &mut best, control) {
+            Ok(End::Converged) => return (End::Converged, best.d),
             Ok(End::Stalled) => {}
-            Ok(other) => {
-                end = other;
-                break;
+            Ok(End::Stopped) => {
+                x.clone_from(&best.x);
+                return (End::Stopped, best.d);
             }
             Err(Collapsed) => break,
         }
         x.clone_from(&best.x);
-        // A round with a fresh matrix that gains nothing will not gain in another.
-        if fresh && best.d > 0.9 * before {
+        if fresh && best.d > ROUND_GAIN * best.first {
             break;
         }
     }
-    if end != End::Converged {
-        x.clone_from(&best.x);
-    }
-    (end, best.d)
+    x.clone_from(&best.x);
+    (End::Stalled, best.d)
 }
 
 /// One round: until converged, stopped, diverging or stalling.
@@ -108,6 +110,9 @@ fn run(
         if !d.is_finite() {
             return Ok(End::Stalled);
         }
+        if history.is_empty() {
+            best.first = d;
+        }
         if d < best.d {
             best.d = d;
             best.x.clone_from(x);
@@ -131,6 +136,7 @@ fn run(
                 anderson.clear();
                 start_matrix = false;
                 history.clear();
+                best.d = f64::INFINITY;
                 system.step(&mut step, true);
             }
         } else if d > plan.guard * best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE] {

@@ -171,7 +171,8 @@ impl<'a> System<'a> {
         self.refactor(mass)
     }
 
-    fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
+    /// Factors `P` of the metric that is there.
+    pub fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
         self.metric.assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
         match self.p.factor(&self.p_values) {
             Ok(()) => Ok(()),
@@ -232,6 +233,18 @@ impl<'a> System<'a> {
             normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
             tangential: rms(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()),
         }
+    }
+
+    /// The normal part of the last step.
+    pub fn normal_step(&self, step: &mut [f64]) {
+        for ((s, t), n) in step.chunks_exact_mut(3).zip(&self.normal_step).zip(&self.state.normal) {
+            s.copy_from_slice((n * t[0]).as_slice());
+        }
+    }
+
+    /// The tangential part of the last step.
+    pub fn tangential_step(&self, step: &mut [f64]) {
+        step.copy_from_slice(self.tangential_step.as_flattened());
     }
 
     /// The largest change of an edge by `step` relative to its length at `x`.
