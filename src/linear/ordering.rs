@@ -9,7 +9,7 @@ use faer::sparse::linalg::amd as faer_amd;
 use super::sparse::{Adjacency, SymmetricPattern};
 
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
-const LEAF: [usize; 2] = [48, 32];
+const LEAF: [usize; 2] = [20, 24];
 
 /// An approximate minimum degree order of a matrix, `order[new] = old`.
 pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
@@ -34,8 +34,8 @@ pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
 }
 
 /// An order by recursive bisection of the vertices of the 1-ring graph `graph`, `order[new] = old`, for a
-/// matrix on its `ring`-ring graph (1 or 2). The cuts are planes across the longest axes of `coords`, one
-/// position per vertex; bad positions cost fill but nothing else.
+/// matrix on its `ring`-ring graph (1 or 2). The cuts are planes across the longer directions of `coords`,
+/// one position per vertex; bad positions cost fill but nothing else.
 pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 3]]) -> Vec<u32> {
     let n = graph.order();
     debug_assert_eq!(coords.len(), n);
@@ -50,6 +50,7 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
         high: Vec::new(),
         separator: Vec::new(),
         best: Vec::new(),
+        key: Vec::new(),
     };
     let mut order: Vec<u32> = (0..n as u32).collect();
     let mut parts = vec![0..n];
@@ -66,6 +67,29 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
     order
 }
 
+/// The normals of the cutting planes: the axes, and the diagonals of their planes for large parts.
+const DIRECTIONS: [[f64; 3]; 9] = {
+    const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [D, D, 0.0],
+        [D, -D, 0.0],
+        [D, 0.0, D],
+        [D, 0.0, -D],
+        [0.0, D, D],
+        [0.0, D, -D],
+    ]
+};
+
+/// Parts with more vertices try all directions that are long enough.
+const TRY_ALL: usize = 1000;
+
+fn along(direction: &[f64; 3], x: &[f64; 3]) -> f64 {
+    direction[0] * x[0] + direction[1] * x[1] + direction[2] * x[2]
+}
+
 /// The state of the recursive bisection.
 struct Bisection<'a> {
     graph: Adjacency,
@@ -78,6 +102,7 @@ struct Bisection<'a> {
     high: Vec<u32>,
     separator: Vec<u32>,
     best: Vec<u32>,
+    key: Vec<(f64, u32)>,
 }
 
 impl Bisection<'_> {
@@ -85,25 +110,28 @@ impl Bisection<'_> {
     /// them would be empty.
     fn bisect(&mut self, part: &mut [u32]) -> Option<[usize; 2]> {
         let middle = part.len() / 2;
-        let axes = self.axes(part);
-        self.best.clear();
-        let mut last = None;
-        for (k, &axis) in axes.iter().flatten().enumerate() {
-            self.halve(part, axis);
+        let extent = self.extents(part);
+        let (tried, least) = if part.len() > TRY_ALL { (DIRECTIONS.len(), 0.6) } else { (3, 0.8) };
+        let longest = extent[..tried].iter().fold(0.0, |a: f64, &b| a.max(b));
+        let mut chosen = None;
+        for (d, direction) in DIRECTIONS.iter().enumerate().take(tried) {
+            if extent[d] < least * longest {
+                continue;
+            }
+            self.halve(part, direction);
             self.find_separator(part, middle);
-            if k == 0 || self.separator.len() < self.best.len() {
+            if chosen.is_none() || self.separator.len() < self.best.len() {
                 std::mem::swap(&mut self.separator, &mut self.best);
-                last = Some(axis);
-            } else {
-                // Back to the better cut.
-                self.halve(part, last.unwrap_or(axis));
-                self.mark(part, middle);
+                chosen = Some(d);
             }
         }
+        let chosen = chosen?;
+        // Back to the best cut: the same vertices whatever their order.
+        self.halve(part, &DIRECTIONS[chosen]);
+        self.mark(part, middle);
         for &v in &self.best {
             self.side[v as usize] = self.stamp + 2;
         }
-        let mut sizes = [0; 2];
         self.low.clear();
         self.high.clear();
         for &v in &*part {
@@ -113,8 +141,7 @@ impl Bisection<'_> {
                 _ => {}
             }
         }
-        sizes[0] = self.low.len();
-        sizes[1] = self.high.len();
+        let sizes = [self.low.len(), self.high.len()];
         if sizes[0] == 0 || sizes[1] == 0 {
             return None;
         }
@@ -126,36 +153,29 @@ impl Bisection<'_> {
         Some(sizes)
     }
 
-    /// The one or two axes worth a try.
-    fn axes(&self, part: &[u32]) -> [Option<usize>; 2] {
-        let mut low = [f64::INFINITY; 3];
-        let mut high = [f64::NEG_INFINITY; 3];
+    /// The extent of a part along the directions.
+    fn extents(&self, part: &[u32]) -> [f64; DIRECTIONS.len()] {
+        let mut low = [f64::INFINITY; DIRECTIONS.len()];
+        let mut high = [f64::NEG_INFINITY; DIRECTIONS.len()];
         for &v in part {
-            for k in 0..3 {
-                let x = self.coords[v as usize][k];
+            for (k, direction) in DIRECTIONS.iter().enumerate() {
+                let x = along(direction, &self.coords[v as usize]);
                 low[k] = low[k].min(x);
                 high[k] = high[k].max(x);
             }
         }
-        let extent: [f64; 3] = std::array::from_fn(|k| high[k] - low[k]);
-        let mut axis = [0, 1, 2];
-        axis.sort_by(|&a, &b| extent[b].total_cmp(&extent[a]));
-        let second = extent[axis[1]] > 0.7 * extent[axis[0]];
-        [Some(axis[0]), second.then_some(axis[1])]
+        std::array::from_fn(|k| high[k] - low[k])
     }
 
-    /// Partitions a part at its median along an axis, ties by the other axes and the index.
-    fn halve(&self, part: &mut [u32], axis: usize) {
-        let middle = part.len() / 2;
-        let coords = self.coords;
-        part.select_nth_unstable_by(middle, |&a, &b| {
-            let (x, y) = (&coords[a as usize], &coords[b as usize]);
-            x[axis]
-                .total_cmp(&y[axis])
-                .then_with(|| x[(axis + 1) % 3].total_cmp(&y[(axis + 1) % 3]))
-                .then_with(|| x[(axis + 2) % 3].total_cmp(&y[(axis + 2) % 3]))
-                .then(a.cmp(&b))
-        });
+    /// Partitions a part at its median along a direction, ties by the index.
+    fn halve(&mut self, part: &mut [u32], direction: &[f64; 3]) {
+        self.key.clear();
+        self.key.extend(part.iter().map(|&v| (along(direction, &self.coords[v as usize]), v)));
+        self.key
+            .select_nth_unstable_by(part.len() / 2, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        for (v, key) in part.iter_mut().zip(&self.key) {
+            *v = key.1;
+        }
     }
 
     fn mark(&mut self, part: &[u32], middle: usize) {
@@ -200,12 +220,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
     let n = graph.order();
     let ring = graph.adjacency();
     let mut coords = vec![[0.0; 3]; n];
-    let mut distance = [
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-    ];
+    let mut distance: [Vec<u32>; 5] = std::array::from_fn(|_| vec![u32::MAX; n]);
     let mut component = Vec::new();
     let mut queue = VecDeque::new();
     let mut offset = 0.0;
@@ -218,7 +233,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
         let reached = &mut Vec::new();
         let opposite = breadth_first(&ring, far, &mut distance[1], &mut queue, reached);
         breadth_first(&ring, opposite, &mut distance[2], &mut queue, reached);
-        let [_, from_a, from_b, from_c] = &mut distance;
+        let [_, from_a, from_b, from_c, from_d] = &mut distance;
         // A third landmark off the axis of the first two: far from both, equally far if possible.
         let side = component.iter().copied().max_by_key(|&v| {
             let (a, b) = (from_a[v as usize], from_b[v as usize]);
@@ -228,11 +243,12 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
                 std::cmp::Reverse(v),
             )
         });
-        breadth_first(&ring, side.unwrap_or(root), from_c, &mut queue, reached);
+        let across = breadth_first(&ring, side.unwrap_or(root), from_c, &mut queue, reached);
+        breadth_first(&ring, across, from_d, &mut queue, reached);
         let mut last = offset;
         for &v in &component {
-            let [a, b, c] = [&*from_a, &*from_b, &*from_c].map(|d| f64::from(d[v as usize]));
-            coords[v as usize] = [offset + 0.5 * (a - b), c, 0.25 * (a + b)];
+            let [a, b, c, d] = [&*from_a, &*from_b, &*from_c, &*from_d].map(|d| f64::from(d[v as usize]));
+            coords[v as usize] = [offset + 0.5 * (a - b), 0.5 * (c - d), 0.25 * (a + b)];
             last = f64::max(last, coords[v as usize][0]);
         }
         offset = last + 0.5 * f64::from(from_a[opposite as usize]) + 1.0;
