@@ -95,7 +95,7 @@ impl Work {
 
 /// Fronts with at most this many pivots are eliminated by the loops below: the calls of the blocked kernels
 /// would cost more than they gain.
-const SMALL: usize = 8;
+const SMALL: usize = 16;
 
 /// Eliminates the pivots of a front: the panel becomes that of the factor, the update matrix (lower triangle,
 /// `r x r`) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the

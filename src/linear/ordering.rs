@@ -11,6 +11,25 @@ use super::sparse::{Adjacency, SymmetricPattern};
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
 const LEAF: [usize; 2] = [20, 24];
 
+/// Below this number of rows minimum degree gives less fill than dissection, above it takes longer as well.
+const DISSECT: usize = 30_000;
+
+/// The recommended order for a matrix of this `pattern`, that of the `ring`-ring graph (1 or 2) of the 1-ring
+/// graph `graph`: `order[new] = old`. Without positions the order depends on the connectivity alone; several
+/// matrices on one mesh share [`landmark_coordinates`].
+pub fn fill_reducing(
+    pattern: &SymmetricPattern,
+    graph: &SymmetricPattern,
+    ring: usize,
+    coords: Option<&[[f64; 3]]>,
+) -> Vec<u32> {
+    match coords {
+        _ if pattern.order() < DISSECT => amd(pattern),
+        Some(coords) => nested_dissection(graph, ring, coords),
+        None => nested_dissection(graph, ring, &landmark_coordinates(graph)),
+    }
+}
+
 /// An approximate minimum degree order of a matrix, `order[new] = old`.
 pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
     let n = pattern.order();
@@ -40,18 +59,7 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
     let n = graph.order();
     debug_assert_eq!(coords.len(), n);
     let ring = ring.clamp(1, 2);
-    let mut split = Bisection {
-        graph: graph.adjacency(),
-        ring,
-        coords,
-        side: vec![0; n],
-        stamp: 0,
-        low: Vec::new(),
-        high: Vec::new(),
-        separator: Vec::new(),
-        best: Vec::new(),
-        key: Vec::new(),
-    };
+    let mut split = Bisection::new(graph, ring, coords);
     let mut order: Vec<u32> = (0..n as u32).collect();
     let mut parts = vec![0..n];
     while let Some(part) = parts.pop() {
@@ -105,13 +113,32 @@ struct Bisection<'a> {
     key: Vec<(f64, u32)>,
 }
 
-impl Bisection<'_> {
+impl<'a> Bisection<'a> {
+    fn new(graph: &SymmetricPattern, ring: usize, coords: &'a [[f64; 3]]) -> Self {
+        Self {
+            graph: graph.adjacency(),
+            ring,
+            coords,
+            side: vec![0; graph.order()],
+            stamp: 0,
+            low: Vec::new(),
+            high: Vec::new(),
+            separator: Vec::new(),
+            best: Vec::new(),
+            key: Vec::new(),
+        }
+    }
+
     /// Reorders a part to low side, high side, separator and returns the sizes of the sides. None if one of
     /// them would be empty.
     fn bisect(&mut self, part: &mut [u32]) -> Option<[usize; 2]> {
         let middle = part.len() / 2;
         let extent = self.extents(part);
-        let (tried, least) = if part.len() > TRY_ALL { (DIRECTIONS.len(), 0.6) } else { (3, 0.8) };
+        let (tried, least) = if part.len() > TRY_ALL {
+            (DIRECTIONS.len(), 0.6)
+        } else {
+            (3, 0.8)
+        };
         let longest = extent[..tried].iter().fold(0.0, |a: f64, &b| a.max(b));
         let mut chosen = None;
         for (d, direction) in DIRECTIONS.iter().enumerate().take(tried) {
@@ -170,7 +197,10 @@ impl Bisection<'_> {
     /// Partitions a part at its median along a direction, ties by the index.
     fn halve(&mut self, part: &mut [u32], direction: &[f64; 3]) {
         self.key.clear();
-        self.key.extend(part.iter().map(|&v| (along(direction, &self.coords[v as usize]), v)));
+        self.key.extend(
+            part.iter()
+                .map(|&v| (along(direction, &self.coords[v as usize]), v)),
+        );
         self.key
             .select_nth_unstable_by(part.len() / 2, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         for (v, key) in part.iter_mut().zip(&self.key) {
@@ -260,7 +290,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
 }
 
 /// The sweeps that turn the integer distances into positions without ties.
-const SMOOTHING: usize = 4;
+const SMOOTHING: usize = 10;
 
 fn smoothed(ring: &Adjacency, coords: &[[f64; 3]]) -> Vec<[f64; 3]> {
     (0..coords.len())
@@ -300,4 +330,74 @@ fn breadth_first(
         }
     }
     last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::sparse::tests::grid;
+    use crate::linear::symbolic::Symbolic;
+
+    fn is_permutation(order: &[u32], n: usize) -> bool {
+        let mut sorted = order.to_vec();
+        sorted.sort_unstable();
+        sorted.iter().copied().eq(0..n as u32)
+    }
+
+    #[test]
+    fn orders_are_permutations_whatever_the_positions() {
+        for side in [1, 2, 7, 40] {
+            let (graph, coords) = grid(side, true);
+            let (n, square) = (graph.order(), graph.square());
+            let flat: Vec<[f64; 3]> = coords.iter().map(|x| [1.0, x[1], 0.0]).collect();
+            let landmark = landmark_coordinates(&graph);
+            assert!(is_permutation(&amd(&graph), n) && is_permutation(&amd(&square), n));
+            for ring in [1, 2] {
+                for coords in [&coords, &flat, &vec![[0.5; 3]; n], &landmark] {
+                    assert!(is_permutation(&nested_dissection(&graph, ring, coords), n));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn dissection_separates_the_two_ring_graph() {
+        let (graph, coords) = grid(30, true);
+        let square = graph.square().adjacency();
+        let mut split = Bisection::new(&graph, 2, &coords);
+        let mut part: Vec<u32> = (0..900).collect();
+        let [low, high] = split.bisect(&mut part).unwrap();
+        let (a, rest) = part.split_at(low);
+        let b = &rest[..high];
+        assert!(a.iter().all(|&v| square.of(v).iter().all(|w| !b.contains(w))));
+        // Two rows of the grid, and a jagged line.
+        assert!(rest.len() - high < 4 * 30 && low.abs_diff(high) < 60);
+    }
+
+    #[test]
+    fn connectivity_alone_orders_as_well_as_positions() {
+        let (graph, coords) = grid(100, true);
+        let square = graph.square();
+        let flops = |order: Vec<u32>| Symbolic::new(&square, &order).flops();
+        let natural = flops((0..10_000).collect());
+        let by_coords = flops(nested_dissection(&graph, 2, &coords));
+        let by_graph = flops(nested_dissection(&graph, 2, &landmark_coordinates(&graph)));
+        let by_degree = flops(amd(&square));
+        assert!(by_graph < 1.3 * by_coords && by_graph < 1.5 * by_degree && by_graph < 0.05 * natural);
+    }
+
+    #[test]
+    fn components_do_not_overlap() {
+        let edges = [[0, 1], [1, 2], [3, 4], [5, 6], [6, 7]];
+        let x = landmark_coordinates(&SymmetricPattern::from_edges(9, &edges));
+        let side = |part: &[usize]| {
+            let low = part.iter().map(|&v| x[v][0]).fold(f64::INFINITY, f64::min);
+            (
+                low,
+                part.iter().map(|&v| x[v][0]).fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        let parts = [side(&[0, 1, 2]), side(&[3, 4]), side(&[5, 6, 7]), side(&[8])];
+        assert!(parts.windows(2).all(|w| w[0].1 < w[1].0), "{parts:?}");
+    }
 }
