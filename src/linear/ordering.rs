@@ -11,8 +11,9 @@ use super::sparse::{Adjacency, SymmetricPattern};
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
 const LEAF: [usize; 2] = [20, 24];
 
-/// Below this number of rows minimum degree gives less fill than dissection, above it takes longer as well.
-const DISSECT: usize = 30_000;
+/// Up to this number of rows minimum degree takes less time than dissection and gives no more fill, for the
+/// 1- and the 2-ring graph.
+const DISSECT: [usize; 2] = [200_000, 30_000];
 
 /// The recommended order for a matrix of this `pattern`, that of the `ring`-ring graph (1 or 2) of the 1-ring
 /// graph `graph`: `order[new] = old`. Without positions the order depends on the connectivity alone; several
@@ -24,7 +25,7 @@ pub fn fill_reducing(
     coords: Option<&[[f64; 3]]>,
 ) -> Vec<u32> {
     match coords {
-        _ if pattern.order() < DISSECT => amd(pattern),
+        _ if pattern.order() <= DISSECT[ring.clamp(1, 2) - 1] => amd(pattern),
         Some(coords) => nested_dissection(graph, ring, coords),
         None => nested_dissection(graph, ring, &landmark_coordinates(graph)),
     }
@@ -59,9 +60,34 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
     let n = graph.order();
     debug_assert_eq!(coords.len(), n);
     let ring = ring.clamp(1, 2);
-    let mut split = Bisection::new(graph, ring, coords);
+    let adjacency = graph.adjacency();
     let mut order: Vec<u32> = (0..n as u32).collect();
-    let mut parts = vec![0..n];
+    dissect(&adjacency, ring, coords, &mut order, PARALLEL_DEPTH);
+    order
+}
+
+/// The first levels of the bisection hand their halves to two threads.
+const PARALLEL_DEPTH: usize = 2;
+/// Smaller parts are not worth a second thread.
+const PARALLEL: usize = 10_000;
+
+/// Orders a part of the vertices; the recursion is at most `depth` deep.
+fn dissect(graph: &Adjacency, ring: usize, coords: &[[f64; 3]], order: &mut [u32], depth: usize) {
+    let mut split = Bisection::new(graph, ring, coords);
+    if depth > 0 && order.len() > PARALLEL {
+        if let Some([low, high]) = split.bisect(order) {
+            drop(split);
+            let (low, rest) = order.split_at_mut(low);
+            let high = &mut rest[..high];
+            rayon::join(
+                || dissect(graph, ring, coords, low, depth - 1),
+                || dissect(graph, ring, coords, high, depth - 1),
+            );
+        }
+        return;
+    }
+    let mut parts = Vec::new();
+    parts.push(0..order.len());
     while let Some(part) = parts.pop() {
         if part.len() <= LEAF[ring - 1] {
             continue;
@@ -72,7 +98,6 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
             parts.push(begin + low..begin + low + high);
         }
     }
-    order
 }
 
 /// The normals of the cutting planes: the axes, and the diagonals of their planes for large parts.
@@ -100,7 +125,7 @@ fn along(direction: &[f64; 3], x: &[f64; 3]) -> f64 {
 
 /// The state of the recursive bisection.
 struct Bisection<'a> {
-    graph: Adjacency,
+    graph: &'a Adjacency,
     ring: usize,
     coords: &'a [[f64; 3]],
     /// `stamp`: low side of the current part, `stamp + 1`: high side, `stamp + 2`: separator.
@@ -114,12 +139,12 @@ struct Bisection<'a> {
 }
 
 impl<'a> Bisection<'a> {
-    fn new(graph: &SymmetricPattern, ring: usize, coords: &'a [[f64; 3]]) -> Self {
+    fn new(graph: &'a Adjacency, ring: usize, coords: &'a [[f64; 3]]) -> Self {
         Self {
-            graph: graph.adjacency(),
+            graph,
             ring,
             coords,
-            side: vec![0; graph.order()],
+            side: vec![0; coords.len()],
             stamp: 0,
             low: Vec::new(),
             high: Vec::new(),
@@ -218,7 +243,7 @@ impl<'a> Bisection<'a> {
     /// The smallest of the separators at hand, for a part whose halves are its two ends.
     fn find_separator(&mut self, part: &[u32], middle: usize) {
         self.mark(part, middle);
-        let (side, graph, stamp) = (&self.side, &self.graph, self.stamp);
+        let (side, graph, stamp) = (&self.side, self.graph, self.stamp);
         let border = |half: &[u32], other: u32, out: &mut Vec<u32>| {
             out.clear();
             out.extend(
@@ -364,7 +389,8 @@ mod tests {
     fn dissection_separates_the_two_ring_graph() {
         let (graph, coords) = grid(30, true);
         let square = graph.square().adjacency();
-        let mut split = Bisection::new(&graph, 2, &coords);
+        let ring = graph.adjacency();
+        let mut split = Bisection::new(&ring, 2, &coords);
         let mut part: Vec<u32> = (0..900).collect();
         let [low, high] = split.bisect(&mut part).unwrap();
         let (a, rest) = part.split_at(low);

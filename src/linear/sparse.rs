@@ -259,8 +259,8 @@ pub(crate) mod tests {
                 dense[pattern.column[t] as usize][i] = values[t];
             }
         }
-        for i in 0..25 {
-            let expected: f64 = (0..25).map(|j| dense[i][j] * j as f64).sum();
+        for (i, row) in dense.iter().enumerate() {
+            let expected: f64 = row.iter().enumerate().map(|(j, a)| a * j as f64).sum();
             assert!((y[i][0] - 0.25).abs() < 1e-12 && (y[i][1] - expected).abs() < 1e-10);
         }
     }
