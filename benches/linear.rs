@@ -79,23 +79,6 @@ fn case(side: usize, ring: usize) -> &'static Case {
         let pattern = if ring == 2 { graph.square() } else { graph.clone() };
         let order = nested_dissection(&graph, ring, &landmark_coordinates(&graph));
         let symbolic = Arc::new(Symbolic::new(&pattern, &order));
-        if std::env::var_os("FAIRMESH_FILL").is_some() {
-            let other = Symbolic::new(&pattern, &amd(&pattern));
-            for (name, s) in [("dissection", &*symbolic), ("amd", &other)] {
-                println!(
-                    "n {} ring {ring} {name}: fill {:.1}/row, {:.3} Gflop, {} supernodes",
-                    side * side,
-                    s.fill() as f64 / (side * side) as f64,
-                    s.flops() * 1e-9,
-                    s.supernodes()
-                );
-                println!(
-                    "  f64 {:.0} bytes/row, structure {:.0} bytes/row",
-                    Cholesky::<f64>::new(Arc::new(s.clone())).planned_bytes() as f64 / (side * side) as f64,
-                    s.bytes() as f64 / (side * side) as f64
-                );
-            }
-        }
         Case {
             values: laplacian(&pattern),
             graph,
@@ -158,4 +141,21 @@ fn solve_1<T: Real, const RING: usize>(bencher: Bencher, side: usize) {
 #[divan::bench(args = SIDES, types = [f32, f64], consts = [1, 2])]
 fn solve_3<T: Real, const RING: usize>(bencher: Bencher, side: usize) {
     solve::<T, RING, 3>(bencher, side);
+}
+
+/// The same factorization by faer, with its own order and its choice of simplicial or supernodal.
+#[divan::bench(args = SIDES, consts = [1, 2])]
+fn faer_factor<const RING: usize>(bencher: Bencher, side: usize) {
+    use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+    use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+    faer::set_global_parallelism(faer::Par::Seq);
+    let case = case(side, RING);
+    let n = side * side;
+    let start: Vec<u32> = case.pattern.start.iter().map(|&s| s as u32).collect();
+    let upper = SymbolicSparseColMatRef::new_checked(n, n, &start, None, &case.pattern.column);
+    let matrix = SparseColMatRef::new(upper, &case.values);
+    let Ok(symbolic) = SymbolicLlt::try_new(upper, faer::Side::Upper) else {
+        return;
+    };
+    bencher.bench_local(|| Llt::try_new_with_symbolic(symbolic.clone(), matrix, faer::Side::Upper).is_ok());
 }

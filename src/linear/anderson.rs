@@ -166,8 +166,8 @@ impl Anderson {
             for j in 0..k {
                 let other: usize = used[j];
                 let mut sum = self.gram[s][other] / (length * self.gram[other][other].sqrt());
-                for i in 0..j {
-                    sum -= low[k][i] * low[j][i];
+                for (a, b) in low[k].iter().zip(&low[j]).take(j) {
+                    sum -= a * b;
                 }
                 low[k][j] = sum / low[j][j];
                 rest -= low[k][j] * low[k][j];

@@ -155,7 +155,7 @@ fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mu
             }
             for (v, &i) in v[p..].iter().zip(rows) {
                 let y = &mut y[i as usize][k];
-                *y = *y + *v;
+                *y += *v;
             }
         }
     }
@@ -271,13 +271,13 @@ fn assemble<T: Real>(
                 let target = &mut panel[to * m..(to + 1) * m];
                 for (&i, &a) in relative[j..].iter().zip(column) {
                     let target = &mut target[i as usize];
-                    *target = *target + a;
+                    *target += a;
                 }
             } else {
                 let target = &mut update[(to - p) * r..(to - p + 1) * r];
                 for (&i, &a) in relative[j..].iter().zip(column) {
                     let target = &mut target[i as usize - p];
-                    *target = *target + a;
+                    *target += a;
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Dense kernels on one front: a column-major panel `m x p` (pivot block on top) and its update matrix.
 
 use std::fmt::Debug;
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor as llt;
@@ -29,6 +29,9 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
 {
     /// Zero.
     const ZERO: Self;
@@ -95,7 +98,7 @@ impl Work {
 
 /// Fronts with at most this many pivots are eliminated by the loops below: the calls of the blocked kernels
 /// would cost more than they gain.
-const SMALL: usize = 8;
+const SMALL: usize = 16;
 
 /// Eliminates the pivots of a front: the panel becomes that of the factor, the update matrix (lower triangle,
 /// `r x r`) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the
@@ -169,13 +172,13 @@ fn eliminate_small<T: Real>(
         let inverse = one / root;
         column[k] = root;
         for a in &mut column[k + 1..] {
-            *a = *a * inverse;
+            *a *= inverse;
         }
         for (j, target) in right.chunks_exact_mut(m).enumerate() {
             let j = k + 1 + j;
             let factor = column[j];
             for (t, &a) in target[j..].iter_mut().zip(&column[j..]) {
-                *t = *t - a * factor;
+                *t -= a * factor;
             }
         }
     }
@@ -193,7 +196,7 @@ fn eliminate_small<T: Real>(
             let t = &mut update[j * r + j..(j + 1) * r];
             let [a, b, c, d] = four.map(|c| &c[j..j + t.len()]);
             for i in 0..t.len() {
-                t[i] = t[i] - (a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]));
+                t[i] -= a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]);
             }
         }
         k += 4;
@@ -203,7 +206,7 @@ fn eliminate_small<T: Real>(
         for j in 0..r {
             let f = column[j];
             for (t, &a) in update[j * r + j..(j + 1) * r].iter_mut().zip(&column[j..]) {
-                *t = *t - a * f;
+                *t -= a * f;
             }
         }
     }
@@ -221,7 +224,7 @@ pub(crate) fn forward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize, 
             for a in 0..4 {
                 let mut sum = v[j + a];
                 for b in 0..a {
-                    sum = sum - column[b][j + a] * f[b];
+                    sum -= column[b][j + a] * f[b];
                 }
                 f[a] = sum / column[a][j + a];
                 v[j + a] = f[a];
@@ -229,7 +232,7 @@ pub(crate) fn forward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize, 
             let v = &mut v[j + 4..];
             let [a, b, c, d] = column.map(|c| &c[j + 4..][..v.len()]);
             for i in 0..v.len() {
-                v[i] = v[i] - (a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]));
+                v[i] -= a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]);
             }
         }
         j += 4;
@@ -240,7 +243,7 @@ pub(crate) fn forward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize, 
             let f = v[j] / column[j];
             v[j] = f;
             for (v, &a) in v[j + 1..].iter_mut().zip(&column[j + 1..]) {
-                *v = *v - a * f;
+                *v -= a * f;
             }
         }
     }
@@ -264,7 +267,7 @@ pub(crate) fn backward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize,
             for a in (0..4).rev() {
                 let mut sum = v[j + a] - dot[a];
                 for b in a + 1..4 {
-                    sum = sum - column[a][j + b] * v[j + b];
+                    sum -= column[a][j + b] * v[j + b];
                 }
                 v[j + a] = sum / column[a][j + a];
             }
@@ -282,7 +285,7 @@ fn dots<T: Real, const C: usize>(column: [&[T]; C], v: &[T]) -> [T; C] {
     for (i, v) in v8.iter().enumerate() {
         for c in 0..C {
             for l in 0..LANES {
-                sum[c][l] = sum[c][l] + column8[c][i][l] * v[l];
+                sum[c][l] += column8[c][i][l] * v[l];
             }
         }
     }
@@ -290,7 +293,7 @@ fn dots<T: Real, const C: usize>(column: [&[T]; C], v: &[T]) -> [T; C] {
         let s = sum[c];
         let mut total = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
         for (i, &v) in tail.iter().enumerate() {
-            total = total + column[c][v8.len() * LANES + i] * v;
+            total += column[c][v8.len() * LANES + i] * v;
         }
         total
     })

@@ -9,7 +9,27 @@ use faer::sparse::linalg::amd as faer_amd;
 use super::sparse::{Adjacency, SymmetricPattern};
 
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
-const LEAF: [usize; 2] = [48, 32];
+const LEAF: [usize; 2] = [20, 24];
+
+/// Up to this number of rows minimum degree takes less time than dissection and gives no more fill, for the
+/// 1- and the 2-ring graph.
+const DISSECT: [usize; 2] = [200_000, 30_000];
+
+/// The recommended order for a matrix of this `pattern`, that of the `ring`-ring graph (1 or 2) of the 1-ring
+/// graph `graph`: `order[new] = old`. Without positions the order depends on the connectivity alone; several
+/// matrices on one mesh share [`landmark_coordinates`].
+pub fn fill_reducing(
+    pattern: &SymmetricPattern,
+    graph: &SymmetricPattern,
+    ring: usize,
+    coords: Option<&[[f64; 3]]>,
+) -> Vec<u32> {
+    match coords {
+        _ if pattern.order() <= DISSECT[ring.clamp(1, 2) - 1] => amd(pattern),
+        Some(coords) => nested_dissection(graph, ring, coords),
+        None => nested_dissection(graph, ring, &landmark_coordinates(graph)),
+    }
+}
 
 /// An approximate minimum degree order of a matrix, `order[new] = old`.
 pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
@@ -34,25 +54,40 @@ pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
 }
 
 /// An order by recursive bisection of the vertices of the 1-ring graph `graph`, `order[new] = old`, for a
-/// matrix on its `ring`-ring graph (1 or 2). The cuts are planes across the longest axes of `coords`, one
-/// position per vertex; bad positions cost fill but nothing else.
+/// matrix on its `ring`-ring graph (1 or 2). The cuts are planes across the longer directions of `coords`,
+/// one position per vertex; bad positions cost fill but nothing else.
 pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 3]]) -> Vec<u32> {
     let n = graph.order();
     debug_assert_eq!(coords.len(), n);
     let ring = ring.clamp(1, 2);
-    let mut split = Bisection {
-        graph: graph.adjacency(),
-        ring,
-        coords,
-        side: vec![0; n],
-        stamp: 0,
-        low: Vec::new(),
-        high: Vec::new(),
-        separator: Vec::new(),
-        best: Vec::new(),
-    };
+    let adjacency = graph.adjacency();
     let mut order: Vec<u32> = (0..n as u32).collect();
-    let mut parts = vec![0..n];
+    dissect(&adjacency, ring, coords, &mut order, PARALLEL_DEPTH);
+    order
+}
+
+/// The first levels of the bisection hand their halves to two threads.
+const PARALLEL_DEPTH: usize = 2;
+/// Smaller parts are not worth a second thread.
+const PARALLEL: usize = 10_000;
+
+/// Orders a part of the vertices; the recursion is at most `depth` deep.
+fn dissect(graph: &Adjacency, ring: usize, coords: &[[f64; 3]], order: &mut [u32], depth: usize) {
+    let mut split = Bisection::new(graph, ring, coords);
+    if depth > 0 && order.len() > PARALLEL {
+        if let Some([low, high]) = split.bisect(order) {
+            drop(split);
+            let (low, rest) = order.split_at_mut(low);
+            let high = &mut rest[..high];
+            rayon::join(
+                || dissect(graph, ring, coords, low, depth - 1),
+                || dissect(graph, ring, coords, high, depth - 1),
+            );
+        }
+        return;
+    }
+    let mut parts = Vec::new();
+    parts.push(0..order.len());
     while let Some(part) = parts.pop() {
         if part.len() <= LEAF[ring - 1] {
             continue;
@@ -63,12 +98,34 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
             parts.push(begin + low..begin + low + high);
         }
     }
-    order
+}
+
+/// The normals of the cutting planes: the axes, and the diagonals of their planes for large parts.
+const DIRECTIONS: [[f64; 3]; 9] = {
+    const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [D, D, 0.0],
+        [D, -D, 0.0],
+        [D, 0.0, D],
+        [D, 0.0, -D],
+        [0.0, D, D],
+        [0.0, D, -D],
+    ]
+};
+
+/// Parts with more vertices try all directions that are long enough.
+const TRY_ALL: usize = 1000;
+
+fn along(direction: &[f64; 3], x: &[f64; 3]) -> f64 {
+    direction[0] * x[0] + direction[1] * x[1] + direction[2] * x[2]
 }
 
 /// The state of the recursive bisection.
 struct Bisection<'a> {
-    graph: Adjacency,
+    graph: &'a Adjacency,
     ring: usize,
     coords: &'a [[f64; 3]],
     /// `stamp`: low side of the current part, `stamp + 1`: high side, `stamp + 2`: separator.
@@ -78,32 +135,55 @@ struct Bisection<'a> {
     high: Vec<u32>,
     separator: Vec<u32>,
     best: Vec<u32>,
+    key: Vec<(f64, u32)>,
 }
 
-impl Bisection<'_> {
+impl<'a> Bisection<'a> {
+    fn new(graph: &'a Adjacency, ring: usize, coords: &'a [[f64; 3]]) -> Self {
+        Self {
+            graph,
+            ring,
+            coords,
+            side: vec![0; coords.len()],
+            stamp: 0,
+            low: Vec::new(),
+            high: Vec::new(),
+            separator: Vec::new(),
+            best: Vec::new(),
+            key: Vec::new(),
+        }
+    }
+
     /// Reorders a part to low side, high side, separator and returns the sizes of the sides. None if one of
     /// them would be empty.
     fn bisect(&mut self, part: &mut [u32]) -> Option<[usize; 2]> {
         let middle = part.len() / 2;
-        let axes = self.axes(part);
-        self.best.clear();
-        let mut last = None;
-        for (k, &axis) in axes.iter().flatten().enumerate() {
-            self.halve(part, axis);
+        let extent = self.extents(part);
+        let (tried, least) = if part.len() > TRY_ALL {
+            (DIRECTIONS.len(), 0.6)
+        } else {
+            (3, 0.8)
+        };
+        let longest = extent[..tried].iter().fold(0.0, |a: f64, &b| a.max(b));
+        let mut chosen = None;
+        for (d, direction) in DIRECTIONS.iter().enumerate().take(tried) {
+            if extent[d] < least * longest {
+                continue;
+            }
+            self.halve(part, direction);
             self.find_separator(part, middle);
-            if k == 0 || self.separator.len() < self.best.len() {
+            if chosen.is_none() || self.separator.len() < self.best.len() {
                 std::mem::swap(&mut self.separator, &mut self.best);
-                last = Some(axis);
-            } else {
-                // Back to the better cut.
-                self.halve(part, last.unwrap_or(axis));
-                self.mark(part, middle);
+                chosen = Some(d);
             }
         }
+        let chosen = chosen?;
+        // Back to the best cut: the same vertices whatever their order.
+        self.halve(part, &DIRECTIONS[chosen]);
+        self.mark(part, middle);
         for &v in &self.best {
             self.side[v as usize] = self.stamp + 2;
         }
-        let mut sizes = [0; 2];
         self.low.clear();
         self.high.clear();
         for &v in &*part {
@@ -113,8 +193,7 @@ impl Bisection<'_> {
                 _ => {}
             }
         }
-        sizes[0] = self.low.len();
-        sizes[1] = self.high.len();
+        let sizes = [self.low.len(), self.high.len()];
         if sizes[0] == 0 || sizes[1] == 0 {
             return None;
         }
@@ -126,36 +205,32 @@ impl Bisection<'_> {
         Some(sizes)
     }
 
-    /// The one or two axes worth a try.
-    fn axes(&self, part: &[u32]) -> [Option<usize>; 2] {
-        let mut low = [f64::INFINITY; 3];
-        let mut high = [f64::NEG_INFINITY; 3];
+    /// The extent of a part along the directions.
+    fn extents(&self, part: &[u32]) -> [f64; DIRECTIONS.len()] {
+        let mut low = [f64::INFINITY; DIRECTIONS.len()];
+        let mut high = [f64::NEG_INFINITY; DIRECTIONS.len()];
         for &v in part {
-            for k in 0..3 {
-                let x = self.coords[v as usize][k];
+            for (k, direction) in DIRECTIONS.iter().enumerate() {
+                let x = along(direction, &self.coords[v as usize]);
                 low[k] = low[k].min(x);
                 high[k] = high[k].max(x);
             }
         }
-        let extent: [f64; 3] = std::array::from_fn(|k| high[k] - low[k]);
-        let mut axis = [0, 1, 2];
-        axis.sort_by(|&a, &b| extent[b].total_cmp(&extent[a]));
-        let second = extent[axis[1]] > 0.7 * extent[axis[0]];
-        [Some(axis[0]), second.then_some(axis[1])]
+        std::array::from_fn(|k| high[k] - low[k])
     }
 
-    /// Partitions a part at its median along an axis, ties by the other axes and the index.
-    fn halve(&self, part: &mut [u32], axis: usize) {
-        let middle = part.len() / 2;
-        let coords = self.coords;
-        part.select_nth_unstable_by(middle, |&a, &b| {
-            let (x, y) = (&coords[a as usize], &coords[b as usize]);
-            x[axis]
-                .total_cmp(&y[axis])
-                .then_with(|| x[(axis + 1) % 3].total_cmp(&y[(axis + 1) % 3]))
-                .then_with(|| x[(axis + 2) % 3].total_cmp(&y[(axis + 2) % 3]))
-                .then(a.cmp(&b))
-        });
+    /// Partitions a part at its median along a direction, ties by the index.
+    fn halve(&mut self, part: &mut [u32], direction: &[f64; 3]) {
+        self.key.clear();
+        self.key.extend(
+            part.iter()
+                .map(|&v| (along(direction, &self.coords[v as usize]), v)),
+        );
+        self.key
+            .select_nth_unstable_by(part.len() / 2, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        for (v, key) in part.iter_mut().zip(&self.key) {
+            *v = key.1;
+        }
     }
 
     fn mark(&mut self, part: &[u32], middle: usize) {
@@ -168,7 +243,7 @@ impl Bisection<'_> {
     /// The smallest of the separators at hand, for a part whose halves are its two ends.
     fn find_separator(&mut self, part: &[u32], middle: usize) {
         self.mark(part, middle);
-        let (side, graph, stamp) = (&self.side, &self.graph, self.stamp);
+        let (side, graph, stamp) = (&self.side, self.graph, self.stamp);
         let border = |half: &[u32], other: u32, out: &mut Vec<u32>| {
             out.clear();
             out.extend(
@@ -200,12 +275,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
     let n = graph.order();
     let ring = graph.adjacency();
     let mut coords = vec![[0.0; 3]; n];
-    let mut distance = [
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-        vec![u32::MAX; n],
-    ];
+    let mut distance: [Vec<u32>; 5] = std::array::from_fn(|_| vec![u32::MAX; n]);
     let mut component = Vec::new();
     let mut queue = VecDeque::new();
     let mut offset = 0.0;
@@ -218,7 +288,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
         let reached = &mut Vec::new();
         let opposite = breadth_first(&ring, far, &mut distance[1], &mut queue, reached);
         breadth_first(&ring, opposite, &mut distance[2], &mut queue, reached);
-        let [_, from_a, from_b, from_c] = &mut distance;
+        let [_, from_a, from_b, from_c, from_d] = &mut distance;
         // A third landmark off the axis of the first two: far from both, equally far if possible.
         let side = component.iter().copied().max_by_key(|&v| {
             let (a, b) = (from_a[v as usize], from_b[v as usize]);
@@ -228,11 +298,12 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
                 std::cmp::Reverse(v),
             )
         });
-        breadth_first(&ring, side.unwrap_or(root), from_c, &mut queue, reached);
+        let across = breadth_first(&ring, side.unwrap_or(root), from_c, &mut queue, reached);
+        breadth_first(&ring, across, from_d, &mut queue, reached);
         let mut last = offset;
         for &v in &component {
-            let [a, b, c] = [&*from_a, &*from_b, &*from_c].map(|d| f64::from(d[v as usize]));
-            coords[v as usize] = [offset + 0.5 * (a - b), c, 0.25 * (a + b)];
+            let [a, b, c, d] = [&*from_a, &*from_b, &*from_c, &*from_d].map(|d| f64::from(d[v as usize]));
+            coords[v as usize] = [offset + 0.5 * (a - b), 0.5 * (c - d), 0.25 * (a + b)];
             last = f64::max(last, coords[v as usize][0]);
         }
         offset = last + 0.5 * f64::from(from_a[opposite as usize]) + 1.0;
@@ -244,7 +315,7 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
 }
 
 /// The sweeps that turn the integer distances into positions without ties.
-const SMOOTHING: usize = 4;
+const SMOOTHING: usize = 10;
 
 fn smoothed(ring: &Adjacency, coords: &[[f64; 3]]) -> Vec<[f64; 3]> {
     (0..coords.len())
@@ -284,4 +355,75 @@ fn breadth_first(
         }
     }
     last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::sparse::tests::grid;
+    use crate::linear::symbolic::Symbolic;
+
+    fn is_permutation(order: &[u32], n: usize) -> bool {
+        let mut sorted = order.to_vec();
+        sorted.sort_unstable();
+        sorted.iter().copied().eq(0..n as u32)
+    }
+
+    #[test]
+    fn orders_are_permutations_whatever_the_positions() {
+        for side in [1, 2, 7, 40] {
+            let (graph, coords) = grid(side, true);
+            let (n, square) = (graph.order(), graph.square());
+            let flat: Vec<[f64; 3]> = coords.iter().map(|x| [1.0, x[1], 0.0]).collect();
+            let landmark = landmark_coordinates(&graph);
+            assert!(is_permutation(&amd(&graph), n) && is_permutation(&amd(&square), n));
+            for ring in [1, 2] {
+                for coords in [&coords, &flat, &vec![[0.5; 3]; n], &landmark] {
+                    assert!(is_permutation(&nested_dissection(&graph, ring, coords), n));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn dissection_separates_the_two_ring_graph() {
+        let (graph, coords) = grid(30, true);
+        let square = graph.square().adjacency();
+        let ring = graph.adjacency();
+        let mut split = Bisection::new(&ring, 2, &coords);
+        let mut part: Vec<u32> = (0..900).collect();
+        let [low, high] = split.bisect(&mut part).unwrap();
+        let (a, rest) = part.split_at(low);
+        let b = &rest[..high];
+        assert!(a.iter().all(|&v| square.of(v).iter().all(|w| !b.contains(w))));
+        // Two rows of the grid, and a jagged line.
+        assert!(rest.len() - high < 4 * 30 && low.abs_diff(high) < 60);
+    }
+
+    #[test]
+    fn connectivity_alone_orders_as_well_as_positions() {
+        let (graph, coords) = grid(100, true);
+        let square = graph.square();
+        let flops = |order: Vec<u32>| Symbolic::new(&square, &order).flops();
+        let natural = flops((0..10_000).collect());
+        let by_coords = flops(nested_dissection(&graph, 2, &coords));
+        let by_graph = flops(nested_dissection(&graph, 2, &landmark_coordinates(&graph)));
+        let by_degree = flops(amd(&square));
+        assert!(by_graph < 1.3 * by_coords && by_graph < 1.5 * by_degree && by_graph < 0.05 * natural);
+    }
+
+    #[test]
+    fn components_do_not_overlap() {
+        let edges = [[0, 1], [1, 2], [3, 4], [5, 6], [6, 7]];
+        let x = landmark_coordinates(&SymmetricPattern::from_edges(9, &edges));
+        let side = |part: &[usize]| {
+            let low = part.iter().map(|&v| x[v][0]).fold(f64::INFINITY, f64::min);
+            (
+                low,
+                part.iter().map(|&v| x[v][0]).fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        let parts = [side(&[0, 1, 2]), side(&[3, 4]), side(&[5, 6, 7]), side(&[8])];
+        assert!(parts.windows(2).all(|w| w[0].1 < w[1].0), "{parts:?}");
+    }
 }

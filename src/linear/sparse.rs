@@ -253,14 +253,13 @@ pub(crate) mod tests {
         let mut y = vec![[f64::NAN; 2]; 25];
         pattern.multiply(&values, &x, &mut y);
         let mut dense = [[0.0; 25]; 25];
-        for i in 0..25 {
-            for t in pattern.start[i]..pattern.start[i + 1] {
-                dense[i][pattern.column[t] as usize] = values[t];
-                dense[pattern.column[t] as usize][i] = values[t];
-            }
+        let rows = (0..25).flat_map(|i| pattern.row(i).iter().map(move |&j| (i, j as usize)));
+        for ((i, j), &a) in rows.zip(&values) {
+            dense[i][j] = a;
+            dense[j][i] = a;
         }
-        for i in 0..25 {
-            let expected: f64 = (0..25).map(|j| dense[i][j] * j as f64).sum();
+        for (i, row) in dense.iter().enumerate() {
+            let expected: f64 = row.iter().enumerate().map(|(j, a)| a * j as f64).sum();
             assert!((y[i][0] - 0.25).abs() < 1e-12 && (y[i][1] - expected).abs() < 1e-10);
         }
     }

@@ -214,9 +214,9 @@ impl Symbolic {
             let columns = self.columns(parent[s] as usize);
             let above = self.rows(parent[s] as usize);
             let mut k = 0;
-            for t in self.row_start[s]..self.row_start[s + 1] {
-                let i = self.rows[t];
-                relative[t] = if (i as usize) < columns.end {
+            let range = self.row_start[s]..self.row_start[s + 1];
+            for (to, &i) in relative[range].iter_mut().zip(self.rows(s)) {
+                *to = if (i as usize) < columns.end {
                     i - columns.start as u32
                 } else {
                     while above[k] != i {
