@@ -65,7 +65,7 @@ pub fn iterate(
     let mut best = Best { x: x.clone(), d: f64::INFINITY, first: f64::INFINITY };
     let mut anderson = Anderson::new(3 * system.free(), WINDOW);
     for round in 0..ROUNDS {
-        let fresh = !(plan.reuse && round == 0);
+        let fresh = !(plan.reuse && round == 0) || std::env::var("FRESH").is_ok();
         best.d = f64::INFINITY;
         match run(system, x, &plan, fresh, &mut anderson, &mut best, control) {
             Ok(End::Converged) => return (End::Converged, best.d),
@@ -107,6 +107,7 @@ fn run(
     loop {
         let d = system.step(&mut step, true).total();
         control.iteration(d, plan.stage);
+        if std::env::var("DBG").is_ok() { eprintln!("   normal {:.2e} tangential {:.2e}", system.last.normal, system.last.tangential); }
         if !d.is_finite() {
             return Ok(End::Stalled);
         }

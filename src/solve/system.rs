@@ -10,7 +10,7 @@ use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
-use crate::linear::ordering::nested_dissection as fill_reducing;
+use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 use crate::mesh::{Region, Rings};
@@ -48,6 +48,7 @@ pub struct System<'a> {
     p_values: Vec<f64>,
     normal_step: Vec<[f64; 1]>,
     tangential_step: Vec<[f64; 3]>,
+    pub last: StepNorm,
 }
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
@@ -85,13 +86,13 @@ impl<'a> System<'a> {
         let coordinates = crate::linear::ordering::landmark_coordinates(&g_pattern);
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
-                let order = fill_reducing(&g_pattern, 1, &coordinates);
+                let order = fill_reducing(&g_pattern, &g_pattern, 1, Some(&coordinates));
                 let values = laplacian(&g_pattern, rings, groups, &weights);
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
                 let pattern = rings.two_ring_pattern();
-                let order = fill_reducing(&g_pattern, 2, &coordinates);
+                let order = fill_reducing(&pattern, &g_pattern, 2, Some(&coordinates));
                 let symbolic = Arc::new(Symbolic::new(&pattern, &order));
                 (pattern, symbolic)
             },
@@ -120,6 +121,7 @@ impl<'a> System<'a> {
             p_symbolic,
             normal_step: vec![[0.0]; free],
             tangential_step: vec![[0.0; 3]; free],
+            last: StepNorm { normal: 0.0, tangential: 0.0 },
         }
     }
 
@@ -222,17 +224,23 @@ impl<'a> System<'a> {
                 g.solve(d);
             },
         );
+        let thr: f64 = std::env::var("PROJ").ok().map_or(0.0, |v| v.parse().unwrap());
+        let size = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
+        let project = size(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()) < thr;
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
+            let d = Vector3::from(self.tangential_step[i]);
+            let off = if project { d.dot(n) } else { 0.0 };
             for c in 0..3 {
-                s[c] = self.normal_step[i][0] * n[c] + self.tangential_step[i][c];
+                s[c] = (self.normal_step[i][0] - off) * n[c] + d[c];
             }
         }
         let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
-        StepNorm {
+        self.last = StepNorm {
             normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
             tangential: rms(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()),
-        }
+        };
+        self.last
     }
 
     /// The normal part of the last step.
