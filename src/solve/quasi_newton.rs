@@ -7,7 +7,7 @@ use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
 use crate::linear::anderson::Anderson;
 
 /// Steps that Anderson acceleration looks back on.
-const WINDOW: usize = 5;
+const WINDOW: usize = 8;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
 const STALL: f64 = 0.7;
 /// See [`STALL`].
