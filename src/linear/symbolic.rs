@@ -45,6 +45,8 @@ pub struct Symbolic {
     /// Parallel to `entry_value`: the offset in the panel.
     pub(crate) entry_target: Vec<u32>,
     pub(crate) tasks: Vec<Task>,
+    /// The most rows of a front.
+    pub(crate) largest: usize,
     flops: f64,
     fill: usize,
 }
@@ -103,6 +105,7 @@ impl Symbolic {
             entry_value: Vec::new(),
             entry_target: Vec::new(),
             tasks: Vec::new(),
+            largest: 0,
             flops: 0.0,
             fill: 0,
         };
@@ -203,6 +206,7 @@ impl Symbolic {
             self.row_start.push(self.rows.len());
             let (p, r) = (columns.len(), self.rows.len() - begin);
             self.panel_start.push(self.panel_start[s] + p * (p + r));
+            self.largest = self.largest.max(p + r);
             self.fill += p * (p + 1) / 2 + p * r;
             self.flops += front_flops(p, r);
         }
