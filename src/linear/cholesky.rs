@@ -91,9 +91,9 @@ impl<T: Real> Cholesky<T> {
     pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         let symbolic = &*self.symbolic;
         assert_eq!(values.len(), symbolic.input, "one value per entry of the pattern");
-        self.panels.resize(symbolic.panel_size() + front::LANES, T::ZERO);
+        allocate(&mut self.panels, symbolic.panel_size() + front::LANES);
         for (stack, size) in self.updates.iter_mut().zip(symbolic.update_size) {
-            stack.resize(size, T::ZERO);
+            allocate(stack, size);
         }
         let Some(root) = symbolic.tasks.len().checked_sub(1) else {
             return Ok(());
@@ -131,6 +131,15 @@ impl<T: Real> Cholesky<T> {
         for (y, &old) in y.iter().zip(&symbolic.order) {
             x[old as usize] = y.map(T::to_f64);
         }
+    }
+}
+
+/// Gives a vector its length, if it does not have it: with fresh zeros, so that the memory is first touched
+/// where it is used.
+fn allocate<T: Real>(memory: &mut Vec<T>, size: usize) {
+    if memory.len() != size {
+        *memory = Vec::new();
+        *memory = vec![T::ZERO; size];
     }
 }
 
