@@ -250,7 +250,7 @@ fn run<T: Real>(
         };
         let r = symbolic.rows(s).len();
         let start = symbolic.update_start[s] - own_base;
-        let update = &mut own[start..start + r * r];
+        let update = &mut own[start..start + r * r.next_multiple_of(front::LANES)];
         assemble(symbolic, values, s, panel, update, below, below_base);
         let p = symbolic.columns(s).len();
         let fresh = symbolic.children(s).is_empty();
@@ -284,18 +284,19 @@ fn assemble<T: Real>(
         return;
     }
     let (p, r) = (symbolic.columns(s).len(), symbolic.rows(s).len());
-    let m = p + r;
+    let (m, tall) = (p + r, r.next_multiple_of(front::LANES));
     for j in 0..r {
-        update[j * r + j..(j + 1) * r].fill(T::ZERO);
+        update[j * tall + j..j * tall + r].fill(T::ZERO);
     }
     for &c in children {
         let rows = symbolic.row_start[c as usize]..symbolic.row_start[c as usize + 1];
         let relative = &symbolic.relative[rows];
         let size = relative.len();
         let start = symbolic.update_start[c as usize] - below_base;
-        let source = &below[start..start + size * size];
+        let height = size.next_multiple_of(front::LANES);
+        let source = &below[start..start + size * height];
         for (j, &to) in relative.iter().enumerate() {
-            let column = &source[j * size + j..(j + 1) * size];
+            let column = &source[j * height + j..j * height + size];
             let to = to as usize;
             if to < p {
                 let target = &mut panel[to * m..(to + 1) * m];
@@ -304,7 +305,7 @@ fn assemble<T: Real>(
                     *target += a;
                 }
             } else {
-                let target = &mut update[(to - p) * r..(to - p + 1) * r];
+                let target = &mut update[(to - p) * tall..(to - p) * tall + r];
                 for (&i, &a) in relative[j..].iter().zip(column) {
                     let target = &mut target[i as usize - p];
                     *target += a;

@@ -79,14 +79,14 @@ pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
 }
 
 /// Scratch memory of the dense kernels.
-#[derive(Default)]
-pub(crate) struct Work {
+pub(crate) struct Work<T> {
     buffer: Option<MemBuffer>,
     rows: usize,
+    low: Vec<[T; LANES]>,
 }
 
-impl Work {
-    fn stack<T: Real>(&mut self, p: usize) -> &mut MemStack {
+impl<T: Real> Work<T> {
+    fn stack(&mut self, p: usize) -> &mut MemStack {
         if self.buffer.is_none() || self.rows < p {
             self.rows = p.max(256);
             let need = llt::cholesky_in_place_scratch::<T>(self.rows, Par::Seq, Default::default());
@@ -96,12 +96,22 @@ impl Work {
     }
 }
 
+impl<T> Default for Work<T> {
+    fn default() -> Self {
+        Self {
+            buffer: None,
+            rows: 0,
+            low: Vec::new(),
+        }
+    }
+}
+
 /// Fronts with at most this many pivots are eliminated by the loops below: the calls of the blocked kernels
 /// would cost more than they gain.
 const SMALL: usize = 16;
 
 /// Eliminates the pivots of a front: the panel becomes that of the factor, with inverted diagonal, the update matrix (lower triangle,
-/// `r x r`) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the
+/// `r x r`, columns padded to whole groups of rows) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the
 /// number of the pivot that is not positive.
 pub(crate) fn eliminate<T: Real>(
     panel: &mut [T],
@@ -109,12 +119,12 @@ pub(crate) fn eliminate<T: Real>(
     p: usize,
     update: &mut [T],
     fresh: bool,
-    work: &mut Work,
+    work: &mut Work<T>,
 ) -> Result<(), usize> {
     if p <= SMALL {
         return vectorized(
             #[inline(always)]
-            || eliminate_small(panel, m, p, update, fresh),
+            || eliminate_small(panel, m, p, update, fresh, &mut work.low),
         );
     }
     let r = m - p;
@@ -124,7 +134,7 @@ pub(crate) fn eliminate<T: Real>(
         pivot.rb_mut(),
         Default::default(),
         Par::Seq,
-        work.stack::<T>(p),
+        work.stack(p),
         Default::default(),
     ) {
         return Err(index);
@@ -145,7 +155,7 @@ pub(crate) fn eliminate<T: Real>(
     }
     let low = low.rb();
     triangular::matmul(
-        MatMut::from_column_major_slice_mut(update, r, r),
+        MatMut::from_column_major_slice_with_stride_mut(update, r, r, r.next_multiple_of(LANES)),
         BlockStructure::TriangularLower,
         if fresh { Accum::Replace } else { Accum::Add },
         low,
@@ -165,6 +175,7 @@ fn eliminate_small<T: Real>(
     p: usize,
     update: &mut [T],
     fresh: bool,
+    low: &mut Vec<[T; LANES]>,
 ) -> Result<(), usize> {
     let one = T::from_f64(1.0);
     for k in 0..p {
@@ -188,34 +199,55 @@ fn eliminate_small<T: Real>(
         }
     }
     let r = m - p;
-    if fresh {
-        for j in 0..r {
-            update[j * r + j..(j + 1) * r].fill(T::ZERO);
-        }
+    let groups = r.div_ceil(LANES);
+    low.clear();
+    low.resize(p * groups, [T::ZERO; LANES]);
+    for (k, low) in low.chunks_exact_mut(groups.max(1)).enumerate() {
+        low.as_flattened_mut()[..r].copy_from_slice(&panel[k * m + p..(k + 1) * m]);
     }
-    let mut k = 0;
-    while k + 4 <= p {
-        let four: [&[T]; 4] = std::array::from_fn(|l| &panel[(k + l) * m + p..(k + l + 1) * m]);
-        for j in 0..r {
-            let f = four.map(|c| c[j]);
-            let t = &mut update[j * r + j..(j + 1) * r];
-            let [a, b, c, d] = four.map(|c| &c[j..j + t.len()]);
-            for i in 0..t.len() {
-                t[i] -= a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]);
-            }
+    let (update, _) = update.as_chunks_mut::<LANES>();
+    for (j, target) in update.chunks_exact_mut(groups.max(1)).enumerate() {
+        // From the group of the diagonal on.
+        let skip = j / LANES;
+        let target = &mut target[skip..];
+        if fresh {
+            target.fill([T::ZERO; LANES]);
         }
-        k += 4;
-    }
-    for k in k..p {
-        let column = &panel[k * m + p..(k + 1) * m];
-        for j in 0..r {
-            let f = column[j];
-            for (t, &a) in update[j * r + j..(j + 1) * r].iter_mut().zip(&column[j..]) {
-                *t -= a * f;
-            }
+        let mut k = 0;
+        while k + 4 <= p {
+            diminish::<T, 4>(target, low, groups, k, j);
+            k += 4;
+        }
+        match p - k {
+            3 => diminish::<T, 3>(target, low, groups, k, j),
+            2 => diminish::<T, 2>(target, low, groups, k, j),
+            1 => diminish::<T, 1>(target, low, groups, k, j),
+            _ => {}
         }
     }
     Ok(())
+}
+
+/// Takes the columns `k..k + C` of `L21 L21^T` from the end of column `j` of an update matrix.
+#[inline(always)]
+fn diminish<T: Real, const C: usize>(
+    target: &mut [[T; LANES]],
+    low: &[[T; LANES]],
+    groups: usize,
+    k: usize,
+    j: usize,
+) {
+    let skip = groups - target.len();
+    let column: [&[[T; LANES]]; C] =
+        std::array::from_fn(|l| &low[(k + l) * groups + skip..(k + l + 1) * groups][..target.len()]);
+    let f: [T; C] = std::array::from_fn(|l| column[l][0][j % LANES]);
+    for (i, t) in target.iter_mut().enumerate() {
+        let mut sum = scaled(column[0][i], f[0]);
+        for l in 1..C {
+            sum = plus(sum, scaled(column[l][i], f[l]));
+        }
+        *t = minus(*t, sum);
+    }
 }
 
 /// Rows are worked on in groups of this number. The last group of a column runs over into what follows it.

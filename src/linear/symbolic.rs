@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::front::LANES;
 use super::sparse::SymmetricPattern;
 
 pub(crate) const NONE: u32 = u32::MAX;
@@ -17,7 +18,8 @@ const SPLIT_FLOPS: f64 = 2e6;
 /// assembly tree in postorder, where every entry of the matrix goes, and the split of the work into tasks.
 ///
 /// A supernode `s` with `p` columns and `r` rows below them is stored as a column-major panel of
-/// `(p + r) x p` numbers. Its update matrix `r x r` is handed to the parent.
+/// `(p + r) x p` numbers. Its update matrix `r x r`, its columns padded to whole groups of `LANES` rows, is handed
+/// to the parent.
 #[derive(Debug, Clone)]
 pub struct Symbolic {
     pub(crate) n: usize,
@@ -337,7 +339,7 @@ impl Symbolic {
             let own = usize::from(self.stack[s]);
             let r = self.row_start[s + 1] - self.row_start[s];
             self.update_start[s] = free[own];
-            free[own] += r * r;
+            free[own] += r * r.next_multiple_of(LANES);
             peak[own] = peak[own].max(free[own]);
             if let Some(&c) = self.children(s).first() {
                 let c = c as usize;
