@@ -145,14 +145,15 @@ impl Dissection<'_> {
     /// Orders a part of the vertices; the recursion is at most `depth` deep.
     fn order(self, order: &mut [u32], depth: usize) {
         let mut split = Bisection::new(self.graph, self.ring, self.coords);
-        if depth > 0 && order.len() > PARALLEL.max(self.leaf) {
-            if let Some([low, high]) = split.bisect(order) {
-                drop(split);
-                let (low, rest) = order.split_at_mut(low);
-                let high = &mut rest[..high];
-                rayon::join(|| self.order(low, depth - 1), || self.order(high, depth - 1));
-                return;
-            }
+        if depth > 0
+            && order.len() > PARALLEL.max(self.leaf)
+            && let Some([low, high]) = split.bisect(order)
+        {
+            drop(split);
+            let (low, rest) = order.split_at_mut(low);
+            let high = &mut rest[..high];
+            rayon::join(|| self.order(low, depth - 1), || self.order(high, depth - 1));
+            return;
         }
         let mut local = vec![
             u32::MAX;
@@ -162,7 +163,8 @@ impl Dissection<'_> {
                 0
             }
         ];
-        let mut parts = vec![0..order.len()];
+        let mut parts = Vec::new();
+        parts.push(0..order.len());
         while let Some(part) = parts.pop() {
             let begin = part.start;
             let halves = if part.len() > self.leaf {
