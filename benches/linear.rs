@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use divan::Bencher;
 use fairmesh::linear::Real;
 use fairmesh::linear::cholesky::{Cholesky, SolveWork};
-use fairmesh::linear::ordering::{amd, landmark_coordinates, nested_dissection};
+use fairmesh::linear::ordering::{amd, fill_reducing, landmark_coordinates, nested_dissection};
 use fairmesh::linear::sparse::SymmetricPattern;
 use fairmesh::linear::symbolic::Symbolic;
 
@@ -77,7 +77,7 @@ fn case(side: usize, ring: usize) -> &'static Case {
     CASES[at].get_or_init(|| {
         let graph = grid(side);
         let pattern = if ring == 2 { graph.square() } else { graph.clone() };
-        let order = nested_dissection(&graph, ring, &landmark_coordinates(&graph));
+        let order = fill_reducing(&pattern, &graph, ring, None);
         let symbolic = Arc::new(Symbolic::new(&pattern, &order));
         Case {
             values: laplacian(&pattern),

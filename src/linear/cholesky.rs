@@ -72,7 +72,7 @@ impl<T: Real> Cholesky<T> {
     /// What [`Cholesky::bytes`] will be after the first factorization.
     pub fn planned_bytes(&self) -> usize {
         let updates: usize = self.symbolic.update_size.iter().sum();
-        size_of::<T>() * (self.symbolic.panel_size() + updates)
+        size_of::<T>() * (self.symbolic.panel_size() + front::LANES + updates)
     }
 
     /// Gives back the memory that only a factorization needs; the next one allocates it again.
@@ -91,9 +91,9 @@ impl<T: Real> Cholesky<T> {
     pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         let symbolic = &*self.symbolic;
         assert_eq!(values.len(), symbolic.input, "one value per entry of the pattern");
-        self.panels.resize(symbolic.panel_size(), T::ZERO);
+        allocate(&mut self.panels, symbolic.panel_size() + front::LANES);
         for (stack, size) in self.updates.iter_mut().zip(symbolic.update_size) {
-            stack.resize(size, T::ZERO);
+            allocate(stack, size);
         }
         let Some(root) = symbolic.tasks.len().checked_sub(1) else {
             return Ok(());
@@ -113,13 +113,13 @@ impl<T: Real> Cholesky<T> {
         let symbolic = &*self.symbolic;
         let n = symbolic.n;
         assert_eq!(x.len(), n, "one right-hand side value per row");
-        assert_eq!(self.panels.len(), symbolic.panel_size(), "factor before solving");
+        assert_eq!(
+            self.panels.len(),
+            symbolic.panel_size() + front::LANES,
+            "factor before solving"
+        );
         work.permuted.resize(n * K, T::ZERO);
-        let largest = (0..symbolic.supernodes())
-            .map(|s| symbolic.columns(s).len() + symbolic.rows(s).len())
-            .max()
-            .unwrap_or(0);
-        work.local.resize(largest * K, T::ZERO);
+        work.local.resize((symbolic.largest + front::LANES) * K, T::ZERO);
         let (y, _) = work.permuted.as_chunks_mut::<K>();
         for (y, &old) in y.iter_mut().zip(&symbolic.order) {
             *y = x[old as usize].map(T::from_f64);
@@ -134,51 +134,81 @@ impl<T: Real> Cholesky<T> {
     }
 }
 
+/// Gives a vector its length, if it does not have it: with fresh zeros, so that the memory is first touched
+/// where it is used.
+fn allocate<T: Real>(memory: &mut Vec<T>, size: usize) {
+    if memory.len() != size {
+        *memory = Vec::new();
+        *memory = vec![T::ZERO; size];
+    }
+}
+
 /// Forward and backward substitution in the new numbering.
 #[inline(always)]
 fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mut [[T; K]], local: &mut [T]) {
     for s in 0..symbolic.supernodes() {
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1]];
-        let local = &mut local[..K * m];
-        for (k, v) in local.chunks_exact_mut(m).enumerate() {
-            for (v, y) in v.iter_mut().zip(&y[columns.clone()]) {
-                *v = y[k];
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + front::LANES];
+        let stride = m + front::LANES;
+        let local = &mut local[..K * stride];
+        let mut vectors = split::<T, K>(local, stride, m);
+        for (k, y) in y[columns.clone()].iter().enumerate() {
+            for c in 0..K {
+                vectors[c][k] = y[c];
             }
+        }
+        for v in &mut vectors {
             v[p..].fill(T::ZERO);
         }
-        front::forward::<T, K>(panel, m, p, local);
-        for (k, v) in local.chunks_exact(m).enumerate() {
-            for (v, y) in v.iter().zip(&mut y[columns.clone()]) {
-                y[k] = *v;
-            }
-            for (v, &i) in v[p..].iter().zip(rows) {
-                let y = &mut y[i as usize][k];
-                *y += *v;
+        front::forward::<T, K>(panel, m, p, local, stride);
+        let vectors = split::<T, K>(local, stride, m);
+        for (k, y) in y[columns].iter_mut().enumerate() {
+            *y = std::array::from_fn(|c| vectors[c][k]);
+        }
+        let below = vectors.map(|v| &v[p..][..rows.len()]);
+        for (k, &i) in rows.iter().enumerate() {
+            let y = &mut y[i as usize];
+            for c in 0..K {
+                y[c] += below[c][k];
             }
         }
     }
     for s in (0..symbolic.supernodes()).rev() {
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1]];
-        let local = &mut local[..K * m];
-        for (k, v) in local.chunks_exact_mut(m).enumerate() {
-            for (v, y) in v.iter_mut().zip(&y[columns.clone()]) {
-                *v = y[k];
-            }
-            for (v, &i) in v[p..].iter_mut().zip(rows) {
-                *v = y[i as usize][k];
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + front::LANES];
+        let stride = m + front::LANES;
+        let local = &mut local[..K * stride];
+        let mut vectors = split::<T, K>(local, stride, stride);
+        for (k, y) in y[columns.clone()].iter().enumerate() {
+            for c in 0..K {
+                vectors[c][k] = y[c];
             }
         }
-        front::backward::<T, K>(panel, m, p, local);
-        for (k, v) in local.chunks_exact(m).enumerate() {
-            for (v, y) in v.iter().zip(&mut y[columns.clone()]) {
-                y[k] = *v;
+        for v in &mut vectors {
+            v[m..].fill(T::ZERO);
+        }
+        let below = vectors.map(|v| &mut v[p..][..rows.len()]);
+        for (k, &i) in rows.iter().enumerate() {
+            let y = y[i as usize];
+            for c in 0..K {
+                below[c][k] = y[c];
             }
+        }
+        front::backward::<T, K>(panel, m, p, local, stride);
+        let vectors = split::<T, K>(local, stride, p);
+        for (k, y) in y[columns].iter_mut().enumerate() {
+            *y = std::array::from_fn(|c| vectors[c][k]);
         }
     }
+}
+
+/// The first `length` elements of `K` vectors that are `stride` apart.
+#[inline(always)]
+fn split<T, const K: usize>(local: &mut [T], stride: usize, length: usize) -> [&mut [T]; K] {
+    let mut rest = local.chunks_exact_mut(stride);
+    std::array::from_fn(|_| &mut rest.next().unwrap_or_default()[..length])
 }
 
 /// Factors the supernodes of a task. `panels` and `updates` are the task's own parts of the memory. The
@@ -220,7 +250,7 @@ fn run<T: Real>(
         };
         let r = symbolic.rows(s).len();
         let start = symbolic.update_start[s] - own_base;
-        let update = &mut own[start..start + r * r];
+        let update = &mut own[start..start + r * r.next_multiple_of(front::LANES)];
         assemble(symbolic, values, s, panel, update, below, below_base);
         let p = symbolic.columns(s).len();
         let fresh = symbolic.children(s).is_empty();
@@ -254,18 +284,19 @@ fn assemble<T: Real>(
         return;
     }
     let (p, r) = (symbolic.columns(s).len(), symbolic.rows(s).len());
-    let m = p + r;
+    let (m, tall) = (p + r, r.next_multiple_of(front::LANES));
     for j in 0..r {
-        update[j * r + j..(j + 1) * r].fill(T::ZERO);
+        update[j * tall + j..j * tall + r].fill(T::ZERO);
     }
     for &c in children {
         let rows = symbolic.row_start[c as usize]..symbolic.row_start[c as usize + 1];
         let relative = &symbolic.relative[rows];
         let size = relative.len();
         let start = symbolic.update_start[c as usize] - below_base;
-        let source = &below[start..start + size * size];
+        let height = size.next_multiple_of(front::LANES);
+        let source = &below[start..start + size * height];
         for (j, &to) in relative.iter().enumerate() {
-            let column = &source[j * size + j..(j + 1) * size];
+            let column = &source[j * height + j..j * height + size];
             let to = to as usize;
             if to < p {
                 let target = &mut panel[to * m..(to + 1) * m];
@@ -274,7 +305,7 @@ fn assemble<T: Real>(
                     *target += a;
                 }
             } else {
-                let target = &mut update[(to - p) * r..(to - p + 1) * r];
+                let target = &mut update[(to - p) * tall..(to - p) * tall + r];
                 for (&i, &a) in relative[j..].iter().zip(column) {
                     let target = &mut target[i as usize - p];
                     *target += a;

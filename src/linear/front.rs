@@ -79,14 +79,14 @@ pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
 }
 
 /// Scratch memory of the dense kernels.
-#[derive(Default)]
-pub(crate) struct Work {
+pub(crate) struct Work<T> {
     buffer: Option<MemBuffer>,
     rows: usize,
+    low: Vec<[T; LANES]>,
 }
 
-impl Work {
-    fn stack<T: Real>(&mut self, p: usize) -> &mut MemStack {
+impl<T: Real> Work<T> {
+    fn stack(&mut self, p: usize) -> &mut MemStack {
         if self.buffer.is_none() || self.rows < p {
             self.rows = p.max(256);
             let need = llt::cholesky_in_place_scratch::<T>(self.rows, Par::Seq, Default::default());
@@ -96,12 +96,22 @@ impl Work {
     }
 }
 
+impl<T> Default for Work<T> {
+    fn default() -> Self {
+        Self {
+            buffer: None,
+            rows: 0,
+            low: Vec::new(),
+        }
+    }
+}
+
 /// Fronts with at most this many pivots are eliminated by the loops below: the calls of the blocked kernels
 /// would cost more than they gain.
 const SMALL: usize = 16;
 
-/// Eliminates the pivots of a front: the panel becomes that of the factor, the update matrix (lower triangle,
-/// `r x r`) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the
+/// Eliminates the pivots of a front: the panel becomes that of the factor, with inverted diagonal, the update matrix (lower triangle,
+/// `r x r`, columns padded to whole groups of rows) is diminished by `L21 L21^T`, or overwritten with its negative if `fresh`. The error is the
 /// number of the pivot that is not positive.
 pub(crate) fn eliminate<T: Real>(
     panel: &mut [T],
@@ -109,12 +119,12 @@ pub(crate) fn eliminate<T: Real>(
     p: usize,
     update: &mut [T],
     fresh: bool,
-    work: &mut Work,
+    work: &mut Work<T>,
 ) -> Result<(), usize> {
     if p <= SMALL {
         return vectorized(
             #[inline(always)]
-            || eliminate_small(panel, m, p, update, fresh),
+            || eliminate_small(panel, m, p, update, fresh, &mut work.low),
         );
     }
     let r = m - p;
@@ -124,7 +134,7 @@ pub(crate) fn eliminate<T: Real>(
         pivot.rb_mut(),
         Default::default(),
         Par::Seq,
-        work.stack::<T>(p),
+        work.stack(p),
         Default::default(),
     ) {
         return Err(index);
@@ -134,13 +144,18 @@ pub(crate) fn eliminate<T: Real>(
             return Err(k);
         }
     }
+    if r > 0 {
+        solve_lower_triangular_in_place(pivot.rb(), low.rb_mut().transpose_mut(), Par::Seq);
+    }
+    for k in 0..p {
+        pivot[(k, k)] = T::from_f64(1.0) / pivot[(k, k)];
+    }
     if r == 0 {
         return Ok(());
     }
-    solve_lower_triangular_in_place(pivot.rb(), low.rb_mut().transpose_mut(), Par::Seq);
     let low = low.rb();
     triangular::matmul(
-        MatMut::from_column_major_slice_mut(update, r, r),
+        MatMut::from_column_major_slice_with_stride_mut(update, r, r, r.next_multiple_of(LANES)),
         BlockStructure::TriangularLower,
         if fresh { Accum::Replace } else { Accum::Add },
         low,
@@ -160,6 +175,7 @@ fn eliminate_small<T: Real>(
     p: usize,
     update: &mut [T],
     fresh: bool,
+    low: &mut Vec<[T; LANES]>,
 ) -> Result<(), usize> {
     let one = T::from_f64(1.0);
     for k in 0..p {
@@ -170,7 +186,7 @@ fn eliminate_small<T: Real>(
         }
         let root = pivot.root();
         let inverse = one / root;
-        column[k] = root;
+        column[k] = inverse;
         for a in &mut column[k + 1..] {
             *a *= inverse;
         }
@@ -183,118 +199,197 @@ fn eliminate_small<T: Real>(
         }
     }
     let r = m - p;
-    if fresh {
-        for j in 0..r {
-            update[j * r + j..(j + 1) * r].fill(T::ZERO);
-        }
+    let groups = r.div_ceil(LANES);
+    low.clear();
+    low.resize(p * groups, [T::ZERO; LANES]);
+    for (k, low) in low.chunks_exact_mut(groups.max(1)).enumerate() {
+        low.as_flattened_mut()[..r].copy_from_slice(&panel[k * m + p..(k + 1) * m]);
     }
-    let mut k = 0;
-    while k + 4 <= p {
-        let four: [&[T]; 4] = std::array::from_fn(|l| &panel[(k + l) * m + p..(k + l + 1) * m]);
-        for j in 0..r {
-            let f = four.map(|c| c[j]);
-            let t = &mut update[j * r + j..(j + 1) * r];
-            let [a, b, c, d] = four.map(|c| &c[j..j + t.len()]);
-            for i in 0..t.len() {
-                t[i] -= a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]);
-            }
+    let (update, _) = update.as_chunks_mut::<LANES>();
+    for (j, target) in update.chunks_exact_mut(groups.max(1)).enumerate() {
+        // From the group of the diagonal on.
+        let skip = j / LANES;
+        let target = &mut target[skip..];
+        if fresh {
+            target.fill([T::ZERO; LANES]);
         }
-        k += 4;
-    }
-    for k in k..p {
-        let column = &panel[k * m + p..(k + 1) * m];
-        for j in 0..r {
-            let f = column[j];
-            for (t, &a) in update[j * r + j..(j + 1) * r].iter_mut().zip(&column[j..]) {
-                *t -= a * f;
-            }
+        let mut k = 0;
+        while k + 4 <= p {
+            diminish::<T, 4>(target, low, groups, k, j);
+            k += 4;
+        }
+        match p - k {
+            3 => diminish::<T, 3>(target, low, groups, k, j),
+            2 => diminish::<T, 2>(target, low, groups, k, j),
+            1 => diminish::<T, 1>(target, low, groups, k, j),
+            _ => {}
         }
     }
     Ok(())
 }
 
-/// `L11 v1 = v1` in place and `v2 -= L21 v1` for `K` vectors of length `m`, one after the other in `local`.
+/// Takes the columns `k..k + C` of `L21 L21^T` from the end of column `j` of an update matrix.
 #[inline(always)]
-pub(crate) fn forward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize, local: &mut [T]) {
+fn diminish<T: Real, const C: usize>(
+    target: &mut [[T; LANES]],
+    low: &[[T; LANES]],
+    groups: usize,
+    k: usize,
+    j: usize,
+) {
+    let skip = groups - target.len();
+    let column: [&[[T; LANES]]; C] =
+        std::array::from_fn(|l| &low[(k + l) * groups + skip..(k + l + 1) * groups][..target.len()]);
+    let f: [T; C] = std::array::from_fn(|l| column[l][0][j % LANES]);
+    for (i, t) in target.iter_mut().enumerate() {
+        let mut sum = scaled(column[0][i], f[0]);
+        for l in 1..C {
+            sum = plus(sum, scaled(column[l][i], f[l]));
+        }
+        *t = minus(*t, sum);
+    }
+}
+
+/// Rows are worked on in groups of this number. The last group of a column runs over into what follows it.
+pub(crate) const LANES: usize = 8;
+
+/// `L11 v1 = v1` in place and `v2 -= L21 v1` for `K` vectors of length `m`, `stride` apart in `local`. Up to
+/// `LANES` elements after each vector are overwritten. `panel` goes on beyond the front by as many.
+#[inline(always)]
+pub(crate) fn forward<T: Real, const K: usize>(
+    panel: &[T],
+    m: usize,
+    p: usize,
+    local: &mut [T],
+    stride: usize,
+) {
     let mut j = 0;
     while j + 4 <= p {
-        let column: [&[T]; 4] = std::array::from_fn(|l| &panel[(j + l) * m..(j + l + 1) * m]);
-        for v in local.chunks_exact_mut(m) {
-            let mut f = [T::ZERO; 4];
-            for a in 0..4 {
-                let mut sum = v[j + a];
-                for b in 0..a {
-                    sum -= column[b][j + a] * f[b];
-                }
-                f[a] = sum / column[a][j + a];
-                v[j + a] = f[a];
-            }
-            let v = &mut v[j + 4..];
-            let [a, b, c, d] = column.map(|c| &c[j + 4..][..v.len()]);
-            for i in 0..v.len() {
-                v[i] -= a[i] * f[0] + b[i] * f[1] + (c[i] * f[2] + d[i] * f[3]);
-            }
-        }
+        forward_block::<T, K, 4>(panel, m, j, local, stride);
         j += 4;
     }
-    for j in j..p {
-        let column = &panel[j * m..(j + 1) * m];
-        for v in local.chunks_exact_mut(m) {
-            let f = v[j] / column[j];
-            v[j] = f;
-            for (v, &a) in v[j + 1..].iter_mut().zip(&column[j + 1..]) {
-                *v -= a * f;
+    match p - j {
+        3 => forward_block::<T, K, 3>(panel, m, j, local, stride),
+        2 => forward_block::<T, K, 2>(panel, m, j, local, stride),
+        1 => forward_block::<T, K, 1>(panel, m, j, local, stride),
+        _ => {}
+    }
+}
+
+/// The columns `j..j + C` of the forward substitution.
+#[inline(always)]
+fn forward_block<T: Real, const K: usize, const C: usize>(
+    panel: &[T],
+    m: usize,
+    j: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    let column: [&[T]; C] = std::array::from_fn(|l| &panel[(j + l) * m + j..]);
+    let mut f = [[T::ZERO; C]; K];
+    for k in 0..K {
+        let v = &mut local[k * stride + j..][..C];
+        for a in 0..C {
+            let mut sum = v[a];
+            for b in 0..a {
+                sum -= column[b][a] * f[k][b];
             }
+            f[k][a] = sum * column[a][a];
+            v[a] = f[k][a];
+        }
+    }
+    let groups = (m - j - C).div_ceil(LANES);
+    let column = column.map(|c| &c[C..][..groups * LANES].as_chunks::<LANES>().0[..groups]);
+    let mut rest = local;
+    let v: [&mut [[T; LANES]]; K] = std::array::from_fn(|_| {
+        let (own, other) = std::mem::take(&mut rest).split_at_mut(stride);
+        rest = other;
+        &mut own[j + C..].as_chunks_mut::<LANES>().0[..groups]
+    });
+    for i in 0..groups {
+        let a: [[T; LANES]; C] = std::array::from_fn(|l| column[l][i]);
+        for k in 0..K {
+            let mut sum = scaled(a[0], f[k][0]);
+            for l in 1..C {
+                sum = plus(sum, scaled(a[l], f[k][l]));
+            }
+            v[k][i] = minus(v[k][i], sum);
         }
     }
 }
 
-/// `v1 -= L21^T v2` and `L11^T v1 = v1` in place for `K` vectors of length `m`.
+/// `v1 -= L21^T v2` and `L11^T v1 = v1` in place for `K` vectors of length `m`, followed by `LANES` zeros each.
 #[inline(always)]
-pub(crate) fn backward<T: Real, const K: usize>(panel: &[T], m: usize, p: usize, local: &mut [T]) {
+pub(crate) fn backward<T: Real, const K: usize>(
+    panel: &[T],
+    m: usize,
+    p: usize,
+    local: &mut [T],
+    stride: usize,
+) {
     let whole = p / 4 * 4;
-    for j in (whole..p).rev() {
-        let column = &panel[j * m..(j + 1) * m];
-        for v in local.chunks_exact_mut(m) {
-            let [dot] = dots([&column[j + 1..]], &v[j + 1..]);
-            v[j] = (v[j] - dot) / column[j];
-        }
+    match p - whole {
+        3 => backward_block::<T, K, 3>(panel, m, whole, local, stride),
+        2 => backward_block::<T, K, 2>(panel, m, whole, local, stride),
+        1 => backward_block::<T, K, 1>(panel, m, whole, local, stride),
+        _ => {}
     }
     for j in (0..whole).step_by(4).rev() {
-        let column: [&[T]; 4] = std::array::from_fn(|l| &panel[(j + l) * m..(j + l + 1) * m]);
-        for v in local.chunks_exact_mut(m) {
-            let dot = dots(column.map(|c| &c[j + 4..]), &v[j + 4..]);
-            for a in (0..4).rev() {
-                let mut sum = v[j + a] - dot[a];
-                for b in a + 1..4 {
-                    sum -= column[a][j + b] * v[j + b];
-                }
-                v[j + a] = sum / column[a][j + a];
+        backward_block::<T, K, 4>(panel, m, j, local, stride);
+    }
+}
+
+/// The columns `j..j + C` of the backward substitution.
+#[inline(always)]
+fn backward_block<T: Real, const K: usize, const C: usize>(
+    panel: &[T],
+    m: usize,
+    j: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    let column: [&[T]; C] = std::array::from_fn(|l| &panel[(j + l) * m + j..]);
+    let groups = (m - j - C).div_ceil(LANES);
+    let below = column.map(|c| &c[C..][..groups * LANES].as_chunks::<LANES>().0[..groups]);
+    for k in 0..K {
+        let (top, v) = local[k * stride + j..(k + 1) * stride].split_at_mut(C);
+        let v = &v.as_chunks::<LANES>().0[..groups];
+        let mut sum = [[T::ZERO; LANES]; C];
+        for i in 0..groups {
+            for l in 0..C {
+                sum[l] = plus(sum[l], times(below[l][i], v[i]));
             }
+        }
+        // Through memory, or the compiler transposes the loop above to suit the sums below.
+        let sum = std::hint::black_box(sum);
+        for a in (0..C).rev() {
+            let s = sum[a];
+            let dot = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+            let mut value = top[a] - dot;
+            for b in a + 1..C {
+                value -= column[a][b] * top[b];
+            }
+            top[a] = value * column[a][a];
         }
     }
 }
 
-/// The dot products of columns with a vector, in eight partial sums each.
 #[inline(always)]
-fn dots<T: Real, const C: usize>(column: [&[T]; C], v: &[T]) -> [T; C] {
-    const LANES: usize = 8;
-    let mut sum = [[T::ZERO; LANES]; C];
-    let (v8, tail) = v.as_chunks::<LANES>();
-    let column8 = column.map(|c| &c.as_chunks::<LANES>().0[..v8.len()]);
-    for (i, v) in v8.iter().enumerate() {
-        for c in 0..C {
-            for l in 0..LANES {
-                sum[c][l] += column8[c][i][l] * v[l];
-            }
-        }
-    }
-    std::array::from_fn(|c| {
-        let s = sum[c];
-        let mut total = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-        for (i, &v) in tail.iter().enumerate() {
-            total += column[c][v8.len() * LANES + i] * v;
-        }
-        total
-    })
+fn scaled<T: Real>(a: [T; LANES], f: T) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] * f)
+}
+
+#[inline(always)]
+fn times<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] * b[l])
+}
+
+#[inline(always)]
+fn plus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] + b[l])
+}
+
+#[inline(always)]
+fn minus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] - b[l])
 }

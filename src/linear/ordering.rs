@@ -11,23 +11,74 @@ use super::sparse::{Adjacency, SymmetricPattern};
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
 const LEAF: [usize; 2] = [20, 24];
 
-/// Up to this number of rows minimum degree takes less time than dissection and gives no more fill, for the
-/// 1- and the 2-ring graph.
-const DISSECT: [usize; 2] = [200_000, 30_000];
+/// Up to this number of rows minimum degree alone takes less time than dissection and gives less fill.
+const DISSECT: usize = 200_000;
+/// Larger matrices are dissected into blocks of at most this number of rows, each ordered by minimum degree.
+const BLOCK: usize = 100_000;
 
 /// The recommended order for a matrix of this `pattern`, that of the `ring`-ring graph (1 or 2) of the 1-ring
-/// graph `graph`: `order[new] = old`. Without positions the order depends on the connectivity alone; several
-/// matrices on one mesh share [`landmark_coordinates`].
+/// graph `graph`: `order[new] = old`. Without positions the order depends on the connectivity alone:
+/// [`landmark_coordinates`] are made if the matrix is large enough to need them.
 pub fn fill_reducing(
     pattern: &SymmetricPattern,
     graph: &SymmetricPattern,
     ring: usize,
     coords: Option<&[[f64; 3]]>,
 ) -> Vec<u32> {
-    match coords {
-        _ if pattern.order() <= DISSECT[ring.clamp(1, 2) - 1] => amd(pattern),
-        Some(coords) => nested_dissection(graph, ring, coords),
-        None => nested_dissection(graph, ring, &landmark_coordinates(graph)),
+    let n = pattern.order();
+    if n <= DISSECT {
+        return amd(pattern);
+    }
+    let ring = ring.clamp(1, 2);
+    let adjacency = graph.adjacency();
+    let made;
+    let coords = match coords {
+        Some(coords) => coords,
+        None => {
+            made = landmark_coordinates(graph);
+            &made
+        }
+    };
+    let mut order: Vec<u32> = (0..n as u32).collect();
+    let blocks = Dissection {
+        graph: &adjacency,
+        ring,
+        coords,
+        pattern: Some(pattern),
+        leaf: BLOCK,
+    };
+    blocks.order(&mut order, PARALLEL_DEPTH);
+    order
+}
+
+/// The minimum degree order of the part of a matrix that belongs to some of its rows.
+fn amd_within(pattern: &SymmetricPattern, rows: &mut [u32], local: &mut [u32]) {
+    // In ascending order the local columns ascend as well.
+    rows.sort_unstable();
+    for (k, &v) in rows.iter().enumerate() {
+        local[v as usize] = k as u32;
+    }
+    let mut part = SymmetricPattern {
+        start: Vec::with_capacity(rows.len() + 1),
+        column: Vec::new(),
+    };
+    part.start.push(0);
+    for &v in &*rows {
+        let inside = pattern
+            .row(v as usize)
+            .iter()
+            .map(|&j| local[j as usize])
+            .filter(|&k| k != u32::MAX);
+        part.column.extend(inside);
+        part.start.push(part.column.len());
+    }
+    for &v in &*rows {
+        local[v as usize] = u32::MAX;
+    }
+    let order = amd(&part);
+    let old = rows.to_vec();
+    for (v, k) in rows.iter_mut().zip(order) {
+        *v = old[k as usize];
     }
 }
 
@@ -62,7 +113,14 @@ pub fn nested_dissection(graph: &SymmetricPattern, ring: usize, coords: &[[f64; 
     let ring = ring.clamp(1, 2);
     let adjacency = graph.adjacency();
     let mut order: Vec<u32> = (0..n as u32).collect();
-    dissect(&adjacency, ring, coords, &mut order, PARALLEL_DEPTH);
+    let whole = Dissection {
+        graph: &adjacency,
+        ring,
+        coords,
+        pattern: None,
+        leaf: LEAF[ring - 1],
+    };
+    whole.order(&mut order, PARALLEL_DEPTH);
     order
 }
 
@@ -71,31 +129,55 @@ const PARALLEL_DEPTH: usize = 2;
 /// Smaller parts are not worth a second thread.
 const PARALLEL: usize = 10_000;
 
-/// Orders a part of the vertices; the recursion is at most `depth` deep.
-fn dissect(graph: &Adjacency, ring: usize, coords: &[[f64; 3]], order: &mut [u32], depth: usize) {
-    let mut split = Bisection::new(graph, ring, coords);
-    if depth > 0 && order.len() > PARALLEL {
-        if let Some([low, high]) = split.bisect(order) {
+/// What is dissected, and how far.
+#[derive(Clone, Copy)]
+struct Dissection<'a> {
+    graph: &'a Adjacency,
+    ring: usize,
+    coords: &'a [[f64; 3]],
+    /// The matrix whose leaves are ordered by minimum degree; without it they are left as they are.
+    pattern: Option<&'a SymmetricPattern>,
+    /// Parts with at most this many vertices are leaves.
+    leaf: usize,
+}
+
+impl Dissection<'_> {
+    /// Orders a part of the vertices; the recursion is at most `depth` deep.
+    fn order(self, order: &mut [u32], depth: usize) {
+        let mut split = Bisection::new(self.graph, self.ring, self.coords);
+        if depth > 0
+            && order.len() > PARALLEL.max(self.leaf)
+            && let Some([low, high]) = split.bisect(order)
+        {
             drop(split);
             let (low, rest) = order.split_at_mut(low);
             let high = &mut rest[..high];
-            rayon::join(
-                || dissect(graph, ring, coords, low, depth - 1),
-                || dissect(graph, ring, coords, high, depth - 1),
-            );
+            rayon::join(|| self.order(low, depth - 1), || self.order(high, depth - 1));
+            return;
         }
-        return;
-    }
-    let mut parts = Vec::new();
-    parts.push(0..order.len());
-    while let Some(part) = parts.pop() {
-        if part.len() <= LEAF[ring - 1] {
-            continue;
-        }
-        let begin = part.start;
-        if let Some([low, high]) = split.bisect(&mut order[part]) {
-            parts.push(begin..begin + low);
-            parts.push(begin + low..begin + low + high);
+        let mut local = vec![
+            u32::MAX;
+            if self.pattern.is_some() {
+                self.coords.len()
+            } else {
+                0
+            }
+        ];
+        let mut parts = Vec::new();
+        parts.push(0..order.len());
+        while let Some(part) = parts.pop() {
+            let begin = part.start;
+            let halves = if part.len() > self.leaf {
+                split.bisect(&mut order[part.clone()])
+            } else {
+                None
+            };
+            if let Some([low, high]) = halves {
+                parts.push(begin..begin + low);
+                parts.push(begin + low..begin + low + high);
+            } else if let Some(pattern) = self.pattern {
+                amd_within(pattern, &mut order[part], &mut local);
+            }
         }
     }
 }
@@ -410,6 +492,24 @@ mod tests {
         let by_graph = flops(nested_dissection(&graph, 2, &landmark_coordinates(&graph)));
         let by_degree = flops(amd(&square));
         assert!(by_graph < 1.3 * by_coords && by_graph < 1.5 * by_degree && by_graph < 0.05 * natural);
+    }
+
+    #[test]
+    fn blocks_of_minimum_degree_are_as_good_as_minimum_degree() {
+        let (graph, coords) = grid(100, true);
+        let (square, ring) = (graph.square(), graph.adjacency());
+        let blocks = Dissection {
+            graph: &ring,
+            ring: 2,
+            coords: &coords,
+            pattern: Some(&square),
+            leaf: 3000,
+        };
+        let mut order: Vec<u32> = (0..10_000).collect();
+        blocks.order(&mut order, 0);
+        assert!(is_permutation(&order, 10_000));
+        let flops = |order: &[u32]| Symbolic::new(&square, order).flops();
+        assert!(flops(&order) < 1.5 * flops(&amd(&square)));
     }
 
     #[test]

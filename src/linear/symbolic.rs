@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::sparse::{Adjacency, SymmetricPattern};
+use super::front::LANES;
+use super::sparse::SymmetricPattern;
 
 pub(crate) const NONE: u32 = u32::MAX;
 
@@ -17,7 +18,8 @@ const SPLIT_FLOPS: f64 = 2e6;
 /// assembly tree in postorder, where every entry of the matrix goes, and the split of the work into tasks.
 ///
 /// A supernode `s` with `p` columns and `r` rows below them is stored as a column-major panel of
-/// `(p + r) x p` numbers. Its update matrix `r x r` is handed to the parent.
+/// `(p + r) x p` numbers. Its update matrix `r x r`, its columns padded to whole groups of `LANES` rows, is handed
+/// to the parent.
 #[derive(Debug, Clone)]
 pub struct Symbolic {
     pub(crate) n: usize,
@@ -45,6 +47,8 @@ pub struct Symbolic {
     /// Parallel to `entry_value`: the offset in the panel.
     pub(crate) entry_target: Vec<u32>,
     pub(crate) tasks: Vec<Task>,
+    /// The most rows of a front.
+    pub(crate) largest: usize,
     flops: f64,
     fill: usize,
 }
@@ -65,7 +69,7 @@ impl Symbolic {
     pub fn new(pattern: &SymmetricPattern, order: &[u32]) -> Self {
         let n = pattern.order();
         debug_assert_eq!(order.len(), n);
-        let graph = permuted(pattern, order);
+        let graph = Graph::new(pattern, order);
         let parent = elimination_tree(&graph);
         let post = postorder(&parent);
         let count = column_counts(&graph, &parent, &post);
@@ -77,10 +81,6 @@ impl Symbolic {
         } = groups.layout();
         let ns = first.len() - 1;
 
-        let mut position = vec![0_u32; n];
-        for (new, &middle) in column_order.iter().enumerate() {
-            position[middle as usize] = new as u32;
-        }
         let (child_start, child) = children(&parent);
         let mut this = Self {
             n,
@@ -103,13 +103,13 @@ impl Symbolic {
             entry_value: Vec::new(),
             entry_target: Vec::new(),
             tasks: Vec::new(),
+            largest: 0,
             flops: 0.0,
             fill: 0,
         };
-        this.find_rows(&graph, &column_order, &position);
+        this.find_rows(pattern, &graph, &column_order);
         drop(graph);
         this.find_relative(&parent);
-        this.find_entries(pattern);
         for s in (0..ns).rev() {
             if parent[s] != NONE {
                 this.stack[s] = 1 - this.stack[parent[s] as usize];
@@ -170,19 +170,36 @@ impl Symbolic {
         &self.child[self.child_start[s]..self.child_start[s + 1]]
     }
 
-    /// The structure below a supernode: that of its own entries and of its children's update matrices.
-    fn find_rows(&mut self, graph: &Adjacency, column_order: &[u32], position: &[u32]) {
+    /// The structure below a supernode, that of its own entries and of its children's update matrices, and
+    /// where its entries go, so that a refactorization is a plain scatter.
+    fn find_rows(&mut self, pattern: &SymmetricPattern, graph: &Graph, column_order: &[u32]) {
         let ns = self.supernodes();
+        let mut position = vec![0_u32; self.n];
+        for (new, &middle) in column_order.iter().enumerate() {
+            position[middle as usize] = new as u32;
+        }
         let mut mark = vec![NONE; self.n];
+        // The index of a row in the front.
+        let mut local = vec![0_u32; self.n];
         self.row_start.push(0);
         self.panel_start.push(0);
+        self.entry_value.reserve_exact(self.input);
+        self.entry_target.reserve_exact(self.input);
         for s in 0..ns {
             let columns = self.columns(s);
             let end = columns.end as u32;
             let begin = self.rows.len();
-            for &middle in &column_order[columns.clone()] {
-                for &other in graph.of(middle) {
+            let first_entry = self.entry_target.len();
+            self.entry_start.push(first_entry);
+            for j in columns.clone() {
+                let diagonal = pattern.start[self.order[j] as usize + 1] - 1;
+                self.entry_value.push(diagonal as u32);
+                self.entry_target.push(j as u32);
+                let range = graph.larger_range(column_order[j]);
+                self.entry_value.extend_from_slice(&graph.entry[range.clone()]);
+                for &other in &graph.neighbour[range] {
                     let i = position[other as usize];
+                    self.entry_target.push(i);
                     if i >= end && mark[i as usize] != s as u32 {
                         mark[i as usize] = s as u32;
                         self.rows.push(i);
@@ -203,9 +220,26 @@ impl Symbolic {
             self.row_start.push(self.rows.len());
             let (p, r) = (columns.len(), self.rows.len() - begin);
             self.panel_start.push(self.panel_start[s] + p * (p + r));
+            self.largest = self.largest.max(p + r);
             self.fill += p * (p + 1) / 2 + p * r;
             self.flops += front_flops(p, r);
+
+            for (k, i) in columns.clone().enumerate() {
+                local[i] = k as u32;
+            }
+            for (k, &i) in self.rows[begin..].iter().enumerate() {
+                local[i as usize] = (p + k) as u32;
+            }
+            let mut targets = self.entry_target[first_entry..].iter_mut();
+            for (k, j) in columns.enumerate() {
+                let count = 1 + graph.larger_range(column_order[j]).len();
+                let offset = (k * (p + r)) as u32;
+                for target in targets.by_ref().take(count) {
+                    *target = local[*target as usize] + offset;
+                }
+            }
         }
+        self.entry_start.push(self.input);
     }
 
     fn find_relative(&mut self, parent: &[u32]) {
@@ -227,54 +261,6 @@ impl Symbolic {
             }
         }
         self.relative = relative;
-    }
-
-    /// Sorts the entries of the matrix by column, so that a refactorization is a plain scatter.
-    fn find_entries(&mut self, pattern: &SymmetricPattern) {
-        let mut inverse = vec![0_u32; self.n];
-        for (new, &old) in self.order.iter().enumerate() {
-            inverse[old as usize] = new as u32;
-        }
-        let mut start = vec![0_usize; self.n + 2];
-        for i in 0..self.n {
-            for &j in pattern.row(i) {
-                start[inverse[i].min(inverse[j as usize]) as usize + 2] += 1;
-            }
-        }
-        for i in 0..self.n {
-            start[i + 2] += start[i + 1];
-        }
-        self.entry_value = vec![0; self.input];
-        self.entry_target = vec![0; self.input];
-        for i in 0..self.n {
-            let a = inverse[i];
-            for t in pattern.start[i]..pattern.start[i + 1] {
-                let b = inverse[pattern.column[t] as usize];
-                let slot = &mut start[a.min(b) as usize + 1];
-                self.entry_value[*slot] = t as u32;
-                self.entry_target[*slot] = a.max(b);
-                *slot += 1;
-            }
-        }
-        let mut local = vec![0_u32; self.n];
-        for s in 0..self.supernodes() {
-            self.entry_start.push(start[self.first[s] as usize]);
-            let columns = self.columns(s);
-            let (p, rows) = (columns.len(), self.rows(s));
-            let m = p + rows.len();
-            for (k, i) in columns.clone().enumerate() {
-                local[i] = k as u32;
-            }
-            for (k, &i) in rows.iter().enumerate() {
-                local[i as usize] = (p + k) as u32;
-            }
-            for (k, j) in columns.enumerate() {
-                for target in &mut self.entry_target[start[j]..start[j + 1]] {
-                    *target = local[*target as usize] + (k * m) as u32;
-                }
-            }
-        }
-        self.entry_start.push(self.input);
     }
 
     fn find_tasks(&mut self, parent: &[u32]) {
@@ -353,7 +339,7 @@ impl Symbolic {
             let own = usize::from(self.stack[s]);
             let r = self.row_start[s + 1] - self.row_start[s];
             self.update_start[s] = free[own];
-            free[own] += r * r;
+            free[own] += r * r.next_multiple_of(LANES);
             peak[own] = peak[own].max(free[own]);
             if let Some(&c) = self.children(s).first() {
                 let c = c as usize;
@@ -386,48 +372,83 @@ fn front_flops(p: usize, r: usize) -> f64 {
     p * p * p / 3.0 + p * p * r + p * r * r
 }
 
-/// The graph in the new numbering; the neighbours are not sorted.
-fn permuted(pattern: &SymmetricPattern, order: &[u32]) -> Adjacency {
-    let n = pattern.order();
-    let mut inverse = vec![0_u32; n];
-    for (new, &old) in order.iter().enumerate() {
-        inverse[old as usize] = new as u32;
-    }
-    let mut start = vec![0_usize; n + 2];
-    for i in 0..n {
-        let row = &pattern.row(i)[..pattern.row(i).len() - 1];
-        start[inverse[i] as usize + 2] += row.len();
-        for &j in row {
-            start[inverse[j as usize] as usize + 2] += 1;
+/// The entries of the matrix off its diagonal in the numbering of an order. Every vertex has its smaller
+/// neighbours first, then the larger ones, neither sorted.
+struct Graph {
+    start: Vec<usize>,
+    /// Where the larger neighbours begin.
+    middle: Vec<usize>,
+    neighbour: Vec<u32>,
+    /// Parallel to `neighbour`: the index of the entry, at larger neighbours only.
+    entry: Vec<u32>,
+}
+
+impl Graph {
+    fn new(pattern: &SymmetricPattern, order: &[u32]) -> Self {
+        let n = pattern.order();
+        let mut inverse = vec![0_u32; n];
+        for (new, &old) in order.iter().enumerate() {
+            inverse[old as usize] = new as u32;
         }
-    }
-    for i in 0..n {
-        start[i + 2] += start[i + 1];
-    }
-    let mut neighbour = vec![0_u32; start[n + 1]];
-    for i in 0..n {
-        let a = inverse[i];
-        let row = &pattern.row(i)[..pattern.row(i).len() - 1];
-        for &j in row {
-            let b = inverse[j as usize];
-            for (from, to) in [(a, b), (b, a)] {
-                let slot = &mut start[from as usize + 1];
-                neighbour[*slot] = to;
-                *slot += 1;
+        // Degrees, then the ends of the two parts of every list, which grow towards each other.
+        let mut front = vec![0_usize; n];
+        for (i, &a) in inverse.iter().enumerate() {
+            let row = &pattern.row(i)[..pattern.row(i).len() - 1];
+            front[a as usize] += row.len();
+            for &j in row {
+                front[inverse[j as usize] as usize] += 1;
             }
         }
+        let mut start = Vec::with_capacity(n + 1);
+        let mut total = 0;
+        start.push(0);
+        for degree in &mut front {
+            total += std::mem::replace(degree, total);
+            start.push(total);
+        }
+        let mut back = start[1..].to_vec();
+        let (mut neighbour, mut entry) = (vec![0_u32; total], vec![0_u32; total]);
+        for (i, &a) in inverse.iter().enumerate() {
+            for t in pattern.start[i]..pattern.start[i + 1] - 1 {
+                let b = inverse[pattern.column[t] as usize];
+                let (low, high) = (a.min(b), a.max(b));
+                let slot = &mut front[high as usize];
+                neighbour[*slot] = low;
+                *slot += 1;
+                let slot = &mut back[low as usize];
+                *slot -= 1;
+                neighbour[*slot] = high;
+                entry[*slot] = t as u32;
+            }
+        }
+        Self {
+            start,
+            middle: back,
+            neighbour,
+            entry,
+        }
     }
-    start.pop();
-    Adjacency { start, neighbour }
+
+    fn smaller(&self, i: u32) -> &[u32] {
+        &self.neighbour[self.start[i as usize]..self.middle[i as usize]]
+    }
+
+    fn larger(&self, i: u32) -> &[u32] {
+        &self.neighbour[self.larger_range(i)]
+    }
+
+    fn larger_range(&self, i: u32) -> Range<usize> {
+        self.middle[i as usize]..self.start[i as usize + 1]
+    }
 }
 
 /// The parent of every column (Liu's algorithm with path compression).
-fn elimination_tree(graph: &Adjacency) -> Vec<u32> {
+fn elimination_tree(graph: &Graph) -> Vec<u32> {
     let n = graph.start.len() - 1;
     let mut parent = vec![NONE; n];
     let mut ancestor = vec![NONE; n];
     for i in 0..n as u32 {
-        for &j in graph.of(i).iter().filter(|&&j| j < i) {
+        for &j in graph.smaller(i) {
             let mut k = j;
             while k != NONE && k < i {
                 let next = std::mem::replace(&mut ancestor[k as usize], i);
@@ -482,7 +503,7 @@ fn postorder(parent: &[u32]) -> Vec<u32> {
 }
 
 /// The number of nonzeros of every column of the factor, diagonal included (Gilbert, Ng, Peyton 1994).
-fn column_counts(graph: &Adjacency, parent: &[u32], post: &[u32]) -> Vec<u32> {
+fn column_counts(graph: &Graph, parent: &[u32], post: &[u32]) -> Vec<u32> {
     let n = parent.len();
     let mut delta = vec![0_i64; n];
     let mut first = vec![NONE; n];
@@ -502,7 +523,7 @@ fn column_counts(graph: &Adjacency, parent: &[u32], post: &[u32]) -> Vec<u32> {
             delta[parent[j as usize] as usize] -= 1;
         }
         let low = first[j as usize];
-        for &i in graph.of(j).iter().filter(|&&i| i > j) {
+        for &i in graph.larger(j) {
             let i = i as usize;
             if max_first[i] != NONE && low <= max_first[i] {
                 continue;
