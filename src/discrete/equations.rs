@@ -11,12 +11,13 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::curvature::{Curvature, FLAP_WEIGHT, gradient_corrected, moreton_sequin};
-use super::groups::{Groups, LANES, gather, gather_flap, gather_scalar, split_lengths};
+use super::groups::{Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
 use super::inner_fairness::FairnessWeights;
-use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled};
+use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
+use super::spokes::{Spoke, measure};
 use crate::mesh::Rings;
 
 /// How `H` is taken at free vertices.
@@ -87,6 +88,25 @@ impl State {
             outer: vec![0.0; free],
             inner: vec![Vector3::zeros(); free],
         }
+    }
+}
+
+/// Room for one group.
+struct Work {
+    ring: Vec<Spoke<LANES>>,
+    flaps: Vec<(Vec3<LANES>, Lanes<LANES>)>,
+    weight: Vec<Lanes<LANES>>,
+}
+
+impl Work {
+    fn new(m: usize) -> Self {
+        let zero = Lanes::zero();
+        Self { ring: vec![Spoke::zero(); m], flaps: vec![([zero; 3], zero); m], weight: vec![zero; m] }
+    }
+
+    #[inline(always)]
+    fn of(&mut self, m: usize) -> (&mut [Spoke<LANES>], &mut [(Vec3<LANES>, Lanes<LANES>)], &mut [Lanes<LANES>]) {
+        (&mut self.ring[..m], &mut self.flaps[..m], &mut self.weight[..m])
     }
 }
 
@@ -163,13 +183,16 @@ impl Equations<'_> {
             })
             .collect();
         outputs.into_par_iter().zip(chunks.par_iter()).for_each(|(mut output, chunk)| {
-            let mut ring = vec![[Lanes::zero(); 3]; groups.largest_valence];
-            let mut weight = vec![Lanes::zero(); groups.largest_valence];
+            vectorized(
+ #[inline(always)]
+ || {
+            let mut work = Work::new(groups.largest_valence);
             for group in chunk.groups.clone() {
                 let m = groups.slots(group).len();
                 let place = (group, chunk.vertices.start, chunk.slots.start);
-                self.free_group::<RESPONSE>(x, place, &mut ring[..m], &mut weight[..m], &mut output);
+                self.free_group::<RESPONSE>(x, place, work.of(m), &mut output);
             }
+});
         });
     }
 
@@ -178,17 +201,17 @@ impl Equations<'_> {
         &self,
         x: &[Vector3<f64>],
         (group, first_vertex, first_slot): (usize, usize, usize),
-        ring: &mut [Vec3<LANES>],
-        weight: &mut [Lanes<LANES>],
+        (ring, flaps, weight): (&mut [Spoke<LANES>], &mut [(Vec3<LANES>, Lanes<LANES>)], &mut [Lanes<LANES>]),
         out: &mut ChunkOutput<'_>,
     ) {
         let groups = self.groups;
         let slots = groups.slots(group);
         let vertex = &groups.vertex[group];
         let q = gather(x, vertex);
-        for (e, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
-            *e = minus(&gather(x, j), &q);
+        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
+            spoke.edge = minus(&gather(x, j), &q);
         }
+        measure(ring);
         let area = ring_weights(ring, weight);
         for (to, from) in out.weight[slots.start - first_slot..].iter_mut().zip(weight.iter()) {
             *to = from.0;
@@ -201,17 +224,14 @@ impl Equations<'_> {
             }
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
-                let flap = |s: usize| {
-                    let slot = slots.start + s;
-                    let (p, weight) =
-                        gather_flap(x, &groups.flap[slot], &groups.neighbour[slot], FLAP_WEIGHT);
-                    (minus(&p, &q), weight)
-                };
-                (n, gradient_corrected::<LANES, RESPONSE>(&n, ring, flap, tilt_ridge))
+                for ((to, j), k) in flaps.iter_mut().zip(&groups.flap[slots.clone()]).zip(&groups.neighbour[slots.clone()]) {
+                    *to = (minus(&gather(x, j), &q), flap_weight(j, k, FLAP_WEIGHT));
+                }
+                (n, gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge))
             }
         };
         let mut sum = [Lanes::zero(); 3];
-        for (s, e) in ring.iter().enumerate() {
+        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
             match &self.weights.slots {
                 None => sum = super::lanes::plus(&sum, e),
                 Some(w) => sum = super::lanes::plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),

@@ -5,9 +5,19 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use faer::traits::pulp::Arch;
+
+/// Runs `f` compiled for the widest vectors of this processor. Only what is inlined into `f` is: every function on
+/// the way down to the arithmetic is `#[inline(always)]`. Rust never contracts a product and a sum into one rounding,
+/// so the results are those of calling `f` itself, bit by bit.
+#[inline(always)]
+pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+    Arch::new().dispatch(f)
+}
+
 /// `L` numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(64))]
+#[repr(align(32))]
 pub struct Lanes<const L: usize>(pub [f64; L]);
 
 /// `L` vectors, by coordinate.
@@ -170,11 +180,13 @@ pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
 }
 
 /// One vector as one lane.
+#[inline(always)]
 pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
     [Lanes([v.x]), Lanes([v.y]), Lanes([v.z])]
 }
 
 /// One lane as a vector.
+#[inline(always)]
 pub fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
     nalgebra::Vector3::new(v[0].0[l], v[1].0[l], v[2].0[l])
 }
