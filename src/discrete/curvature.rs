@@ -56,12 +56,25 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     pub fn add(&mut self, phi: &[Lanes<L>; N], kappa: Lanes<L>, weight: Lanes<L>) {
         for r in 0..N {
             let weighted = phi[r] * weight;
-            for c in 0..=r {
+            for c in 0..r + 1 {
                 self.matrix[r][c] += weighted * phi[c];
             }
             self.right[r] += weighted * kappa;
         }
         self.weight += weight;
+    }
+
+    /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
+    #[inline(always)]
+    pub fn add_two(&mut self, a: &([Lanes<L>; N], Lanes<L>), b: &([Lanes<L>; N], Lanes<L>), weight: Lanes<L>) {
+        for r in 0..N {
+            let weighted = b.0[r] * weight;
+            for c in 0..r + 1 {
+                self.matrix[r][c] += a.0[r] * a.0[c] + weighted * b.0[c];
+            }
+            self.right[r] += a.0[r] * a.1 + weighted * b.1;
+        }
+        self.weight += weight + 1.0;
     }
 
     /// Adds `ridge` times the sum of weights to the diagonal and factors it.
@@ -83,7 +96,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
             // From the last row up: a row needs the entries of column j above it before they are scaled.
             for i in (j + 1..N).rev() {
                 let scaled = m[i][j] * m[j][j];
-                for c in j + 1..=i {
+                for c in j + 1..i + 1 {
                     m[i][c] = m[i][c] - scaled * m[c][j];
                 }
                 m[i][j] = scaled;
@@ -208,16 +221,13 @@ pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     let mut square = Lanes::zero();
     for (spoke, (flap, weight)) in ring.iter().zip(flaps) {
         square += spoke.square;
-        let (phi, kappa) = frame.sample_at(&spoke.edge, spoke.inverse_square);
-        fit.add(&phi, kappa, Lanes::splat(1.0));
-        if RESPONSE {
-            add_scaled(&mut moved, &phi, spoke.inverse_square * 2.0);
-        }
+        let near = frame.sample_at(&spoke.edge, spoke.inverse_square);
         let inverse_square = inverse_square(dot(flap, flap));
-        let (phi, kappa) = frame.sample_at(flap, inverse_square);
-        fit.add(&phi, kappa, *weight);
+        let far = frame.sample_at(flap, inverse_square);
+        fit.add_two(&near, &far, *weight);
         if RESPONSE {
-            add_scaled(&mut moved, &phi, *weight * inverse_square * 2.0);
+            add_scaled(&mut moved, &near.0, spoke.inverse_square * 2.0);
+            add_scaled(&mut moved, &far.0, *weight * inverse_square * 2.0);
         }
     }
     let ridge = inverse_square(square) * (tilt_ridge * ring.len() as f64);
