@@ -6,7 +6,7 @@
 //! All fits here use the equivalent basis `1, u^2 - v^2, 2 u v` of that quadratic form, in which the coefficient of
 //! `1` is `H` itself.
 
-use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis};
+use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis, unrolled};
 use super::spokes::{Spoke, inverse_square};
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
@@ -54,26 +54,26 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// One more sample with basis values `phi`, value `kappa` and a weight.
     #[inline(always)]
     pub fn add(&mut self, phi: &[Lanes<L>; N], kappa: Lanes<L>, weight: Lanes<L>) {
-        for r in 0..N {
+        unrolled!(r in (0..N) => {
             let weighted = phi[r] * weight;
-            for c in 0..r + 1 {
+            unrolled!(c in (0..r + 1) => {
                 self.matrix[r][c] += weighted * phi[c];
-            }
+            });
             self.right[r] += weighted * kappa;
-        }
+        });
         self.weight += weight;
     }
 
     /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
     #[inline(always)]
     pub fn add_two(&mut self, a: &([Lanes<L>; N], Lanes<L>), b: &([Lanes<L>; N], Lanes<L>), weight: Lanes<L>) {
-        for r in 0..N {
+        unrolled!(r in (0..N) => {
             let weighted = b.0[r] * weight;
-            for c in 0..r + 1 {
+            unrolled!(c in (0..r + 1) => {
                 self.matrix[r][c] += a.0[r] * a.0[c] + weighted * b.0[c];
-            }
+            });
             self.right[r] += a.0[r] * a.1 + weighted * b.1;
-        }
+        });
         self.weight += weight + 1.0;
     }
 
@@ -89,19 +89,20 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     #[inline(always)]
     pub fn factor(&self, ridge: &[Lanes<L>; N]) -> [[Lanes<L>; N]; N] {
         let mut m = self.matrix;
-        for j in 0..N {
+        unrolled!(j in (0..N) => {
             let least = self.weight * ridge[j];
             let pivot = (m[j][j] + least).max(least).max(Lanes::splat(f64::MIN_POSITIVE));
             m[j][j] = pivot.recip();
             // From the last row up: a row needs the entries of column j above it before they are scaled.
-            for i in (j + 1..N).rev() {
+            unrolled!(k in (0..N - 1 - j) => {
+                let i = N - 1 - k;
                 let scaled = m[i][j] * m[j][j];
-                for c in j + 1..i + 1 {
+                unrolled!(c in (j + 1..i + 1) => {
                     m[i][c] = m[i][c] - scaled * m[c][j];
-                }
+                });
                 m[i][j] = scaled;
-            }
-        }
+            });
+        });
         m
     }
 

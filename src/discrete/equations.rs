@@ -209,7 +209,10 @@ impl Equations<'_> {
         let vertex = &groups.vertex[group];
         let q = gather(x, vertex);
         for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
-            spoke.edge = minus(&gather(x, j), &q);
+            spoke.edge = gather(x, j);
+        }
+        for spoke in ring.iter_mut() {
+            spoke.edge = minus(&spoke.edge, &q);
         }
         measure(ring);
         let area = ring_weights(ring, weight);
@@ -225,7 +228,10 @@ impl Equations<'_> {
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
                 for ((to, j), k) in flaps.iter_mut().zip(&groups.flap[slots.clone()]).zip(&groups.neighbour[slots.clone()]) {
-                    *to = (minus(&gather(x, j), &q), flap_weight(j, k, FLAP_WEIGHT));
+                    *to = (gather(x, j), flap_weight(j, k, FLAP_WEIGHT));
+                }
+                for to in flaps.iter_mut() {
+                    to.0 = minus(&to.0, &q);
                 }
                 (n, gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge))
             }

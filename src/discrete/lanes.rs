@@ -86,6 +86,21 @@ impl<const L: usize> Lanes<L> {
     }
 }
 
+/// `unrolled!(i in range => { .. })`: the loop over a range within `0..5`, written out. With constants known here, no
+/// loop and no index is left, and small matrices live in registers; the optimizer gives up on nested triangles.
+macro_rules! unrolled {
+    ($i:ident in $range:expr => $body:block) => {
+        unrolled!(@step $i, $range, $body, 0 1 2 3 4)
+    };
+    (@step $i:ident, $range:expr, $body:block, $($value:literal)*) => {
+        $(if $range.contains(&$value) {
+            let $i: usize = $value;
+            $body
+        })*
+    };
+}
+pub(crate) use unrolled;
+
 macro_rules! operator {
     ($trait:ident, $method:ident, $op:tt) => {
         impl<const L: usize> $trait for Lanes<L> {
