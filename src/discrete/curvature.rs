@@ -48,7 +48,11 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// No samples.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { matrix: [[Lanes::zero(); N]; N], right: [Lanes::zero(); N], weight: Lanes::zero() }
+        Self {
+            matrix: [[Lanes::zero(); N]; N],
+            right: [Lanes::zero(); N],
+            weight: Lanes::zero(),
+        }
     }
 
     /// One more sample with basis values `phi`, value `kappa` and a weight.
@@ -66,7 +70,12 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
     #[inline(always)]
-    pub fn add_two(&mut self, a: &([Lanes<L>; N], Lanes<L>), b: &([Lanes<L>; N], Lanes<L>), weight: Lanes<L>) {
+    pub fn add_two(
+        &mut self,
+        a: &([Lanes<L>; N], Lanes<L>),
+        b: &([Lanes<L>; N], Lanes<L>),
+        weight: Lanes<L>,
+    ) {
         unrolled!(r in (0..N) => {
             let weighted = b.0[r] * weight;
             unrolled!(c in (0..r + 1) => {
@@ -104,6 +113,20 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
             });
         });
         m
+    }
+
+    /// The equations of all lanes' samples together.
+    #[inline(always)]
+    pub fn sum_of_lanes(&self) -> NormalEquations<1, N> {
+        let mut sum = NormalEquations::new();
+        unrolled!(r in (0..N) => {
+            unrolled!(c in (0..r + 1) => {
+                sum.matrix[r][c] = self.matrix[r][c].sum();
+            });
+            sum.right[r] = self.right[r].sum();
+        });
+        sum.weight = self.weight.sum();
+        sum
     }
 
     /// The coefficients of the fit.
@@ -199,7 +222,10 @@ impl<const L: usize> Frame<L> {
     /// The normal `n - g_x b_x - g_y b_y`, normalized.
     #[inline(always)]
     pub fn tilted(&self, g_x: Lanes<L>, g_y: Lanes<L>) -> Vec3<L> {
-        normalized(&minus(&self.n, &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y))))
+        normalized(&minus(
+            &self.n,
+            &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y)),
+        ))
     }
 }
 
@@ -237,7 +263,11 @@ pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     let [h, y_1, y_2, g_x, g_y] = back_substitute(&factor, fit.right);
     let tilt = (g_x * g_x + g_y * g_y + 1.0).sqrt().recip();
     Curvature {
-        response: if RESPONSE { back_substitute(&factor, moved)[0] * tilt } else { Lanes::zero() },
+        response: if RESPONSE {
+            back_substitute(&factor, moved)[0] * tilt
+        } else {
+            Lanes::zero()
+        },
         h: h * tilt,
         k: (h * h - y_1 * y_1 - y_2 * y_2) * tilt * tilt,
         normal: frame.tilted(g_x, g_y),
@@ -252,20 +282,55 @@ fn add_scaled<const L: usize>(sum: &mut [Lanes<L>; 5], phi: &[Lanes<L>; 5], by: 
 }
 
 /// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a border vertex with its prescribed normal, or
-/// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them. Returns `(H, K)`.
+/// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them.
+#[derive(Debug, Clone, Copy)]
+pub struct MoretonSequin<const L: usize> {
+    frame: Frame<L>,
+    fit: NormalEquations<L, 3>,
+}
+
+impl<const L: usize> MoretonSequin<L> {
+    /// No samples yet around the unit normal `n`.
+    #[inline(always)]
+    pub fn new(n: Vec3<L>) -> Self {
+        Self {
+            frame: Frame::new(n),
+            fit: NormalEquations::new(),
+        }
+    }
+
+    /// One more sample; weight 0 for lanes that have none.
+    #[inline(always)]
+    pub fn add(&mut self, e: &Vec3<L>, weight: Lanes<L>) {
+        let ([one, a, b, ..], kappa) = self.frame.sample_at(e, inverse_square(dot(e, e)));
+        self.fit.add(&[one, a, b], kappa, weight);
+    }
+
+    /// `(H, K)`.
+    #[inline(always)]
+    pub fn curvature(&self) -> (Lanes<L>, Lanes<L>) {
+        let y = self.fit.solve(&[0.0, RIDGE, RIDGE]);
+        (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
+    }
+
+    /// `H` of one vertex whose samples are spread over the lanes.
+    #[inline(always)]
+    pub fn over_lanes(&self) -> f64 {
+        self.fit.sum_of_lanes().solve(&[0.0, RIDGE, RIDGE])[0].0[0]
+    }
+}
+
+/// [`MoretonSequin`] of some samples: `(H, K)`.
 #[inline(always)]
 pub fn moreton_sequin<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
 ) -> (Lanes<L>, Lanes<L>) {
-    let frame = Frame::new(*n);
-    let mut fit = NormalEquations::<L, 3>::new();
+    let mut fit = MoretonSequin::new(*n);
     for e in samples {
-        let (phi, kappa) = frame.sample(&e, Lanes::zero());
-        fit.add(&[phi[0], phi[1], phi[2]], kappa, Lanes::splat(1.0));
+        fit.add(&e, Lanes::splat(1.0));
     }
-    let y = fit.solve(&[0.0, RIDGE, RIDGE]);
-    (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
+    fit.curvature()
 }
 
 #[cfg(test)]
@@ -276,7 +341,14 @@ mod tests {
     use crate::discrete::spokes::ring_of;
     use nalgebra::Vector3;
 
-    const RING: [(f64, f64); 6] = [(0.1, 1.0), (0.9, 0.6), (2.2, 1.2), (3.0, 0.7), (4.1, 1.1), (5.5, 0.8)];
+    const RING: [(f64, f64); 6] = [
+        (0.1, 1.0),
+        (0.9, 0.6),
+        (2.2, 1.2),
+        (3.0, 0.7),
+        (4.1, 1.1),
+        (5.5, 0.8),
+    ];
 
     /// Ring and flaps on a graph `z = f(x, y)` around the origin, shrunk by `h`.
     fn graph(f: impl Fn(f64, f64) -> f64, h: f64) -> (Vec<Vec3<1>>, Vec<Vec3<1>>) {
@@ -299,7 +371,12 @@ mod tests {
     }
 
     fn fit(ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
-        fit_with(&max_normal(&ring_of(ring.iter().copied())), ring, flaps, tilt_ridge)
+        fit_with(
+            &max_normal(&ring_of(ring.iter().copied())),
+            ring,
+            flaps,
+            tilt_ridge,
+        )
     }
 
     #[test]

@@ -93,7 +93,11 @@ impl Groups {
             self.neighbour.push(start.map(|s| rings.neighbour[s + k]));
             self.flap.push(start.map(|s| {
                 let flap = rings.flap[s + k];
-                if flap == NONE { rings.neighbour[s + k] } else { flap }
+                if flap == NONE {
+                    rings.neighbour[s + k]
+                } else {
+                    flap
+                }
             }));
         }
         self.vertex.push(vertex);
@@ -140,7 +144,10 @@ pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -
 }
 
 /// Cuts a slice into consecutive pieces of the given lengths.
-pub fn split_lengths<'a, T>(mut slice: &'a mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&'a mut [T]> {
+pub fn split_lengths<'a, T>(
+    mut slice: &'a mut [T],
+    lengths: impl Iterator<Item = usize>,
+) -> Vec<&'a mut [T]> {
     let mut pieces = Vec::with_capacity(lengths.size_hint().0);
     for length in lengths {
         let (head, tail) = slice.split_at_mut(length);

@@ -73,6 +73,16 @@ impl<const L: usize> Lanes<L> {
         self.map(|x| 1.0 / x)
     }
 
+    /// The sum of all lanes, from the first.
+    #[inline(always)]
+    pub fn sum(self) -> Lanes<1> {
+        let mut sum = 0.0;
+        for x in self.0 {
+            sum += x;
+        }
+        Lanes([sum])
+    }
+
     /// Magnitude of `self`, sign of `sign`.
     #[inline(always)]
     pub fn copysign(self, sign: Self) -> Self {
@@ -200,6 +210,14 @@ pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
     [Lanes([v.x]), Lanes([v.y]), Lanes([v.z])]
 }
 
+/// Puts one vector into one lane.
+#[inline(always)]
+pub fn set_lane<const L: usize>(to: &mut Vec3<L>, l: usize, v: &nalgebra::Vector3<f64>) {
+    to[0].0[l] = v.x;
+    to[1].0[l] = v.y;
+    to[2].0[l] = v.z;
+}
+
 /// One lane as a vector.
 #[inline(always)]
 pub fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
@@ -212,10 +230,21 @@ mod tests {
 
     #[test]
     fn tangent_basis_is_orthonormal_and_right_handed() {
-        for n in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.6, -0.8, 0.0], [0.48, 0.6, -0.64]] {
+        for n in [
+            [0.0, 0.0, 1.0],
+            [0.0, 0.0, -1.0],
+            [0.6, -0.8, 0.0],
+            [0.48, 0.6, -0.64],
+        ] {
             let n: Vec3<1> = n.map(Lanes::splat);
             let (x, y) = tangent_basis(&n);
-            for (a, b, want) in [(&x, &x, 1.0), (&y, &y, 1.0), (&x, &y, 0.0), (&x, &n, 0.0), (&y, &n, 0.0)] {
+            for (a, b, want) in [
+                (&x, &x, 1.0),
+                (&y, &y, 1.0),
+                (&x, &y, 0.0),
+                (&x, &n, 0.0),
+                (&y, &n, 0.0),
+            ] {
                 assert!((dot(a, b).0[0] - want).abs() < 1e-15);
             }
             assert!((dot(&cross(&x, &y), &n).0[0] - 1.0).abs() < 1e-15);

@@ -54,8 +54,14 @@ mod tests {
 
     fn ring() -> (Vector3<f64>, Vec<Vector3<f64>>) {
         let q = Vector3::new(0.1, -0.2, 0.3);
-        let ring = [(0.0, 1.0, 0.2), (0.8, 0.7, 0.0), (2.0, 1.3, -0.1), (3.5, 0.9, 0.3), (4.9, 1.1, 0.0)]
-            .map(|(phi, r, z): (f64, f64, f64)| Vector3::new(r * phi.cos(), r * phi.sin(), z));
+        let ring = [
+            (0.0, 1.0, 0.2),
+            (0.8, 0.7, 0.0),
+            (2.0, 1.3, -0.1),
+            (3.5, 0.9, 0.3),
+            (4.9, 1.1, 0.0),
+        ]
+        .map(|(phi, r, z): (f64, f64, f64)| Vector3::new(r * phi.cos(), r * phi.sin(), z));
         (q, ring.to_vec())
     }
 
@@ -100,7 +106,10 @@ mod tests {
         let (w, _) = weights(&q, &p);
         let e: Vec<Vec3<1>> = p.iter().map(|x| minus(&one(&q), &one(x))).collect();
         let zero = [Lanes::zero(); 3];
-        let sum = e.iter().zip(&w).fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
+        let sum = e
+            .iter()
+            .zip(&w)
+            .fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
         let gradient = lane(&sum, 0);
         for d in 0..3 {
             let mut step = Vector3::zeros();

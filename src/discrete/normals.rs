@@ -54,8 +54,8 @@ mod tests {
 
     #[test]
     fn both_are_exact_in_a_plane_and_turn_with_the_orientation() {
-        let edges = [[1.0, 0.0, 0.0], [0.1, 2.0, 0.0], [-1.0, -0.3, 0.0]]
-            .map(|e: [f64; 3]| e.map(Lanes::splat));
+        let edges =
+            [[1.0, 0.0, 0.0], [0.1, 2.0, 0.0], [-1.0, -0.3, 0.0]].map(|e: [f64; 3]| e.map(Lanes::splat));
         let (ring, reversed) = (ring_of(edges), ring_of(edges.into_iter().rev()));
         for f in [max_normal::<1>, cross_product_normal::<1>] {
             assert!((lane(&f(&ring), 0) - Vector3::z()).norm() < 1e-15);

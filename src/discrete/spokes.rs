@@ -29,7 +29,12 @@ impl<const L: usize> Spoke<L> {
     #[inline(always)]
     pub fn zero() -> Self {
         let zero = Lanes::zero();
-        Self { edge: [zero; 3], square: zero, inverse_square: zero, cross: [zero; 3] }
+        Self {
+            edge: [zero; 3],
+            square: zero,
+            inverse_square: zero,
+            cross: [zero; 3],
+        }
     }
 }
 
@@ -48,7 +53,13 @@ pub fn measure<const L: usize>(ring: &mut [Spoke<L>]) {
 
 /// The ring with these edges.
 pub fn ring_of<const L: usize>(edges: impl IntoIterator<Item = Vec3<L>>) -> Vec<Spoke<L>> {
-    let mut ring: Vec<_> = edges.into_iter().map(|edge| Spoke { edge, ..Spoke::zero() }).collect();
+    let mut ring: Vec<_> = edges
+        .into_iter()
+        .map(|edge| Spoke {
+            edge,
+            ..Spoke::zero()
+        })
+        .collect();
     measure(&mut ring);
     ring
 }
