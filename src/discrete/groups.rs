@@ -144,10 +144,7 @@ pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -
 }
 
 /// Cuts a slice into consecutive pieces of the given lengths.
-pub fn split_lengths<'a, T>(
-    mut slice: &'a mut [T],
-    lengths: impl Iterator<Item = usize>,
-) -> Vec<&'a mut [T]> {
+pub fn split_lengths<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
     let mut pieces = Vec::with_capacity(lengths.size_hint().0);
     for length in lengths {
         let (head, tail) = slice.split_at_mut(length);
