@@ -6,7 +6,8 @@
 //! All fits here use the equivalent basis `1, u^2 - v^2, 2 u v` of that quadratic form, in which the coefficient of
 //! `1` is `H` itself.
 
-use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis};
+use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis, unrolled};
+use super::spokes::{Spoke, inverse_square};
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
 /// says that it is not (all directions on two lines), without any switch.
@@ -47,42 +48,85 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// No samples.
     #[inline(always)]
     pub fn new() -> Self {
-        Self { matrix: [[Lanes::zero(); N]; N], right: [Lanes::zero(); N], weight: Lanes::zero() }
+        Self {
+            matrix: [[Lanes::zero(); N]; N],
+            right: [Lanes::zero(); N],
+            weight: Lanes::zero(),
+        }
     }
 
     /// One more sample with basis values `phi`, value `kappa` and a weight.
     #[inline(always)]
     pub fn add(&mut self, phi: &[Lanes<L>; N], kappa: Lanes<L>, weight: Lanes<L>) {
-        for r in 0..N {
+        unrolled!(r in (0..N) => {
             let weighted = phi[r] * weight;
-            for c in 0..=r {
+            unrolled!(c in (0..r + 1) => {
                 self.matrix[r][c] += weighted * phi[c];
-            }
+            });
             self.right[r] += weighted * kappa;
-        }
+        });
         self.weight += weight;
     }
 
-    /// Adds `ridge` times the sum of weights to the diagonal and factors it: `L L^T` with the inverse diagonal.
-    /// Positive definite for any samples, as long as the ridge is positive beyond the constant function.
+    /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
+    #[inline(always)]
+    pub fn add_two(
+        &mut self,
+        a: &([Lanes<L>; N], Lanes<L>),
+        b: &([Lanes<L>; N], Lanes<L>),
+        weight: Lanes<L>,
+    ) {
+        unrolled!(r in (0..N) => {
+            let weighted = b.0[r] * weight;
+            unrolled!(c in (0..r + 1) => {
+                self.matrix[r][c] += a.0[r] * a.0[c] + weighted * b.0[c];
+            });
+            self.right[r] += a.0[r] * a.1 + weighted * b.1;
+        });
+        self.weight += weight + 1.0;
+    }
+
+    /// Adds `ridge` times the sum of weights to the diagonal and factors it.
     #[inline(always)]
     pub fn cholesky(&self, ridge: &[f64; N]) -> [[Lanes<L>; N]; N] {
-        let mut l = self.matrix;
-        for j in 0..N {
-            let mut d = l[j][j] + self.weight * ridge[j];
-            for k in 0..j {
-                d = d - l[j][k] * l[j][k];
-            }
-            l[j][j] = d.max(Lanes::splat(f64::MIN_POSITIVE)).sqrt().recip();
-            for i in j + 1..N {
-                let mut x = l[i][j];
-                for k in 0..j {
-                    x = x - l[i][k] * l[j][k];
-                }
-                l[i][j] = x * l[j][j];
-            }
-        }
-        l
+        self.factor(&ridge.map(Lanes::splat))
+    }
+
+    /// The same with a ridge for each lane: `M = L D L^T`, with `L` below the diagonal and `1 / D` on it. No pivot of a
+    /// positive semidefinite matrix plus a diagonal one is less than its entry in the latter, and rounding may not
+    /// make it so: the factor is there for any samples, as long as the ridge is positive beyond the constant function.
+    #[inline(always)]
+    pub fn factor(&self, ridge: &[Lanes<L>; N]) -> [[Lanes<L>; N]; N] {
+        let mut m = self.matrix;
+        unrolled!(j in (0..N) => {
+            let least = self.weight * ridge[j];
+            let pivot = (m[j][j] + least).max(least).max(Lanes::splat(f64::MIN_POSITIVE));
+            m[j][j] = pivot.recip();
+            // From the last row up: a row needs the entries of column j above it before they are scaled.
+            unrolled!(k in (0..N - 1 - j) => {
+                let i = N - 1 - k;
+                let scaled = m[i][j] * m[j][j];
+                unrolled!(c in (j + 1..i + 1) => {
+                    m[i][c] = m[i][c] - scaled * m[c][j];
+                });
+                m[i][j] = scaled;
+            });
+        });
+        m
+    }
+
+    /// The equations of all lanes' samples together.
+    #[inline(always)]
+    pub fn sum_of_lanes(&self) -> NormalEquations<1, N> {
+        let mut sum = NormalEquations::new();
+        unrolled!(r in (0..N) => {
+            unrolled!(c in (0..r + 1) => {
+                sum.matrix[r][c] = self.matrix[r][c].sum();
+            });
+            sum.right[r] = self.right[r].sum();
+        });
+        sum.weight = self.weight.sum();
+        sum
     }
 
     /// The coefficients of the fit.
@@ -121,7 +165,7 @@ impl<const L: usize, const N: usize> Default for NormalEquations<L, N> {
     }
 }
 
-/// Solves `L L^T y = right` for a factor with inverse diagonal.
+/// Solves `L D L^T y = right` for a factor of [`NormalEquations::factor`].
 #[inline(always)]
 pub fn back_substitute<const L: usize, const N: usize>(
     l: &[[Lanes<L>; N]; N],
@@ -132,13 +176,12 @@ pub fn back_substitute<const L: usize, const N: usize>(
         for k in 0..i {
             y[i] = y[i] - l[i][k] * y[k];
         }
-        y[i] = y[i] * l[i][i];
     }
     for i in (0..N).rev() {
+        y[i] = y[i] * l[i][i];
         for k in i + 1..N {
             y[i] = y[i] - l[k][i] * y[k];
         }
-        y[i] = y[i] * l[i][i];
     }
     y
 }
@@ -163,94 +206,131 @@ impl<const L: usize> Frame<L> {
     /// `d = |e|^2`, the whole length and not the projected one.
     #[inline(always)]
     pub fn sample(&self, e: &Vec3<L>, l: Lanes<L>) -> ([Lanes<L>; 5], Lanes<L>) {
-        let twice_over_d = Lanes::splat(2.0) / dot(e, e).max(Lanes::splat(f64::MIN_POSITIVE));
+        let ([one, a, b, c, d], kappa) = self.sample_at(e, inverse_square(dot(e, e)));
+        ([one, a, b, l * c, l * d], kappa)
+    }
+
+    /// The same for `l = 1` and known `1/d`.
+    #[inline(always)]
+    fn sample_at(&self, e: &Vec3<L>, inverse_square: Lanes<L>) -> ([Lanes<L>; 5], Lanes<L>) {
         let (u, v, w) = (dot(e, &self.b_x), dot(e, &self.b_y), dot(e, &self.n));
-        let phi = [
-            Lanes::splat(1.0),
-            (u * u - v * v) * twice_over_d * 0.5,
-            u * v * twice_over_d,
-            l * u * twice_over_d,
-            l * v * twice_over_d,
-        ];
-        (phi, w * twice_over_d)
+        let twice = inverse_square * 2.0;
+        let (c, d) = (twice * u, twice * v);
+        ([Lanes::splat(1.0), (c * u - d * v) * 0.5, c * v, c, d], twice * w)
     }
 
     /// The normal `n - g_x b_x - g_y b_y`, normalized.
     #[inline(always)]
     pub fn tilted(&self, g_x: Lanes<L>, g_y: Lanes<L>) -> Vec3<L> {
-        normalized(&minus(&self.n, &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y))))
+        normalized(&minus(
+            &self.n,
+            &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y)),
+        ))
     }
 }
 
 /// Gradient-corrected Moreton-Sequin fit at a vertex with a closed ring and the approximate normal `n`.
 ///
 /// The normal of a one-ring is wrong by `O(h)` on irregular meshes, and a normal tilted by `g` changes every `kappa`
-/// by `2 <g, e> / |e|^2`: an `O(1)` error. Two more unknowns `l g` take that tilt out. `ring` has weight 1;
-/// `flap(k)` yields further samples with their weights (0 for none). `tilt_ridge` is [`TILT_RIDGE`] or, for plain
-/// Moreton-Sequin, [`NO_TILT`].
+/// by `2 <g, e> / |e|^2`: an `O(1)` error. Two more unknowns `g` take that tilt out; their ridge is relative to the
+/// mean square length of the ring. `ring` has weight 1; `flaps` are further samples with their weights (0 for none).
+/// `tilt_ridge` is [`TILT_RIDGE`] or, for plain Moreton-Sequin, [`NO_TILT`].
 #[inline(always)]
 pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     n: &Vec3<L>,
-    ring: &[Vec3<L>],
-    flap: impl Fn(usize) -> (Vec3<L>, Lanes<L>),
+    ring: &[Spoke<L>],
+    flaps: &[(Vec3<L>, Lanes<L>)],
     tilt_ridge: f64,
 ) -> Curvature<L> {
     let frame = Frame::new(*n);
-    let l = mean_square(ring).sqrt();
     let mut fit = NormalEquations::<L, 5>::new();
     let mut moved = [Lanes::zero(); 5];
-    let mut add = |e: &Vec3<L>, weight| {
-        let (phi, kappa) = frame.sample(e, l);
-        fit.add(&phi, kappa, weight);
+    let mut square = Lanes::zero();
+    for (spoke, (flap, weight)) in ring.iter().zip(flaps) {
+        square += spoke.square;
+        let near = frame.sample_at(&spoke.edge, spoke.inverse_square);
+        let inverse_square = inverse_square(dot(flap, flap));
+        let far = frame.sample_at(flap, inverse_square);
+        fit.add_two(&near, &far, *weight);
         if RESPONSE {
-            let change = weight * 2.0 / dot(e, e).max(Lanes::splat(f64::MIN_POSITIVE));
-            for (m, phi) in moved.iter_mut().zip(phi) {
-                *m += phi * change;
-            }
+            add_scaled(&mut moved, &near.0, spoke.inverse_square * 2.0);
+            add_scaled(&mut moved, &far.0, *weight * inverse_square * 2.0);
         }
-    };
-    for (k, e) in ring.iter().enumerate() {
-        add(e, Lanes::splat(1.0));
-        let (e, weight) = flap(k);
-        add(&e, weight);
     }
-    let factor = fit.cholesky(&[0.0, RIDGE, RIDGE, tilt_ridge, tilt_ridge]);
-    let y = back_substitute(&factor, fit.right);
-    let (g_x, g_y) = (l * y[3], l * y[4]);
+    let ridge = inverse_square(square) * (tilt_ridge * ring.len() as f64);
+    let constant = Lanes::splat(RIDGE);
+    let factor = fit.factor(&[Lanes::zero(), constant, constant, ridge, ridge]);
+    let [h, y_1, y_2, g_x, g_y] = back_substitute(&factor, fit.right);
     let tilt = (g_x * g_x + g_y * g_y + 1.0).sqrt().recip();
     Curvature {
-        response: if RESPONSE { back_substitute(&factor, moved)[0] * tilt } else { Lanes::zero() },
-        h: y[0] * tilt,
-        k: (y[0] * y[0] - y[1] * y[1] - y[2] * y[2]) * tilt * tilt,
+        response: if RESPONSE {
+            back_substitute(&factor, moved)[0] * tilt
+        } else {
+            Lanes::zero()
+        },
+        h: h * tilt,
+        k: (h * h - y_1 * y_1 - y_2 * y_2) * tilt * tilt,
         normal: frame.tilted(g_x, g_y),
     }
 }
 
-/// Mean of `|e|^2`.
 #[inline(always)]
-pub fn mean_square<const L: usize>(ring: &[Vec3<L>]) -> Lanes<L> {
-    let mut sum = Lanes::zero();
-    for e in ring {
-        sum += dot(e, e);
+fn add_scaled<const L: usize>(sum: &mut [Lanes<L>; 5], phi: &[Lanes<L>; 5], by: Lanes<L>) {
+    for (sum, phi) in sum.iter_mut().zip(phi) {
+        *sum += *phi * by;
     }
-    sum * (1.0 / ring.len() as f64)
 }
 
 /// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a border vertex with its prescribed normal, or
-/// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them. Returns `(H, K)`.
+/// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them.
+#[derive(Debug, Clone, Copy)]
+pub struct MoretonSequin<const L: usize> {
+    frame: Frame<L>,
+    fit: NormalEquations<L, 3>,
+}
+
+impl<const L: usize> MoretonSequin<L> {
+    /// No samples yet around the unit normal `n`.
+    #[inline(always)]
+    pub fn new(n: Vec3<L>) -> Self {
+        Self {
+            frame: Frame::new(n),
+            fit: NormalEquations::new(),
+        }
+    }
+
+    /// One more sample; weight 0 for lanes that have none.
+    #[inline(always)]
+    pub fn add(&mut self, e: &Vec3<L>, weight: Lanes<L>) {
+        let ([one, a, b, ..], kappa) = self.frame.sample_at(e, inverse_square(dot(e, e)));
+        self.fit.add(&[one, a, b], kappa, weight);
+    }
+
+    /// `(H, K)`.
+    #[inline(always)]
+    pub fn curvature(&self) -> (Lanes<L>, Lanes<L>) {
+        let y = self.fit.solve(&[0.0, RIDGE, RIDGE]);
+        (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
+    }
+
+    /// `H` of one vertex whose samples are spread over the lanes.
+    #[inline(always)]
+    pub fn over_lanes(&self) -> f64 {
+        self.fit.sum_of_lanes().solve(&[0.0, RIDGE, RIDGE])[0].0[0]
+    }
+}
+
+/// [`MoretonSequin`] of some samples: `(H, K)`.
 #[inline(always)]
 pub fn moreton_sequin<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
 ) -> (Lanes<L>, Lanes<L>) {
-    let frame = Frame::new(*n);
-    let mut fit = NormalEquations::<L, 3>::new();
+    let mut fit = MoretonSequin::new(*n);
     for e in samples {
-        let (phi, kappa) = frame.sample(&e, Lanes::zero());
-        fit.add(&[phi[0], phi[1], phi[2]], kappa, Lanes::splat(1.0));
+        fit.add(&e, Lanes::splat(1.0));
     }
-    let y = fit.solve(&[0.0, RIDGE, RIDGE]);
-    (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
+    fit.curvature()
 }
 
 #[cfg(test)]
@@ -258,9 +338,17 @@ mod tests {
     use super::*;
     use crate::discrete::lanes::{lane, one};
     use crate::discrete::normals::max_normal;
+    use crate::discrete::spokes::ring_of;
     use nalgebra::Vector3;
 
-    const RING: [(f64, f64); 6] = [(0.1, 1.0), (0.9, 0.6), (2.2, 1.2), (3.0, 0.7), (4.1, 1.1), (5.5, 0.8)];
+    const RING: [(f64, f64); 6] = [
+        (0.1, 1.0),
+        (0.9, 0.6),
+        (2.2, 1.2),
+        (3.0, 0.7),
+        (4.1, 1.1),
+        (5.5, 0.8),
+    ];
 
     /// Ring and flaps on a graph `z = f(x, y)` around the origin, shrunk by `h`.
     fn graph(f: impl Fn(f64, f64) -> f64, h: f64) -> (Vec<Vec3<1>>, Vec<Vec3<1>>) {
@@ -277,9 +365,18 @@ mod tests {
         (ring, flaps.collect())
     }
 
+    fn fit_with(n: &Vec3<1>, ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
+        let flaps: Vec<_> = flaps.iter().map(|f| (*f, Lanes::splat(FLAP_WEIGHT))).collect();
+        gradient_corrected::<1, false>(n, &ring_of(ring.iter().copied()), &flaps, tilt_ridge)
+    }
+
     fn fit(ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
-        let n = max_normal(ring);
-        gradient_corrected::<1, false>(&n, ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), tilt_ridge)
+        fit_with(
+            &max_normal(&ring_of(ring.iter().copied())),
+            ring,
+            flaps,
+            tilt_ridge,
+        )
     }
 
     #[test]
@@ -326,8 +423,8 @@ mod tests {
     fn h_changes_sign_with_the_normal() {
         let (ring, flaps) = graph(|x, y| x * x + 0.2 * y * y + 0.1 * x * y, 0.3);
         let up = fit(&ring, &flaps, TILT_RIDGE).h.0[0];
-        let n = max_normal(&ring).map(|x| -x);
-        let down = gradient_corrected::<1, false>(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+        let n = max_normal(&ring_of(ring.iter().copied())).map(|x| -x);
+        let down = fit_with(&n, &ring, &flaps, TILT_RIDGE).h.0[0];
         assert!((up + down).abs() < 1e-12 * up.abs());
     }
 
@@ -341,7 +438,7 @@ mod tests {
             let phi = 0.1 + 2.8 * s as f64 / steps as f64;
             ring[0] = one(&Vector3::new(0.3 * phi.cos(), 0.3 * phi.sin(), 0.05));
             let n = one(&Vector3::z());
-            let h = gradient_corrected::<1, false>(&n, &ring, |k| (flaps[k], Lanes::splat(FLAP_WEIGHT)), TILT_RIDGE).h.0[0];
+            let h = fit_with(&n, &ring, &flaps, TILT_RIDGE).h.0[0];
             if let Some(before) = last {
                 let jump: f64 = h - before;
                 assert!(jump.abs() < 0.05, "jump of {jump} at step {s}");

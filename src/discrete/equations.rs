@@ -7,16 +7,19 @@
 //! Fixed positions and normals enter through `H` at the border vertices, taken one-sidedly from the region with the
 //! prescribed normal (paper 6.1, 6.2, 7.5).
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, gradient_corrected, moreton_sequin};
-use super::groups::{Groups, LANES, gather, gather_flap, gather_scalar, split_lengths};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
+use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
 use super::inner_fairness::FairnessWeights;
-use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled};
+use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
+use super::spokes::{Spoke, measure};
 use crate::mesh::Rings;
 
 /// How `H` is taken at free vertices.
@@ -33,6 +36,9 @@ pub enum FreeCurvature {
 
 /// Valences up to this take extra samples in the paper's discretization (paper 6.2).
 const LOW_VALENCE: usize = 4;
+
+/// A border vertex takes this many samples at once.
+const BORDER_LANES: usize = 4;
 
 /// What does not change from surface to surface.
 #[derive(Debug)]
@@ -90,6 +96,41 @@ impl State {
     }
 }
 
+/// Room for the group of largest valence.
+struct Work {
+    ring: Vec<Spoke<LANES>>,
+    flaps: Vec<(Vec3<LANES>, Lanes<LANES>)>,
+    weight: Vec<Lanes<LANES>>,
+}
+
+impl Work {
+    fn new(m: usize) -> Self {
+        let zero = Lanes::zero();
+        Self {
+            ring: vec![Spoke::zero(); m],
+            flaps: vec![([zero; 3], zero); m],
+            weight: vec![zero; m],
+        }
+    }
+
+    #[inline(always)]
+    fn of(&mut self, m: usize) -> Room<'_> {
+        Room {
+            ring: &mut self.ring[..m],
+            flaps: &mut self.flaps[..m],
+            weight: &mut self.weight[..m],
+        }
+    }
+}
+
+/// The part of it that one group uses.
+struct Room<'w> {
+    ring: &'w mut [Spoke<LANES>],
+    /// Flaps from the centre, with their weights.
+    flaps: &'w mut [(Vec3<LANES>, Lanes<LANES>)],
+    weight: &'w mut [Lanes<LANES>],
+}
+
 /// Where one chunk of free vertices puts its results.
 struct ChunkOutput<'s> {
     normal: &'s mut [Vector3<f64>],
@@ -124,8 +165,7 @@ impl Equations<'_> {
             self.paper_curvature(x, state);
         }
         let free = self.free();
-        let (inside, border) = state.h.split_at_mut(free);
-        let _ = inside;
+        let (_, border) = state.h.split_at_mut(free);
         let corrected = &state.corrected;
         border
             .par_iter_mut()
@@ -162,15 +202,31 @@ impl Equations<'_> {
                 })
             })
             .collect();
-        outputs.into_par_iter().zip(chunks.par_iter()).for_each(|(mut output, chunk)| {
-            let mut ring = vec![[Lanes::zero(); 3]; groups.largest_valence];
-            let mut weight = vec![Lanes::zero(); groups.largest_valence];
-            for group in chunk.groups.clone() {
-                let m = groups.slots(group).len();
-                let place = (group, chunk.vertices.start, chunk.slots.start);
-                self.free_group::<RESPONSE>(x, place, &mut ring[..m], &mut weight[..m], &mut output);
-            }
-        });
+        outputs
+            .into_par_iter()
+            .zip(chunks.par_iter())
+            .for_each(|(mut output, chunk)| {
+                vectorized(
+                    #[inline(always)]
+                    || self.free_chunk::<RESPONSE>(x, chunk, &mut output),
+                );
+            });
+    }
+
+    /// One chunk of [`Self::free_vertices`], without the choice of instructions.
+    #[inline(always)]
+    fn free_chunk<const RESPONSE: bool>(
+        &self,
+        x: &[Vector3<f64>],
+        chunk: &Chunk,
+        output: &mut ChunkOutput<'_>,
+    ) {
+        let mut work = Work::new(self.groups.largest_valence);
+        for group in chunk.groups.clone() {
+            let m = self.groups.slots(group).len();
+            let place = (group, chunk.vertices.start, chunk.slots.start);
+            self.free_group::<RESPONSE>(x, place, work.of(m), output);
+        }
     }
 
     #[inline(always)]
@@ -178,40 +234,52 @@ impl Equations<'_> {
         &self,
         x: &[Vector3<f64>],
         (group, first_vertex, first_slot): (usize, usize, usize),
-        ring: &mut [Vec3<LANES>],
-        weight: &mut [Lanes<LANES>],
+        Room { ring, flaps, weight }: Room<'_>,
         out: &mut ChunkOutput<'_>,
     ) {
         let groups = self.groups;
         let slots = groups.slots(group);
         let vertex = &groups.vertex[group];
         let q = gather(x, vertex);
-        for (e, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
-            *e = minus(&gather(x, j), &q);
+        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
+            spoke.edge = gather(x, j);
         }
+        for spoke in ring.iter_mut() {
+            spoke.edge = minus(&spoke.edge, &q);
+        }
+        measure(ring);
         let area = ring_weights(ring, weight);
-        for (to, from) in out.weight[slots.start - first_slot..].iter_mut().zip(weight.iter()) {
+        for (to, from) in out.weight[slots.start - first_slot..]
+            .iter_mut()
+            .zip(weight.iter())
+        {
             *to = from.0;
         }
         let (n, c) = match self.curvature {
             FreeCurvature::Paper => {
                 let n = cross_product_normal(ring);
                 let zero = Lanes::zero();
-                (n, Curvature { h: zero, k: zero, normal: n, response: zero })
+                (
+                    n,
+                    Curvature {
+                        h: zero,
+                        k: zero,
+                        normal: n,
+                        response: zero,
+                    },
+                )
             }
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
-                let flap = |s: usize| {
-                    let slot = slots.start + s;
-                    let (p, weight) =
-                        gather_flap(x, &groups.flap[slot], &groups.neighbour[slot], FLAP_WEIGHT);
-                    (minus(&p, &q), weight)
-                };
-                (n, gradient_corrected::<LANES, RESPONSE>(&n, ring, flap, tilt_ridge))
+                self.gather_flaps(x, slots.clone(), &q, flaps);
+                (
+                    n,
+                    gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
+                )
             }
         };
         let mut sum = [Lanes::zero(); 3];
-        for (s, e) in ring.iter().enumerate() {
+        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
             match &self.weights.slots {
                 None => sum = super::lanes::plus(&sum, e),
                 Some(w) => sum = super::lanes::plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
@@ -232,6 +300,26 @@ impl Equations<'_> {
         }
     }
 
+    #[inline(always)]
+    fn gather_flaps(
+        &self,
+        x: &[Vector3<f64>],
+        slots: Range<usize>,
+        q: &Vec3<LANES>,
+        flaps: &mut [(Vec3<LANES>, Lanes<LANES>)],
+    ) {
+        let ids = self.groups.flap[slots.clone()]
+            .iter()
+            .zip(&self.groups.neighbour[slots]);
+        for (to, (flap, neighbour)) in flaps.iter_mut().zip(ids) {
+            *to = (gather(x, flap), flap_weight(flap, neighbour, FLAP_WEIGHT));
+        }
+        // Apart from the loads, so that it is done in vectors.
+        for to in flaps {
+            to.0 = minus(&to.0, q);
+        }
+    }
+
     /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
     /// of the neighbours, hence a pass of its own.
     fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
@@ -239,8 +327,12 @@ impl Equations<'_> {
         let normal = &state.normal;
         let free = self.free();
         let of = |i: u32| self.normal_at(normal, i);
-        state.h[..free].par_iter_mut().zip(state.k.par_iter_mut()).with_min_len(256).enumerate().for_each(
-            |(i, (h, k))| {
+        state.h[..free]
+            .par_iter_mut()
+            .zip(state.k.par_iter_mut())
+            .with_min_len(256)
+            .enumerate()
+            .for_each(|(i, (h, k))| {
                 let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
                 let q = one(&x[i]);
                 let at = |j: u32| minus(&one(&x[j as usize]), &q);
@@ -252,28 +344,63 @@ impl Equations<'_> {
                 let n = one(&normal[i]);
                 let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
                 (*h, *k) = (mean.0[0], gauss.0[0]);
-            },
-        );
+            });
     }
 
+    #[inline(always)]
     fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
         let i = i as usize;
-        if i < self.free() { normal[i] } else { self.border_normals[i - self.free()] }
+        if i < self.free() {
+            normal[i]
+        } else {
+            self.border_normals[i - self.free()]
+        }
     }
 
     /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region
     /// and a spiral sample on every ring edge.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+        vectorized(
+            #[inline(always)]
+            || self.border_fit(x, corrected, b),
+        )
+    }
+
+    /// The same without the choice of instructions. The samples are spread over the lanes.
+    #[inline(always)]
+    fn border_fit(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         let rings = self.rings;
-        let range = |start: &[u32]| start[b] as usize..start[b + 1] as usize;
-        let q = one(&x[self.free() + b]);
-        let at = |j: u32| minus(&one(&x[j as usize]), &q);
-        let of = |j: u32| one(&self.normal_at(corrected, j));
-        let neighbours = rings.border_neighbour[range(&rings.border_start)].iter().map(|&j| at(j));
-        let between = rings.border_edge[range(&rings.border_edge_start)]
-            .iter()
-            .map(|&[a, c]| spiral_sample(&at(a), &at(c), &of(a), &of(c)));
-        moreton_sequin(&one(&self.border_normals[b]), neighbours.chain(between)).0.0[0]
+        let free = self.free();
+        let nothing: Vec3<BORDER_LANES> = [Lanes::zero(); 3];
+        let normal = &self.border_normals[b];
+        let q = &x[free + b];
+        let mut n = nothing;
+        (0..BORDER_LANES).for_each(|l| set_lane(&mut n, l, normal));
+        let mut fit = MoretonSequin::new(n);
+        let neighbours = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+        for part in rings.border_neighbour[neighbours].chunks(BORDER_LANES) {
+            let (mut e, mut weight) = (nothing, Lanes::zero());
+            for (l, &j) in part.iter().enumerate() {
+                set_lane(&mut e, l, &(x[j as usize] - q));
+                weight.0[l] = 1.0;
+            }
+            fit.add(&e, weight);
+        }
+        for part in self.border_triangles(b).chunks(BORDER_LANES) {
+            let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Lanes::zero());
+            for (l, edge) in part.iter().enumerate() {
+                for (k, &j) in edge.iter().enumerate() {
+                    set_lane(&mut ends[k], l, &(x[j as usize] - q));
+                    set_lane(&mut normals[k], l, &self.normal_at(corrected, j));
+                }
+                weight.0[l] = 1.0;
+            }
+            fit.add(
+                &spiral_sample(&ends[0], &ends[1], &normals[0], &normals[1]),
+                weight,
+            );
+        }
+        fit.over_lanes()
     }
 
     /// `R1 = S H` from the weights and curvatures of `state`.
@@ -281,20 +408,23 @@ impl Equations<'_> {
         let groups = self.groups;
         let (h, weight) = (&state.h, &state.weight);
         let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
-        pieces.into_par_iter().zip(groups.chunks.par_iter()).for_each(|(outer, chunk)| {
-            for group in chunk.groups.clone() {
-                let vertex = &groups.vertex[group];
-                let own = gather_scalar(h, vertex);
-                let mut sum = Lanes::<LANES>::zero();
-                for slot in groups.slots(group) {
-                    let other = gather_scalar(h, &groups.neighbour[slot]);
-                    sum += Lanes(weight[slot]) * (own - other);
+        pieces
+            .into_par_iter()
+            .zip(groups.chunks.par_iter())
+            .for_each(|(outer, chunk)| {
+                for group in chunk.groups.clone() {
+                    let vertex = &groups.vertex[group];
+                    let own = gather_scalar(h, vertex);
+                    let mut sum = Lanes::<LANES>::zero();
+                    for slot in groups.slots(group) {
+                        let other = gather_scalar(h, &groups.neighbour[slot]);
+                        sum += Lanes(weight[slot]) * (own - other);
+                    }
+                    for (l, &i) in vertex.iter().enumerate() {
+                        outer[i as usize - chunk.vertices.start] = sum.0[l];
+                    }
                 }
-                for (l, &i) in vertex.iter().enumerate() {
-                    outer[i as usize - chunk.vertices.start] = sum.0[l];
-                }
-            }
-        });
+            });
     }
 
     /// The harmonic defect `max_i |R1_i| / sum_j |w_ij|` (a mean curvature: times a length it has no unit), and
@@ -322,7 +452,10 @@ impl Equations<'_> {
     /// ends are left to [`Self::border_weights`].
     pub fn border_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
         let q = &x[self.free() + b];
-        self.border_triangles(b).iter().map(|&[a, c]| area(q, &x[a as usize], &x[c as usize])).sum()
+        self.border_triangles(b)
+            .iter()
+            .map(|&[a, c]| area(q, &x[a as usize], &x[c as usize]))
+            .sum()
     }
 
     /// The ring edges of border vertex `b`'s triangles in the region.
@@ -338,6 +471,67 @@ impl Equations<'_> {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
+        }
+    }
+}
+
+#[cfg(all(test, feature = "shapes"))]
+mod tests {
+    use super::*;
+    use crate::discrete::curvature::TILT_RIDGE;
+    use crate::mesh::{Region, Selection};
+    use crate::shapes::{Sampling, sphere_cap};
+
+    #[test]
+    fn wide_and_baseline_instructions_agree_bit_by_bit() {
+        let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let x = region.positions(&shape.noise(3, 0.2));
+        let rings = Rings::new(&region);
+        let groups = Groups::new(&rings);
+        let border_normals: Vec<_> = x[region.free..region.region_vertices()]
+            .iter()
+            .map(|p| p.normalize())
+            .collect();
+        for curvature in [
+            FreeCurvature::GradientCorrected {
+                tilt_ridge: TILT_RIDGE,
+            },
+            FreeCurvature::Paper,
+        ] {
+            let equations = Equations {
+                rings: &rings,
+                groups: &groups,
+                border_normals: &border_normals,
+                weights: &FairnessWeights::conformal(&groups, &x),
+                curvature,
+            };
+            let [mut wide, mut plain] = [(); 2].map(|()| State::new(&groups, region.border));
+            equations.free_vertices::<true>(&x, &mut wide);
+            let mut output = ChunkOutput {
+                normal: &mut plain.normal,
+                corrected: &mut plain.corrected,
+                h: &mut plain.h,
+                k: &mut plain.k,
+                area: &mut plain.area,
+                response: &mut plain.response,
+                weight: &mut plain.weight,
+                inner: &mut plain.inner,
+            };
+            assert_eq!(groups.chunks.len(), 1);
+            equations.free_chunk::<true>(&x, &groups.chunks[0], &mut output);
+            assert!(
+                wide.normal == plain.normal && wide.corrected == plain.corrected && wide.inner == plain.inner
+            );
+            assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
+            assert!(wide.response == plain.response && wide.weight == plain.weight);
+            for b in 0..region.border {
+                let plain = equations.border_fit(&x, &wide.corrected, b);
+                assert_eq!(
+                    equations.border_curvature(&x, &wide.corrected, b).to_bits(),
+                    plain.to_bits()
+                );
+            }
         }
     }
 }

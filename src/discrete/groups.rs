@@ -38,7 +38,7 @@ pub struct Groups {
     pub start: Vec<usize>,
     /// Per slot the neighbours.
     pub neighbour: Vec<[u32; LANES]>,
-    /// Per slot the flaps across ring edge `(k, k+1)`, or [`NONE`].
+    /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
     pub flap: Vec<[u32; LANES]>,
     /// Per free vertex its first slot and its lane.
     pub place: Vec<(u32, u32)>,
@@ -91,7 +91,14 @@ impl Groups {
         let valence = rings.start[vertex[0] as usize + 1] as usize - start[0];
         for k in 0..valence {
             self.neighbour.push(start.map(|s| rings.neighbour[s + k]));
-            self.flap.push(start.map(|s| rings.flap[s + k]));
+            self.flap.push(start.map(|s| {
+                let flap = rings.flap[s + k];
+                if flap == NONE {
+                    rings.neighbour[s + k]
+                } else {
+                    flap
+                }
+            }));
         }
         self.vertex.push(vertex);
         self.start.push(self.neighbour.len());
@@ -126,27 +133,18 @@ pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Lanes<LANES> {
     r
 }
 
-/// The flaps of one slot with weight `weight`; where there is none, the neighbour itself with weight zero.
+/// `weight` where a slot has a flap, else 0.
 #[inline(always)]
-pub fn gather_flap(
-    x: &[Vector3<f64>],
-    flap: &[u32; LANES],
-    neighbour: &[u32; LANES],
-    weight: f64,
-) -> (Vec3<LANES>, Lanes<LANES>) {
+pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Lanes<LANES> {
     let mut weights = Lanes::splat(weight);
-    let mut vertex = *flap;
     for l in 0..LANES {
-        if flap[l] == NONE {
-            vertex[l] = neighbour[l];
-            weights.0[l] = 0.0;
-        }
+        weights.0[l] = if flap[l] == neighbour[l] { 0.0 } else { weight };
     }
-    (gather(x, &vertex), weights)
+    weights
 }
 
 /// Cuts a slice into consecutive pieces of the given lengths.
-pub fn split_lengths<'a, T>(mut slice: &'a mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&'a mut [T]> {
+pub fn split_lengths<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
     let mut pieces = Vec::with_capacity(lengths.size_hint().0);
     for length in lengths {
         let (head, tail) = slice.split_at_mut(length);

@@ -5,9 +5,19 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use faer::traits::pulp::Arch;
+
+/// Runs `f` compiled for the widest vectors of this processor. Only what is inlined into `f` is: every function on
+/// the way down to the arithmetic is `#[inline(always)]`. Rust never contracts a product and a sum into one rounding,
+/// so the results are those of calling `f` itself, bit by bit.
+#[inline(always)]
+pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+    Arch::new().dispatch(f)
+}
+
 /// `L` numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(64))]
+#[repr(align(32))]
 pub struct Lanes<const L: usize>(pub [f64; L]);
 
 /// `L` vectors, by coordinate.
@@ -63,6 +73,16 @@ impl<const L: usize> Lanes<L> {
         self.map(|x| 1.0 / x)
     }
 
+    /// The sum of all lanes, from the first.
+    #[inline(always)]
+    pub fn sum(self) -> Lanes<1> {
+        let mut sum = 0.0;
+        for x in self.0 {
+            sum += x;
+        }
+        Lanes([sum])
+    }
+
     /// Magnitude of `self`, sign of `sign`.
     #[inline(always)]
     pub fn copysign(self, sign: Self) -> Self {
@@ -75,6 +95,21 @@ impl<const L: usize> Lanes<L> {
         self.map(f64::abs)
     }
 }
+
+/// `unrolled!(i in range => { .. })`: the loop over a range within `0..5`, written out. With constants known here, no
+/// loop and no index is left, and small matrices live in registers; the optimizer gives up on nested triangles.
+macro_rules! unrolled {
+    ($i:ident in $range:expr => $body:block) => {
+        unrolled!(@step $i, $range, $body, 0 1 2 3 4)
+    };
+    (@step $i:ident, $range:expr, $body:block, $($value:literal)*) => {
+        $(if $range.contains(&$value) {
+            let $i: usize = $value;
+            $body
+        })*
+    };
+}
+pub(crate) use unrolled;
 
 macro_rules! operator {
     ($trait:ident, $method:ident, $op:tt) => {
@@ -170,11 +205,21 @@ pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
 }
 
 /// One vector as one lane.
+#[inline(always)]
 pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
     [Lanes([v.x]), Lanes([v.y]), Lanes([v.z])]
 }
 
+/// Puts one vector into one lane.
+#[inline(always)]
+pub fn set_lane<const L: usize>(to: &mut Vec3<L>, l: usize, v: &nalgebra::Vector3<f64>) {
+    to[0].0[l] = v.x;
+    to[1].0[l] = v.y;
+    to[2].0[l] = v.z;
+}
+
 /// One lane as a vector.
+#[inline(always)]
 pub fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
     nalgebra::Vector3::new(v[0].0[l], v[1].0[l], v[2].0[l])
 }
@@ -185,10 +230,21 @@ mod tests {
 
     #[test]
     fn tangent_basis_is_orthonormal_and_right_handed() {
-        for n in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.6, -0.8, 0.0], [0.48, 0.6, -0.64]] {
+        for n in [
+            [0.0, 0.0, 1.0],
+            [0.0, 0.0, -1.0],
+            [0.6, -0.8, 0.0],
+            [0.48, 0.6, -0.64],
+        ] {
             let n: Vec3<1> = n.map(Lanes::splat);
             let (x, y) = tangent_basis(&n);
-            for (a, b, want) in [(&x, &x, 1.0), (&y, &y, 1.0), (&x, &y, 0.0), (&x, &n, 0.0), (&y, &n, 0.0)] {
+            for (a, b, want) in [
+                (&x, &x, 1.0),
+                (&y, &y, 1.0),
+                (&x, &y, 0.0),
+                (&x, &n, 0.0),
+                (&y, &n, 0.0),
+            ] {
                 assert!((dot(a, b).0[0] - want).abs() < 1e-15);
             }
             assert!((dot(&cross(&x, &y), &n).0[0] - 1.0).abs() < 1e-15);

@@ -5,32 +5,30 @@
 
 use nalgebra::Vector3;
 
-use super::lanes::{Lanes, Vec3, cross, dot};
+use super::lanes::{Lanes, dot};
+use super::spokes::Spoke;
 
 /// Below this sine of a corner's angle (about), a cotangent stops growing: `1 / SMALLEST_SINE` bounds it.
 const SMALLEST_SINE: f64 = 1e-8;
 
-/// The cotangent weights of a closed ring with edge vectors `e_k` from its centre, written to `weight`, and the area
-/// of its triangles.
+/// The cotangent weights of a closed ring, written to `weight`, and the area of its triangles.
 #[inline(always)]
-pub fn ring_weights<const L: usize>(ring: &[Vec3<L>], weight: &mut [Lanes<L>]) -> Lanes<L> {
-    let last = ring.len() - 1;
-    for w in weight.iter_mut() {
-        *w = Lanes::zero();
-    }
+pub fn ring_weights<const L: usize>(ring: &[Spoke<L>], weight: &mut [Lanes<L>]) -> Lanes<L> {
     let mut twice_area = Lanes::zero();
-    let mut a = last;
-    for b in 0..ring.len() {
-        let (e_a, e_b) = (&ring[a], &ring[b]);
-        let (aa, bb, ab) = (dot(e_a, e_a), dot(e_b, e_b), dot(e_a, e_b));
-        let c = cross(e_a, e_b);
-        let area = dot(&c, &c).sqrt();
-        let inverse = area.max((aa + bb) * SMALLEST_SINE).max(Lanes::splat(f64::MIN_POSITIVE)).recip();
+    let m = ring.len();
+    weight[0] = Lanes::zero();
+    for k in 0..m {
+        let next = if k + 1 < m { k + 1 } else { 0 };
+        let (a, b) = (&ring[k], &ring[next]);
+        let inner = dot(&a.edge, &b.edge);
+        let area = dot(&a.cross, &a.cross).sqrt();
+        let floor = (a.square + b.square) * SMALLEST_SINE;
+        let inverse = area.max(floor).max(Lanes::splat(f64::MIN_POSITIVE)).recip();
         // The angle at b's end faces edge a, and the other way round.
-        weight[a] += (bb - ab) * inverse;
-        weight[b] += (aa - ab) * inverse;
+        weight[k] += (b.square - inner) * inverse;
+        let facing = (a.square - inner) * inverse;
+        weight[next] = if next > 0 { facing } else { weight[0] + facing };
         twice_area += area;
-        a = b;
     }
     twice_area * 0.5
 }
@@ -51,17 +49,24 @@ pub fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::lanes::{lane, minus, one, plus, scaled};
+    use crate::discrete::lanes::{Vec3, lane, minus, one, plus, scaled};
+    use crate::discrete::spokes::ring_of;
 
     fn ring() -> (Vector3<f64>, Vec<Vector3<f64>>) {
         let q = Vector3::new(0.1, -0.2, 0.3);
-        let ring = [(0.0, 1.0, 0.2), (0.8, 0.7, 0.0), (2.0, 1.3, -0.1), (3.5, 0.9, 0.3), (4.9, 1.1, 0.0)]
-            .map(|(phi, r, z): (f64, f64, f64)| Vector3::new(r * phi.cos(), r * phi.sin(), z));
+        let ring = [
+            (0.0, 1.0, 0.2),
+            (0.8, 0.7, 0.0),
+            (2.0, 1.3, -0.1),
+            (3.5, 0.9, 0.3),
+            (4.9, 1.1, 0.0),
+        ]
+        .map(|(phi, r, z): (f64, f64, f64)| Vector3::new(r * phi.cos(), r * phi.sin(), z));
         (q, ring.to_vec())
     }
 
     fn weights(q: &Vector3<f64>, ring: &[Vector3<f64>]) -> (Vec<f64>, f64) {
-        let e: Vec<Vec3<1>> = ring.iter().map(|p| minus(&one(p), &one(q))).collect();
+        let e = ring_of(ring.iter().map(|p| minus(&one(p), &one(q))));
         let mut w = vec![Lanes::zero(); e.len()];
         let area = ring_weights(&e, &mut w);
         (w.iter().map(|w| w.0[0]).collect(), area.0[0])
@@ -101,7 +106,10 @@ mod tests {
         let (w, _) = weights(&q, &p);
         let e: Vec<Vec3<1>> = p.iter().map(|x| minus(&one(&q), &one(x))).collect();
         let zero = [Lanes::zero(); 3];
-        let sum = e.iter().zip(&w).fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
+        let sum = e
+            .iter()
+            .zip(&w)
+            .fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
         let gradient = lane(&sum, 0);
         for d in 0..3 {
             let mut step = Vector3::zeros();

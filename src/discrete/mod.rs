@@ -12,3 +12,4 @@ pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;
 pub mod normals;
+pub mod spokes;
