@@ -31,9 +31,14 @@ fn sources() -> Vec<Source> {
     while let Some(path) = open.pop() {
         if path.is_dir() {
             open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if path.extension().is_some_and(|e| e == "rs") && path.file_name().is_some_and(|n| n != "tests.rs") {
+        } else if path.extension().is_some_and(|e| e == "rs")
+            && path.file_name().is_some_and(|n| n != "tests.rs")
+        {
             let name = path.strip_prefix(root()).unwrap().components();
-            let name = name.map(|c| c.as_os_str().to_str().unwrap()).collect::<Vec<_>>().join("/");
+            let name = name
+                .map(|c| c.as_os_str().to_str().unwrap())
+                .collect::<Vec<_>>()
+                .join("/");
             let code = without_tests(&blanked(&fs::read_to_string(&path).unwrap()));
             sources.push(Source { name, code });
         }
@@ -46,7 +51,9 @@ fn sources() -> Vec<Source> {
 /// Everything before the unit tests, which stand last in a file.
 fn without_tests(code: &str) -> String {
     let lines: Vec<&str> = code.lines().collect();
-    let tests = lines.windows(2).position(|w| w[0].trim() == "#[cfg(test)]" && w[1].starts_with("mod tests {"));
+    let tests = lines
+        .windows(2)
+        .position(|w| w[0].trim() == "#[cfg(test)]" && w[1].starts_with("mod tests {"));
     lines[..tests.unwrap_or(lines.len())].join("\n")
 }
 
@@ -62,7 +69,8 @@ fn blanked(text: &str) -> String {
             rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len())
         } else if rest.starts_with(b"/*") {
             block_comment(rest)
-        } else if !in_word && (rest.starts_with(b"r\"") || rest.starts_with(b"r#") || rest.starts_with(b"br")) {
+        } else if !in_word && (rest.starts_with(b"r\"") || rest.starts_with(b"r#") || rest.starts_with(b"br"))
+        {
             raw_string(rest)
         } else if rest[0] == b'"' {
             quoted(rest, b'"')
@@ -103,11 +111,16 @@ fn block_comment(text: &[u8]) -> usize {
 /// Length of a raw string at the start of `text`; 0 if there is none (`r` of a name, `r#name`).
 fn raw_string(text: &[u8]) -> usize {
     let start = 1 + usize::from(text[0] == b'b');
-    let hashes = text[start.min(text.len())..].iter().take_while(|&&b| b == b'#').count();
+    let hashes = text[start.min(text.len())..]
+        .iter()
+        .take_while(|&&b| b == b'#')
+        .count();
     if text.get(start + hashes) != Some(&b'"') {
         return 0;
     }
-    let close: Vec<u8> = std::iter::once(b'"').chain(std::iter::repeat_n(b'#', hashes)).collect();
+    let close: Vec<u8> = std::iter::once(b'"')
+        .chain(std::iter::repeat_n(b'#', hashes))
+        .collect();
     let body = start + hashes + 1;
     let end = text[body..].windows(close.len()).position(|w| w == close);
     end.map_or(text.len(), |e| body + e + close.len())
@@ -126,7 +139,9 @@ fn character(text: &[u8]) -> usize {
     let next = std::str::from_utf8(&text[1..text.len().min(9)]);
     let first = match next {
         Ok(s) => s.chars().next(),
-        Err(e) => std::str::from_utf8(&text[1..1 + e.valid_up_to()]).ok().and_then(|s| s.chars().next()),
+        Err(e) => std::str::from_utf8(&text[1..1 + e.valid_up_to()])
+            .ok()
+            .and_then(|s| s.chars().next()),
     };
     match first {
         Some('\\') => quoted(text, b'\''),
@@ -144,7 +159,11 @@ fn lines_with(code: &str, word: &str) -> Vec<usize> {
             !before && !after
         })
     };
-    (1..).zip(code.lines()).filter(|(_, line)| has(line)).map(|(n, _)| n).collect()
+    (1..)
+        .zip(code.lines())
+        .filter(|(_, line)| has(line))
+        .map(|(n, _)| n)
+        .collect()
 }
 
 /// The part of the house that a file belongs to, and the modules from the crate's root to it.
@@ -168,9 +187,16 @@ fn module(name: &str) -> (String, Vec<String>) {
 fn imports(code: &str, path: &[String]) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let starts = code.match_indices("crate::").map(|(at, s)| (at, at + s.len()));
-    let supers = code.match_indices("super::").filter(|(at, _)| !code[..*at].ends_with("super::"));
+    let supers = code
+        .match_indices("super::")
+        .filter(|(at, _)| !code[..*at].ends_with("super::"));
     let supers = supers.filter_map(|(at, _)| {
-        let count = code[at..].split("super::").skip(1).take_while(|s| s.is_empty()).count() + 1;
+        let count = code[at..]
+            .split("super::")
+            .skip(1)
+            .take_while(|s| s.is_empty())
+            .count()
+            + 1;
         (count >= path.len() && !path.is_empty()).then_some((at, at + count * "super::".len()))
     });
     for (at, end) in starts.chain(supers) {
@@ -185,8 +211,15 @@ fn imports(code: &str, path: &[String]) -> Vec<(usize, String)> {
 
 /// First names of a path or of a group of paths.
 fn heads(rest: &str) -> Vec<String> {
-    let name = |s: &str| s.trim_start().chars().take_while(|&c| c == '_' || c.is_alphanumeric()).collect::<String>();
-    let Some(group) = rest.strip_prefix('{') else { return vec![name(rest)] };
+    let name = |s: &str| {
+        s.trim_start()
+            .chars()
+            .take_while(|&c| c == '_' || c.is_alphanumeric())
+            .collect::<String>()
+    };
+    let Some(group) = rest.strip_prefix('{') else {
+        return vec![name(rest)];
+    };
     let (mut depth, mut heads, mut from) = (0usize, Vec::new(), 0);
     for (at, c) in group.char_indices() {
         match c {
@@ -209,13 +242,25 @@ fn heads(rest: &str) -> Vec<String> {
 /// The table of ARCHITECTURE.md: rows of `part` and the parts that it may import.
 fn import_table() -> BTreeMap<String, BTreeSet<String>> {
     let text = read("ARCHITECTURE.md");
-    let section = text.split("\n## ").find(|s| s.starts_with("Who may import whom")).expect("the import table");
+    let section = text
+        .split("\n## ")
+        .find(|s| s.starts_with("Who may import whom"))
+        .expect("the import table");
     let rows = section.lines().filter(|line| line.starts_with("| `"));
     let table: BTreeMap<_, _> = rows
         .map(|row| {
             let cells: Vec<&str> = row.split('|').collect();
-            let names = |cell: &str| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
-            (names(cells[1]).remove(0), names(cells[2]).into_iter().collect::<BTreeSet<_>>())
+            let names = |cell: &str| {
+                cell.split('`')
+                    .skip(1)
+                    .step_by(2)
+                    .map(str::to_owned)
+                    .collect::<Vec<_>>()
+            };
+            (
+                names(cells[1]).remove(0),
+                names(cells[2]).into_iter().collect::<BTreeSet<_>>(),
+            )
         })
         .collect();
     assert!(table.len() >= 9, "{table:?}");
@@ -232,14 +277,20 @@ fn imports_run_one_way() {
             // `crate::` is the binary itself there; it sees the library as any other program does.
             continue;
         }
-        let allowed = table.get(&part).unwrap_or_else(|| panic!("{part} is not in the table of ARCHITECTURE.md"));
+        let allowed = table
+            .get(&part)
+            .unwrap_or_else(|| panic!("{part} is not in the table of ARCHITECTURE.md"));
         for (line, import) in imports(&source.code, &path) {
             if import != part && !allowed.contains(&import) {
                 wrong.push(format!("{}:{line}: {part} imports {import}", source.name));
             }
         }
     }
-    assert!(wrong.is_empty(), "against the table of ARCHITECTURE.md:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "against the table of ARCHITECTURE.md:\n{}",
+        wrong.join("\n")
+    );
 }
 
 #[test]
@@ -247,7 +298,10 @@ fn the_import_table_has_no_circle() {
     let mut table = import_table();
     while !table.is_empty() {
         let ready = |allowed: &BTreeSet<String>| allowed.iter().all(|part| !table.contains_key(part));
-        let leaf = table.iter().find(|(_, allowed)| ready(allowed)).map(|(part, _)| part.clone());
+        let leaf = table
+            .iter()
+            .find(|(_, allowed)| ready(allowed))
+            .map(|(part, _)| part.clone());
         table.remove(&leaf.unwrap_or_else(|| panic!("a circle among {:?}", table.keys())));
     }
 }
@@ -256,19 +310,36 @@ fn the_import_table_has_no_circle() {
 fn unsafe_code_stays_in_the_c_interface() {
     let mut wrong = Vec::new();
     for source in sources().iter().filter(|s| !s.name.starts_with("src/capi")) {
-        wrong.extend(lines_with(&source.code, "unsafe").iter().map(|n| format!("{}:{n}", source.name)));
+        wrong.extend(
+            lines_with(&source.code, "unsafe")
+                .iter()
+                .map(|n| format!("{}:{n}", source.name)),
+        );
     }
     assert!(wrong.is_empty(), "unsafe outside src/capi: {wrong:?}");
 }
 
 #[test]
 fn the_library_prints_nothing_and_reads_no_environment() {
-    const FORBIDDEN: [&str; 9] =
-        ["print!", "println!", "eprint!", "eprintln!", "dbg!", "stdout()", "stderr()", "env::var", "env::var_os"];
+    const FORBIDDEN: [&str; 9] = [
+        "print!",
+        "println!",
+        "eprint!",
+        "eprintln!",
+        "dbg!",
+        "stdout()",
+        "stderr()",
+        "env::var",
+        "env::var_os",
+    ];
     let mut wrong = Vec::new();
     for source in sources().iter().filter(|s| !s.name.starts_with("src/bin")) {
         for word in FORBIDDEN {
-            wrong.extend(lines_with(&source.code, word).iter().map(|n| format!("{}:{n}: {word}", source.name)));
+            wrong.extend(
+                lines_with(&source.code, word)
+                    .iter()
+                    .map(|n| format!("{}:{n}: {word}", source.name)),
+            );
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -289,16 +360,28 @@ fn files_are_short() {
 
 #[test]
 fn the_scanner_knows_comments_strings_and_groups() {
-    let code = blanked("a /* unsafe /* x */ */ b // unsafe\nlet s = \"un\\\"safe\"; r#\"unsafe\"#; 'x' '\\'' &'a c");
+    let code =
+        blanked("a /* unsafe /* x */ */ b // unsafe\nlet s = \"un\\\"safe\"; r#\"unsafe\"#; 'x' '\\'' &'a c");
     assert_eq!(lines_with(&code, "unsafe"), [0usize; 0]);
     assert_eq!(code.lines().count(), 2);
     assert!(code.contains("&'a c") && code.contains(" b "));
     assert_eq!(lines_with("x\nunsafe {}\nunsafe_code", "unsafe"), [2]);
     let path = ["a".to_owned(), "b".to_owned()];
-    let heads = |code| imports(code, &path).into_iter().map(|(_, head)| head).collect::<Vec<_>>();
-    assert_eq!(heads("use crate::{x::{y, z}, w};\nuse crate::v::t;"), ["x", "w", "v"]);
+    let heads = |code| {
+        imports(code, &path)
+            .into_iter()
+            .map(|(_, head)| head)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        heads("use crate::{x::{y, z}, w};\nuse crate::v::t;"),
+        ["x", "w", "v"]
+    );
     assert_eq!(heads("use super::near;\nuse super::super::far::x;"), ["far"]);
-    assert_eq!(module("src/solve/mod.rs"), ("solve".to_owned(), vec!["solve".to_owned()]));
+    assert_eq!(
+        module("src/solve/mod.rs"),
+        ("solve".to_owned(), vec!["solve".to_owned()])
+    );
 }
 
 /// A version as numbers, the missing ones 0.
@@ -335,13 +418,22 @@ fn no_dependency_needs_a_newer_rust() {
     let mut wrong = Vec::new();
     let packages = metadata["packages"].as_array().unwrap();
     for package in packages {
-        let Some(needs) = package["rust_version"].as_str() else { continue };
+        let Some(needs) = package["rust_version"].as_str() else {
+            continue;
+        };
         if version(needs) > ours {
-            wrong.push(format!("{} {} needs Rust {needs}", package["name"], package["version"]));
+            wrong.push(format!(
+                "{} {} needs Rust {needs}",
+                package["name"], package["version"]
+            ));
         }
     }
     assert!(packages.len() > 20);
-    assert!(wrong.is_empty(), "newer than the declared Rust version:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "newer than the declared Rust version:\n{}",
+        wrong.join("\n")
+    );
 }
 
 #[test]
@@ -349,7 +441,10 @@ fn documents_agree_with_the_manifest() {
     let readme = read("README.md");
     let rust = env!("CARGO_PKG_RUST_VERSION");
     for (at, _) in readme.match_indices("Rust 1.") {
-        assert!(readme[at..].starts_with(&format!("Rust {rust}")), "another Rust version in README.md: {rust}");
+        assert!(
+            readme[at..].starts_with(&format!("Rust {rust}")),
+            "another Rust version in README.md: {rust}"
+        );
     }
     assert!(readme.contains(&format!("Rust {rust}")));
     let [major, minor] = [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR")];
@@ -359,17 +454,53 @@ fn documents_agree_with_the_manifest() {
     }
     let version = env!("CARGO_PKG_VERSION");
     let changes = read("CHANGELOG.md");
-    assert!(changes.contains("## [Unreleased]") || changes.contains(&format!("## [{version}]")), "{version}");
+    assert!(
+        changes.contains("## [Unreleased]") || changes.contains(&format!("## [{version}]")),
+        "{version}"
+    );
 }
 
 #[test]
 fn linked_files_exist() {
     for document in ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"] {
-        for link in read(document).split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        for link in read(document)
+            .split("](")
+            .skip(1)
+            .filter_map(|rest| rest.split(')').next())
+        {
             let file = link.split('#').next().unwrap();
             if !link.contains("://") && !file.is_empty() {
-                assert!(root().join(PathBuf::from(file)).exists(), "{document} links to {link}");
+                assert!(
+                    root().join(PathBuf::from(file)).exists(),
+                    "{document} links to {link}"
+                );
             }
         }
     }
+}
+
+/// Names that stand behind a file's name in a table row of ARCHITECTURE.md are defined or used in that file.
+#[test]
+fn the_map_of_equations_is_true() {
+    let text = read("ARCHITECTURE.md");
+    let mut checked = 0;
+    for row in text
+        .lines()
+        .filter(|line| line.starts_with('|') && line.contains(".rs`"))
+    {
+        let mut file = String::new();
+        for name in row.split('`').skip(1).step_by(2) {
+            if let Some(path) = name.strip_suffix(".rs") {
+                file = read(&format!("src/{}.rs", path.trim_start_matches("src/")));
+            } else if !file.is_empty() {
+                let last = name.rsplit("::").next().unwrap();
+                assert!(
+                    !lines_with(&file, last).is_empty(),
+                    "{name} is not where this row says: {row}"
+                );
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 20);
 }
