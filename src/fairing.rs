@@ -12,8 +12,8 @@ use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::error::Error;
-use crate::mesh::{Region, Rings};
 pub use crate::mesh::region::Selection;
+use crate::mesh::{Region, Rings};
 use crate::quality::{Quality, Surface};
 use crate::solve::control::Callback;
 use crate::solve::globalize::bounding_box;
@@ -53,6 +53,9 @@ pub enum Discretization {
     Paper,
 }
 
+/// What is told how far a run is; `Break` stops it.
+pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
+
 /// What is asked. `Options::default()` is right for most uses.
 pub struct Options<'a> {
     /// Border normals. Default: fitted to the surroundings.
@@ -69,7 +72,7 @@ pub struct Options<'a> {
     /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
     /// Called after every iteration on the calling thread; `Break` stops with the best surface so far.
-    pub progress: Option<&'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send)>,
+    pub progress: Option<&'a mut Watcher<'a>>,
 }
 
 impl Default for Options<'_> {
@@ -225,7 +228,10 @@ pub fn fair(
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads)
         .build()
-        .map_err(|e| Error::Threads { threads: options.threads, why: e.to_string() })?;
+        .map_err(|e| Error::Threads {
+            threads: options.threads,
+            why: e.to_string(),
+        })?;
     let request = Request {
         positions,
         triangles,
@@ -257,20 +263,25 @@ struct Request<'a> {
 /// Runs `work` on the pool and `callback` on this thread, which waits for it in between.
 fn relay<T: Send>(
     pool: &rayon::ThreadPool,
-    callback: &mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send),
+    callback: &mut Watcher<'_>,
     work: impl for<'t> FnOnce(&'t mut Callback<'t>) -> T + Send,
 ) -> T {
     let (to_caller, messages) = mpsc::channel::<Progress>();
     let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
     let mut tell = move |fraction, iterations, step, stage| {
-        let sent = to_caller.send(Progress { fraction, iterations, step, stage });
+        let sent = to_caller.send(Progress {
+            fraction,
+            iterations,
+            step,
+            stage,
+        });
         // Nobody listens any more: the callback has panicked, so stop.
-        sent.ok().and_then(|()| answers.recv().ok()).unwrap_or(ControlFlow::Break(()))
+        sent.ok()
+            .and_then(|()| answers.recv().ok())
+            .unwrap_or(ControlFlow::Break(()))
     };
     std::thread::scope(|scope| {
-        let worker = scope.spawn(move || {
-            pool.install(move || work(&mut tell))
-        });
+        let worker = scope.spawn(move || pool.install(move || work(&mut tell)));
         for message in messages {
             if answer.send(callback(&message)).is_err() {
                 break;
@@ -292,7 +303,11 @@ fn check(options: &Options<'_>) -> Result<(), Error> {
         });
     }
     if options.max_iterations == 0 {
-        return Err(Error::BadOption { name: "max_iterations", value: 0.0, range: "at least 1" });
+        return Err(Error::BadOption {
+            name: "max_iterations",
+            value: 0.0,
+            range: "at least 1",
+        });
     }
     Ok(())
 }
@@ -308,10 +323,21 @@ impl Frame {
     fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
         let border = &x[region.free..region.region_vertices()];
         let size = bounding_box(border);
-        let (low, high) = if (size.1 - size.0).norm() > 0.0 { size } else { bounding_box(x) };
+        let (low, high) = if (size.1 - size.0).norm() > 0.0 {
+            size
+        } else {
+            bounding_box(x)
+        };
         let diagonal = (high - low).norm();
-        let exponent = if diagonal > 0.0 && diagonal.is_finite() { diagonal.log2().round() } else { 0.0 };
-        Self { centre: low + (high - low) * 0.5, scale: exponent.exp2() }
+        let exponent = if diagonal > 0.0 && diagonal.is_finite() {
+            diagonal.log2().round()
+        } else {
+            0.0
+        };
+        Self {
+            centre: low + (high - low) * 0.5,
+            scale: exponent.exp2(),
+        }
     }
 
     fn enter(&self, x: &mut [Vector3<f64>]) {
@@ -341,7 +367,9 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     };
     let fallback_weights = weights.clamped;
     let curvature = match request.discretization {
-        Discretization::SecondOrder => FreeCurvature::GradientCorrected { tilt_ridge: TILT_RIDGE },
+        Discretization::SecondOrder => FreeCurvature::GradientCorrected {
+            tilt_ridge: TILT_RIDGE,
+        },
         Discretization::Paper => FreeCurvature::Paper,
     };
     seconds.setup = clock.elapsed().as_secs_f64();
@@ -368,9 +396,15 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         positions[v as usize] = frame.leave(p);
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
-    let border_normals = border.zip(&system.border_normals).map(|(&v, n)| (v, (*n).into())).collect();
+    let border_normals = border
+        .zip(&system.border_normals)
+        .map(|(&v, n)| (v, (*n).into()))
+        .collect();
     let inside = region.vertex_ids[..region.free].iter();
-    let mean_curvature = inside.zip(&system.state.h).map(|(&v, h)| (v, h / frame.scale)).collect();
+    let mean_curvature = inside
+        .zip(&system.state.h)
+        .map(|(&v, h)| (v, h / frame.scale))
+        .collect();
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
@@ -404,7 +438,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         suspicious_normals: Vec::new(),
         fallback_weights,
     };
-    Ok(Solution { positions, border_normals, mean_curvature, report })
+    Ok(Solution {
+        positions,
+        border_normals,
+        mean_curvature,
+        report,
+    })
 }
 
 /// A given normal may miss unit length by this much.
@@ -423,11 +462,18 @@ fn border_normals(
             let Ok(b) = border.binary_search(&v) else { continue };
             let n = Vector3::from(n);
             let length = n.norm();
-            if !((length - 1.0).abs() <= UNIT) {
+            // Also refuses what is not a number.
+            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
                 return Err(Error::BadNormal { vertex: v as usize });
             }
             given[b] = Some(n / length);
         }
     }
-    estimate(region, rings, x, !matches!(asked, BorderNormals::Averaged), &given)
+    estimate(
+        region,
+        rings,
+        x,
+        !matches!(asked, BorderNormals::Averaged),
+        &given,
+    )
 }

@@ -22,6 +22,11 @@ pub mod solve;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, fair,
+    Solution, Watcher, fair,
 };
 pub use quality::Quality;
+
+/// The example of README.md, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

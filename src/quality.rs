@@ -67,18 +67,26 @@ pub fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
 impl Surface<'_> {
     fn normal(&self, v: u32) -> Vector3<f64> {
         let v = v as usize;
-        if v < self.region.free { self.normals[v] } else { self.border_normals[v - self.region.free] }
+        if v < self.region.free {
+            self.normals[v]
+        } else {
+            self.border_normals[v - self.region.free]
+        }
     }
 
     /// Calls `visit(triangle, flipped, smallest angle)` for every region triangle (local number).
     pub fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
         let half_edges = &self.region.half_edges;
-        for (t, corners) in half_edges.triangles[..half_edges.region_triangles].iter().enumerate() {
+        for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
+            .iter()
+            .enumerate()
+        {
             let p = corners.map(|v| self.x[v as usize]);
             let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
             let sum: Vector3<f64> = corners.iter().map(|&v| self.normal(v)).sum();
-            // Not "< 0": what is not a number counts as flipped.
-            let flipped = !(cross.dot(&sum) >= 0.0);
+            // What is not a number counts as flipped.
+            let side = cross.dot(&sum);
+            let flipped = side < 0.0 || side.is_nan();
             visit(t, flipped, smallest_angle(&p));
         }
     }
@@ -86,7 +94,10 @@ impl Surface<'_> {
     /// All figures.
     pub fn quality(&self) -> Quality {
         let free = self.region.free;
-        let mut quality = Quality { worst_angle: f64::INFINITY, ..Quality::default() };
+        let mut quality = Quality {
+            worst_angle: f64::INFINITY,
+            ..Quality::default()
+        };
         self.triangles(|t, flipped, angle| {
             let id = self.region.half_edges.triangle_ids[t];
             if angle < quality.worst_angle {
@@ -131,12 +142,19 @@ impl Surface<'_> {
                 }
             }
         }
-        sums.iter().zip(self.border_normals).map(|(s, n)| angle(s, n).to_degrees()).collect()
+        sums.iter()
+            .zip(self.border_normals)
+            .map(|(s, n)| angle(s, n).to_degrees())
+            .collect()
     }
 }
 
 fn range(values: &[f64]) -> [f64; 2] {
-    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| [low.min(v), high.max(v)])
+    values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| {
+            [low.min(v), high.max(v)]
+        })
 }
 
 #[cfg(test)]

@@ -123,8 +123,8 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
     ];
     // From above, along one of the three tubes.
     let options = render::Options {
-        tile: [760, 660],
-        direction: [0.35, -0.6, 0.9],
+        tile: [490, 400],
+        direction: [0.45, -0.75, 0.8],
         ..render::Options::default()
     };
     render::render(&views, &options)

@@ -57,7 +57,7 @@ const MARGIN: f64 = 0.06;
 /// Distance of the eye from the centre, in radii of the bounding sphere.
 const DISTANCE: f64 = 5.0;
 /// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
-const LINES: f64 = 23.0;
+const LINES: f64 = 17.0;
 /// Linear light where there is no surface.
 const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
 
@@ -89,6 +89,7 @@ fn encode(pixels: &[u8], width: usize, height: usize) -> Result<Vec<u8>, png::En
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;
     writer.finish()?;
@@ -354,14 +355,14 @@ impl<'a> Painter<'a> {
 
     /// Two lamps and an even sky.
     fn light(&self, normal: V3) -> f64 {
-        0.16 + 0.68 * dot(normal, self.key).max(0.0) + 0.20 * dot(normal, self.fill).max(0.0)
+        0.10 + 0.82 * dot(normal, self.key).max(0.0) + 0.16 * dot(normal, self.fill).max(0.0)
     }
 
     fn matte(&self, normal: V3, eye: V3, is_back: bool, in_region: bool) -> [f32; 3] {
         let grey = match (is_back, in_region) {
             (true, _) => [0.36, 0.31, 0.27],
             (false, true) => [0.60, 0.60, 0.58],
-            (false, false) => [0.42, 0.46, 0.52],
+            (false, false) => [0.36, 0.47, 0.60],
         };
         let half = unit([0, 1, 2].map(|axis| self.key[axis] + eye[axis])).unwrap_or(eye);
         let gloss = 0.06 * dot(normal, half).max(0.0).powi(24);
