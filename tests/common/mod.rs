@@ -128,7 +128,7 @@ pub mod fairing {
     }
 
     /// Options for one thread, because tests run side by side.
-    pub fn options(tolerance: f64) -> Options<'static> {
+    pub fn options<'a>(tolerance: f64) -> Options<'a> {
         Options { tolerance, threads: 1, ..Options::default() }
     }
 
