@@ -36,7 +36,11 @@ fn unduloid(n: usize, seed: u64) -> Shape {
 }
 
 const SPHERES: [(&str, Generator); 2] = [("cap", cap), ("zone", zone)];
-const BANDS: [(&str, Generator); 3] = [("cylinder", cylinder), ("catenoid", catenoid), ("unduloid", unduloid)];
+const BANDS: [(&str, Generator); 3] = [
+    ("cylinder", cylinder),
+    ("catenoid", catenoid),
+    ("unduloid", unduloid),
+];
 
 fn row(name: &str, n: usize, what: &str, e: Errors, s: &Solution) {
     println!(
@@ -80,7 +84,14 @@ fn large_cap() {
     let mut bars = Bars::default();
     let counted = |n: usize| {
         let shape = cap(n, 1);
-        let solution = solve(&shape, &shape.random(1), Options { threads: 2, ..options(1e-8) });
+        let solution = solve(
+            &shape,
+            &shape.random(1),
+            Options {
+                threads: 2,
+                ..options(1e-8)
+            },
+        );
         row("cap", n, "random, at 1e-8", errors(&shape, &solution), &solution);
         solution.report.iterations
     };
@@ -88,7 +99,14 @@ fn large_cap() {
     bars.at_most("iterations", many as f64, MOST_ITERATIONS as f64);
     bars.at_most("growth of iterations", many as f64, 1.5 * few as f64);
     let shape = cap(100_000, 1);
-    let solution = solve(&shape, &shape.random(1), Options { threads: 2, ..options(TIGHT) });
+    let solution = solve(
+        &shape,
+        &shape.random(1),
+        Options {
+            threads: 2,
+            ..options(TIGHT)
+        },
+    );
     let e = errors(&shape, &solution);
     row("cap", 100_000, "random", e, &solution);
     bars.at_most("error", e.max, 1e-8);
@@ -150,7 +168,11 @@ fn convergence_orders() {
         bars.at_least(format!("{name}: order of the positions"), position, 1.7);
         bars.at_least(format!("{name}: order of H"), curvature, 0.8);
         for k in 1..SIZES.len() {
-            let what = format!("{name}: largest error of H at {} against {}", SIZES[k], SIZES[k - 1]);
+            let what = format!(
+                "{name}: largest error of H at {} against {}",
+                SIZES[k],
+                SIZES[k - 1]
+            );
             bars.at_most(what, h_max[k], h_max[k - 1]);
         }
     }
@@ -164,17 +186,32 @@ fn paper_discretization_is_ten_times_worse() {
         for n in [2_000, 8_000] {
             let shape = generate(n, 1);
             let ours = solve(&shape, &shape.flat(), options(TIGHT));
-            let paper = Options { discretization: Discretization::Paper, ..options(1e-8) };
+            let paper = Options {
+                discretization: Discretization::Paper,
+                ..options(1e-8)
+            };
             let paper = solve(&shape, &shape.flat(), paper);
             let [e, p] = [&ours, &paper].map(|s| errors(&shape, s));
             row(name, n, "second order", e, &ours);
             row(name, n, "paper", p, &paper);
             // Otherwise a linear surface is compared.
             let nonlinear = !paper.report.linear_surface;
-            bars.check(format!("{name} {n}: paper"), nonlinear, "the linear surface".to_owned());
+            bars.check(
+                format!("{name} {n}: paper"),
+                nonlinear,
+                "the linear surface".to_owned(),
+            );
             if n == 8_000 {
-                bars.at_least(format!("{name}: paper's max error over ours"), p.max / e.max, 10.0);
-                bars.at_least(format!("{name}: paper's rms error over ours"), p.rms / e.rms, 10.0);
+                bars.at_least(
+                    format!("{name}: paper's max error over ours"),
+                    p.max / e.max,
+                    10.0,
+                );
+                bars.at_least(
+                    format!("{name}: paper's rms error over ours"),
+                    p.rms / e.rms,
+                    10.0,
+                );
             }
         }
     }
@@ -187,10 +224,17 @@ fn fitted_normals() {
     let mut bars = Bars::default();
     for (n, seeds) in [(1_000, 1..4), (13_000, 1..2)] {
         for seed in seeds {
-            for (name, generate) in [("cap", cap as Generator), ("cylinder", cylinder), ("catenoid", catenoid)] {
+            for (name, generate) in [
+                ("cap", cap as Generator),
+                ("cylinder", cylinder),
+                ("catenoid", catenoid),
+            ] {
                 let shape = generate(n, seed);
                 let start = shape.random(seed);
-                let fitted = Options { normals: BorderNormals::Fitted, ..options(TIGHT) };
+                let fitted = Options {
+                    normals: BorderNormals::Fitted,
+                    ..options(TIGHT)
+                };
                 let fitted = solve_as_asked(&shape, &start, fitted);
                 let exact = solve(&shape, &start, options(TIGHT));
                 let [f, e] = [&fitted, &exact].map(|s| errors(&shape, s));
@@ -235,8 +279,16 @@ fn few_iterations() {
     let mut bars = Bars::default();
     let mut count = |name: &str, n: usize, shape: &Shape| {
         let solution = solve(shape, &shape.random(1), options(1e-8));
-        println!("{name:9} {n:6} {:3} iterations, {}", solution.report.iterations, solution.report.outcome.name());
-        bars.at_most(format!("{name} {n}"), solution.report.iterations as f64, MOST_ITERATIONS as f64);
+        println!(
+            "{name:9} {n:6} {:3} iterations, {}",
+            solution.report.iterations,
+            solution.report.outcome.name()
+        );
+        bars.at_most(
+            format!("{name} {n}"),
+            solution.report.iterations as f64,
+            MOST_ITERATIONS as f64,
+        );
         bars.converged(format!("{name} {n}"), &solution);
     };
     for n in [1_000, 13_000] {

@@ -16,13 +16,20 @@ use fairmesh::{InnerFairness, Options, Solution};
 use nalgebra::Vector3;
 
 fn free_positions(shape: &Shape, positions: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    shape.free_vertices().iter().map(|&v| positions[v as usize]).collect()
+    shape
+        .free_vertices()
+        .iter()
+        .map(|&v| positions[v as usize])
+        .collect()
 }
 
 /// Largest distance of the free vertices of one result to the triangles of another, in diagonals of the other.
 fn off(a: (&Shape, &[[f64; 3]]), b: (&Shape, &[[f64; 3]]), diagonal: f64) -> Errors {
     let e = distances_to_mesh(&free_positions(a.0, a.1), b.1, &b.0.triangles);
-    Errors { max: e.max / diagonal, rms: e.rms / diagonal }
+    Errors {
+        max: e.max / diagonal,
+        rms: e.rms / diagonal,
+    }
 }
 
 #[test]
@@ -41,7 +48,11 @@ fn start() {
         let solved = starts(shape, 3).map(|(_, positions)| solve(shape, &positions, options(TIGHT)));
         let n = shape.free_count();
         let gap = |k: usize| apart(&solved[0].positions, &solved[k].positions) / solved[0].report.diagonal;
-        println!("{name:9} {n:6} flat to noise {:.2e}, to random {:.2e}", gap(1), gap(2));
+        println!(
+            "{name:9} {n:6} flat to noise {:.2e}, to random {:.2e}",
+            gap(1),
+            gap(2)
+        );
         bars.at_most(format!("{name} {n}: flat to noise"), gap(1), 1e-7);
         bars.at_most(format!("{name} {n}: flat to random"), gap(2), 1e-7);
         for (k, s) in solved.iter().enumerate() {
@@ -52,7 +63,14 @@ fn start() {
 }
 
 fn blend(shape: &Shape, inner: InnerFairness) -> Solution {
-    solve(shape, &shape.positions, Options { inner, ..options(1e-9) })
+    solve(
+        shape,
+        &shape.positions,
+        Options {
+            inner,
+            ..options(1e-9)
+        },
+    )
 }
 
 /// The blend of three cylinders on different triangulations, against each other.
@@ -66,8 +84,11 @@ fn triangulation() {
     let fine = cylinder_blend_fine();
     let uniform = blend(&middle, Uniform);
     let conformal = blend(&middle, Conformal);
-    let (on_coarse, on_patch, on_fine) =
-        (blend(&coarse, Uniform), blend(&patch, Uniform), blend(&fine, Uniform));
+    let (on_coarse, on_patch, on_fine) = (
+        blend(&coarse, Uniform),
+        blend(&patch, Uniform),
+        blend(&fine, Uniform),
+    );
     for (name, s) in [
         ("118", &on_coarse),
         ("920", &uniform),
@@ -75,7 +96,11 @@ fn triangulation() {
         ("patch", &on_patch),
         ("13,308", &on_fine),
     ] {
-        println!("blend {name}: {} iterations, {}", s.report.iterations, s.report.outcome.name());
+        println!(
+            "blend {name}: {} iterations, {}",
+            s.report.iterations,
+            s.report.outcome.name()
+        );
         bars.converged(name, s);
     }
     let d = on_fine.report.diagonal;
@@ -85,13 +110,31 @@ fn triangulation() {
         bars.at_most(what, e.max, bar);
         e
     };
-    compare("uniform to conformal", (&middle, &uniform), (&middle, &conformal), 1.5e-3);
-    compare("conformal to uniform", (&middle, &conformal), (&middle, &uniform), 1.5e-3);
+    compare(
+        "uniform to conformal",
+        (&middle, &uniform),
+        (&middle, &conformal),
+        1.5e-3,
+    );
+    compare(
+        "conformal to uniform",
+        (&middle, &conformal),
+        (&middle, &uniform),
+        1.5e-3,
+    );
     compare("118 to 920", (&coarse, &on_coarse), (&middle, &uniform), 4e-3);
     compare("920 to 13,308", (&middle, &uniform), (&fine, &on_fine), 1e-3);
-    let ours = compare("refined patch to 13,308", (&patch, &on_patch), (&fine, &on_fine), 1e-3);
+    let ours = compare(
+        "refined patch to 13,308",
+        (&patch, &on_patch),
+        (&fine, &on_fine),
+        1e-3,
+    );
 
-    for (name, weights) in [("uniform", uniform_weights as Weights), ("cotangent", cotangent_weights)] {
+    for (name, weights) in [
+        ("uniform", uniform_weights as Weights),
+        ("cotangent", cotangent_weights),
+    ] {
         let [p, f] = [&patch, &fine].map(|shape| linear_fairing(shape, weights));
         let e = off((&patch, &p), (&fine, &f), d);
         let to_ours = off((&patch, &p), (&fine, &on_fine.positions), d);
@@ -142,7 +185,11 @@ fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
         row.push((b as usize, -w));
     }
     let mut unknown = vec![None; positions.len()];
-    shape.free_vertices().iter().enumerate().for_each(|(i, &v)| unknown[v as usize] = Some(i));
+    shape
+        .free_vertices()
+        .iter()
+        .enumerate()
+        .for_each(|(i, &v)| unknown[v as usize] = Some(i));
     let count = shape.free_count();
     let (mut entries, mut right) = (Vec::new(), Mat::<f64>::zeros(count, 3));
     for (v, row) in rows.iter().enumerate() {
@@ -158,7 +205,10 @@ fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
         }
     }
     let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(count, count, &entries).unwrap();
-    let solution = matrix.sp_cholesky(Side::Lower).expect("positive definite").solve(&right);
+    let solution = matrix
+        .sp_cholesky(Side::Lower)
+        .expect("positive definite")
+        .solve(&right);
     let place = |(v, p): (usize, &[f64; 3])| match unknown[v] {
         Some(i) => std::array::from_fn(|c| solution[(i, c)]),
         None => *p,
@@ -172,7 +222,8 @@ fn tube_axis(p: &[f64; 3]) -> Vector3<f64> {
         let (sin, cos) = (TAU * f64::from(t) / 3.0).sin_cos();
         Vector3::new(cos, sin, 0.0)
     });
-    axes.max_by(|a, b| a.dot(&vector(p)).total_cmp(&b.dot(&vector(p)))).unwrap()
+    axes.max_by(|a, b| a.dot(&vector(p)).total_cmp(&b.dot(&vector(p))))
+        .unwrap()
 }
 
 /// The blend with one more ring of vertices on every tube, one edge length further out.
@@ -183,8 +234,11 @@ fn with_ring_outside(shape: &Shape) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         run.extend((0..3).map(|k| (t[k], t[(k + 1) % 3])));
     }
     run.sort_unstable();
-    let border: Vec<(u32, u32)> =
-        run.iter().copied().filter(|&(a, b)| run.binary_search(&(b, a)).is_err()).collect();
+    let border: Vec<(u32, u32)> = run
+        .iter()
+        .copied()
+        .filter(|&(a, b)| run.binary_search(&(b, a)).is_err())
+        .collect();
     let mut beyond = BTreeMap::new();
     for &(a, b) in &border {
         let (p, q) = (vector(&positions[a as usize]), vector(&positions[b as usize]));
@@ -212,7 +266,10 @@ fn threefold_symmetry() {
             let nearest = (0..shape.positions.len())
                 .min_by(|&a, &b| distance(&shape.positions[a]).total_cmp(&distance(&shape.positions[b])))
                 .unwrap();
-            assert!(distance(&shape.positions[nearest]) < 1e-12, "the input is not symmetric");
+            assert!(
+                distance(&shape.positions[nearest]) < 1e-12,
+                "the input is not symmetric"
+            );
             nearest
         })
         .collect();
@@ -223,7 +280,10 @@ fn threefold_symmetry() {
             (vector(&turn.apply(p)) - vector(&solution.positions[image])).norm() / solution.report.diagonal
         });
         let e = Errors::of(gaps);
-        println!("tolerance {tolerance:.0e}: asymmetry max {:.2e} rms {:.2e}", e.max, e.rms);
+        println!(
+            "tolerance {tolerance:.0e}: asymmetry max {:.2e} rms {:.2e}",
+            e.max, e.rms
+        );
         bars.at_most(format!("asymmetry at {tolerance:.0e}"), e.max, 1e-9);
     }
     bars.finish();
@@ -243,7 +303,11 @@ fn place_and_scale() {
         ("cylinder", cylinder_band(1_000, irregular(1), OUTSIDE)),
         ("blend", cylinder_blend()),
     ] {
-        let start = if name == "blend" { shape.positions.clone() } else { shape.flat() };
+        let start = if name == "blend" {
+            shape.positions.clone()
+        } else {
+            shape.flat()
+        };
         let solution = solve(&shape, &start, options(TIGHT));
         let d = solution.report.diagonal;
         let far = Similarity::new([0.0, 0.0, 1.0], 0.0, 1.0, [0.6e6 * d, -0.8e6 * d, 0.0]);
@@ -294,7 +358,9 @@ fn numbering() {
         let solution = solve(&shape, &start, options(TIGHT));
         let (other, new) = shape.renumbered(9);
         let mut other_start = start.clone();
-        new.iter().zip(&start).for_each(|(&new, &p)| other_start[new as usize] = p);
+        new.iter()
+            .zip(&start)
+            .for_each(|(&new, &p)| other_start[new as usize] = p);
         let answer = solve(&other, &other_start, options(TIGHT));
         let back: Vec<[f64; 3]> = new.iter().map(|&v| answer.positions[v as usize]).collect();
         let gap = apart(&back, &solution.positions) / solution.report.diagonal;

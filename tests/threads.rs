@@ -14,7 +14,14 @@ fn bits(figures: impl IntoIterator<Item = f64>) -> Vec<u64> {
 
 /// The report without what a clock has measured. Of its figures the ones that may be no number as bits.
 fn figures(report: &Report) -> (Report, u64) {
-    (Report { seconds: Seconds::default(), step: 0.0, ..report.clone() }, report.step.to_bits())
+    (
+        Report {
+            seconds: Seconds::default(),
+            step: 0.0,
+            ..report.clone()
+        },
+        report.step.to_bits(),
+    )
 }
 
 fn assert_same(what: &str, a: &Solution, b: &Solution) {
@@ -35,12 +42,34 @@ fn any_number_of_threads_gives_the_same_bits() {
         ("cylinder", cylinder_band(13_000, irregular(1), OUTSIDE), Uniform),
         ("blend", cylinder_blend(), Conformal),
         // Conformal weights of a noisy surface: harder means are tried one after the other.
-        ("rough cylinder", cylinder_band(1_000, irregular(1), OUTSIDE), Conformal),
+        (
+            "rough cylinder",
+            cylinder_band(1_000, irregular(1), OUTSIDE),
+            Conformal,
+        ),
     ] {
-        let start = if name == "rough cylinder" { shape.noise(1, 0.3) } else { shape.flat() };
-        let run = |threads| solve(&shape, &start, Options { inner, threads, ..options(1e-8) });
+        let start = if name == "rough cylinder" {
+            shape.noise(1, 0.3)
+        } else {
+            shape.flat()
+        };
+        let run = |threads| {
+            solve(
+                &shape,
+                &start,
+                Options {
+                    inner,
+                    threads,
+                    ..options(1e-8)
+                },
+            )
+        };
         let one = run(1);
-        println!("{name}: {} iterations, {}", one.report.iterations, one.report.outcome.name());
+        println!(
+            "{name}: {} iterations, {}",
+            one.report.iterations,
+            one.report.outcome.name()
+        );
         assert_same(&format!("{name}, 1 thread again"), &one, &run(1));
         for threads in [2, 3] {
             assert_same(&format!("{name}, {threads} threads"), &one, &run(threads));

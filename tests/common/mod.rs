@@ -129,12 +129,20 @@ pub mod fairing {
 
     /// Options for one thread, because tests run side by side.
     pub fn options<'a>(tolerance: f64) -> Options<'a> {
-        Options { tolerance, threads: 1, ..Options::default() }
+        Options {
+            tolerance,
+            threads: 1,
+            ..Options::default()
+        }
     }
 
     /// The three ways to destroy the interior.
     pub fn starts(shape: &Shape, seed: u64) -> [(&'static str, Vec<[f64; 3]>); 3] {
-        [("flat", shape.flat()), ("noise", shape.noise(seed, 0.5)), ("random", shape.random(seed))]
+        [
+            ("flat", shape.flat()),
+            ("noise", shape.noise(seed, 0.5)),
+            ("random", shape.random(seed)),
+        ]
     }
 
     /// Fairs with the exact border normals, and without progress.
@@ -150,11 +158,25 @@ pub mod fairing {
         options: Options<'_>,
     ) -> Solution {
         // Field by field: the callback's lifetime cannot be shortened.
-        let Options { inner, discretization, tolerance, max_iterations, threads, .. } = options;
+        let Options {
+            inner,
+            discretization,
+            tolerance,
+            max_iterations,
+            threads,
+            ..
+        } = options;
         let normals = BorderNormals::Given(given);
         let progress = None;
-        let options =
-            Options { normals, inner, discretization, tolerance, max_iterations, threads, progress };
+        let options = Options {
+            normals,
+            inner,
+            discretization,
+            tolerance,
+            max_iterations,
+            threads,
+            progress,
+        };
         solve_as_asked(shape, start, options)
     }
 
@@ -182,7 +204,10 @@ pub mod fairing {
                 squares += v * v;
                 count += 1;
             }
-            Self { max, rms: (squares / count.max(1) as f64).sqrt() }
+            Self {
+                max,
+                rms: (squares / count.max(1) as f64).sqrt(),
+            }
         }
     }
 
@@ -198,7 +223,12 @@ pub mod fairing {
     pub fn curvature_errors(shape: &Shape, solution: &Solution) -> Errors {
         let surface = shape.surface.as_ref().expect("an exact surface");
         let exact = |v: u32| surface.mean_curvature(solution.positions[v as usize]);
-        Errors::of(solution.mean_curvature.iter().map(|&(v, h)| (h - exact(v)) * solution.report.diagonal))
+        Errors::of(
+            solution
+                .mean_curvature
+                .iter()
+                .map(|&(v, h)| (h - exact(v)) * solution.report.diagonal),
+        )
     }
 
     /// The convergence order of errors that go with edge lengths `n^(-1/2)`, the mean over the refinements.
@@ -233,7 +263,10 @@ pub mod fairing {
             return n.dot(&(p - a)).abs() / n.norm();
         }
         let edges = [(a, b), (b, c), (c, a)];
-        edges.into_iter().map(|(a, b)| point_segment_distance(p, a, b)).fold(f64::INFINITY, f64::min)
+        edges
+            .into_iter()
+            .map(|(a, b)| point_segment_distance(p, a, b))
+            .fold(f64::INFINITY, f64::min)
     }
 
     fn point_segment_distance(p: Vector3<f64>, a: Vector3<f64>, b: Vector3<f64>) -> f64 {
@@ -244,8 +277,10 @@ pub mod fairing {
 
     /// The distances of points to the surface of a mesh, by trying every triangle whose bounding ball is near.
     pub fn distances_to_mesh(points: &[[f64; 3]], positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Errors {
-        let corners: Vec<[Vector3<f64>; 3]> =
-            triangles.iter().map(|t| t.map(|v| vector(&positions[v as usize]))).collect();
+        let corners: Vec<[Vector3<f64>; 3]> = triangles
+            .iter()
+            .map(|t| t.map(|v| vector(&positions[v as usize])))
+            .collect();
         let balls: Vec<(Vector3<f64>, f64)> = corners
             .iter()
             .map(|c| {
@@ -298,7 +333,12 @@ pub mod fairing {
 
         /// Fails with all that was missed.
         pub fn finish(self) {
-            assert!(self.missed.is_empty(), "{} missed:\n{}", self.missed.len(), self.missed.join("\n"));
+            assert!(
+                self.missed.is_empty(),
+                "{} missed:\n{}",
+                self.missed.len(),
+                self.missed.join("\n")
+            );
         }
     }
 }
