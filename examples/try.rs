@@ -13,10 +13,20 @@ fn main() {
         "catenoid" => catenoid_band(n, irr, 4),
         "unduloid" => unduloid_band(args.iter().find_map(|a| a.strip_prefix("neck=")).map_or(0.6, |t| t.parse().unwrap()), 1.0, n, irr, 4),
         "hole" => sphere_with_hole(args.iter().find_map(|a| a.strip_prefix("hole=")).map_or(60.0, |t| t.parse().unwrap()), n, irr, 4),
+        "blend" => match n { 118 => cylinder_blend_coarse(), 920 => cylinder_blend(), 1292 => cylinder_blend_refined_patch(), _ => cylinder_blend_fine() },
         _ => panic!(),
     };
-    let given = s.border_normals();
-    let start = match args.get(3).map(|s| s.as_str()) { Some("noise") => s.noise(3, 0.4), Some("random") => s.random(5), _ => s.flat() };
+    let mut given = s.border_normals();
+    if let Some(t) = args.iter().find_map(|a| a.strip_prefix("tilt=")) {
+        let t = t.parse::<f64>().unwrap().to_radians();
+        for (v, n) in &mut given {
+            let p = s.positions[*v as usize];
+            // tube axis: direction of the tube centre
+            let a = (0..3).map(|k| { let a = (k as f64) * std::f64::consts::TAU / 3.0; [a.cos(), a.sin(), 0.0] }).chain((0..3).map(|k| { let a = (k as f64) * std::f64::consts::TAU / 3.0 + std::f64::consts::PI / 3.0; [a.cos(), a.sin(), 0.0] })).max_by(|a, b| (a[0] * p[0] + a[1] * p[1]).total_cmp(&(b[0] * p[0] + b[1] * p[1]))).unwrap();
+            for c in 0..3 { n[c] = t.cos() * n[c] + t.sin() * a[c]; }
+        }
+    }
+    let start = match args.get(3).map(|s| s.as_str()) { Some("noise") => s.noise(3, 0.4), Some("random") => s.random(5), Some("own") => s.positions.clone(), _ => s.flat() };
     let normals = if args.iter().any(|a| a == "fit") { BorderNormals::Fitted } else if args.iter().any(|a| a == "avg") { BorderNormals::Averaged } else { BorderNormals::Given(&given) };
     let disc = if args.iter().any(|a| a == "paper") { Discretization::Paper } else { Discretization::SecondOrder };
     let inner = if args.iter().any(|a| a == "conformal") { InnerFairness::Conformal } else { InnerFairness::Uniform };
@@ -27,7 +37,7 @@ fn main() {
     if verbose { o.progress = Some(&mut cb); }
     let r = fair(&start, &s.triangles, Selection::Mask(&s.free), o).unwrap();
     let d = r.report.diagonal;
-    let e: Vec<f64> = s.free.iter().zip(&r.positions).filter(|p| *p.0).map(|(_, p)| s.surface.as_ref().unwrap().distance(*p) / d).collect();
+    let e: Vec<f64> = s.free.iter().zip(&r.positions).filter(|p| *p.0).map(|(_, p)| s.surface.as_ref().map_or(0.0, |s| s.distance(*p)) / d).collect();
     let max = e.iter().fold(0.0f64, |a, b| a.max(*b));
     let rms = (e.iter().map(|x| x * x).sum::<f64>() / e.len() as f64).sqrt();
     if args.iter().any(|a| a == "prof") {

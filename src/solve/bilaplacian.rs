@@ -117,13 +117,23 @@ impl Metric {
             self.total[i] = self.weight[start..rings.start[i + 1] as usize].iter().sum();
         }
         for b in 0..rings.border() {
-            let range = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+            let first = rings.border_start[b] as usize;
             let edges = &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize];
-            for (j, w) in rings.border_neighbour[range.clone()].iter().zip(&mut self.border_weight[range]) {
-                let triangles = edges.iter().filter(|e| e.contains(j)).count();
-                *w = 0.5 * equilateral * triangles as f64;
+            for (k, &j) in rings.border_ring(b).iter().enumerate() {
+                let triangles = edges.iter().filter(|e| e.contains(&j)).count();
+                self.border_weight[first + k] = if (j as usize) < free {
+                    self.weight_between(rings, j as usize, (free + b) as u32)
+                } else {
+                    0.5 * equilateral * triangles as f64
+                };
             }
         }
+    }
+
+    /// `w_ij` of free vertex `i` and its neighbour `j`.
+    fn weight_between(&self, rings: &Rings, i: usize, j: u32) -> f64 {
+        let place = rings.ring(i).iter().position(|&n| n == j);
+        place.map_or(0.0, |k| self.weight[rings.start[i] as usize + k])
     }
 
     /// Collapsed disks would make single entries of `D` astronomically large: none exceeds the median by more than

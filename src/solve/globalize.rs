@@ -121,7 +121,7 @@ fn attempts(
 ) -> (Option<Candidate>, Ending) {
     let asked = system.curvature;
     let weights = system.weights.clone();
-    let direct = Plan { tolerance: control.tolerance, guard: GUARD, reuse: true, stage: "fairing" };
+    let direct = Plan { tolerance: control.tolerance, guard: GUARD, stage: "fairing" };
     let mut fallback = Vec::new();
 
     let first = with_repair(system, linear.to_vec(), direct, control);
@@ -136,7 +136,6 @@ fn attempts(
         let coarse = Plan {
             tolerance: PLAIN_TOLERANCE.max(control.tolerance),
             guard: PLAIN_GUARD,
-            reuse: false,
             stage: "plain curvature",
         };
         let plain = with_repair(system, linear.to_vec(), coarse, control);
@@ -199,7 +198,7 @@ fn from_plain(
     control: &mut Control<'_>,
 ) -> (Candidate, Ending) {
     system.curvature = asked;
-    let jump = Plan { tolerance: control.tolerance, guard: GUARD, reuse: false, stage: "second order" };
+    let jump = Plan { tolerance: control.tolerance, guard: GUARD, stage: "second order" };
     let jumped = iterated(system, plain.x.clone(), jump, control);
     if jumped.is_settled() {
         return (jumped, Ending::Converged);
@@ -223,7 +222,7 @@ fn from_plain(
 fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Control<'_>) -> Candidate {
     match pseudo_time(system, &mut x, control) {
         Ok(true) => {
-            let plan = Plan { tolerance: control.tolerance, guard: GUARD, reuse: false, stage: "fairing" };
+            let plan = Plan { tolerance: control.tolerance, guard: GUARD, stage: "fairing" };
             iterated(system, x, plan, control)
         }
         Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
@@ -273,10 +272,9 @@ fn with_repair(
 }
 
 impl System<'_> {
-    /// Membrane, linear surface and tangential steps with the current weights and normals.
+    /// Linear surface and tangential steps with the current weights and normals.
     fn start(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        let membrane = self.membrane();
-        let mut x = self.linear_surface(&membrane)?;
+        let mut x = self.linear_surface()?;
         self.diagonal = diagonal(&x);
         self.tangential_steps(&mut x);
         Ok(x)

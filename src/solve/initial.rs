@@ -11,10 +11,10 @@ use crate::linear::ordering::amd;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 
-/// Refinement stops when the correction is this small against the solution.
-const REFINED: f64 = 1e-9;
-/// A refinement step that gains less than this factor says that 32 bits do not suffice.
-const CONTRACTION: f64 = 0.3;
+/// Linear systems are solved to this, in the norm of their own energy: they only make a start.
+const REFINED: f64 = 1e-6;
+/// More iterations than this say that 32 bits do not suffice.
+const MOST_ITERATIONS: usize = 12;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 
@@ -107,59 +107,86 @@ impl System<'_> {
         }
     }
 
-    /// The linear surface: `S_I D (S x - F) = 0` on the metric of `membrane`, with the true fixed positions and the
-    /// conormal flux `F` of the border normals. Leaves `P` factored on that metric.
-    pub fn linear_surface(&mut self, membrane: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        if std::env::var("GRAPH").is_ok() {
-            let mut metric = std::mem::take(&mut self.metric);
-            metric.combinatorial(self.rings, self.groups, &self.weights);
-            self.metric = metric;
-            self.refactor(|_| 0.0)?;
-            return self.linear_solve();
-        }
+    /// The linear surface: `S_I D (S x - F) = 0` with the fixed positions and the conormal flux `F` of the border normals,
+    /// on the metric of connectivity alone. (On the metric of a membrane a tube would pinch: its membrane is a thread,
+    /// and a thread is conformally endless.)
+    pub fn linear_surface(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let mut metric = std::mem::take(&mut self.metric);
+        metric.combinatorial(self.rings, self.groups, &self.weights);
+        self.metric = metric;
+        self.refactor(|_| 0.0)?;
+        self.linear_solve()
+    }
+
+    /// The same on the metric of `membrane`.
+    pub fn linear_surface_on(&mut self, membrane: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Collapsed> {
         self.evaluate(membrane);
         self.rebuild(membrane, false, |_| 0.0)?;
         self.linear_solve()
     }
 
-    /// The same on the metric that `P` is factored on.
-    pub fn linear_solve(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    /// Solves on the metric that `P` is factored on, by conjugate gradients with that factor.
+    fn linear_solve(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let free = self.region.free;
         let flux = conormal_flux(self.region, self.rings, self.input, &self.border_normals);
-        let fixed = &self.input[free..self.region.region_vertices()];
-        let mut x = vec![[0.0; 3]; free];
-        x.extend(fixed.iter().map(|p| [p.x, p.y, p.z]));
-        let mut scratch = vec![[0.0; 3]; x.len()];
-        let mut residual = vec![[0.0; 3]; free];
-        let mut last = f64::INFINITY;
-        for round in 0..12 {
-            self.metric.apply(self.rings, &x, Some(&flux), &mut scratch, &mut residual);
-            self.solve_p(&mut residual);
-            let size = norm(&residual);
-            if !size.is_finite() {
+        let mut x = vec![[0.0; 3]; self.region.region_vertices()];
+        for (x, p) in x[free..].iter_mut().zip(&self.input[free..]) {
+            *x = (*p).into();
+        }
+        let mut scratch = x.clone();
+        let mut right = vec![[0.0; 3]; free];
+        self.metric.apply(self.rings, &x, Some(&flux), &mut scratch, &mut right);
+        for r in right.as_flattened_mut() {
+            *r = -*r;
+        }
+        if !self.conjugate_gradients(&right, &mut x) {
+            self.refactor_double()?;
+            if !self.conjugate_gradients(&right, &mut x) {
                 return Err(Collapsed);
             }
-            if round > 0 && size > CONTRACTION * last && !self.is_double() {
-                self.refactor_double()?;
-                last = f64::INFINITY;
-                continue;
+        }
+        let fixed = self.input[free..self.region.region_vertices()].iter();
+        Ok(x[..free].iter().map(|p| Vector3::from(*p)).chain(fixed.copied()).collect())
+    }
+
+    /// Solves `P x = right` at the free vertices, column by column side by side, with the factor as preconditioner: it
+    /// is inexact in its lowest modes only. Returns whether all columns have met [`REFINED`].
+    fn conjugate_gradients(&mut self, right: &[[f64; 3]], x: &mut [[f64; 3]]) -> bool {
+        let free = right.len();
+        let mut scratch = vec![[0.0; 3]; x.len()];
+        let mut direction = vec![[0.0; 3]; x.len()];
+        let mut image = vec![[0.0; 3]; free];
+        let mut residual = right.to_vec();
+        let mut preconditioned = right.to_vec();
+        self.solve_p(&mut preconditioned);
+        x[..free].fill([0.0; 3]);
+        direction[..free].copy_from_slice(&preconditioned);
+        let mut rho = products(&residual, &preconditioned);
+        let first = rho;
+        for _ in 0..MOST_ITERATIONS {
+            self.metric.apply(self.rings, &direction, None, &mut scratch, &mut image);
+            let curvature = products(&direction[..free], &image);
+            let alpha = ratios(rho, curvature);
+            add_scaled(&mut x[..free], alpha, &direction[..free]);
+            add_scaled(&mut residual, alpha.map(|a| -a), &image);
+            preconditioned.copy_from_slice(&residual);
+            self.solve_p(&mut preconditioned);
+            let next = products(&residual, &preconditioned);
+            if !next.iter().all(|r| r.is_finite()) {
+                return false;
             }
-            for (x, r) in x.iter_mut().zip(&residual) {
+            if (0..3).all(|c| next[c].abs() <= REFINED * REFINED * first[c].abs()) {
+                return true;
+            }
+            let beta = ratios(next, rho);
+            for (d, p) in direction.iter_mut().zip(&preconditioned) {
                 for c in 0..3 {
-                    x[c] -= r[c];
+                    d[c] = p[c] + beta[c] * d[c];
                 }
             }
-            let whole = norm(&x[..free]);
-            if size <= REFINED * whole || round > 0 && size >= last {
-                break;
-            }
-            // One correction of this size would follow, contracted as the last one was.
-            if last.is_finite() && size * size / last <= REFINED * whole {
-                break;
-            }
-            last = size;
+            rho = next;
         }
-        Ok(x.iter().map(|p| Vector3::from(*p)).collect())
+        false
     }
 
     /// Tangential steps alone, each as long as the edges allow.
@@ -173,6 +200,29 @@ impl System<'_> {
             if change < 0.01 {
                 break;
             }
+        }
+    }
+}
+
+fn products(a: &[[f64; 3]], b: &[[f64; 3]]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (a, b) in a.iter().zip(b) {
+        for c in 0..3 {
+            sum[c] += a[c] * b[c];
+        }
+    }
+    sum
+}
+
+/// Column by column; a column that is solved exactly has nothing to add.
+fn ratios(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|c| if b[c] > 0.0 { a[c] / b[c] } else { 0.0 })
+}
+
+fn add_scaled(x: &mut [[f64; 3]], scale: [f64; 3], y: &[[f64; 3]]) {
+    for (x, y) in x.iter_mut().zip(y) {
+        for c in 0..3 {
+            x[c] += scale[c] * y[c];
         }
     }
 }

@@ -48,7 +48,6 @@ pub fn pseudo_time(
         if tau > TAU[1] {
             return Ok(true);
         }
-        if std::env::var("DBG").is_ok() { eprintln!("tau {tau:.2e} change {change:.2e}"); }
         if tau < TAU[0] * 1e-8 {
             return Ok(false);
         }

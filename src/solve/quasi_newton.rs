@@ -14,10 +14,6 @@ const STALL: f64 = 0.7;
 const PATIENCE: usize = 5;
 /// At most this many rounds, each with a matrix made at the best surface so far.
 const ROUNDS: usize = 5;
-/// The start's matrix is replaced when two steps gain less than this.
-const START_GAIN: f64 = 0.15;
-/// Near the solution the start's matrix stays.
-const NEAR: f64 = 1e-6;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,8 +33,6 @@ pub struct Plan {
     pub tolerance: f64,
     /// A round is left when the step norm exceeds this many times the best.
     pub guard: f64,
-    /// Start with the matrix that is there.
-    pub reuse: bool,
     /// What to call it in progress reports.
     pub stage: &'static str,
 }
@@ -64,10 +58,9 @@ pub fn iterate(
 ) -> (End, f64) {
     let mut best = Best { x: x.clone(), d: f64::INFINITY, first: f64::INFINITY };
     let mut anderson = Anderson::new(3 * system.free(), WINDOW);
-    for round in 0..ROUNDS {
-        let fresh = !(plan.reuse && round == 0) || std::env::var("FRESH").is_ok();
+    for _ in 0..ROUNDS {
         best.d = f64::INFINITY;
-        match run(system, x, &plan, fresh, &mut anderson, &mut best, control) {
+        match run(system, x, &plan, &mut anderson, &mut best, control) {
             Ok(End::Converged) => return (End::Converged, best.d),
             Ok(End::Stalled) => {}
             Ok(End::Stopped) => {
@@ -77,7 +70,7 @@ pub fn iterate(
             Err(Collapsed) => break,
         }
         x.clone_from(&best.x);
-        if fresh && best.d > ROUND_GAIN * best.first {
+        if best.d > ROUND_GAIN * best.first {
             break;
         }
     }
@@ -90,7 +83,6 @@ fn run(
     system: &mut System<'_>,
     x: &mut Vec<Vector3<f64>>,
     plan: &Plan,
-    fresh: bool,
     anderson: &mut Anderson,
     best: &mut Best,
     control: &mut Control<'_>,
@@ -98,16 +90,12 @@ fn run(
     let n = 3 * system.free();
     let (mut step, mut accelerated, mut flat) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     let mut history: Vec<f64> = Vec::new();
-    let mut start_matrix = !fresh;
     anderson.clear();
     system.evaluate(x);
-    if fresh {
-        system.rebuild(x, true, |_| 0.0)?;
-    }
+    system.rebuild(x, true, |_| 0.0)?;
     loop {
         let d = system.step(&mut step, true).total();
         control.iteration(d, plan.stage);
-        if std::env::var("DBG").is_ok() { eprintln!("   normal {:.2e} tangential {:.2e}", system.last.normal, system.last.tangential); }
         if !d.is_finite() {
             return Ok(End::Stalled);
         }
@@ -127,20 +115,7 @@ fn run(
         }
         history.push(d);
         let k = history.len() - 1;
-        if start_matrix {
-            if k > 0 && d > history[0] {
-                // The first steps grow: back to the start, which is the best so far.
-                return Ok(End::Stalled);
-            }
-            if k >= 2 && d > START_GAIN * history[k - 2] && d > NEAR {
-                system.rebuild(x, true, |_| 0.0)?;
-                anderson.clear();
-                start_matrix = false;
-                history.clear();
-                best.d = f64::INFINITY;
-                system.step(&mut step, true);
-            }
-        } else if d > plan.guard * best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE] {
+        if d > plan.guard * best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE] {
             return Ok(End::Stalled);
         }
         for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {

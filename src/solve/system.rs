@@ -15,6 +15,9 @@ use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 use crate::mesh::{Region, Rings};
 
+/// Tangential steps below this, in diagonals, are projected.
+const NEAR: f64 = 1e-3;
+
 /// Largest edge-relative change of one step.
 pub const LARGEST_CHANGE: f64 = 0.5;
 
@@ -48,7 +51,6 @@ pub struct System<'a> {
     p_values: Vec<f64>,
     normal_step: Vec<[f64; 1]>,
     tangential_step: Vec<[f64; 3]>,
-    pub last: StepNorm,
 }
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
@@ -121,7 +123,6 @@ impl<'a> System<'a> {
             p_symbolic,
             normal_step: vec![[0.0]; free],
             tangential_step: vec![[0.0; 3]; free],
-            last: StepNorm { normal: 0.0, tangential: 0.0 },
         }
     }
 
@@ -205,8 +206,9 @@ impl<'a> System<'a> {
     }
 
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// `P^-1 R1`, and the tangential field `G^-1(inner residual)` as it is. Projecting the latter with each vertex's
-    /// own normal would turn the crowding of a collapsed feature into normal noise.
+    /// `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
+    /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
+    /// Near the solution it is projected, or each equation would disturb the other.
     pub fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
@@ -224,9 +226,12 @@ impl<'a> System<'a> {
                 g.solve(d);
             },
         );
-        let thr: f64 = std::env::var("PROJ").ok().map_or(0.0, |v| v.parse().unwrap());
-        let size = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
-        let project = size(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()) < thr;
+        let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
+        let norm = StepNorm {
+            normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
+            tangential: rms(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()),
+        };
+        let project = norm.tangential < NEAR;
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
             let d = Vector3::from(self.tangential_step[i]);
@@ -235,12 +240,7 @@ impl<'a> System<'a> {
                 s[c] = (self.normal_step[i][0] - off) * n[c] + d[c];
             }
         }
-        let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
-        self.last = StepNorm {
-            normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
-            tangential: rms(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()),
-        };
-        self.last
+        norm
     }
 
     /// The normal part of the last step.
