@@ -174,7 +174,7 @@ fn convergence_orders() {
             let mut mean = [0.0; 4];
             for seed in SEEDS {
                 let shape = generate(n, seed);
-                let solution = solve(&shape, &shape.flat(), options(1e-9));
+                let solution = solve(&shape, &flat(&shape), options(1e-9));
                 bars.converged(format!("{name} {n} seed {seed}"), &solution);
                 let (e, h) = (errors(&shape, &solution), curvature_errors(&shape, &solution));
                 for (mean, figure) in mean.iter_mut().zip([e.max, e.rms, h.max, h.rms]) {
@@ -212,12 +212,12 @@ fn paper_discretization_is_ten_times_worse() {
     for (name, generate) in [("cap", cap as Generator), ("cylinder", cylinder)] {
         for n in [2_000, 8_000] {
             let shape = generate(n, 1);
-            let ours = solve(&shape, &shape.flat(), options(TIGHT));
+            let ours = solve(&shape, &flat(&shape), options(TIGHT));
             let paper = Options {
                 discretization: Discretization::Paper,
                 ..options(1e-8)
             };
-            let paper = solve(&shape, &shape.flat(), paper);
+            let paper = solve(&shape, &flat(&shape), paper);
             let [e, p] = [&ours, &paper].map(|s| errors(&shape, s));
             row(name, n, "second order", e, &ours);
             row(name, n, "paper", p, &paper);
@@ -281,7 +281,7 @@ fn sphere_with_one_hole() {
         for (n, seeds) in [(1_000, 1..4), (5_000, 1..3)] {
             for seed in seeds {
                 let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
-                let solution = solve(&shape, &shape.flat(), options(1e-8));
+                let solution = solve(&shape, &flat(&shape), options(1e-8));
                 let e = errors(&shape, &solution);
                 row("hole", n, &format!("{half_angle} degrees"), e, &solution);
                 let what = format!("hole of {half_angle} degrees, {n}, seed {seed}");
