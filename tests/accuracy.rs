@@ -161,7 +161,7 @@ fn long_unduloid_band() {
     check_bands(&[("long unduloid", long_unduloid)]);
 }
 
-/// Second order in the positions, first order in the mean curvature; the paper's discretization beside it.
+/// Errors at most `0.52 / n`, that is 4e-5 at 13,000; second order in the positions, first order in the mean curvature; the paper's discretization beside it.
 /// Every figure is the mean over three triangulations, because one may be lucky.
 #[test]
 fn convergence_orders() {
@@ -177,6 +177,8 @@ fn convergence_orders() {
                 let solution = solve(&shape, &flat(&shape), options(1e-9));
                 bars.converged(format!("{name} {n} seed {seed}"), &solution);
                 let (e, h) = (errors(&shape, &solution), curvature_errors(&shape, &solution));
+                // One that is far off is another solution, with a bump at some vertex beside the border.
+                bars.at_most(format!("{name} {n} seed {seed}: error"), e.max, 0.52 / n as f64);
                 for (mean, figure) in mean.iter_mut().zip([e.max, e.rms, h.max, h.rms]) {
                     *mean += figure / SEEDS.len() as f64;
                 }

@@ -555,7 +555,7 @@ fn is_sound(shape: &Shape, positions: &[[f64; 3]]) -> bool {
         for k in 0..3 {
             let (e, f) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
             let degrees = angle(&e.into(), &f.into());
-            if !(degrees >= 0.99) {
+            if degrees.is_nan() || degrees < 0.99 {
                 return false;
             }
         }
