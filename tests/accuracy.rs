@@ -161,8 +161,8 @@ fn long_unduloid_band() {
     check_bands(&[("long unduloid", long_unduloid)]);
 }
 
-/// Errors at most `0.52 / n`, that is 4e-5 at 13,000; second order in the positions, first order in the mean curvature; the paper's discretization beside it.
-/// Every figure is the mean over three triangulations, because one may be lucky.
+/// Errors at most `0.52 / n`, that is 4e-5 at 13,000; second order in the positions, first order in the mean
+/// curvature. Every figure is the mean over three triangulations, because one may be lucky.
 #[test]
 fn convergence_orders() {
     const SIZES: [usize; 3] = [2_000, 8_000, 32_000];
