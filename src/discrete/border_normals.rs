@@ -83,14 +83,28 @@ pub fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vecto
     sum.try_normalize(f64::MIN_POSITIVE)
 }
 
-/// Samples around border vertex `b`: its outside ring with weight 1, the vertices behind it with [`FLAP_WEIGHT`].
+/// Samples around border vertex `b`: its outside ring with weight 1, the vertices behind it with [`FLAP_WEIGHT`]. Those
+/// are the flaps and, for a vertex in a notch that has one or two outside triangles only, the outside rings of the
+/// border vertices beside it.
 fn samples(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Vec<(Vec3<1>, f64)> {
+    let own = (region.free + b) as u32;
     let q = x[region.free + b];
     let at = |j: u32| one(&(x[j as usize] - q));
-    let range = |start: &[u32]| start[b] as usize..start[b + 1] as usize;
-    let ring = rings.outside_neighbour[range(&rings.outside_start)].iter().map(|&j| (at(j), 1.0));
-    let flaps = rings.outside_flap[range(&rings.outside_edge_start)].iter();
-    ring.chain(flaps.filter(|&&j| j != NONE).map(|&j| (at(j), FLAP_WEIGHT))).collect()
+    let range = |start: &[u32], b: usize| start[b] as usize..start[b + 1] as usize;
+    let ring = &rings.outside_neighbour[range(&rings.outside_start, b)];
+    let mut behind: Vec<u32> = rings.outside_flap[range(&rings.outside_edge_start, b)].to_vec();
+    for &j in ring.iter().chain(rings.border_ring(b)) {
+        let j = j as usize;
+        if (region.free..region.region_vertices()).contains(&j) {
+            behind.push(j as u32);
+            behind.extend(&rings.outside_neighbour[range(&rings.outside_start, j - region.free)]);
+        }
+    }
+    behind.sort_unstable();
+    behind.dedup();
+    behind.retain(|j| *j != NONE && *j != own && !ring.contains(j));
+    let near = ring.iter().map(|&j| (at(j), 1.0));
+    near.chain(behind.into_iter().map(|j| (at(j), FLAP_WEIGHT))).collect()
 }
 
 /// Fits again and again from the tilted normal, which takes the bias of the ridge away.

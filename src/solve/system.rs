@@ -85,16 +85,15 @@ impl<'a> System<'a> {
         curvature: FreeCurvature,
     ) -> Self {
         let g_pattern = rings.graph();
-        let coordinates = crate::linear::ordering::landmark_coordinates(&g_pattern);
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
-                let order = fill_reducing(&g_pattern, &g_pattern, 1, Some(&coordinates));
+                let order = fill_reducing(&g_pattern, &g_pattern, 1, None);
                 let values = laplacian(&g_pattern, rings, groups, &weights);
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
                 let pattern = rings.two_ring_pattern();
-                let order = fill_reducing(&pattern, &g_pattern, 2, Some(&coordinates));
+                let order = fill_reducing(&pattern, &g_pattern, 2, None);
                 let symbolic = Arc::new(Symbolic::new(&pattern, &order));
                 (pattern, symbolic)
             },
