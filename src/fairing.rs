@@ -67,7 +67,7 @@ pub struct Options<'a> {
     /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
     /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
     pub tolerance: f64,
-    /// At most this many nonlinear iterations in all. Default 200. At least 1.
+    /// At most this many nonlinear iterations in all. Default 500. At least 1.
     pub max_iterations: usize,
     /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
@@ -82,7 +82,7 @@ impl Default for Options<'_> {
             inner: InnerFairness::default(),
             discretization: Discretization::default(),
             tolerance: 1e-8,
-            max_iterations: 200,
+            max_iterations: 500,
             threads: 0,
             progress: None,
         }
@@ -424,6 +424,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
             Ending::Partly(reached, farthest) => Outcome::NormalsNotReachable {
                 reached: *reached,
                 vertices: local_ids(farthest, border_ids),
+            },
+            Ending::Overshoots if solved.poor.is_empty() => Outcome::ConvergedLoosely {
+                reason: "the mean curvature inside exceeds that on the border, which a harmonic one cannot".to_owned(),
+            },
+            Ending::Overshoots => Outcome::ConvergedPoorTriangles {
+                triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
             },
             Ending::Failed => Outcome::NotConverged,
         },

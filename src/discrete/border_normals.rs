@@ -14,9 +14,11 @@ use crate::mesh::{NONE, Region, Rings};
 /// The repeated fit stops when the normal turns by less than this (radians).
 const STANDS: f64 = 1e-13;
 /// At most this many fits per vertex.
-const MAX_FITS: usize = 30;
+const MAX_FITS: usize = 300;
 /// Fewer samples than this cannot judge a fit of five unknowns: the average is taken.
 const FEWEST_SAMPLES: usize = 6;
+/// With fewer outside neighbours than this, what lies behind them counts as much as they do, and reaches a ring further.
+const SMALL_RING: usize = 4;
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
 /// A fit with a standard error below this is taken without the cap, 0.1 degrees.
@@ -32,8 +34,9 @@ struct Fit {
     error: f64,
 }
 
-/// The normals of all border vertices: fitted, or averaged only. Border vertices without outside take the average of
-/// their triangles in the region (paper 7.5).
+/// The normals of all border vertices: fitted, or averaged only. Border vertices without outside take what their
+/// neighbours on the border have outside; where there is nothing either, the average of their triangles in the region
+/// (paper 7.5).
 ///
 /// # Errors
 /// [`Error::NoNormal`] where all those triangles have no area; `given[b]` vertices are not looked at and keep
@@ -53,10 +56,13 @@ pub fn estimate(
             continue;
         }
         let outside = outside_edges(rings, b);
-        let edges = if outside.is_empty() { inside_edges(rings, b) } else { outside };
-        let average = average(x, region.free + b, edges);
+        let average = if outside.is_empty() {
+            average_beside(region, rings, x, b).or_else(|| average(x, region.free + b, inside_edges(rings, b)))
+        } else {
+            average(x, region.free + b, outside)
+        };
         normals[b] = average.ok_or(Error::NoNormal { vertex: region.vertex_ids[region.free + b] as usize })?;
-        if fitted && !outside.is_empty() {
+        if fitted {
             fits[b] = fit(region, rings, x, b, normals[b]);
         }
     }
@@ -76,6 +82,16 @@ fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
     &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize]
 }
 
+/// The normalized sum of the outside triangles' cross products of the border vertices beside `b`: for a fixed vertex in
+/// the second row of the region, which has no outside itself.
+fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
+    let border = region.free..region.region_vertices();
+    let beside = rings.border_ring(b).iter().filter(|j| border.contains(&(**j as usize)));
+    let sum: Vector3<f64> =
+        beside.filter_map(|&j| average(x, j as usize, outside_edges(rings, j as usize - region.free))).sum();
+    sum.try_normalize(1e-6)
+}
+
 /// The normalized sum of the cross products of the triangles at vertex `v` with these ring edges.
 pub fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
     let q = x[v];
@@ -93,18 +109,22 @@ fn samples(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Vec<
     let range = |start: &[u32], b: usize| start[b] as usize..start[b + 1] as usize;
     let ring = &rings.outside_neighbour[range(&rings.outside_start, b)];
     let mut behind: Vec<u32> = rings.outside_flap[range(&rings.outside_edge_start, b)].to_vec();
-    for &j in ring.iter().chain(rings.border_ring(b)) {
-        let j = j as usize;
-        if (region.free..region.region_vertices()).contains(&j) {
-            behind.push(j as u32);
-            behind.extend(&rings.outside_neighbour[range(&rings.outside_start, j - region.free)]);
+    let mut beside: Vec<u32> = ring.iter().chain(rings.border_ring(b)).copied().collect();
+    for _ in 0..if ring.len() < SMALL_RING { 2 } else { 1 } {
+        for j in std::mem::take(&mut beside) {
+            if (region.free..region.region_vertices()).contains(&(j as usize)) {
+                behind.push(j);
+                behind.extend(&rings.outside_neighbour[range(&rings.outside_start, j as usize - region.free)]);
+            }
         }
+        beside.clone_from(&behind);
     }
     behind.sort_unstable();
     behind.dedup();
     behind.retain(|j| *j != NONE && *j != own && !ring.contains(j));
+    let weight = if ring.len() < SMALL_RING { 1.0 } else { FLAP_WEIGHT };
     let near = ring.iter().map(|&j| (at(j), 1.0));
-    near.chain(behind.into_iter().map(|j| (at(j), FLAP_WEIGHT))).collect()
+    near.chain(behind.into_iter().map(|j| (at(j), weight))).collect()
 }
 
 /// Fits again and again from the tilted normal, which takes the bias of the ridge away.

@@ -1,6 +1,7 @@
 //! The order in which harder means are tried, until a sound surface is found or none is left:
 //!
-//! 1. directly, from the linear surface, with repaired inner fairness where triangles end flipped or thin;
+//! 1. directly, from the linear surface, with repaired inner fairness where triangles end flipped or thin; then the
+//!    same from the linear surface on a membrane's metric;
 //! 2. plain (first-order) curvature first, whose basin is larger, then a jump to the second order;
 //! 3. pseudo-time from there;
 //! 4. the plain solution to tolerance, reported as what it is;
@@ -28,6 +29,11 @@ const PLAIN_GUARD: f64 = 5.0;
 /// Plain curvature only prepares: it goes no further than this.
 const PLAIN_TOLERANCE: f64 = 1e-4;
 
+/// The largest `|H|` inside, against the border's.
+const OVERSHOOT: f64 = 1.05;
+/// Curvatures below this, times the diagonal, count as none.
+const OVERSHOOT_FLOOR: f64 = 0.1;
+
 /// How the solve ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
@@ -35,6 +41,8 @@ pub enum Ending {
     Converged,
     /// Tolerance met with plain (first-order) curvature only.
     FirstOrder,
+    /// Tolerance met, but `|H|` is larger inside than on the border.
+    Overshoots,
     /// No sound nonlinear surface; the linear one.
     Failed,
     /// Border normals reached only to this fraction of the way; the linear surface. Border vertices (numbered from
@@ -70,11 +78,18 @@ pub struct Candidate {
     pub step: f64,
     /// Its poor triangles.
     pub poor: Vec<u32>,
+    /// Its mean curvature inside exceeds that on the border, which a harmonic function cannot.
+    pub overshoots: bool,
 }
 
 impl Candidate {
     fn is_sound(&self) -> bool {
-        self.end == End::Converged && self.poor.is_empty()
+        self.end == End::Converged && self.poor.is_empty() && !self.overshoots
+    }
+
+    /// The smaller the better.
+    fn rank(&self) -> (bool, usize, bool) {
+        (self.end != End::Converged, self.poor.len(), self.overshoots)
     }
 
     fn is_settled(&self) -> bool {
@@ -100,7 +115,8 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
     };
     let (candidate, ending) = attempts(system, &linear, control);
     solved.ending = ending;
-    match candidate {
+    // Stopped on the way over poor triangles: the linear surface is the better one.
+    match candidate.filter(|c| c.end != End::Stopped || c.poor.is_empty()) {
         Some(candidate) => {
             solved.step = candidate.step;
             solved.poor = candidate.poor;
@@ -121,7 +137,7 @@ fn attempts(
 ) -> (Option<Candidate>, Ending) {
     let asked = system.curvature;
     let weights = system.weights.clone();
-    let direct = Plan { tolerance: control.tolerance, guard: GUARD, stage: "fairing" };
+    let direct = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "fairing" };
     let mut fallback = Vec::new();
 
     let first = with_repair(system, linear.to_vec(), direct, control);
@@ -130,12 +146,24 @@ fn attempts(
     }
     keep(&mut fallback, first, Ending::Converged);
 
+    restore(system, &weights);
+    let membrane = system.membrane();
+    if let Ok(mut start) = system.linear_surface_on(&membrane) {
+        system.tangential_steps(&mut start);
+        let second = with_repair(system, start, direct, control);
+        if second.is_settled() {
+            return settled(second, Ending::Converged);
+        }
+        keep(&mut fallback, second, Ending::Converged);
+    }
+
     if let FreeCurvature::GradientCorrected { .. } = asked {
         restore(system, &weights);
         system.curvature = FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT };
         let coarse = Plan {
             tolerance: PLAIN_TOLERANCE.max(control.tolerance),
             guard: PLAIN_GUARD,
+            watch: false,
             stage: "plain curvature",
         };
         let plain = with_repair(system, linear.to_vec(), coarse, control);
@@ -165,8 +193,9 @@ fn attempts(
         Some(candidate) => keep(&mut fallback, candidate, Ending::Converged),
         None => {}
     }
-    fallback.sort_by_key(|(candidate, _)| candidate.poor.len());
+    fallback.sort_by_key(|(candidate, _)| candidate.rank());
     match fallback.into_iter().next() {
+        Some((candidate, Ending::Converged)) if candidate.overshoots => (Some(candidate), Ending::Overshoots),
         Some((candidate, ending)) => (Some(candidate), ending),
         None if continued.reached > 0.0 => (None, Ending::Partly(continued.reached, continued.farthest)),
         None => (None, Ending::Failed),
@@ -198,7 +227,7 @@ fn from_plain(
     control: &mut Control<'_>,
 ) -> (Candidate, Ending) {
     system.curvature = asked;
-    let jump = Plan { tolerance: control.tolerance, guard: GUARD, stage: "second order" };
+    let jump = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "second order" };
     let jumped = iterated(system, plain.x.clone(), jump, control);
     if jumped.is_settled() {
         return (jumped, Ending::Converged);
@@ -210,10 +239,9 @@ fn from_plain(
     system.curvature = FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT };
     let finish = Plan { guard: PLAIN_GUARD, stage: "plain curvature", ..jump };
     let finished = iterated(system, plain.x, finish, control);
-    let poorer = |c: &Candidate| (c.end != End::Converged, c.poor.len());
-    let better = [jumped, slow].into_iter().min_by_key(poorer);
+    let better = [jumped, slow].into_iter().min_by_key(Candidate::rank);
     match better {
-        Some(c) if poorer(&c) <= poorer(&finished) => (c, Ending::Converged),
+        Some(c) if c.rank() <= finished.rank() => (c, Ending::Converged),
         _ => (finished, Ending::FirstOrder),
     }
 }
@@ -222,7 +250,7 @@ fn from_plain(
 fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Control<'_>) -> Candidate {
     match pseudo_time(system, &mut x, control) {
         Ok(true) => {
-            let plan = Plan { tolerance: control.tolerance, guard: GUARD, stage: "fairing" };
+            let plan = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "fairing" };
             iterated(system, x, plan, control)
         }
         Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
@@ -244,7 +272,8 @@ pub fn iterated(
 fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) -> Candidate {
     system.evaluate(&x);
     let poor = system.poor(&x, crate::quality::NEEDLE);
-    Candidate { x, end, step, poor }
+    let overshoots = system.overshoots();
+    Candidate { x, end, step, poor, overshoots }
 }
 
 /// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
@@ -254,18 +283,19 @@ fn with_repair(
     plan: Plan,
     control: &mut Control<'_>,
 ) -> Candidate {
-    let mut best = iterated(system, x, plan, control);
     let mut repair = Repair::new(system);
-    while best.end == End::Converged && !best.poor.is_empty() {
-        let Some(weights) = repair.next(system, &best.x) else { break };
+    let mut best = iterated(system, x, Plan { watch: true, ..plan }, control);
+    let mut last = best.clone();
+    while matches!(last.end, End::Converged | End::Poor) && !last.poor.is_empty() {
+        let Some(weights) = repair.next(system, &last.x) else { break };
         let restarted = system.set_weights(weights).and_then(|()| system.start());
         let Ok(start) = restarted else { break };
-        let candidate = iterated(system, start, plan, control);
-        if candidate.end == End::Stopped {
-            return candidate;
+        last = iterated(system, start, Plan { watch: repair.has_more(), ..plan }, control);
+        if last.end == End::Stopped {
+            return last;
         }
-        if candidate.end == End::Converged && candidate.poor.len() < best.poor.len() {
-            best = candidate;
+        if last.rank() < best.rank() {
+            best.clone_from(&last);
         }
     }
     best
@@ -278,6 +308,14 @@ impl System<'_> {
         self.diagonal = diagonal(&x);
         self.tangential_steps(&mut x);
         Ok(x)
+    }
+
+    /// Whether `|H|` inside exceeds its maximum on the border by more than the discretization allows, at the last
+    /// evaluation.
+    fn overshoots(&self) -> bool {
+        let largest = |h: &[f64]| h.iter().fold(0.0f64, |m, h| m.max(h.abs()));
+        let (inside, border) = self.state.h.split_at(self.free());
+        largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / self.diagonal
     }
 
     /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated

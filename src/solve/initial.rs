@@ -14,7 +14,7 @@ use crate::linear::symbolic::Symbolic;
 /// Linear systems are solved to this, in the norm of their own energy: they only make a start.
 const REFINED: f64 = 1e-6;
 /// More iterations than this say that 32 bits do not suffice.
-const MOST_ITERATIONS: usize = 12;
+const MOST_ITERATIONS: usize = 16;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 

@@ -6,6 +6,8 @@ use super::control::Control;
 use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
 use crate::linear::anderson::Anderson;
 
+/// Below this step norm the triangles show what they will be.
+const NEAR: f64 = 1e-4;
 /// Steps that Anderson acceleration looks back on.
 const WINDOW: usize = 8;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
@@ -22,6 +24,8 @@ pub enum End {
     Converged,
     /// No round gains any more.
     Stalled,
+    /// Near the solution, but on poor triangles: see [`Plan::watch`].
+    Poor,
     /// Limit or cancel, see [`Control`].
     Stopped,
 }
@@ -33,6 +37,8 @@ pub struct Plan {
     pub tolerance: f64,
     /// A round is left when the step norm exceeds this many times the best.
     pub guard: f64,
+    /// Stop near the solution when triangles are flipped or thin: their repair starts anew.
+    pub watch: bool,
     /// What to call it in progress reports.
     pub stage: &'static str,
 }
@@ -63,9 +69,9 @@ pub fn iterate(
         match run(system, x, &plan, &mut anderson, &mut best, control) {
             Ok(End::Converged) => return (End::Converged, best.d),
             Ok(End::Stalled) => {}
-            Ok(End::Stopped) => {
+            Ok(end @ (End::Stopped | End::Poor)) => {
                 x.clone_from(&best.x);
-                return (End::Stopped, best.d);
+                return (end, best.d);
             }
             Err(Collapsed) => break,
         }
@@ -90,6 +96,7 @@ fn run(
     let n = 3 * system.free();
     let (mut step, mut accelerated, mut flat) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     let mut history: Vec<f64> = Vec::new();
+    let mut watch = plan.watch;
     anderson.clear();
     system.evaluate(x);
     system.rebuild(x, true, |_| 0.0)?;
@@ -112,6 +119,12 @@ fn run(
         }
         if control.exhausted() {
             return Ok(End::Stopped);
+        }
+        if watch && d < NEAR {
+            watch = false;
+            if !system.poor(x, crate::quality::NEEDLE).is_empty() {
+                return Ok(End::Poor);
+            }
         }
         history.push(d);
         let k = history.len() - 1;

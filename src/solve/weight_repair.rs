@@ -45,6 +45,11 @@ impl Repair {
         Some(weights)
     }
 
+    /// Whether another round would be left after this one.
+    pub fn has_more(&self) -> bool {
+        self.round < THRESHOLDS.len()
+    }
+
     fn grow(&mut self, system: &System<'_>) {
         let before = self.marked.clone();
         for i in (0..system.free()).filter(|&i| before[i]) {
