@@ -37,9 +37,9 @@ fn main() {
         Err(e) => println!("ERROR {e}"),
         Ok(r) => {
             let q = &r.report.quality;
-            println!("{} {} {:?} it {} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} total {:.4} | angle {:.2} flips {} needles {} H {:.3?} {:.3?} dev {:.2} susp {} lin {}",
+            println!("{} {} {:?} it {} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} total {:.4} | angle {:.2} flips {} needles {} H {:.3?} {:.3?} dev {:.2} rms {:.3} susp {} lin {}",
                 args[2].split('/').next_back().unwrap(), r.report.free_vertices, r.report.outcome, r.report.iterations, r.report.defect, r.report.step,
-                r.report.seconds.setup, r.report.seconds.start, r.report.seconds.iterate, r.report.seconds.total, q.worst_angle, q.flipped.len(), q.needles.len(), q.h_inside, q.h_border, q.normal_deviation, r.report.suspicious_normals.len(), r.report.linear_surface);
+                r.report.seconds.setup, r.report.seconds.start, r.report.seconds.iterate, r.report.seconds.total, q.worst_angle, q.flipped.len(), q.needles.len(), q.h_inside, q.h_border, q.normal_deviation, q.normal_deviation_rms, r.report.suspicious_normals.len(), r.report.linear_surface);
             if let Some(p) = args.iter().find_map(|a| a.strip_prefix("o=")) {
                 let mut w = std::io::BufWriter::new(std::fs::File::create(p).unwrap());
                 write!(w, "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n", v.len(), f.len()).unwrap();

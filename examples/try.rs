@@ -46,8 +46,8 @@ fn main() {
         for (p, f) in r.positions.iter().zip(&s.free) { if *f { let k = (((p[2] - lo) / (hi - lo) * 24.0) as usize).clamp(0, 23); let rr = p[0].hypot(p[1]); let b = &mut bins[k]; b.0 += rr; b.1 += 1; b.2 = b.2.min(rr); b.3 = b.3.max(rr); } }
         for (k, b) in bins.iter().enumerate() { println!("z {:.3} n {} r {:.3} [{:.3} {:.3}]", lo + (hi - lo) * (k as f64 + 0.5) / 24.0, b.1, b.0 / b.1 as f64, b.2, b.3); }
     }
-    println!("{} {} {} it {} max {:.2e} rms {:.2e} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} q {:.4} total {:.4} | angle {:.2} flips {} H {:?} {:?} dev {:.3}",
+    println!("{} {} {} it {} max {:.2e} rms {:.2e} defect {:.1e} step {:.1e} | setup {:.4} start {:.4} iterate {:.4} q {:.4} total {:.4} | angle {:.2} flips {} H {:?} {:?} dev {:.3} rms {:.3}",
         args[1], r.report.free_vertices, r.report.outcome.name(), r.report.iterations, max, rms, r.report.defect, r.report.step,
         r.report.seconds.setup, r.report.seconds.start, r.report.seconds.iterate, r.report.seconds.quality, r.report.seconds.total,
-        r.report.quality.worst_angle, r.report.quality.flipped.len(), r.report.quality.h_inside, r.report.quality.h_border, r.report.quality.normal_deviation);
+        r.report.quality.worst_angle, r.report.quality.flipped.len(), r.report.quality.h_inside, r.report.quality.h_border, r.report.quality.normal_deviation, r.report.quality.normal_deviation_rms);
 }

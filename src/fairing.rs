@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 
-use crate::discrete::border_normals::estimate;
+use crate::discrete::border_normals::{average, estimate};
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
@@ -407,11 +407,17 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         .collect();
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
+    let suspicious_normals = suspicious(&region, &rings, &x, &surface);
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
     let border_ids = &region.vertex_ids[region.free..];
     let linear_surface = matches!(solved.ending, Ending::Failed | Ending::Partly(..));
     let report = Report {
         outcome: match &solved.ending {
+            Ending::Converged | Ending::FirstOrder if solved.poor.is_empty() && !suspicious_normals.is_empty() => {
+                Outcome::ConvergedLoosely {
+                    reason: "border normals point against the surface beside them: probably flipped".to_owned(),
+                }
+            }
             Ending::Converged if solved.poor.is_empty() => Outcome::Converged,
             Ending::FirstOrder if solved.poor.is_empty() => Outcome::ConvergedLoosely {
                 reason: "the surface holds with the first-order curvature alone".to_owned(),
@@ -425,10 +431,10 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
                 reached: *reached,
                 vertices: local_ids(farthest, border_ids),
             },
-            Ending::Overshoots if solved.poor.is_empty() => Outcome::ConvergedLoosely {
-                reason: "the mean curvature inside exceeds that on the border, which a harmonic one cannot".to_owned(),
+            Ending::Doubtful if solved.poor.is_empty() => Outcome::ConvergedLoosely {
+                reason: "the surface has a bump: its curvature inside exceeds that on the border, or it leaves single border normals".to_owned(),
             },
-            Ending::Overshoots => Outcome::ConvergedPoorTriangles {
+            Ending::Doubtful => Outcome::ConvergedPoorTriangles {
                 triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
             },
             Ending::Failed => Outcome::NotConverged,
@@ -441,7 +447,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         free_vertices: region.free,
         diagonal: system.diagonal * frame.scale,
         linear_surface,
-        suspicious_normals: Vec::new(),
+        suspicious_normals,
         fallback_weights,
     };
     Ok(Solution {
@@ -450,6 +456,30 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         mean_curvature,
         report,
     })
+}
+
+/// Border vertices (the caller's numbers) whose normal points against the triangles outside, as they came, or against
+/// those of the region in the result; and of two neighbours on the border with opposite normals the one that stands
+/// farther off the result. Any of them is probably flipped: the equations alone do not tell (paper 6.1).
+fn suspicious(region: &Region, rings: &Rings, input: &[Vector3<f64>], result: &Surface<'_>) -> Vec<u32> {
+    let against = |n: &Vector3<f64>, other: Option<Vector3<f64>>| other.is_some_and(|o| o.dot(n) < 0.0);
+    let deviations = result.normal_deviations();
+    let normals = result.border_normals;
+    let mut marked: Vec<bool> = (0..region.border)
+        .map(|b| {
+            let outside = average(input, region.free + b, rings.outside_triangles(b));
+            against(&normals[b], outside) || deviations[b] > 90.0
+        })
+        .collect();
+    for &h in &rings.border_half_edges {
+        let a = region.half_edges.origin(h) as usize - region.free;
+        let b = region.half_edges.target(h) as usize - region.free;
+        if normals[a].dot(&normals[b]) < 0.0 {
+            marked[if deviations[a] > deviations[b] { a } else { b }] = true;
+        }
+    }
+    let ids = &region.vertex_ids[region.free..];
+    (0..region.border).filter(|&b| marked[b]).map(|b| ids[b]).collect()
 }
 
 /// A given normal may miss unit length by this much.

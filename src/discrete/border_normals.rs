@@ -55,7 +55,7 @@ pub fn estimate(
             normals[b] = n;
             continue;
         }
-        let outside = outside_edges(rings, b);
+        let outside = rings.outside_triangles(b);
         let average = if outside.is_empty() {
             average_beside(region, rings, x, b).or_else(|| average(x, region.free + b, inside_edges(rings, b)))
         } else {
@@ -74,10 +74,6 @@ pub fn estimate(
     Ok(normals)
 }
 
-fn outside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
-    &rings.outside_edge[rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize]
-}
-
 fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
     &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize]
 }
@@ -88,7 +84,7 @@ fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) 
     let border = region.free..region.region_vertices();
     let beside = rings.border_ring(b).iter().filter(|j| border.contains(&(**j as usize)));
     let sum: Vector3<f64> =
-        beside.filter_map(|&j| average(x, j as usize, outside_edges(rings, j as usize - region.free))).sum();
+        beside.filter_map(|&j| average(x, j as usize, rings.outside_triangles(j as usize - region.free))).sum();
     sum.try_normalize(1e-6)
 }
 

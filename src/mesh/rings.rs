@@ -63,6 +63,12 @@ impl Rings {
         rings
     }
 
+    /// The ring edges of the outside triangles at a border vertex.
+    #[inline]
+    pub fn outside_triangles(&self, b: usize) -> &[[u32; 2]] {
+        &self.outside_edge[self.outside_edge_start[b] as usize..self.outside_edge_start[b + 1] as usize]
+    }
+
     /// How many free vertices there are.
     #[inline]
     pub fn free(&self) -> usize {

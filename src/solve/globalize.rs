@@ -34,6 +34,11 @@ const OVERSHOOT: f64 = 1.05;
 /// Curvatures below this, times the diagonal, count as none.
 const OVERSHOOT_FLOOR: f64 = 0.1;
 
+/// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
+const STRAINED_DEGREES: f64 = 15.0;
+/// See [`STRAINED_DEGREES`].
+const STRAINED_RATIO: f64 = 8.0;
+
 /// How the solve ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
@@ -41,8 +46,8 @@ pub enum Ending {
     Converged,
     /// Tolerance met with plain (first-order) curvature only.
     FirstOrder,
-    /// Tolerance met, but `|H|` is larger inside than on the border.
-    Overshoots,
+    /// Tolerance met by a surface that has a bump, see [`Candidate::doubtful`].
+    Doubtful,
     /// No sound nonlinear surface; the linear one.
     Failed,
     /// Border normals reached only to this fraction of the way; the linear surface. Border vertices (numbered from
@@ -78,18 +83,19 @@ pub struct Candidate {
     pub step: f64,
     /// Its poor triangles.
     pub poor: Vec<u32>,
-    /// Its mean curvature inside exceeds that on the border, which a harmonic function cannot.
-    pub overshoots: bool,
+    /// Its mean curvature inside exceeds that on the border, which a harmonic function cannot, or it stands off single
+    /// border normals far more than off the others: a bump that the coarse equations admit.
+    pub doubtful: bool,
 }
 
 impl Candidate {
     fn is_sound(&self) -> bool {
-        self.end == End::Converged && self.poor.is_empty() && !self.overshoots
+        self.end == End::Converged && self.poor.is_empty() && !self.doubtful
     }
 
     /// The smaller the better.
     fn rank(&self) -> (bool, usize, bool) {
-        (self.end != End::Converged, self.poor.len(), self.overshoots)
+        (self.end != End::Converged, self.poor.len(), self.doubtful)
     }
 
     fn is_settled(&self) -> bool {
@@ -195,7 +201,7 @@ fn attempts(
     }
     fallback.sort_by_key(|(candidate, _)| candidate.rank());
     match fallback.into_iter().next() {
-        Some((candidate, Ending::Converged)) if candidate.overshoots => (Some(candidate), Ending::Overshoots),
+        Some((candidate, Ending::Converged)) if candidate.doubtful => (Some(candidate), Ending::Doubtful),
         Some((candidate, ending)) => (Some(candidate), ending),
         None if continued.reached > 0.0 => (None, Ending::Partly(continued.reached, continued.farthest)),
         None => (None, Ending::Failed),
@@ -272,8 +278,8 @@ pub fn iterated(
 fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) -> Candidate {
     system.evaluate(&x);
     let poor = system.poor(&x, crate::quality::NEEDLE);
-    let overshoots = system.overshoots();
-    Candidate { x, end, step, poor, overshoots }
+    let doubtful = system.overshoots() || system.is_strained(&x);
+    Candidate { x, end, step, poor, doubtful }
 }
 
 /// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
@@ -318,16 +324,28 @@ impl System<'_> {
         largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / self.diagonal
     }
 
-    /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated
-    /// last.
-    pub fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
-        let surface = Surface {
+    /// Whether single border vertices deviate from their normals far more than the rest.
+    fn is_strained(&self, x: &[Vector3<f64>]) -> bool {
+        let deviations = self.surface(x).normal_deviations();
+        let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
+        let worst = deviations.iter().copied().fold(0.0, f64::max);
+        worst > STRAINED_DEGREES && worst > STRAINED_RATIO * mean.sqrt()
+    }
+
+    fn surface<'s>(&'s self, x: &'s [Vector3<f64>]) -> Surface<'s> {
+        Surface {
             region: self.region,
             x,
             normals: &self.state.corrected,
             border_normals: &self.border_normals,
             h: &[],
-        };
+        }
+    }
+
+    /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated
+    /// last.
+    pub fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
+        let surface = self.surface(x);
         let mut poor = Vec::new();
         surface.triangles(|t, flipped, angle| {
             if flipped || angle < degrees {

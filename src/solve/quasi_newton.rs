@@ -8,6 +8,8 @@ use crate::linear::anderson::Anderson;
 
 /// Below this step norm the triangles show what they will be.
 const NEAR: f64 = 1e-4;
+/// Growth of the step norm over the best that an accelerated step may cause.
+const SAFE_GROWTH: f64 = 1.5;
 /// Steps that Anderson acceleration looks back on.
 const WINDOW: usize = 8;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
@@ -97,6 +99,7 @@ fn run(
     let (mut step, mut accelerated, mut flat) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
     let mut history: Vec<f64> = Vec::new();
     let mut watch = plan.watch;
+    let mut safeguard = true;
     anderson.clear();
     system.evaluate(x);
     system.rebuild(x, true, |_| 0.0)?;
@@ -134,6 +137,19 @@ fn run(
         for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {
             flat.copy_from_slice(x.as_slice());
         }
+        if d > SAFE_GROWTH * best.d && safeguard {
+            // Extrapolated too far: back to the best surface, and from there without history.
+            safeguard = false;
+            x.clone_from(&best.x);
+            anderson.clear();
+            system.evaluate(x);
+            system.step(&mut step, true);
+            let change = system.edge_change(x, &step);
+            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            system.evaluate(x);
+            continue;
+        }
+        safeguard = true;
         anderson.accelerate(&flat, &step, &mut accelerated);
         let change = system.edge_change(x, &accelerated);
         if change <= 2.0 * LARGEST_CHANGE {

@@ -101,7 +101,7 @@ pub struct FairArgs {
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
     tolerance: Option<f64>,
-    /// Stop after this many iterations [default: 200]
+    /// Stop after this many iterations [default: 500]
     #[arg(long, value_name = "N", help_heading = "Solver")]
     max_iterations: Option<usize>,
     /// Worker threads, 0: as many as the machine has;
