@@ -53,7 +53,7 @@ pub fn continuation(system: &mut System<'_>, linear: &[Vector3<f64>], control: &
         let last = target >= 1.0;
         system.border_normals = (0..own.len()).map(|b| slerp(&own[b], &prescribed[b], target)).collect();
         let tolerance = if last { control.tolerance } else { ON_THE_WAY.max(control.tolerance) };
-        let plan = Plan { tolerance, guard: 3.0, watch: false, stage: "turning the normals" };
+        let plan = Plan { tolerance, guard: 3.0, watch: false, response: true, stage: "turning the normals" };
         let candidate = iterated(system, x.clone(), plan, control);
         let good = candidate.end == End::Converged && candidate.poor.is_empty();
         if last && (good || candidate.end == End::Stopped) {

@@ -143,7 +143,7 @@ fn attempts(
 ) -> (Option<Candidate>, Ending) {
     let asked = system.curvature;
     let weights = system.weights.clone();
-    let direct = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "fairing" };
+    let direct = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "fairing" };
     let mut fallback = Vec::new();
 
     let first = with_repair(system, linear.to_vec(), direct, control);
@@ -156,7 +156,7 @@ fn attempts(
     let membrane = system.membrane();
     if let Ok(mut start) = system.linear_surface_on(&membrane) {
         system.tangential_steps(&mut start);
-        let second = with_repair(system, start, direct, control);
+        let second = with_repair(system, start, Plan { response: false, ..direct }, control);
         if second.is_settled() {
             return settled(second, Ending::Converged);
         }
@@ -170,6 +170,7 @@ fn attempts(
             tolerance: PLAIN_TOLERANCE.max(control.tolerance),
             guard: PLAIN_GUARD,
             watch: false,
+            response: true,
             stage: "plain curvature",
         };
         let plain = with_repair(system, linear.to_vec(), coarse, control);
@@ -233,7 +234,7 @@ fn from_plain(
     control: &mut Control<'_>,
 ) -> (Candidate, Ending) {
     system.curvature = asked;
-    let jump = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "second order" };
+    let jump = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "second order" };
     let jumped = iterated(system, plain.x.clone(), jump, control);
     if jumped.is_settled() {
         return (jumped, Ending::Converged);
@@ -256,7 +257,7 @@ fn from_plain(
 fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Control<'_>) -> Candidate {
     match pseudo_time(system, &mut x, control) {
         Ok(true) => {
-            let plan = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, stage: "fairing" };
+            let plan = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "fairing" };
             iterated(system, x, plan, control)
         }
         Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),

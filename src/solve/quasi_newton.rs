@@ -41,6 +41,9 @@ pub struct Plan {
     pub guard: f64,
     /// Stop near the solution when triangles are flipped or thin: their repair starts anew.
     pub watch: bool,
+    /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
+    /// safer.
+    pub response: bool,
     /// What to call it in progress reports.
     pub stage: &'static str,
 }
@@ -102,7 +105,7 @@ fn run(
     let mut safeguard = true;
     anderson.clear();
     system.evaluate(x);
-    system.rebuild(x, true, |_| 0.0)?;
+    system.rebuild(x, plan.response, |_| 0.0)?;
     loop {
         let d = system.step(&mut step, true).total();
         control.iteration(d, plan.stage);
