@@ -479,7 +479,10 @@ fn suspicious(region: &Region, rings: &Rings, input: &[Vector3<f64>], result: &S
         }
     }
     let ids = &region.vertex_ids[region.free..];
-    (0..region.border).filter(|&b| marked[b]).map(|b| ids[b]).collect()
+    (0..region.border)
+        .filter(|&b| marked[b])
+        .map(|b| ids[b])
+        .collect()
 }
 
 /// A given normal may miss unit length by this much.

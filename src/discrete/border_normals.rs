@@ -57,11 +57,14 @@ pub fn estimate(
         }
         let outside = rings.outside_triangles(b);
         let average = if outside.is_empty() {
-            average_beside(region, rings, x, b).or_else(|| average(x, region.free + b, inside_edges(rings, b)))
+            average_beside(region, rings, x, b)
+                .or_else(|| average(x, region.free + b, inside_edges(rings, b)))
         } else {
             average(x, region.free + b, outside)
         };
-        normals[b] = average.ok_or(Error::NoNormal { vertex: region.vertex_ids[region.free + b] as usize })?;
+        normals[b] = average.ok_or(Error::NoNormal {
+            vertex: region.vertex_ids[region.free + b] as usize,
+        })?;
         if fitted {
             fits[b] = fit(region, rings, x, b, normals[b]);
         }
@@ -82,16 +85,23 @@ fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
 /// the second row of the region, which has no outside itself.
 fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
     let border = region.free..region.region_vertices();
-    let beside = rings.border_ring(b).iter().filter(|j| border.contains(&(**j as usize)));
-    let sum: Vector3<f64> =
-        beside.filter_map(|&j| average(x, j as usize, rings.outside_triangles(j as usize - region.free))).sum();
+    let beside = rings
+        .border_ring(b)
+        .iter()
+        .filter(|j| border.contains(&(**j as usize)));
+    let sum: Vector3<f64> = beside
+        .filter_map(|&j| average(x, j as usize, rings.outside_triangles(j as usize - region.free)))
+        .sum();
     sum.try_normalize(1e-6)
 }
 
 /// The normalized sum of the cross products of the triangles at vertex `v` with these ring edges.
 pub fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
     let q = x[v];
-    let sum: Vector3<f64> = edges.iter().map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q))).sum();
+    let sum: Vector3<f64> = edges
+        .iter()
+        .map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q)))
+        .sum();
     sum.try_normalize(f64::MIN_POSITIVE)
 }
 
@@ -110,7 +120,8 @@ fn samples(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Vec<
         for j in std::mem::take(&mut beside) {
             if (region.free..region.region_vertices()).contains(&(j as usize)) {
                 behind.push(j);
-                behind.extend(&rings.outside_neighbour[range(&rings.outside_start, j as usize - region.free)]);
+                behind
+                    .extend(&rings.outside_neighbour[range(&rings.outside_start, j as usize - region.free)]);
             }
         }
         beside.clone_from(&behind);
@@ -129,9 +140,16 @@ fn fit(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize, start: Vect
     if samples.len() < FEWEST_SAMPLES {
         return None;
     }
-    let ring: Vec<f64> = samples.iter().filter(|s| s.1 == 1.0).map(|s| super::lanes::dot(&s.0, &s.0).0[0]).collect();
+    let ring: Vec<f64> = samples
+        .iter()
+        .filter(|s| s.1 == 1.0)
+        .map(|s| super::lanes::dot(&s.0, &s.0).0[0])
+        .collect();
     let l = (ring.iter().sum::<f64>() / ring.len() as f64).sqrt();
-    let mut current = Fit { normal: start, error: 0.0 };
+    let mut current = Fit {
+        normal: start,
+        error: 0.0,
+    };
     for _ in 0..MAX_FITS {
         let next = fit_once(&samples, l, &current.normal);
         let turn = (next.normal - current.normal).norm();
@@ -198,7 +216,11 @@ fn blend(rim: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
         let Some(fit) = &fits[b as usize] else { continue };
         let average = normals[b as usize];
         let delta = angle(&average, &fit.normal);
-        let cap = if fit.error < CERTAIN { 1.0 } else { TURN_CAP / (t * delta).max(f64::MIN_POSITIVE) };
+        let cap = if fit.error < CERTAIN {
+            1.0
+        } else {
+            TURN_CAP / (t * delta).max(f64::MIN_POSITIVE)
+        };
         let w = t * cap.min(1.0);
         if let Some(n) = (average * (1.0 - w) + fit.normal * w).try_normalize(1e-6) {
             normals[b as usize] = n;

@@ -29,12 +29,18 @@ pub struct FairnessWeights {
 impl FairnessWeights {
     /// Equal weights: a regular distribution.
     pub fn uniform() -> Self {
-        Self { slots: None, clamped: 0 }
+        Self {
+            slots: None,
+            clamped: 0,
+        }
     }
 
     /// `cot alpha_j + cot beta_j` of the input mesh: the result is discretely conformal to it.
     pub fn conformal(groups: &Groups, input: &[Vector3<f64>]) -> Self {
-        let mut weights = Self { slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]), clamped: 0 };
+        let mut weights = Self {
+            slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]),
+            clamped: 0,
+        };
         for i in 0..groups.place.len() {
             let was_clamped = weights.set_conformal(groups, input, i);
             weights.clamped += usize::from(was_clamped);
@@ -45,7 +51,9 @@ impl FairnessWeights {
     /// Gives one vertex the clamped cotangent weights of the input mesh. Returns whether an angle was too close to 0
     /// or 180 degrees, where the fallback is the nearer end of [`COTANGENT_RANGE`].
     pub fn set_conformal(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) -> bool {
-        let slots = self.slots.get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
+        let slots = self
+            .slots
+            .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
         let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
         let valence = ring_length(groups, first);
         let ring = |k: usize| &input[groups.neighbour[first + k % valence][lane] as usize];
@@ -67,7 +75,9 @@ impl FairnessWeights {
     /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
     /// coordinates", CAGD 20 (2003).
     pub fn set_mean_value(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) {
-        let slots = self.slots.get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
+        let slots = self
+            .slots
+            .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
         let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
         let valence = ring_length(groups, first);
         let edge = |k: usize| input[groups.neighbour[first + k % valence][lane] as usize] - input[i];
@@ -81,7 +91,11 @@ impl FairnessWeights {
         let mut sum = 0.0;
         for k in 0..valence {
             let w = (half_tangent(k + valence - 1) + half_tangent(k)) * mean / edge(k).norm();
-            let w = if w.is_finite() { w.clamp(LARGEST_RATIO.recip(), LARGEST_RATIO) } else { 1.0 };
+            let w = if w.is_finite() {
+                w.clamp(LARGEST_RATIO.recip(), LARGEST_RATIO)
+            } else {
+                1.0
+            };
             slots[first + k][lane] = w;
             sum += w;
         }

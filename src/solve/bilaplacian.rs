@@ -29,7 +29,10 @@ pub struct Metric {
 /// `-dH_i/dt_i` of a constant fit to the ring: the mean of `2 / |e_j|^2`. `3 / (4 A_i)` times `sum_j w_ij` is three times
 /// that at a regular ring of valence 3.
 fn moreton_sequin_response(ring: &[u32], x: &[Vector3<f64>], i: usize) -> f64 {
-    let sum: f64 = ring.iter().map(|&j| 2.0 / (x[j as usize] - x[i]).norm_squared()).sum();
+    let sum: f64 = ring
+        .iter()
+        .map(|&j| 2.0 / (x[j as usize] - x[i]).norm_squared())
+        .sum();
     sum / ring.len() as f64
 }
 
@@ -60,7 +63,11 @@ impl Metric {
             }
             self.total[i] = total;
             let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-            let answer = if response { state.response[i] } else { moreton_sequin_response(rings.ring(i), x, i) };
+            let answer = if response {
+                state.response[i]
+            } else {
+                moreton_sequin_response(rings.ring(i), x, i)
+            };
             self.d[i] = (answer / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
         }
         let shifted = response.then(|| Shift::new(equations, x, state));
@@ -74,7 +81,10 @@ impl Metric {
                 }
             });
             let plain = 0.75 / equations.border_area(x, b).max(f64::MIN_POSITIVE);
-            let to_free = neighbours.iter().zip(weights).filter(|(j, _)| (**j as usize) < free);
+            let to_free = neighbours
+                .iter()
+                .zip(weights)
+                .filter(|(j, _)| (**j as usize) < free);
             let sum: f64 = to_free.map(|(_, w)| *w).sum();
             self.d[free + b] = match &shifted {
                 Some(shift) if sum > 0.0 => {
@@ -118,7 +128,8 @@ impl Metric {
         }
         for b in 0..rings.border() {
             let first = rings.border_start[b] as usize;
-            let edges = &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize];
+            let edges = &rings.border_edge
+                [rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize];
             for (k, &j) in rings.border_ring(b).iter().enumerate() {
                 let triangles = edges.iter().filter(|e| e.contains(&j)).count();
                 self.border_weight[first + k] = if (j as usize) < free {
@@ -179,14 +190,7 @@ impl Metric {
     }
 
     /// Row `i` of `P`: `sum_k D_k s_ki s_kj` over `k` in the closed ring of `i`, `s_k` the `k`-th column of `S_I`.
-    fn row(
-        &self,
-        rings: &Rings,
-        pattern: &SymmetricPattern,
-        i: usize,
-        place: &mut [u32],
-        row: &mut [f64],
-    ) {
+    fn row(&self, rings: &Rings, pattern: &SymmetricPattern, i: usize, place: &mut [u32], row: &mut [f64]) {
         let free = pattern.order();
         for (c, &j) in pattern.row(i).iter().enumerate() {
             place[j as usize] = c as u32;
@@ -201,7 +205,11 @@ impl Metric {
             }
         };
         let ring = rings.start[i] as usize..rings.start[i + 1] as usize;
-        column(self.d[i] * self.total[i], &rings.neighbour[ring.clone()], &self.weight[ring.clone()]);
+        column(
+            self.d[i] * self.total[i],
+            &rings.neighbour[ring.clone()],
+            &self.weight[ring.clone()],
+        );
         let mut diagonal = self.d[i] * self.total[i] * self.total[i];
         for s in ring {
             let k = rings.neighbour[s] as usize;
@@ -215,7 +223,11 @@ impl Metric {
             } else {
                 let b = k - free;
                 let ring = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
-                column(factor, &rings.border_neighbour[ring.clone()], &self.border_weight[ring]);
+                column(
+                    factor,
+                    &rings.border_neighbour[ring.clone()],
+                    &self.border_weight[ring],
+                );
             }
         }
         let last = row.len() - 1;
@@ -234,38 +246,45 @@ impl Metric {
         y: &mut [[f64; K]],
     ) {
         let free = y.len();
-        u.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(k, u)| {
-            let (range, neighbours, weights) = if k < free {
-                let range = rings.start[k] as usize..rings.start[k + 1] as usize;
-                (range, &rings.neighbour, &self.weight)
-            } else {
-                let range = rings.border_start[k - free] as usize..rings.border_start[k - free + 1] as usize;
-                (range, &rings.border_neighbour, &self.border_weight)
-            };
-            let mut sum = [0.0; K];
-            for (j, w) in neighbours[range.clone()].iter().zip(&weights[range]) {
-                for c in 0..K {
-                    sum[c] += w * (x[k][c] - x[*j as usize][c]);
+        u.par_iter_mut()
+            .with_min_len(CHUNK)
+            .enumerate()
+            .for_each(|(k, u)| {
+                let (range, neighbours, weights) = if k < free {
+                    let range = rings.start[k] as usize..rings.start[k + 1] as usize;
+                    (range, &rings.neighbour, &self.weight)
+                } else {
+                    let range =
+                        rings.border_start[k - free] as usize..rings.border_start[k - free + 1] as usize;
+                    (range, &rings.border_neighbour, &self.border_weight)
+                };
+                let mut sum = [0.0; K];
+                for (j, w) in neighbours[range.clone()].iter().zip(&weights[range]) {
+                    for c in 0..K {
+                        sum[c] += w * (x[k][c] - x[*j as usize][c]);
+                    }
                 }
-            }
-            if let (Some(flux), true) = (flux, k >= free) {
-                for c in 0..K {
-                    sum[c] -= flux[k - free][c];
+                if let (Some(flux), true) = (flux, k >= free) {
+                    for c in 0..K {
+                        sum[c] -= flux[k - free][c];
+                    }
                 }
-            }
-            *u = sum.map(|s| s * self.d[k]);
-        });
+                *u = sum.map(|s| s * self.d[k]);
+            });
         let u = &*u;
-        y.par_iter_mut().with_min_len(CHUNK).enumerate().for_each(|(i, y)| {
-            let range = rings.start[i] as usize..rings.start[i + 1] as usize;
-            let mut sum = [0.0; K];
-            for (j, w) in rings.neighbour[range.clone()].iter().zip(&self.weight[range]) {
-                for c in 0..K {
-                    sum[c] += w * (u[i][c] - u[*j as usize][c]);
+        y.par_iter_mut()
+            .with_min_len(CHUNK)
+            .enumerate()
+            .for_each(|(i, y)| {
+                let range = rings.start[i] as usize..rings.start[i + 1] as usize;
+                let mut sum = [0.0; K];
+                for (j, w) in rings.neighbour[range.clone()].iter().zip(&self.weight[range]) {
+                    for c in 0..K {
+                        sum[c] += w * (u[i][c] - u[*j as usize][c]);
+                    }
                 }
-            }
-            *y = sum;
-        });
+                *y = sum;
+            });
     }
 }
 
@@ -308,7 +327,10 @@ pub fn conormal_flux(
 ) -> Vec<[f64; 3]> {
     let mut flux = vec![Vector3::zeros(); region.border];
     for &half_edge in &rings.border_half_edges {
-        let (a, b) = (region.half_edges.origin(half_edge) as usize, region.half_edges.target(half_edge) as usize);
+        let (a, b) = (
+            region.half_edges.origin(half_edge) as usize,
+            region.half_edges.target(half_edge) as usize,
+        );
         let (n_a, n_b) = (border_normals[a - region.free], border_normals[b - region.free]);
         let n = (n_a + n_b).try_normalize(1e-9).unwrap_or(n_a);
         let conormal = (x[b] - x[a]).cross(&n);

@@ -28,19 +28,29 @@ pub struct Continued {
 }
 
 /// Follows the normals; the system's normals are the prescribed ones before and after.
-pub fn continuation(system: &mut System<'_>, linear: &[Vector3<f64>], control: &mut Control<'_>) -> Continued {
+pub fn continuation(
+    system: &mut System<'_>,
+    linear: &[Vector3<f64>],
+    control: &mut Control<'_>,
+) -> Continued {
     let prescribed = system.border_normals.clone();
     let membrane = system.membrane();
     let free = system.free();
     let own: Vec<Vector3<f64>> = (0..prescribed.len())
-        .map(|b| average(&membrane, free + b, system.equations().border_triangles(b)).unwrap_or(prescribed[b]))
+        .map(|b| {
+            average(&membrane, free + b, system.equations().border_triangles(b)).unwrap_or(prescribed[b])
+        })
         .collect();
     let angles: Vec<f64> = own.iter().zip(&prescribed).map(|(a, b)| angle(a, b)).collect();
     let widest = angles.iter().copied().fold(0.0, f64::max);
     let mut farthest: Vec<u32> = (0..angles.len() as u32).collect();
     farthest.sort_by(|&a, &b| angles[b as usize].total_cmp(&angles[a as usize]));
     farthest.truncate(angles.len().min(32));
-    let mut continued = Continued { candidate: None, reached: 0.0, farthest };
+    let mut continued = Continued {
+        candidate: None,
+        reached: 0.0,
+        farthest,
+    };
 
     system.border_normals = own.clone();
     let start = system.linear_surface().unwrap_or_else(|_| linear.to_vec());
@@ -49,11 +59,27 @@ pub fn continuation(system: &mut System<'_>, linear: &[Vector3<f64>], control: &
     let mut step = (FIRST_STEP / widest.max(FIRST_STEP)).min(1.0);
     let mut first = true;
     while step >= SHORTEST && !control.exhausted() {
-        let target = if first { 0.0 } else { (continued.reached + step).min(1.0) };
+        let target = if first {
+            0.0
+        } else {
+            (continued.reached + step).min(1.0)
+        };
         let last = target >= 1.0;
-        system.border_normals = (0..own.len()).map(|b| slerp(&own[b], &prescribed[b], target)).collect();
-        let tolerance = if last { control.tolerance } else { ON_THE_WAY.max(control.tolerance) };
-        let plan = Plan { tolerance, guard: 3.0, watch: false, response: true, stage: "turning the normals" };
+        system.border_normals = (0..own.len())
+            .map(|b| slerp(&own[b], &prescribed[b], target))
+            .collect();
+        let tolerance = if last {
+            control.tolerance
+        } else {
+            ON_THE_WAY.max(control.tolerance)
+        };
+        let plan = Plan {
+            tolerance,
+            guard: 3.0,
+            watch: false,
+            response: true,
+            stage: "turning the normals",
+        };
         let candidate = iterated(system, x.clone(), plan, control);
         let good = candidate.end == End::Converged && candidate.poor.is_empty();
         if last && (good || candidate.end == End::Stopped) {

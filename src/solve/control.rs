@@ -23,7 +23,14 @@ pub struct Control<'a> {
 impl<'a> Control<'a> {
     /// A fresh run.
     pub fn new(tolerance: f64, max_iterations: usize, callback: Option<&'a mut Callback<'a>>) -> Self {
-        Self { iterations: 0, max_iterations, tolerance, cancelled: false, fraction: 0.0, callback }
+        Self {
+            iterations: 0,
+            max_iterations,
+            tolerance,
+            cancelled: false,
+            fraction: 0.0,
+            callback,
+        }
     }
 
     /// Reports a stage of the preparation, `fraction` of the whole.

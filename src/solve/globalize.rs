@@ -143,7 +143,13 @@ fn attempts(
 ) -> (Option<Candidate>, Ending) {
     let asked = system.curvature;
     let weights = system.weights.clone();
-    let direct = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "fairing" };
+    let direct = Plan {
+        tolerance: control.tolerance,
+        guard: GUARD,
+        watch: false,
+        response: true,
+        stage: "fairing",
+    };
     let mut fallback = Vec::new();
 
     let first = with_repair(system, linear.to_vec(), direct, control);
@@ -156,7 +162,15 @@ fn attempts(
     let membrane = system.membrane();
     if let Ok(mut start) = system.linear_surface_on(&membrane) {
         system.tangential_steps(&mut start);
-        let second = with_repair(system, start, Plan { response: false, ..direct }, control);
+        let second = with_repair(
+            system,
+            start,
+            Plan {
+                response: false,
+                ..direct
+            },
+            control,
+        );
         if second.is_settled() {
             return settled(second, Ending::Converged);
         }
@@ -217,7 +231,11 @@ fn keep(fallback: &mut Vec<(Candidate, Ending)>, candidate: Candidate, ending: E
 }
 
 fn settled(candidate: Candidate, ending: Ending) -> (Option<Candidate>, Ending) {
-    let ending = if candidate.end == End::Stopped { Ending::Stopped } else { ending };
+    let ending = if candidate.end == End::Stopped {
+        Ending::Stopped
+    } else {
+        ending
+    };
     (Some(candidate), ending)
 }
 
@@ -234,7 +252,13 @@ fn from_plain(
     control: &mut Control<'_>,
 ) -> (Candidate, Ending) {
     system.curvature = asked;
-    let jump = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "second order" };
+    let jump = Plan {
+        tolerance: control.tolerance,
+        guard: GUARD,
+        watch: false,
+        response: true,
+        stage: "second order",
+    };
     let jumped = iterated(system, plain.x.clone(), jump, control);
     if jumped.is_settled() {
         return (jumped, Ending::Converged);
@@ -244,7 +268,11 @@ fn from_plain(
         return (slow, Ending::Converged);
     }
     system.curvature = FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT };
-    let finish = Plan { guard: PLAIN_GUARD, stage: "plain curvature", ..jump };
+    let finish = Plan {
+        guard: PLAIN_GUARD,
+        stage: "plain curvature",
+        ..jump
+    };
     let finished = iterated(system, plain.x, finish, control);
     let better = [jumped, slow].into_iter().min_by_key(Candidate::rank);
     match better {
@@ -257,7 +285,13 @@ fn from_plain(
 fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Control<'_>) -> Candidate {
     match pseudo_time(system, &mut x, control) {
         Ok(true) => {
-            let plan = Plan { tolerance: control.tolerance, guard: GUARD, watch: false, response: true, stage: "fairing" };
+            let plan = Plan {
+                tolerance: control.tolerance,
+                guard: GUARD,
+                watch: false,
+                response: true,
+                stage: "fairing",
+            };
             iterated(system, x, plan, control)
         }
         Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
@@ -280,7 +314,13 @@ fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) ->
     system.evaluate(&x);
     let poor = system.poor(&x, crate::quality::NEEDLE);
     let doubtful = system.overshoots() || system.is_strained(&x);
-    Candidate { x, end, step, poor, doubtful }
+    Candidate {
+        x,
+        end,
+        step,
+        poor,
+        doubtful,
+    }
 }
 
 /// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
@@ -294,10 +334,20 @@ fn with_repair(
     let mut best = iterated(system, x, Plan { watch: true, ..plan }, control);
     let mut last = best.clone();
     while matches!(last.end, End::Converged | End::Poor) && !last.poor.is_empty() {
-        let Some(weights) = repair.next(system, &last.x) else { break };
+        let Some(weights) = repair.next(system, &last.x) else {
+            break;
+        };
         let restarted = system.set_weights(weights).and_then(|()| system.start());
         let Ok(start) = restarted else { break };
-        last = iterated(system, start, Plan { watch: repair.has_more(), ..plan }, control);
+        last = iterated(
+            system,
+            start,
+            Plan {
+                watch: repair.has_more(),
+                ..plan
+            },
+            control,
+        );
         if last.end == End::Stopped {
             return last;
         }

@@ -12,7 +12,7 @@ use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 
 /// Linear systems are solved to this, in the norm of their own energy: they only make a start.
-const REFINED: f64 = 1e-6;
+const REFINED: f64 = 1e-4;
 /// More iterations than this say that 32 bits do not suffice.
 const MOST_ITERATIONS: usize = 16;
 /// Tangential steps before the first normal step.
@@ -135,7 +135,8 @@ impl System<'_> {
         }
         let mut scratch = x.clone();
         let mut right = vec![[0.0; 3]; free];
-        self.metric.apply(self.rings, &x, Some(&flux), &mut scratch, &mut right);
+        self.metric
+            .apply(self.rings, &x, Some(&flux), &mut scratch, &mut right);
         for r in right.as_flattened_mut() {
             *r = -*r;
         }
@@ -146,7 +147,11 @@ impl System<'_> {
             }
         }
         let fixed = self.input[free..self.region.region_vertices()].iter();
-        Ok(x[..free].iter().map(|p| Vector3::from(*p)).chain(fixed.copied()).collect())
+        Ok(x[..free]
+            .iter()
+            .map(|p| Vector3::from(*p))
+            .chain(fixed.copied())
+            .collect())
     }
 
     /// Solves `P x = right` at the free vertices, column by column side by side, with the factor as preconditioner: it
@@ -164,7 +169,8 @@ impl System<'_> {
         let mut rho = products(&residual, &preconditioned);
         let first = rho;
         for _ in 0..MOST_ITERATIONS {
-            self.metric.apply(self.rings, &direction, None, &mut scratch, &mut image);
+            self.metric
+                .apply(self.rings, &direction, None, &mut scratch, &mut image);
             let curvature = products(&direction[..free], &image);
             let alpha = ratios(rho, curvature);
             add_scaled(&mut x[..free], alpha, &direction[..free]);
@@ -196,7 +202,11 @@ impl System<'_> {
             self.evaluate(x);
             self.step(&mut step, false);
             let change = self.edge_change(x, &step);
-            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            advance(
+                x,
+                &step,
+                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
+            );
             if change < 0.01 {
                 break;
             }
@@ -228,7 +238,10 @@ fn add_scaled(x: &mut [[f64; 3]], scale: [f64; 3], y: &[[f64; 3]]) {
 }
 
 fn norm(x: &[[f64; 3]]) -> f64 {
-    x.iter().map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sum::<f64>().sqrt()
+    x.iter()
+        .map(|v| v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn norm_of(x: &[Vector3<f64>]) -> f64 {

@@ -40,7 +40,11 @@ pub fn pseudo_time(
         system.normal_step(&mut step);
         let change = system.edge_change(x, &step);
         advance(&mut next, &step, (LARGEST / change).min(1.0));
-        tau *= if change > LARGEST { (LARGEST / change).max(0.1) } else { (AIM / change).clamp(1.0, 8.0) };
+        tau *= if change > LARGEST {
+            (LARGEST / change).max(0.1)
+        } else {
+            (AIM / change).clamp(1.0, 8.0)
+        };
         system.tangential_step(&mut step);
         let change = system.edge_change(x, &step);
         advance(&mut next, &step, (LARGEST / change).min(1.0));

@@ -10,6 +10,8 @@ use crate::linear::anderson::Anderson;
 const NEAR: f64 = 1e-4;
 /// Growth of the step norm over the best that an accelerated step may cause.
 const SAFE_GROWTH: f64 = 1.5;
+/// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
+const LARGEST_STEP: f64 = 0.2;
 /// Steps that Anderson acceleration looks back on.
 const WINDOW: usize = 8;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
@@ -67,12 +69,21 @@ pub fn iterate(
     plan: Plan,
     control: &mut Control<'_>,
 ) -> (End, f64) {
-    let mut best = Best { x: x.clone(), d: f64::INFINITY, first: f64::INFINITY };
+    let mut best = Best {
+        x: x.clone(),
+        d: f64::INFINITY,
+        first: f64::INFINITY,
+    };
     let mut anderson = Anderson::new(3 * system.free(), WINDOW);
     for _ in 0..ROUNDS {
         best.d = f64::INFINITY;
         match run(system, x, &plan, &mut anderson, &mut best, control) {
             Ok(End::Converged) => return (End::Converged, best.d),
+            // The mean step is small enough; a few slow vertices do not gain any more.
+            Ok(End::Stalled) if best.d <= plan.tolerance => {
+                x.clone_from(&best.x);
+                return (End::Converged, best.d);
+            }
             Ok(End::Stalled) => {}
             Ok(end @ (End::Stopped | End::Poor)) => {
                 x.clone_from(&best.x);
@@ -107,7 +118,8 @@ fn run(
     system.evaluate(x);
     system.rebuild(x, plan.response, |_| 0.0)?;
     loop {
-        let d = system.step(&mut step, true).total();
+        let norm = system.step(&mut step, true);
+        let d = norm.total();
         control.iteration(d, plan.stage);
         if !d.is_finite() {
             return Ok(End::Stalled);
@@ -119,7 +131,8 @@ fn run(
             best.d = d;
             best.x.clone_from(x);
         }
-        if d <= plan.tolerance {
+        // Not on the first sight: a start may be close for reasons of its own.
+        if d <= plan.tolerance && norm.largest <= LARGEST_STEP * plan.tolerance && !history.is_empty() {
             advance(x, &step, 1.0);
             return Ok(End::Converged);
         }
@@ -148,7 +161,11 @@ fn run(
             system.evaluate(x);
             system.step(&mut step, true);
             let change = system.edge_change(x, &step);
-            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            advance(
+                x,
+                &step,
+                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
+            );
             system.evaluate(x);
             continue;
         }
@@ -156,11 +173,19 @@ fn run(
         anderson.accelerate(&flat, &step, &mut accelerated);
         let change = system.edge_change(x, &accelerated);
         if change <= 2.0 * LARGEST_CHANGE {
-            advance(x, &accelerated, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            advance(
+                x,
+                &accelerated,
+                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
+            );
         } else {
             anderson.clear();
             let change = system.edge_change(x, &step);
-            advance(x, &step, (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0));
+            advance(
+                x,
+                &step,
+                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
+            );
         }
         system.evaluate(x);
     }

@@ -64,6 +64,8 @@ pub struct StepNorm {
     pub normal: f64,
     /// Root mean square of the tangential step.
     pub tangential: f64,
+    /// The largest normal step of a single vertex.
+    pub largest: f64,
 }
 
 impl StepNorm {
@@ -175,7 +177,8 @@ impl<'a> System<'a> {
 
     /// Factors `P` of the metric that is there.
     pub fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
-        self.metric.assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
+        self.metric
+            .assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
         match self.p.factor(&self.p_values) {
             Ok(()) => Ok(()),
             Err(_) if !self.p.is_double() => self.refactor_double(),
@@ -221,14 +224,21 @@ impl<'a> System<'a> {
                 }
             },
             || {
-                d.iter_mut().zip(&state.inner).for_each(|(d, r)| *d = [r.x, r.y, r.z]);
+                d.iter_mut()
+                    .zip(&state.inner)
+                    .for_each(|(d, r)| *d = [r.x, r.y, r.z]);
                 g.solve(d);
             },
         );
         let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
         let norm = StepNorm {
             normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
-            tangential: rms(self.tangential_step.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum()),
+            tangential: rms(self
+                .tangential_step
+                .iter()
+                .map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
+                .sum()),
+            largest: self.normal_step.iter().fold(0.0f64, |m, t| m.max(t[0].abs())) / self.diagonal,
         };
         let project = norm.tangential < NEAR;
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
@@ -244,7 +254,11 @@ impl<'a> System<'a> {
 
     /// The normal part of the last step.
     pub fn normal_step(&self, step: &mut [f64]) {
-        for ((s, t), n) in step.chunks_exact_mut(3).zip(&self.normal_step).zip(&self.state.normal) {
+        for ((s, t), n) in step
+            .chunks_exact_mut(3)
+            .zip(&self.normal_step)
+            .zip(&self.state.normal)
+        {
             s.copy_from_slice((n * t[0]).as_slice());
         }
     }
@@ -265,7 +279,11 @@ impl<'a> System<'a> {
                 for i in chunk * CHUNK..((chunk + 1) * CHUNK).min(free) {
                     let own = of(i);
                     for &j in self.rings.ring(i) {
-                        let other = if (j as usize) < free { of(j as usize) } else { Vector3::zeros() };
+                        let other = if (j as usize) < free {
+                            of(j as usize)
+                        } else {
+                            Vector3::zeros()
+                        };
                         let edge = (x[i] - x[j as usize]).norm_squared().max(f64::MIN_POSITIVE);
                         largest = largest.max((own - other).norm_squared() / edge);
                     }

@@ -19,7 +19,11 @@ pub struct Repair {
 impl Repair {
     /// Nothing marked; the system's weights are the asked ones.
     pub fn new(system: &System<'_>) -> Self {
-        Self { asked: system.weights.clone(), marked: vec![false; system.free()], round: 0 }
+        Self {
+            asked: system.weights.clone(),
+            marked: vec![false; system.free()],
+            round: 0,
+        }
     }
 
     /// Marks the vertices of poor triangles at `x` and gives them mean-value weights of the input mesh. `None` when there
