@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 
-use crate::discrete::border_normals::{average, estimate};
+use crate::discrete::border_normals::estimate;
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
@@ -16,7 +16,7 @@ pub use crate::mesh::region::Selection;
 use crate::mesh::{Region, Rings};
 use crate::quality::{Quality, Surface};
 use crate::solve::control::Callback;
-use crate::solve::globalize::bounding_box;
+use crate::solve::globalize::{bounding_box, diagonal};
 use crate::solve::{Control, Ending, System, solve};
 
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
@@ -407,7 +407,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         .collect();
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
-    let suspicious_normals = suspicious(&region, &rings, &x, &surface);
+    let suspicious_normals = surface.suspicious_normals(&rings, &x);
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
     let border_ids = &region.vertex_ids[region.free..];
     let linear_surface = matches!(solved.ending, Ending::Failed | Ending::Partly(..));
@@ -445,7 +445,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         seconds,
         quality,
         free_vertices: region.free,
-        diagonal: system.diagonal * frame.scale,
+        diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,
         suspicious_normals,
         fallback_weights,
@@ -456,33 +456,6 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         mean_curvature,
         report,
     })
-}
-
-/// Border vertices (the caller's numbers) whose normal points against the triangles outside, as they came, or against
-/// those of the region in the result; and of two neighbours on the border with opposite normals the one that stands
-/// farther off the result. Any of them is probably flipped: the equations alone do not tell (paper 6.1).
-fn suspicious(region: &Region, rings: &Rings, input: &[Vector3<f64>], result: &Surface<'_>) -> Vec<u32> {
-    let against = |n: &Vector3<f64>, other: Option<Vector3<f64>>| other.is_some_and(|o| o.dot(n) < 0.0);
-    let deviations = result.normal_deviations();
-    let normals = result.border_normals;
-    let mut marked: Vec<bool> = (0..region.border)
-        .map(|b| {
-            let outside = average(input, region.free + b, rings.outside_triangles(b));
-            against(&normals[b], outside) || deviations[b] > 90.0
-        })
-        .collect();
-    for &h in &rings.border_half_edges {
-        let a = region.half_edges.origin(h) as usize - region.free;
-        let b = region.half_edges.target(h) as usize - region.free;
-        if normals[a].dot(&normals[b]) < 0.0 {
-            marked[if deviations[a] > deviations[b] { a } else { b }] = true;
-        }
-    }
-    let ids = &region.vertex_ids[region.free..];
-    (0..region.border)
-        .filter(|&b| marked[b])
-        .map(|b| ids[b])
-        .collect()
 }
 
 /// A given normal may miss unit length by this much.

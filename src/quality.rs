@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use crate::discrete::border_normals::angle;
-use crate::mesh::Region;
+use crate::discrete::border_normals::{angle, average};
+use crate::mesh::{Region, Rings};
 
 /// An angle below this makes a triangle a needle, in degrees.
 pub const NEEDLE: f64 = 1.0;
@@ -125,6 +125,33 @@ impl Surface<'_> {
         }
         quality.normal_deviation_rms = (squares / self.region.border.max(1) as f64).sqrt();
         quality
+    }
+
+    /// Border vertices (the caller's numbers) whose normal points against the triangles outside, as they came in `input`,
+    /// or against those of the region on this surface; and of two neighbours on the border with opposite normals the one
+    /// that stands farther off this surface. Any of them is probably flipped: the equations alone do not tell (paper
+    /// 6.1).
+    pub fn suspicious_normals(&self, rings: &Rings, input: &[Vector3<f64>]) -> Vec<u32> {
+        let (free, normals) = (self.region.free, self.border_normals);
+        let deviations = self.normal_deviations();
+        let mut marked: Vec<bool> = (0..self.region.border)
+            .map(|b| {
+                let outside = average(input, free + b, rings.outside_triangles(b));
+                outside.is_some_and(|o| o.dot(&normals[b]) < 0.0) || deviations[b] > 90.0
+            })
+            .collect();
+        for &h in &rings.border_half_edges {
+            let a = self.region.half_edges.origin(h) as usize - free;
+            let b = self.region.half_edges.target(h) as usize - free;
+            if normals[a].dot(&normals[b]) < 0.0 {
+                marked[if deviations[a] > deviations[b] { a } else { b }] = true;
+            }
+        }
+        let ids = &self.region.vertex_ids[free..];
+        (0..self.region.border)
+            .filter(|&b| marked[b])
+            .map(|b| ids[b])
+            .collect()
     }
 
     /// Per border vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross

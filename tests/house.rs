@@ -51,9 +51,10 @@ fn sources() -> Vec<Source> {
 /// Everything before the unit tests, which stand last in a file.
 fn without_tests(code: &str) -> String {
     let lines: Vec<&str> = code.lines().collect();
-    let tests = lines
-        .windows(2)
-        .position(|w| w[0].trim() == "#[cfg(test)]" && w[1].starts_with("mod tests {"));
+    let tests = lines.windows(2).position(|w| {
+        (w[0].trim() == "#[cfg(test)]" || w[0].trim().starts_with("#[cfg(all(test,"))
+            && w[1].starts_with("mod tests {")
+    });
     lines[..tests.unwrap_or(lines.len())].join("\n")
 }
 

@@ -380,7 +380,7 @@ fn plane() {
                 let e = Errors::of(shape.free_vertices().into_iter().map(height));
                 println!("plane {n} tilted by {tilt}, {name} normals: {:.2e}", e.max);
                 let what = format!("plane {n} tilted by {tilt}, {name} normals");
-                bars.at_most(&what, e.max / solution.report.diagonal, 1e-12);
+                bars.at_most(&what, e.max / solution.report.diagonal, 1e-8);
                 bars.converged(&what, &solution);
             }
         }

@@ -12,6 +12,8 @@ const NEAR: f64 = 1e-4;
 const SAFE_GROWTH: f64 = 1.5;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
 const LARGEST_STEP: f64 = 0.2;
+/// But not for longer than this many iterations.
+const EXTRA: usize = 3;
 /// Steps that Anderson acceleration looks back on.
 const WINDOW: usize = 8;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
@@ -114,6 +116,7 @@ fn run(
     let mut history: Vec<f64> = Vec::new();
     let mut watch = plan.watch;
     let mut safeguard = true;
+    let mut waited = 0;
     anderson.clear();
     system.evaluate(x);
     system.rebuild(x, plan.response, |_| 0.0)?;
@@ -132,7 +135,9 @@ fn run(
             best.x.clone_from(x);
         }
         // Not on the first sight: a start may be close for reasons of its own.
-        if d <= plan.tolerance && norm.largest <= LARGEST_STEP * plan.tolerance && !history.is_empty() {
+        waited += usize::from(d <= plan.tolerance);
+        let even = norm.largest <= LARGEST_STEP * plan.tolerance || waited > EXTRA;
+        if d <= plan.tolerance && even && !history.is_empty() {
             advance(x, &step, 1.0);
             return Ok(End::Converged);
         }
