@@ -26,8 +26,7 @@ impl Repair {
         }
     }
 
-    /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of `x`, not of the input, whose interior
-    /// must not matter. `None` when there
+    /// Marks the vertices of poor triangles at `x` and gives them mean-value weights of the input mesh. `None` when there
     /// is nothing left to try.
     pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
@@ -45,7 +44,7 @@ impl Repair {
         }
         let mut weights = self.asked.clone();
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
-            weights.set_mean_value(system.groups, x, i);
+            weights.set_mean_value(system.groups, system.input, i);
         }
         Some(weights)
     }
