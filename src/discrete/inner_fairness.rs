@@ -61,7 +61,7 @@ impl FairnessWeights {
         let mut clamped = false;
         let mut clamp = |c: f64| {
             let inside = c.clamp(COTANGENT_RANGE[0], COTANGENT_RANGE[1]);
-            clamped |= !(c.abs() < 1e6);
+            clamped |= c.is_nan() || c.abs() >= 1e6;
             if c.is_nan() { COTANGENT_RANGE[0] } else { inside }
         };
         for k in 0..valence {
