@@ -91,7 +91,7 @@ pub fn sphere_zone(south: f64, north: f64, n: usize, sampling: Sampling, outside
     revolve(Surface::Sphere, range, (n, sampling, outside), meridian, flat)
 }
 
-/// Three quarters of a wave of the unduloid between the radii `neck` and `bulge`, centred on the neck.
+/// Nearly half a wave (0.45) of the unduloid between the radii `neck` and `bulge`, centred on the neck.
 /// For the ranges of the radii see [`Unduloid::new`].
 pub fn unduloid_band(neck: f64, bulge: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
     let u = Unduloid::new(neck, bulge);
