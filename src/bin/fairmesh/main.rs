@@ -7,6 +7,7 @@ mod explain;
 mod failure;
 mod fair;
 mod formats;
+mod generate;
 mod normals;
 mod output;
 mod render;
@@ -33,6 +34,8 @@ enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
     Fair(fair::FairArgs),
+    /// Writes one of the paper's inputs or an exact surface as a mesh file
+    Generate(generate::GenerateArgs),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
@@ -85,6 +88,7 @@ sound, the best surface is written.";
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
+        Command::Generate(args) => generate::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     match result {
