@@ -11,5 +11,6 @@ pub mod inner_fairness;
 pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;
+pub mod mesh_curvature;
 pub mod normals;
 pub mod spokes;
