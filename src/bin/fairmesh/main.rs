@@ -10,6 +10,7 @@ mod formats;
 mod generate;
 mod normals;
 mod output;
+mod picture;
 mod render;
 mod report;
 mod selection;
@@ -36,6 +37,8 @@ enum Command {
     Fair(fair::FairArgs),
     /// Writes one of the paper's inputs or an exact surface as a mesh file
     Generate(generate::GenerateArgs),
+    /// Makes a picture of one or more meshes
+    Render(render::RenderArgs),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
@@ -89,6 +92,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     match result {
