@@ -19,6 +19,10 @@ use crate::mesh::{Region, Rings};
 /// Tangential steps below this, in diagonals, are projected.
 const NEAR: f64 = 1e-3;
 
+/// With more free vertices `P` is factored in 64 bits from the start: its condition grows with their square, and the lowest
+/// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
+const SINGLE_UP_TO: usize = 250_000;
+
 /// Largest edge-relative change of one step.
 pub const LARGEST_CHANGE: f64 = 0.5;
 
@@ -119,7 +123,7 @@ impl<'a> System<'a> {
             diagonal: 1.0,
             g_pattern,
             g,
-            p: Factor::new(&p_symbolic, false),
+            p: Factor::new(&p_symbolic, free > SINGLE_UP_TO),
             p_values: vec![0.0; p_pattern.column.len()],
             p_pattern,
             p_symbolic,
