@@ -447,18 +447,10 @@ impl Equations<'_> {
             .into_par_iter()
             .zip(groups.chunks.par_iter())
             .for_each(|(outer, chunk)| {
-                for group in chunk.groups.clone() {
-                    let vertex = &groups.vertex[group];
-                    let own = gather_scalar(h, vertex);
-                    let mut sum = Lanes::<LANES>::zero();
-                    for slot in groups.slots(group) {
-                        let other = gather_scalar(h, &groups.neighbour[slot]);
-                        sum += Lanes(weight[slot]) * (own - other);
-                    }
-                    for (l, &i) in vertex.iter().enumerate() {
-                        outer[i as usize - chunk.vertices.start] = sum.0[l];
-                    }
-                }
+                vectorized(
+                    #[inline(always)]
+                    || residual_chunk(groups, h, weight, chunk, outer),
+                );
             });
     }
 
@@ -506,6 +498,23 @@ impl Equations<'_> {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
+        }
+    }
+}
+
+/// One chunk of [`Equations::outer_residual`], without the choice of instructions.
+#[inline(always)]
+fn residual_chunk(groups: &Groups, h: &[f64], weight: &[[f64; LANES]], chunk: &Chunk, outer: &mut [f64]) {
+    for group in chunk.groups.clone() {
+        let vertex = &groups.vertex[group];
+        let own = gather_scalar(h, vertex);
+        let mut sum = Lanes::<LANES>::zero();
+        let slots = groups.slots(group);
+        for (weight, neighbour) in weight[slots.clone()].iter().zip(&groups.neighbour[slots]) {
+            sum += Lanes(*weight) * (own - gather_scalar(h, neighbour));
+        }
+        for (l, &i) in vertex.iter().enumerate() {
+            outer[i as usize - chunk.vertices.start] = sum.0[l];
         }
     }
 }
