@@ -37,6 +37,9 @@ pub enum FreeCurvature {
 /// Valences up to this take extra samples in the paper's discretization (paper 6.2).
 const LOW_VALENCE: usize = 4;
 
+/// A border vertex with up to this many triangles takes the flaps in full.
+const NARROW: usize = 2;
+
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;
 
@@ -336,7 +339,7 @@ impl Equations<'_> {
             let (sample, weight) = &mut flaps[edge.slot as usize];
             let between = spiral_sample(&a, &b, &n_a, &n_b);
             set_lane(sample, lane, &super::lanes::lane(&between, 0));
-            weight.0[lane] = FLAP_WEIGHT;
+            weight.0[lane] = 1.0;
         }
     }
 
@@ -378,9 +381,9 @@ impl Equations<'_> {
     }
 
     /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
-    /// a spiral sample on every ring edge, and the flap across it. Without the flaps a single narrow fan of triangles,
-    /// whose directions span a few degrees, has a fit that turns the sign of the border's response: a sphere then is
-    /// an unstable solution of the equations.
+    /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
+    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
+    /// response, and even a sphere is then an unstable solution of the equations.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -423,11 +426,12 @@ impl Equations<'_> {
             );
         }
         let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
         for part in rings.border_flap[flaps].chunks(BORDER_LANES) {
             let (mut e, mut weight) = (nothing, Lanes::zero());
             for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
                 set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = 1.0;
+                weight.0[l] = flap_weight;
             }
             fit.add(&e, weight);
         }
@@ -443,18 +447,10 @@ impl Equations<'_> {
             .into_par_iter()
             .zip(groups.chunks.par_iter())
             .for_each(|(outer, chunk)| {
-                for group in chunk.groups.clone() {
-                    let vertex = &groups.vertex[group];
-                    let own = gather_scalar(h, vertex);
-                    let mut sum = Lanes::<LANES>::zero();
-                    for slot in groups.slots(group) {
-                        let other = gather_scalar(h, &groups.neighbour[slot]);
-                        sum += Lanes(weight[slot]) * (own - other);
-                    }
-                    for (l, &i) in vertex.iter().enumerate() {
-                        outer[i as usize - chunk.vertices.start] = sum.0[l];
-                    }
-                }
+                vectorized(
+                    #[inline(always)]
+                    || residual_chunk(groups, h, weight, chunk, outer),
+                );
             });
     }
 
@@ -502,6 +498,23 @@ impl Equations<'_> {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
+        }
+    }
+}
+
+/// One chunk of [`Equations::outer_residual`], without the choice of instructions.
+#[inline(always)]
+fn residual_chunk(groups: &Groups, h: &[f64], weight: &[[f64; LANES]], chunk: &Chunk, outer: &mut [f64]) {
+    for group in chunk.groups.clone() {
+        let vertex = &groups.vertex[group];
+        let own = gather_scalar(h, vertex);
+        let mut sum = Lanes::<LANES>::zero();
+        let slots = groups.slots(group);
+        for (weight, neighbour) in weight[slots.clone()].iter().zip(&groups.neighbour[slots]) {
+            sum += Lanes(*weight) * (own - gather_scalar(h, neighbour));
+        }
+        for (l, &i) in vertex.iter().enumerate() {
+            outer[i as usize - chunk.vertices.start] = sum.0[l];
         }
     }
 }

@@ -7,6 +7,7 @@
 pub mod bilaplacian;
 pub mod continuation;
 pub mod control;
+pub mod direction;
 pub mod factor;
 pub mod globalize;
 pub mod initial;
