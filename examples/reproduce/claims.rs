@@ -264,7 +264,7 @@ fn start_does_not_matter(tool: &Tool) -> io::Result<Claim> {
         what: "The surface is defined by the border alone (sections 3, 8)",
         holds: Some(worst < 1e-7),
         figures: format!(
-            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {}",
+            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {} (the start is made from connectivity and border alone)",
             short(worst)
         ),
     })

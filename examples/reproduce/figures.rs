@@ -94,15 +94,16 @@ fn figures_1_and_2(tool: &Tool) -> io::Result<String> {
         let files: Vec<PathBuf> = shown.iter().map(|&k| file(&all[k].2)).collect();
         let meshes: Vec<(&Path, &str)> = files.iter().map(PathBuf::as_path).zip(captions).collect();
         let mut arguments = FROM_ABOVE.to_vec();
-        arguments.extend(["--shade", "flat,reflection", "--size", "240x210"]);
+        arguments.extend(["--shade", "flat,reflection", "--size", "200x175"]);
         text += &tool.render(picture, what, &meshes, &arguments)?;
         text.push('\n');
     }
     let files: Vec<PathBuf> = shown.iter().map(|&k| all[k].2.run.file.clone()).collect();
     let meshes: Vec<(&Path, &str)> = files.iter().map(PathBuf::as_path).zip(captions).collect();
     let mut arguments = FROM_ABOVE.to_vec();
-    arguments.extend(["--shade", "curvature", "--size", "240x210"]);
-    text += "Mean curvature of the intrinsic surfaces:\n\n";
+    arguments.extend(["--shade", "curvature", "--size", "200x175"]);
+    text += "Mean curvature of the intrinsic surfaces, from the triangles alone; on the border of the mesh, where only one side is\n\
+        seen, that is poor at 118 vertices:\n\n";
     text += &tool.render("figure2-curvature.png", "Mean curvature", &meshes, &arguments)?;
     text += "\nDistances of the vertices to the surface of 13,308 vertices with uniform weights, linear to linear and intrinsic to\n\
         intrinsic:\n\n\
@@ -184,7 +185,7 @@ fn figure_7(tool: &Tool) -> io::Result<String> {
         .zip(captions.iter().map(String::as_str))
         .collect();
     let mut arguments = FROM_ABOVE.to_vec();
-    arguments.extend(["--shade", "flat,reflection", "--size", "240x210"]);
+    arguments.extend(["--shade", "flat,reflection", "--size", "200x175"]);
     let mut text = String::from(
         "## Figure 7: regular, and sparse with irregular connectivity\n\n\
         The paper has another shape and a third scheme between the two.\n\n",
@@ -248,7 +249,7 @@ fn figure_8(tool: &Tool) -> io::Result<String> {
         "--shade",
         "flat,reflection,curvature",
         "--size",
-        "230x230",
+        "190x190",
     ];
     text += &tool.render(
         "figure8.png",
@@ -267,21 +268,23 @@ fn figure_8(tool: &Tool) -> io::Result<String> {
 pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
     let mut text = String::from("## Figures 9 and 10: features of scans removed\n\n");
     if scans.is_empty() {
-        text += "Not in this run: give scans with `./reproduce.sh --scan NAME MESH FREE-VERTICES` (a list of vertex numbers, from 0).\n\
-            Their pictures go to `target/reproduction` and are not part of the project, as the scans are not.\n\n";
+        text += "Not in this run: give scans with `./reproduce.sh --scan NAME MESH FREE-VERTICES VIEW`, the free vertices a list of\n\
+            numbers from 0, the view as `fairmesh render --view` has it.\n\n";
         return Ok(text);
     }
-    text += "The scans and their pictures are not part of the project; the pictures of this run went to `target/reproduction`.\n\
-        Border normals are fitted to the surroundings. H is that of the free vertices and of the border.\n\n\
-        | scan | weights | free vertices | outcome | iterations | s | smallest angle | H inside | H on the border |\n\
-        |---|---|---|---|---|---|---|---|---|\n";
+    text += "The scans are not part of the project; `--scan NAME MESH FREE-VERTICES VIEW` names them. Border normals are fitted to the\n\
+        surroundings. H is in one over the scan's unit.\n\n";
+    let mut rows = String::from(
+        "| scan | weights | free vertices | outcome | iterations | s | smallest angle | H inside | H on the border |\n\
+        |---|---|---|---|---|---|---|---|---|\n",
+    );
     for (k, scan) in scans.iter().enumerate() {
         let case = tool.scan(&format!("scan{k}"), &scan.mesh, &scan.free);
         for inner in ["uniform", "conformal"] {
             let run = tool.fair(&case, inner, &["--inner", inner])?;
             let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_border"));
             let _ = writeln!(
-                text,
+                rows,
                 "| {} | {inner} | {} | {} | {} | {:.3} | {:.1} | {} to {} | {} to {} |",
                 scan.name,
                 run.number(&["free_vertices"]),
@@ -295,28 +298,26 @@ pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
                 short(most)
             );
             if inner == "conformal" {
-                crate::figures::show_scan(tool, &scan.name, &case, &run)?;
+                let free = case.free_file.display().to_string();
+                let meshes = [(case.file.as_path(), "before"), (run.file.as_path(), "after")];
+                let arguments = [
+                    "--view",
+                    &scan.view,
+                    "--around",
+                    &free,
+                    "--shade",
+                    "flat,reflection",
+                    "--size",
+                    "260x260",
+                ];
+                let picture = format!("scan{}.png", k + 1);
+                let _ = writeln!(text, "{}:\n", scan.name);
+                text += &tool.render(&picture, &scan.name, &meshes, &arguments)?;
+                text.push('\n');
             }
         }
     }
+    text += &rows;
     text.push('\n');
     Ok(text)
-}
-
-/// Before and after, from where most of the region is seen.
-fn show_scan(tool: &Tool, name: &str, case: &Case, run: &Run) -> io::Result<()> {
-    let free = case.free_file.display().to_string();
-    for (side, view) in [
-        ("front", "front"),
-        ("left", "left"),
-        ("right", "right"),
-        ("top", "top"),
-    ] {
-        let picture = tool.work.join(format!("{}-{side}.png", name.replace(' ', "-")));
-        let picture = picture.display().to_string();
-        let meshes = [(case.file.as_path(), "before"), (run.file.as_path(), "after")];
-        let arguments = ["--view", view, "--around", &free, "--shade", "flat,reflection"];
-        tool.render(&picture, name, &meshes, &arguments)?;
-    }
-    Ok(())
 }

@@ -1,10 +1,10 @@
 //! The paper's figures, table and claims, measured: writes `REPRODUCTION.md` and `docs/reproduction/*.png`.
 //!
 //! ```text
-//! reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES]... [--runs N]
+//! reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]
 //! ```
 //!
-//! `FAIRMESH` is the program; it makes the inputs, the surfaces and the pictures. `./reproduce.sh` builds it first.
+//! NAME should say where the scan comes from; its picture goes into the document. `FAIRMESH` is the program; it makes the inputs, the surfaces and the pictures. `./reproduce.sh` builds it first.
 //! Every number in the document comes from here.
 #![allow(clippy::print_stderr, reason = "tells how far it is")]
 
@@ -35,6 +35,8 @@ pub struct Scan {
     pub mesh: PathBuf,
     /// Its free vertices.
     pub free: PathBuf,
+    /// From where they are seen, as `fairmesh render --view` has it.
+    pub view: String,
 }
 
 fn arguments() -> Option<Arguments> {
@@ -50,6 +52,7 @@ fn arguments() -> Option<Arguments> {
                 name: words.next()?,
                 mesh: words.next()?.into(),
                 free: words.next()?.into(),
+                view: words.next()?,
             }),
             "--runs" => arguments.runs = words.next()?.parse().ok().filter(|n| *n > 0)?,
             _ => return None,
@@ -61,7 +64,7 @@ fn arguments() -> Option<Arguments> {
 fn main() -> io::Result<()> {
     let Some(arguments) = arguments() else {
         return Err(io::Error::other(
-            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES]... [--runs N]",
+            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]",
         ));
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -88,6 +91,7 @@ fn head() -> String {
         .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
         .map_or("an unknown processor", |(_, name)| name.trim());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    // Spaces of indentation are not part of the text.
     format!(
         "# Reproduction\n\n\
         The figures, the table and the claims of R. Schneider, L. Kobbelt, \"Geometric fairing of irregular meshes for\n\
@@ -101,7 +105,8 @@ fn head() -> String {
 const TAIL: &str = "\
 ## What is not the paper's\n\n\
 - The meshes of the paper are not published. Cylinder blend and tetra thing are made anew with its numbers of vertices and\n\
-  triangles; radii, distances and connectivity are our own. Bust and ear are other scans.\n\
+  triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in\n\
+  Table 1 blends of their size.\n\
 - \"Improved bilaplacian\" in Fig. 7 is another paper's scheme and not there.\n\
 - The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the border. The paper\n\
   does not say how normals enter its own.\n";
