@@ -22,7 +22,7 @@ pub mod solve;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, Watcher, fair,
+    Solution, Target, Watcher, fair,
 };
 pub use quality::Quality;
 

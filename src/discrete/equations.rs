@@ -1,6 +1,7 @@
 //! Both fairness equations over the region, evaluated at a surface.
 //!
-//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`.
+//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`, plus the
+//! right-hand side where there is one ([`super::target`]).
 //! Inner fairness, a tangent vector per free vertex (paper 7.3): the part of `sum_j lambda_ij (q_j - q_i)` that is
 //! orthogonal to the normal. (The paper prints the projection with a plus sign; it is a minus.)
 //!
@@ -13,13 +14,14 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
-use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
+use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
 use super::spokes::{Spoke, measure};
+use super::target::RightHandSide;
 use crate::mesh::Rings;
 
 /// How `H` is taken at free vertices.
@@ -53,6 +55,8 @@ pub struct Equations<'a> {
     pub weights: &'a FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be; zero for the paper's (4).
+    pub right_hand_side: RightHandSide,
 }
 
 /// Everything that is evaluated at a surface. Free vertices come first in `h`.
@@ -403,51 +407,6 @@ impl Equations<'_> {
         fit.over_lanes()
     }
 
-    /// `R1 = S H` from the weights and curvatures of `state`.
-    pub fn outer_residual(&self, state: &mut State) {
-        let groups = self.groups;
-        let (h, weight) = (&state.h, &state.weight);
-        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
-        pieces
-            .into_par_iter()
-            .zip(groups.chunks.par_iter())
-            .for_each(|(outer, chunk)| {
-                for group in chunk.groups.clone() {
-                    let vertex = &groups.vertex[group];
-                    let own = gather_scalar(h, vertex);
-                    let mut sum = Lanes::<LANES>::zero();
-                    for slot in groups.slots(group) {
-                        let other = gather_scalar(h, &groups.neighbour[slot]);
-                        sum += Lanes(weight[slot]) * (own - other);
-                    }
-                    for (l, &i) in vertex.iter().enumerate() {
-                        outer[i as usize - chunk.vertices.start] = sum.0[l];
-                    }
-                }
-            });
-    }
-
-    /// The harmonic defect `max_i |R1_i| / sum_j |w_ij|` (a mean curvature: times a length it has no unit), and
-    /// `|S H| / (|S| |H|)`, how much of the residual is more than cancellation.
-    pub fn defect(&self, state: &State) -> (f64, f64) {
-        let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
-        for i in 0..self.free() {
-            let (mut absolute, mut size) = (0.0, 0.0);
-            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
-            let start = self.rings.start[i] as usize;
-            for s in start..self.rings.start[i + 1] as usize {
-                let w = state.weight[first + s - start][lane].abs();
-                absolute += w;
-                size += w * state.h[self.rings.neighbour[s] as usize].abs();
-            }
-            size += absolute * state.h[i].abs();
-            worst = worst.max(state.outer[i].abs() / absolute.max(f64::MIN_POSITIVE));
-            num += state.outer[i] * state.outer[i];
-            den += size * size;
-        }
-        (worst, (num / den.max(f64::MIN_POSITIVE)).sqrt())
-    }
-
     /// Area of the one-sided disk at border vertex `b`, and the one-sided cotangent weights to each of its ring edges'
     /// ends are left to [`Self::border_weights`].
     pub fn border_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
@@ -505,6 +464,7 @@ mod tests {
                 border_normals: &border_normals,
                 weights: &FairnessWeights::conformal(&groups, &x),
                 curvature,
+                right_hand_side: RightHandSide::default(),
             };
             let [mut wide, mut plain] = [(); 2].map(|()| State::new(&groups, region.border));
             equations.free_vertices::<true>(&x, &mut wide);

@@ -10,6 +10,7 @@ use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
+use crate::discrete::target::RightHandSide;
 use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
@@ -37,6 +38,8 @@ pub struct System<'a> {
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be, in the frame; zero unless set.
+    pub right_hand_side: RightHandSide,
     /// The last evaluation.
     pub state: State,
     /// The metric that `P` was made from.
@@ -113,6 +116,7 @@ impl<'a> System<'a> {
             border_normals,
             weights,
             curvature,
+            right_hand_side: RightHandSide::default(),
             state: State::new(groups, region.border),
             metric: Metric::default(),
             diagonal: 1.0,
@@ -140,6 +144,7 @@ impl<'a> System<'a> {
             border_normals: &self.border_normals,
             weights: &self.weights,
             curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
         }
     }
 

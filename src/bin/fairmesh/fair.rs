@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use fairmesh::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Selection, Solution,
+    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Selection, Solution, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -88,6 +88,18 @@ pub struct FairArgs {
         help_heading = "Surface"
     )]
     inner: Inner,
+    /// What the Laplacian of the mean curvature H shall be: 'harmonic' (0),
+    /// 'constant=C' (C per cubic length, positive: pushes outward) or
+    /// 'minimal-energy' (-2 H (H^2 - K))
+    #[arg(
+        long,
+        value_name = "WHAT",
+        default_value = "harmonic",
+        value_parser = target,
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
+    target: Target,
     /// How normals and mean curvature are discretized
     #[arg(
         long,
@@ -120,6 +132,29 @@ pub struct FairArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// Reads `--target`.
+fn target(text: &str) -> Result<Target, String> {
+    match text {
+        "harmonic" => Ok(Target::Harmonic),
+        "minimal-energy" => Ok(Target::MinimalEnergy),
+        _ => text
+            .strip_prefix("constant=")
+            .and_then(|c| c.parse::<f64>().ok())
+            .filter(|c| c.is_finite())
+            .map(Target::Constant)
+            .ok_or_else(|| "expected harmonic, constant=NUMBER or minimal-energy".to_owned()),
+    }
+}
+
+/// The same as text.
+pub fn target_name(target: Target) -> String {
+    match target {
+        Target::Harmonic => "harmonic".to_owned(),
+        Target::Constant(c) => format!("constant={c}"),
+        Target::MinimalEnergy => "minimal-energy".to_owned(),
+    }
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -217,6 +252,7 @@ fn solve(
             None if args.average_normals => BorderNormals::Averaged,
             None => BorderNormals::Fitted,
         },
+        target: args.target,
         inner: match args.inner {
             Inner::Uniform => InnerFairness::Uniform,
             Inner::Conformal => InnerFairness::Conformal,
