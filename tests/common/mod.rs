@@ -169,6 +169,7 @@ pub mod fairing {
     ) -> Solution {
         // Field by field: the callback's lifetime cannot be shortened.
         let Options {
+            target,
             inner,
             discretization,
             tolerance,
@@ -180,6 +181,7 @@ pub mod fairing {
         let progress = None;
         let options = Options {
             normals,
+            target,
             inner,
             discretization,
             tolerance,
