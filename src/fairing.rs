@@ -1,14 +1,12 @@
 //! The public entry: what is asked, what came of it.
 
 mod frame;
+mod normals;
 
 use std::ops::ControlFlow;
 use std::sync::mpsc;
 use std::time::Instant;
 
-use nalgebra::Vector3;
-
-use crate::discrete::border_normals::estimate;
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
@@ -22,20 +20,8 @@ use crate::solve::control::Callback;
 use crate::solve::globalize::diagonal;
 use crate::solve::{Control, Ending, System, solve};
 use frame::Frame;
-
-/// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
-#[derive(Debug, Clone, Copy, Default)]
-pub enum BorderNormals<'a> {
-    /// Fitted to second order to the surface outside the region, blended with the average where the scan
-    /// is rough; by the paper's rule (7.5) where there is no outside.
-    #[default]
-    Fitted,
-    /// The average of the outside triangles, as the paper does (7.5).
-    Averaged,
-    /// Given for some or all border vertices (`(vertex, unit normal)`); the others are fitted. Entries for
-    /// vertices that are not on the border are ignored.
-    Given(&'a [(u32, [f64; 3])]),
-}
+use normals::border_normals;
+pub use normals::{BorderNormals, InteriorNormals};
 
 /// How vertices are distributed within the surface (paper 7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,6 +31,8 @@ pub enum InnerFairness {
     Uniform,
     /// Cotangents of the input mesh: least distortion of the input triangles.
     Conformal,
+    /// Mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane.
+    Convex,
 }
 
 /// How normals and mean curvature are discretized (paper 5, 6).
@@ -64,6 +52,8 @@ pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 pub struct Options<'a> {
     /// Border normals. Default: fitted to the surroundings.
     pub normals: BorderNormals<'a>,
+    /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
+    pub interior: InteriorNormals,
     /// What `Delta_B H` has to be. Default: zero.
     pub target: Target,
     /// Inner fairness. Default: uniform.
@@ -85,6 +75,7 @@ impl Default for Options<'_> {
     fn default() -> Self {
         Self {
             normals: BorderNormals::default(),
+            interior: InteriorNormals::default(),
             target: Target::default(),
             inner: InnerFairness::default(),
             discretization: Discretization::default(),
@@ -210,7 +201,8 @@ pub struct Report {
     /// Border vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
-    /// Free vertices that took fallback weights, because their input triangles allow no conformal ones.
+    /// Free vertices that took fallback weights, because their input triangles allow no conformal or
+    /// convex ones.
     pub fallback_weights: usize,
 }
 
@@ -255,6 +247,7 @@ pub fn fair(
         triangles,
         selection,
         normals: options.normals,
+        interior: options.interior,
         target: options.target,
         inner: options.inner,
         discretization: options.discretization,
@@ -273,6 +266,7 @@ struct Request<'a> {
     triangles: &'a [[u32; 3]],
     selection: Selection<'a>,
     normals: BorderNormals<'a>,
+    interior: InteriorNormals,
     target: Target,
     inner: InnerFairness,
     discretization: Discretization,
@@ -349,11 +343,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     let mut x = region.positions(request.positions);
     let frame = Frame::new(&region, &x);
     frame.enter(&mut x);
-    let border_normals = border_normals(&region, &rings, &x, request.normals)?;
+    let (border_normals, passing) = border_normals(&region, &rings, &x, request.normals, request.interior)?;
     let groups = Groups::new(&rings);
     let weights = match request.inner {
         InnerFairness::Uniform => FairnessWeights::uniform(),
         InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
+        InnerFairness::Convex => FairnessWeights::convex(&groups, &x),
     };
     let fallback_weights = weights.clamped;
     let curvature = match request.discretization {
@@ -365,6 +360,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     seconds.setup = clock.elapsed().as_secs_f64();
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
     let mut system = System::new(&region, &rings, &groups, &x, border_normals, weights, curvature);
+    system.passing = passing;
     system.right_hand_side = request.target.right_hand_side(frame.scale);
     let solved = solve(&mut system, &mut control).map_err(|_| Error::NothingFixed { vertex: 0 })?;
     seconds.start = solved.start_seconds;
@@ -454,36 +450,4 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         gaussian_curvature,
         report,
     })
-}
-
-/// A given normal may miss unit length by this much.
-const UNIT: f64 = 1e-3;
-
-fn border_normals(
-    region: &Region,
-    rings: &Rings,
-    x: &[Vector3<f64>],
-    asked: BorderNormals<'_>,
-) -> Result<Vec<Vector3<f64>>, Error> {
-    let mut given = vec![None; region.border];
-    if let BorderNormals::Given(list) = asked {
-        let border = &region.vertex_ids[region.free..region.region_vertices()];
-        for &(v, n) in list {
-            let Ok(b) = border.binary_search(&v) else { continue };
-            let n = Vector3::from(n);
-            let length = n.norm();
-            // Also refuses what is not a number.
-            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
-                return Err(Error::BadNormal { vertex: v as usize });
-            }
-            given[b] = Some(n / length);
-        }
-    }
-    estimate(
-        region,
-        rings,
-        x,
-        !matches!(asked, BorderNormals::Averaged),
-        &given,
-    )
 }

@@ -13,7 +13,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
 use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
@@ -36,9 +36,6 @@ pub enum FreeCurvature {
     Paper,
 }
 
-/// Valences up to this take extra samples in the paper's discretization (paper 6.2).
-const LOW_VALENCE: usize = 4;
-
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;
 
@@ -51,6 +48,8 @@ pub struct Equations<'a> {
     pub groups: &'a Groups,
     /// Unit normals at the border vertices.
     pub border_normals: &'a [Vector3<f64>],
+    /// Border vertices with a closed ring whose normal is not prescribed ([`super::passing`]); may be empty for none.
+    pub passing: &'a [bool],
     /// Inner fairness.
     pub weights: &'a FairnessWeights,
     /// Curvature at free vertices.
@@ -64,7 +63,8 @@ pub struct Equations<'a> {
 pub struct State {
     /// Normals of the ring: the direction of normal steps and of the tangential projection.
     pub normal: Vec<Vector3<f64>>,
-    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization).
+    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization) at free, then the
+    /// normals at border vertices.
     pub corrected: Vec<Vector3<f64>>,
     /// Mean curvature at free, then at border vertices.
     pub h: Vec<f64>,
@@ -88,7 +88,7 @@ impl State {
         let free = groups.place.len();
         Self {
             normal: vec![Vector3::zeros(); free],
-            corrected: vec![Vector3::zeros(); free],
+            corrected: vec![Vector3::zeros(); free + border],
             h: vec![0.0; free + border],
             k: vec![0.0; free],
             area: vec![0.0; free],
@@ -165,7 +165,9 @@ impl Equations<'_> {
 
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         self.free_vertices::<RESPONSE>(x, state);
-        if self.curvature == FreeCurvature::Paper {
+        self.border_normals_at(x, state);
+        let paper = self.curvature == FreeCurvature::Paper;
+        if paper {
             self.paper_curvature(x, state);
         }
         let free = self.free();
@@ -175,6 +177,7 @@ impl Equations<'_> {
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
+            .filter(|(b, _)| paper || !self.passes(*b))
             .for_each(|(b, h)| *h = self.border_curvature(x, corrected, b));
         self.outer_residual(state);
     }
@@ -344,44 +347,7 @@ impl Equations<'_> {
         }
     }
 
-    /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
-    /// of the neighbours, hence a pass of its own.
-    fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
-        let rings = self.rings;
-        let normal = &state.normal;
-        let free = self.free();
-        let of = |i: u32| self.normal_at(normal, i);
-        state.h[..free]
-            .par_iter_mut()
-            .zip(state.k.par_iter_mut())
-            .with_min_len(256)
-            .enumerate()
-            .for_each(|(i, (h, k))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
-                let q = one(&x[i]);
-                let at = |j: u32| minus(&one(&x[j as usize]), &q);
-                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
-                let between = (0..extra).map(|s| {
-                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
-                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
-                });
-                let n = one(&normal[i]);
-                let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
-                (*h, *k) = (mean.0[0], gauss.0[0]);
-            });
-    }
-
-    #[inline(always)]
-    fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
-        let i = i as usize;
-        if i < self.free() {
-            normal[i]
-        } else {
-            self.border_normals[i - self.free()]
-        }
-    }
-
-    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
+    /// `H` at border vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
     /// a spiral sample on every ring edge, and the flap across it. Without the flaps a single narrow fan of triangles,
     /// whose directions span a few degrees, has a fit that turns the sign of the border's response: a sphere then is
     /// an unstable solution of the equations.
@@ -398,7 +364,7 @@ impl Equations<'_> {
         let rings = self.rings;
         let free = self.free();
         let nothing: Vec3<BORDER_LANES> = [Lanes::zero(); 3];
-        let normal = &self.border_normals[b];
+        let normal = &corrected[free + b];
         let q = &x[free + b];
         let mut n = nothing;
         (0..BORDER_LANES).for_each(|l| set_lane(&mut n, l, normal));
@@ -417,7 +383,7 @@ impl Equations<'_> {
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
                     set_lane(&mut ends[k], l, &(x[j as usize] - q));
-                    set_lane(&mut normals[k], l, &self.normal_at(corrected, j));
+                    set_lane(&mut normals[k], l, &corrected[j as usize]);
                 }
                 weight.0[l] = 1.0;
             }
@@ -494,6 +460,7 @@ mod tests {
                 groups: &groups,
                 border_normals: &border_normals,
                 weights: &FairnessWeights::conformal(&groups, &x),
+                passing: &[],
                 curvature,
                 right_hand_side: RightHandSide::default(),
             };
@@ -516,6 +483,7 @@ mod tests {
             );
             assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
             assert!(wide.response == plain.response && wide.weight == plain.weight);
+            equations.border_normals_at(&x, &mut wide);
             for b in 0..region.border {
                 let plain = equations.border_fit(&x, &wide.corrected, b);
                 assert_eq!(

@@ -32,8 +32,10 @@ pub struct System<'a> {
     pub groups: &'a Groups,
     /// The input surface of the region (free, border).
     pub input: &'a [Vector3<f64>],
-    /// Prescribed normals.
+    /// Prescribed normals; those of the last evaluation where the surface passes.
     pub border_normals: Vec<Vector3<f64>>,
+    /// Border vertices with a closed ring that the surface passes smoothly; empty: none.
+    pub passing: Vec<bool>,
     /// Inner fairness.
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
@@ -114,6 +116,7 @@ impl<'a> System<'a> {
             groups,
             input,
             border_normals,
+            passing: Vec::new(),
             weights,
             curvature,
             right_hand_side: RightHandSide::default(),
@@ -142,6 +145,7 @@ impl<'a> System<'a> {
             rings: self.rings,
             groups: self.groups,
             border_normals: &self.border_normals,
+            passing: &self.passing,
             weights: &self.weights,
             curvature: self.curvature,
             right_hand_side: self.right_hand_side,
@@ -153,6 +157,16 @@ impl<'a> System<'a> {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
+        self.take_passing_normals();
+    }
+
+    fn take_passing_normals(&mut self) {
+        let (_, current) = self.state.corrected.split_at(self.region.free);
+        for ((normal, current), passes) in self.border_normals.iter_mut().zip(current).zip(&self.passing) {
+            if *passes {
+                *normal = *current;
+            }
+        }
     }
 
     /// Takes new inner-fairness weights.
@@ -173,6 +187,7 @@ impl<'a> System<'a> {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
+            self.take_passing_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);

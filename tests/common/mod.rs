@@ -169,6 +169,7 @@ pub mod fairing {
     ) -> Solution {
         // Field by field: the callback's lifetime cannot be shortened.
         let Options {
+            interior,
             target,
             inner,
             discretization,
@@ -181,6 +182,7 @@ pub mod fairing {
         let progress = None;
         let options = Options {
             normals,
+            interior,
             target,
             inner,
             discretization,

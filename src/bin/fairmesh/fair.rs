@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use fairmesh::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Selection, Solution, Target,
+    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
+    Solution, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -24,6 +25,8 @@ enum Inner {
     Uniform,
     /// The least distortion of the input's triangles
     Conformal,
+    /// Nearly that, by positive weights for any triangles
+    Convex,
 }
 
 /// How normals and mean curvature are discretized.
@@ -79,6 +82,10 @@ pub struct FairArgs {
         verbatim_doc_comment
     )]
     average_normals: bool,
+    /// Normals of fixed vertices inside the region come from their triangles
+    /// in the input; without, the surface passes them smoothly
+    #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
+    interior_from_input: bool,
     /// How vertices are distributed within the surface
     #[arg(
         long,
@@ -252,10 +259,16 @@ fn solve(
             None if args.average_normals => BorderNormals::Averaged,
             None => BorderNormals::Fitted,
         },
+        interior: if args.interior_from_input {
+            InteriorNormals::Input
+        } else {
+            InteriorNormals::Smooth
+        },
         target: args.target,
         inner: match args.inner {
             Inner::Uniform => InnerFairness::Uniform,
             Inner::Conformal => InnerFairness::Conformal,
+            Inner::Convex => InnerFairness::Convex,
         },
         discretization: match args.discretization {
             Scheme::SecondOrder => Discretization::SecondOrder,
