@@ -34,7 +34,7 @@ struct Cli {
 enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
-    Fair(fair::FairArgs),
+    Fair(Box<fair::FairArgs>),
     /// Writes one of the paper's inputs or an exact surface as a mesh file
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
