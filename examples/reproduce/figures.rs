@@ -249,7 +249,7 @@ fn figure_8(tool: &Tool) -> io::Result<String> {
         "--shade",
         "flat,reflection,curvature",
         "--size",
-        "190x190",
+        "180x180",
     ];
     text += &tool.render(
         "figure8.png",
@@ -308,7 +308,7 @@ pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
                     "--shade",
                     "flat,reflection",
                     "--size",
-                    "260x260",
+                    "220x220",
                 ];
                 let picture = format!("scan{}.png", k + 1);
                 let _ = writeln!(text, "{}:\n", scan.name);

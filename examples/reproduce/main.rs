@@ -91,7 +91,6 @@ fn head() -> String {
         .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
         .map_or("an unknown processor", |(_, name)| name.trim());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    // Spaces of indentation are not part of the text.
     format!(
         "# Reproduction\n\n\
         The figures, the table and the claims of R. Schneider, L. Kobbelt, \"Geometric fairing of irregular meshes for\n\
@@ -102,14 +101,15 @@ fn head() -> String {
     )
 }
 
-const TAIL: &str = "\
-## What is not the paper's\n\n\
-- The meshes of the paper are not published. Cylinder blend and tetra thing are made anew with its numbers of vertices and\n\
-  triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in\n\
-  Table 1 blends of their size.\n\
-- \"Improved bilaplacian\" in Fig. 7 is another paper's scheme and not there.\n\
-- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the border. The paper\n\
-  does not say how normals enter its own.\n";
+const TAIL: &str = r#"## What is not the paper's
+
+- The meshes of the paper are not published. Cylinder blend and tetra thing are made anew with its numbers of vertices and
+  triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in Table 1 blends of their
+  size.
+- The "improved bilaplacian" of Fig. 7 is another paper's scheme and not there.
+- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the border. The
+  paper does not say how normals enter its own.
+"#;
 
 /// A number in few digits.
 pub fn short(x: f64) -> String {

@@ -21,9 +21,10 @@ pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64;
     let rings = Rings::new(&region);
     let groups = Groups::new(&rings);
     let x = region.positions(&case.positions);
-    let weights = match inner {
-        InnerFairness::Uniform => FairnessWeights::uniform(),
-        InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
+    let weights = if inner == InnerFairness::Conformal {
+        FairnessWeights::conformal(&groups, &x)
+    } else {
+        FairnessWeights::uniform()
     };
     let curvature = FreeCurvature::GradientCorrected {
         tilt_ridge: TILT_RIDGE,
