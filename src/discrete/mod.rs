@@ -11,6 +11,7 @@ pub mod inner_fairness;
 pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;
+pub mod mesh_curvature;
 pub mod normals;
 pub mod outer_fairness;
 pub mod paper_curvature;
