@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::equations::{Equations, State};
 use super::groups::{LANES, gather_scalar, split_lengths};
-use super::lanes::Lanes;
+use super::lanes::{Lanes, vectorized};
 
 impl Equations<'_> {
     /// `R1` from the weights, areas and curvatures of `state`. An inhomogeneous right-hand side is taken at the
@@ -38,19 +38,24 @@ impl Equations<'_> {
             .into_par_iter()
             .zip(groups.chunks.par_iter())
             .for_each(|(outer, chunk)| {
-                for group in chunk.groups.clone() {
-                    let vertex = &groups.vertex[group];
-                    let own = gather_scalar(h, vertex);
-                    let mut sum = Lanes::<LANES>::zero();
-                    for slot in groups.slots(group) {
-                        let other = gather_scalar(h, &groups.neighbour[slot]);
-                        sum += Lanes(weight[slot]) * (own - other);
-                    }
-                    let residual = finish(sum, &evaluated, vertex, own);
-                    for (l, &i) in vertex.iter().enumerate() {
-                        outer[i as usize - chunk.vertices.start] = residual.0[l];
-                    }
-                }
+                vectorized(
+                    #[inline(always)]
+                    || {
+                        for group in chunk.groups.clone() {
+                            let vertex = &groups.vertex[group];
+                            let own = gather_scalar(h, vertex);
+                            let mut sum = Lanes::<LANES>::zero();
+                            for slot in groups.slots(group) {
+                                let other = gather_scalar(h, &groups.neighbour[slot]);
+                                sum += Lanes(weight[slot]) * (own - other);
+                            }
+                            let residual = finish(sum, &evaluated, vertex, own);
+                            for (l, &i) in vertex.iter().enumerate() {
+                                outer[i as usize - chunk.vertices.start] = residual.0[l];
+                            }
+                        }
+                    },
+                );
             });
     }
 

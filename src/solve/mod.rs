@@ -8,6 +8,7 @@ pub mod bilaplacian;
 pub mod continuation;
 pub mod control;
 pub mod curvature_bounds;
+pub mod direction;
 pub mod factor;
 pub mod globalize;
 pub mod initial;

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
+use super::direction;
 use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
@@ -18,6 +19,10 @@ use crate::mesh::{Region, Rings};
 
 /// Tangential steps below this, in diagonals, are projected.
 const NEAR: f64 = 1e-3;
+
+/// With more free vertices `P` is factored in 64 bits from the start: its condition grows with their square, and the lowest
+/// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
+const SINGLE_UP_TO: usize = 250_000;
 
 /// Largest edge-relative change of one step.
 pub const LARGEST_CHANGE: f64 = 0.5;
@@ -125,7 +130,7 @@ impl<'a> System<'a> {
             diagonal: 1.0,
             g_pattern,
             g,
-            p: Factor::new(&p_symbolic, false),
+            p: Factor::new(&p_symbolic, free > SINGLE_UP_TO),
             p_values: vec![0.0; p_pattern.column.len()],
             p_pattern,
             p_symbolic,
@@ -228,7 +233,7 @@ impl<'a> System<'a> {
     }
 
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
+    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
     /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
     /// Near the solution it is projected, or each equation would disturb the other.
     pub fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
@@ -261,12 +266,17 @@ impl<'a> System<'a> {
             largest: self.normal_step.iter().fold(0.0f64, |m, t| m.max(t[0].abs())) / self.diagonal,
         };
         let project = norm.tangential < NEAR;
+        let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
+        let rounds = direction::rounds(norm.largest * self.diagonal, disk);
+        let averaged = (rounds > 0)
+            .then(|| direction::averaged(self.rings, &self.state.normal, &self.border_normals, rounds));
+        let along = averaged.as_ref().unwrap_or(&self.state.normal);
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
             let d = Vector3::from(self.tangential_step[i]);
             let off = if project { d.dot(n) } else { 0.0 };
             for c in 0..3 {
-                s[c] = (self.normal_step[i][0] - off) * n[c] + d[c];
+                s[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
             }
         }
         norm
