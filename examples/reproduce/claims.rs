@@ -11,6 +11,15 @@ use crate::tool::{Case, Run, Tool};
 
 const SIZES: [usize; 3] = [500, 2_000, 8_000];
 
+/// Free vertices, error, and run.
+type Solved = (usize, Distance, Run);
+
+/// One surface at all sizes.
+struct Series {
+    kind: &'static str,
+    runs: Vec<Solved>,
+}
+
 /// The surfaces that are known, by the kind that the program generates.
 fn known() -> [(&'static str, Surface); 4] {
     [
@@ -41,9 +50,9 @@ pub fn section(tool: &Tool) -> io::Result<String> {
                     let error = error(&case, &run, &surface);
                     Ok((case.free.len(), error, run))
                 })
-                .collect::<io::Result<Vec<(usize, Distance, Run)>>>()?;
+                .collect::<io::Result<Vec<Solved>>>()?;
             row(&mut text, kind, triangulation, &runs);
-            reproduced.push((kind, triangulation, runs));
+            reproduced.push(Series { kind, runs });
         }
     }
     text.push('\n');
@@ -81,7 +90,7 @@ fn error(case: &Case, run: &Run, surface: &Surface) -> Distance {
     Distance::of(free.iter().map(|p| surface.distance(*p) / scale))
 }
 
-fn row(text: &mut String, kind: &str, triangulation: &str, runs: &[(usize, Distance, Run)]) {
+fn row(text: &mut String, kind: &str, triangulation: &str, runs: &[Solved]) {
     let counts: Vec<usize> = runs.iter().map(|r| r.0).collect();
     let largest: Vec<f64> = runs.iter().map(|r| r.1.max).collect();
     let rms: Vec<f64> = runs.iter().map(|r| r.1.rms).collect();
@@ -108,7 +117,7 @@ fn row(text: &mut String, kind: &str, triangulation: &str, runs: &[(usize, Dista
     );
 }
 
-fn outcomes(runs: &[(usize, Distance, Run)]) -> String {
+fn outcomes(runs: &[Solved]) -> String {
     let all: Vec<String> = runs.iter().map(|r| r.2.outcome()).collect();
     if all.iter().all(|o| *o == all[0]) {
         all[0].clone()
@@ -124,7 +133,7 @@ struct Claim {
     figures: String,
 }
 
-fn claims(tool: &Tool, reproduced: &[(&str, &str, Vec<(usize, Distance, Run)>)]) -> io::Result<String> {
+fn claims(tool: &Tool, reproduced: &[Series]) -> io::Result<String> {
     let blends = [
         ("118", "cylinder-blend"),
         ("920", "cylinder-blend"),
@@ -160,10 +169,10 @@ fn claims(tool: &Tool, reproduced: &[(&str, &str, Vec<(usize, Distance, Run)>)])
     Ok(text)
 }
 
-fn spheres_and_cylinders(reproduced: &[(&str, &str, Vec<(usize, Distance, Run)>)]) -> Claim {
+fn spheres_and_cylinders(reproduced: &[Series]) -> Claim {
     let worst = |kind: &str, largest: usize| {
-        let of = reproduced.iter().filter(|r| r.0 == kind);
-        of.map(|r| r.2[largest].1.max).fold(0.0, f64::max)
+        let of = reproduced.iter().filter(|r| r.kind == kind);
+        of.map(|r| r.runs[largest].1.max).fold(0.0, f64::max)
     };
     let last = SIZES.len() - 1;
     let (sphere, cylinder, catenoid) = (
@@ -191,14 +200,11 @@ fn excess(run: &Run) -> f64 {
     (high - most).max(least - low).max(0.0) / most.abs().max(least.abs())
 }
 
-fn extremes_on_the_border(
-    reproduced: &[(&str, &str, Vec<(usize, Distance, Run)>)],
-    blends: &[(Case, Run)],
-) -> Claim {
+fn extremes_on_the_border(reproduced: &[Series], blends: &[(Case, Run)]) -> Claim {
     let known = reproduced
         .iter()
-        .filter(|r| r.0 != "catenoid")
-        .flat_map(|r| &r.2)
+        .filter(|r| r.kind != "catenoid")
+        .flat_map(|r| &r.runs)
         .map(|r| excess(&r.2))
         .fold(0.0, f64::max);
     let worst = blends.iter().map(|b| excess(&b.1)).fold(0.0, f64::max);
