@@ -13,13 +13,13 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
-use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
+use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
-use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
+use super::lanes::{Lanes, Vec3, lane, minus, one, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
-use super::spokes::{Spoke, measure};
+use super::spokes::Spoke;
 use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
@@ -240,14 +240,7 @@ impl Equations<'_> {
         let groups = self.groups;
         let slots = groups.slots(group);
         let vertex = &groups.vertex[group];
-        let q = gather(x, vertex);
-        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
-            spoke.edge = gather(x, j);
-        }
-        for spoke in ring.iter_mut() {
-            spoke.edge = minus(&spoke.edge, &q);
-        }
-        measure(ring);
+        let q = self.gather_ring(x, group, ring);
         let area = ring_weights(ring, weight);
         for (to, from) in out.weight[slots.start - first_slot..]
             .iter_mut()
@@ -279,14 +272,7 @@ impl Equations<'_> {
                 )
             }
         };
-        let mut sum = [Lanes::zero(); 3];
-        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
-            match &self.weights.slots {
-                None => sum = super::lanes::plus(&sum, e),
-                Some(w) => sum = super::lanes::plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
-            }
-        }
-        let inner = minus(&sum, &scaled(&n, dot(&sum, &n)));
+        let inner = self.inner_residual(slots, ring, &n);
         for (l, &i) in vertex.iter().enumerate() {
             let i = i as usize - first_vertex;
             out.normal[i] = lane(&n, l);
@@ -434,43 +420,6 @@ impl Equations<'_> {
         fit.over_lanes()
     }
 
-    /// `R1 = S H` from the weights and curvatures of `state`.
-    pub fn outer_residual(&self, state: &mut State) {
-        let groups = self.groups;
-        let (h, weight) = (&state.h, &state.weight);
-        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
-        pieces
-            .into_par_iter()
-            .zip(groups.chunks.par_iter())
-            .for_each(|(outer, chunk)| {
-                vectorized(
-                    #[inline(always)]
-                    || residual_chunk(groups, h, weight, chunk, outer),
-                );
-            });
-    }
-
-    /// The harmonic defect `max_i |R1_i| / sum_j |w_ij|` (a mean curvature: times a length it has no unit), and
-    /// `|S H| / (|S| |H|)`, how much of the residual is more than cancellation.
-    pub fn defect(&self, state: &State) -> (f64, f64) {
-        let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
-        for i in 0..self.free() {
-            let (mut absolute, mut size) = (0.0, 0.0);
-            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
-            let start = self.rings.start[i] as usize;
-            for s in start..self.rings.start[i + 1] as usize {
-                let w = state.weight[first + s - start][lane].abs();
-                absolute += w;
-                size += w * state.h[self.rings.neighbour[s] as usize].abs();
-            }
-            size += absolute * state.h[i].abs();
-            worst = worst.max(state.outer[i].abs() / absolute.max(f64::MIN_POSITIVE));
-            num += state.outer[i] * state.outer[i];
-            den += size * size;
-        }
-        (worst, (num / den.max(f64::MIN_POSITIVE)).sqrt())
-    }
-
     /// Area of the one-sided disk at border vertex `b`, and the one-sided cotangent weights to each of its ring edges'
     /// ends are left to [`Self::border_weights`].
     pub fn border_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
@@ -494,23 +443,6 @@ impl Equations<'_> {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
-        }
-    }
-}
-
-/// One chunk of [`Equations::outer_residual`], without the choice of instructions.
-#[inline(always)]
-fn residual_chunk(groups: &Groups, h: &[f64], weight: &[[f64; LANES]], chunk: &Chunk, outer: &mut [f64]) {
-    for group in chunk.groups.clone() {
-        let vertex = &groups.vertex[group];
-        let own = gather_scalar(h, vertex);
-        let mut sum = Lanes::<LANES>::zero();
-        let slots = groups.slots(group);
-        for (weight, neighbour) in weight[slots.clone()].iter().zip(&groups.neighbour[slots]) {
-            sum += Lanes(*weight) * (own - gather_scalar(h, neighbour));
-        }
-        for (l, &i) in vertex.iter().enumerate() {
-            outer[i as usize - chunk.vertices.start] = sum.0[l];
         }
     }
 }
@@ -565,6 +497,9 @@ mod tests {
             );
             assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
             assert!(wide.response == plain.response && wide.weight == plain.weight);
+            let mut tangential = State::new(&groups, region.border);
+            equations.evaluate_inner(&x, &mut tangential);
+            assert!(tangential.normal == wide.normal && tangential.inner == wide.inner);
             for b in 0..region.border {
                 let plain = equations.border_fit(&x, &wide.corrected, b);
                 assert_eq!(

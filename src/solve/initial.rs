@@ -205,7 +205,7 @@ impl System<'_> {
     pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>]) {
         let mut step = vec![0.0; 3 * self.region.free];
         for _ in 0..TANGENTIAL_STEPS {
-            self.evaluate(x);
+            self.evaluate_inner(x);
             self.step(&mut step, false);
             let change = self.edge_change(x, &step);
             advance(
