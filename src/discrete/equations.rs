@@ -37,6 +37,9 @@ pub enum FreeCurvature {
 /// Valences up to this take extra samples in the paper's discretization (paper 6.2).
 const LOW_VALENCE: usize = 4;
 
+/// A border vertex with up to this many triangles takes the flaps in full.
+const NARROW: usize = 2;
+
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;
 
@@ -322,7 +325,7 @@ impl Equations<'_> {
             let (sample, weight) = &mut flaps[edge.slot as usize];
             let between = spiral_sample(&a, &b, &n_a, &n_b);
             set_lane(sample, lane, &super::lanes::lane(&between, 0));
-            weight.0[lane] = FLAP_WEIGHT;
+            weight.0[lane] = 1.0;
         }
     }
 
@@ -364,9 +367,9 @@ impl Equations<'_> {
     }
 
     /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
-    /// a spiral sample on every ring edge, and the flap across it. Without the flaps a single narrow fan of triangles,
-    /// whose directions span a few degrees, has a fit that turns the sign of the border's response: a sphere then is
-    /// an unstable solution of the equations.
+    /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
+    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
+    /// response, and even a sphere is then an unstable solution of the equations.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -409,11 +412,12 @@ impl Equations<'_> {
             );
         }
         let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
         for part in rings.border_flap[flaps].chunks(BORDER_LANES) {
             let (mut e, mut weight) = (nothing, Lanes::zero());
             for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
                 set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = 1.0;
+                weight.0[l] = flap_weight;
             }
             fit.add(&e, weight);
         }

@@ -17,7 +17,7 @@ use super::control::Control;
 use super::pseudo_time::pseudo_time;
 use super::quasi_newton::{End, Plan, iterate};
 use super::system::{Collapsed, System};
-use super::weight_repair::Repair;
+use super::weight_repair::{Repair, THRESHOLDS};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
 use crate::quality::Surface;
@@ -333,7 +333,7 @@ fn with_repair(
     let mut repair = Repair::new(system);
     system.evaluate(&x);
     // The start is distributed almost as the result will be: what folds here would be found after the iterations.
-    if !system.poor(&x, crate::quality::NEEDLE).is_empty()
+    if !system.poor(&x, THRESHOLDS[0]).is_empty()
         && let Some(weights) = repair.next(system, &x)
         && let Ok(start) = system.set_weights(weights).and_then(|()| system.start())
     {
