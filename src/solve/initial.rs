@@ -11,8 +11,9 @@ use crate::linear::ordering::amd;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 
-/// Linear systems are solved to this, in the norm of their own energy: they only make a start.
-const REFINED: f64 = 1e-4;
+/// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
+/// about thin triangles ought not to depend on the order of elimination.
+const REFINED: f64 = 1e-7;
 /// More iterations than this say that 32 bits do not suffice.
 const MOST_ITERATIONS: usize = 16;
 /// So does a step longer than this. A step of conjugate gradients is at most `1 / l` long, `l` the least eigenvalue of the
