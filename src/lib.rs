@@ -21,8 +21,8 @@ pub mod solve;
 
 pub use error::Error;
 pub use fairing::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, Watcher, fair,
+    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
+    Seconds, Selection, Solution, Target, Watcher, fair,
 };
 pub use quality::Quality;
 

@@ -1,6 +1,7 @@
 //! Both fairness equations over the region, evaluated at a surface.
 //!
-//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`.
+//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`, plus the
+//! right-hand side where there is one ([`super::target`]).
 //! Inner fairness, a tangent vector per free vertex (paper 7.3): the part of `sum_j lambda_ij (q_j - q_i)` that is
 //! orthogonal to the normal. (The paper prints the projection with a plus sign; it is a minus.)
 //!
@@ -12,7 +13,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
 use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, lane, minus, one, set_lane, vectorized};
@@ -20,6 +21,7 @@ use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
 use super::spokes::Spoke;
+use super::target::RightHandSide;
 use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
@@ -33,9 +35,6 @@ pub enum FreeCurvature {
     /// The paper's: cross-product normals, plain Moreton-Sequin, spiral samples at valence 3 and 4.
     Paper,
 }
-
-/// Valences up to this take extra samples in the paper's discretization (paper 6.2).
-const LOW_VALENCE: usize = 4;
 
 /// A border vertex with up to this many triangles takes the flaps in full.
 const NARROW: usize = 2;
@@ -52,10 +51,14 @@ pub struct Equations<'a> {
     pub groups: &'a Groups,
     /// Unit normals at the border vertices.
     pub border_normals: &'a [Vector3<f64>],
+    /// Border vertices with a closed ring whose normal is not prescribed ([`super::passing`]); may be empty for none.
+    pub passing: &'a [bool],
     /// Inner fairness.
     pub weights: &'a FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be; zero for the paper's (4).
+    pub right_hand_side: RightHandSide,
 }
 
 /// Everything that is evaluated at a surface. Free vertices come first in `h`.
@@ -63,7 +66,8 @@ pub struct Equations<'a> {
 pub struct State {
     /// Normals of the ring: the direction of normal steps and of the tangential projection.
     pub normal: Vec<Vector3<f64>>,
-    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization).
+    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization) at free, then the
+    /// normals at border vertices.
     pub corrected: Vec<Vector3<f64>>,
     /// Mean curvature at free, then at border vertices.
     pub h: Vec<f64>,
@@ -87,7 +91,7 @@ impl State {
         let free = groups.place.len();
         Self {
             normal: vec![Vector3::zeros(); free],
-            corrected: vec![Vector3::zeros(); free],
+            corrected: vec![Vector3::zeros(); free + border],
             h: vec![0.0; free + border],
             k: vec![0.0; free],
             area: vec![0.0; free],
@@ -164,7 +168,9 @@ impl Equations<'_> {
 
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         self.free_vertices::<RESPONSE>(x, state);
-        if self.curvature == FreeCurvature::Paper {
+        self.border_normals_at(x, state);
+        let paper = self.curvature == FreeCurvature::Paper;
+        if paper {
             self.paper_curvature(x, state);
         }
         let free = self.free();
@@ -174,6 +180,7 @@ impl Equations<'_> {
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
+            .filter(|(b, _)| paper || !self.passes(*b))
             .for_each(|(b, h)| *h = self.border_curvature(x, corrected, b));
         self.outer_residual(state);
     }
@@ -329,44 +336,7 @@ impl Equations<'_> {
         }
     }
 
-    /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
-    /// of the neighbours, hence a pass of its own.
-    fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
-        let rings = self.rings;
-        let normal = &state.normal;
-        let free = self.free();
-        let of = |i: u32| self.normal_at(normal, i);
-        state.h[..free]
-            .par_iter_mut()
-            .zip(state.k.par_iter_mut())
-            .with_min_len(256)
-            .enumerate()
-            .for_each(|(i, (h, k))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
-                let q = one(&x[i]);
-                let at = |j: u32| minus(&one(&x[j as usize]), &q);
-                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
-                let between = (0..extra).map(|s| {
-                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
-                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
-                });
-                let n = one(&normal[i]);
-                let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
-                (*h, *k) = (mean.0[0], gauss.0[0]);
-            });
-    }
-
-    #[inline(always)]
-    fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
-        let i = i as usize;
-        if i < self.free() {
-            normal[i]
-        } else {
-            self.border_normals[i - self.free()]
-        }
-    }
-
-    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
+    /// `H` at border vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
     /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
     /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
     /// response, and even a sphere is then an unstable solution of the equations.
@@ -383,7 +353,7 @@ impl Equations<'_> {
         let rings = self.rings;
         let free = self.free();
         let nothing: Vec3<BORDER_LANES> = [Lanes::zero(); 3];
-        let normal = &self.border_normals[b];
+        let normal = &corrected[free + b];
         let q = &x[free + b];
         let mut n = nothing;
         (0..BORDER_LANES).for_each(|l| set_lane(&mut n, l, normal));
@@ -402,7 +372,7 @@ impl Equations<'_> {
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
                     set_lane(&mut ends[k], l, &(x[j as usize] - q));
-                    set_lane(&mut normals[k], l, &self.normal_at(corrected, j));
+                    set_lane(&mut normals[k], l, &corrected[j as usize]);
                 }
                 weight.0[l] = 1.0;
             }
@@ -480,7 +450,9 @@ mod tests {
                 groups: &groups,
                 border_normals: &border_normals,
                 weights: &FairnessWeights::conformal(&groups, &x),
+                passing: &[],
                 curvature,
+                right_hand_side: RightHandSide::default(),
             };
             let [mut wide, mut plain] = [(); 2].map(|()| State::new(&groups, region.border));
             equations.free_vertices::<true>(&x, &mut wide);
@@ -504,6 +476,7 @@ mod tests {
             let mut tangential = State::new(&groups, region.border);
             equations.evaluate_inner(&x, &mut tangential);
             assert!(tangential.normal == wide.normal && tangential.inner == wide.inner);
+            equations.border_normals_at(&x, &mut wide);
             for b in 0..region.border {
                 let plain = equations.border_fit(&x, &wide.corrected, b);
                 assert_eq!(

@@ -11,6 +11,7 @@ use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
+use crate::discrete::target::RightHandSide;
 use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
@@ -36,12 +37,16 @@ pub struct System<'a> {
     pub groups: &'a Groups,
     /// The input surface of the region (free, border).
     pub input: &'a [Vector3<f64>],
-    /// Prescribed normals.
+    /// Prescribed normals; those of the last evaluation where the surface passes.
     pub border_normals: Vec<Vector3<f64>>,
+    /// Border vertices with a closed ring that the surface passes smoothly; empty: none.
+    pub passing: Vec<bool>,
     /// Inner fairness.
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be, in the frame; zero unless set.
+    pub right_hand_side: RightHandSide,
     /// The last evaluation.
     pub state: State,
     /// The metric that `P` was made from.
@@ -116,8 +121,10 @@ impl<'a> System<'a> {
             groups,
             input,
             border_normals,
+            passing: Vec::new(),
             weights,
             curvature,
+            right_hand_side: RightHandSide::default(),
             state: State::new(groups, region.border),
             metric: Metric::default(),
             diagonal: 1.0,
@@ -143,8 +150,10 @@ impl<'a> System<'a> {
             rings: self.rings,
             groups: self.groups,
             border_normals: &self.border_normals,
+            passing: &self.passing,
             weights: &self.weights,
             curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
         }
     }
 
@@ -153,6 +162,16 @@ impl<'a> System<'a> {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
+        self.take_passing_normals();
+    }
+
+    fn take_passing_normals(&mut self) {
+        let (_, current) = self.state.corrected.split_at(self.region.free);
+        for ((normal, current), passes) in self.border_normals.iter_mut().zip(current).zip(&self.passing) {
+            if *passes {
+                *normal = *current;
+            }
+        }
     }
 
     /// Evaluates only what a tangential step needs.
@@ -181,6 +200,7 @@ impl<'a> System<'a> {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
+            self.take_passing_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
