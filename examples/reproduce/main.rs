@@ -96,8 +96,8 @@ fn head() -> String {
         The figures, the table and the claims of R. Schneider, L. Kobbelt, \"Geometric fairing of irregular meshes for\n\
         free-form surface design\", CAGD 18 (2001), made with this program. This file and its pictures are written by\n\n\
         ```sh\n./reproduce.sh\n```\n\n\
-        and no number in it is typed. Machine of this run: {model}, {threads} threads. Distances are to a surface, over the\n\
-        diagonal of its bounding box. Where border normals matter they are the exact ones of the input.\n\n"
+        and no measured number in it is typed. Machine of this run: {model}, {threads} threads. Distances are to a surface, over the\n\
+        diagonal of its bounding box. Border normals are the exact ones of the input, but for the scans.\n\n"
     )
 }
 
@@ -113,7 +113,8 @@ const TAIL: &str = r#"## What is not the paper's
 
 /// A number in few digits.
 pub fn short(x: f64) -> String {
-    if x == 0.0 {
+    // The distance of a surface to itself is rounding.
+    if x.abs() < 1e-15 {
         "0".to_owned()
     } else if (0.01..1e4).contains(&x.abs()) {
         let digits = (2 - x.abs().log10().floor() as i32).clamp(0, 4) as usize;
