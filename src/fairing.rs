@@ -1,5 +1,7 @@
 //! The public entry: what is asked, what came of it.
 
+mod solvers;
+
 use std::ops::ControlFlow;
 use std::sync::mpsc;
 use std::time::Instant;
@@ -7,17 +9,16 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use crate::discrete::border_normals::estimate;
-use crate::discrete::curvature::TILT_RIDGE;
-use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::error::Error;
 pub use crate::mesh::region::Selection;
 use crate::mesh::{Region, Rings};
+use crate::paper::{LevelReport, PaperOptions, Problem};
 use crate::quality::{Quality, Surface};
+use crate::solve::Ending;
 use crate::solve::control::Callback;
 use crate::solve::globalize::{bounding_box, diagonal};
-use crate::solve::{Control, Ending, System, solve};
 
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -53,6 +54,17 @@ pub enum Discretization {
     Paper,
 }
 
+/// How the equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Solver {
+    /// Quasi-Newton steps on both equations together.
+    #[default]
+    Fast,
+    /// The paper's own scheme (7): slow, kept as a yardstick. Always with [`Discretization::Paper`]; `tolerance` and
+    /// `max_iterations` of [`Options`] have no part in it.
+    Paper(PaperOptions),
+}
+
 /// What is told how far a run is; `Break` stops it.
 pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 
@@ -64,6 +76,8 @@ pub struct Options<'a> {
     pub inner: InnerFairness,
     /// Discretization. Default: second order.
     pub discretization: Discretization,
+    /// Solver. Default: the fast one.
+    pub solver: Solver,
     /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
     /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
     pub tolerance: f64,
@@ -81,6 +95,7 @@ impl Default for Options<'_> {
             normals: BorderNormals::default(),
             inner: InnerFairness::default(),
             discretization: Discretization::default(),
+            solver: Solver::default(),
             tolerance: 1e-8,
             max_iterations: 500,
             threads: 0,
@@ -185,6 +200,8 @@ pub struct Report {
     pub seconds: Seconds,
     /// Soundness of the result.
     pub quality: Quality,
+    /// The levels of [`Solver::Paper`] from the base to the given mesh; empty for the fast solver.
+    pub levels: Vec<LevelReport>,
     /// Number of free vertices.
     pub free_vertices: usize,
     /// The region's bounding-box diagonal, in the unit of the positions.
@@ -239,6 +256,7 @@ pub fn fair(
         normals: options.normals,
         inner: options.inner,
         discretization: options.discretization,
+        solver: options.solver,
         tolerance: options.tolerance,
         max_iterations: options.max_iterations,
     };
@@ -256,6 +274,7 @@ struct Request<'a> {
     normals: BorderNormals<'a>,
     inner: InnerFairness,
     discretization: Discretization,
+    solver: Solver,
     tolerance: f64,
     max_iterations: usize,
 }
@@ -309,7 +328,10 @@ fn check(options: &Options<'_>) -> Result<(), Error> {
             range: "at least 1",
         });
     }
-    Ok(())
+    match &options.solver {
+        Solver::Fast => Ok(()),
+        Solver::Paper(options) => solvers::check(options),
+    }
 }
 
 /// The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power
@@ -366,43 +388,46 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
     };
     let fallback_weights = weights.clamped;
-    let curvature = match request.discretization {
-        Discretization::SecondOrder => FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
-        Discretization::Paper => FreeCurvature::Paper,
-    };
     seconds.setup = clock.elapsed().as_secs_f64();
-    let mut control = Control::new(request.tolerance, request.max_iterations, progress);
-    let mut system = System::new(&region, &rings, &groups, &x, border_normals, weights, curvature);
-    let solved = solve(&mut system, &mut control).map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    let problem = Problem {
+        region: &region,
+        rings: &rings,
+        groups: &groups,
+        input: &x,
+        border_normals: &border_normals,
+        weights: &weights,
+    };
+    let faired = match request.solver {
+        Solver::Fast => solvers::fast(&problem, request, progress),
+        Solver::Paper(options) => solvers::paper(&problem, &options, progress),
+    }
+    .map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    let solved = &faired.solved;
     seconds.start = solved.start_seconds;
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
-    system.evaluate(&solved.x);
     let surface = Surface {
         region: &region,
         x: &solved.x,
-        normals: &system.state.corrected,
-        border_normals: &system.border_normals,
-        h: &system.state.h,
+        normals: &faired.state.corrected,
+        border_normals: &border_normals,
+        h: &faired.state.h,
     };
     let mut quality = surface.quality();
     for h in quality.h_inside.iter_mut().chain(&mut quality.h_border) {
         *h /= frame.scale;
     }
-    let (defect, _) = system.equations().defect(&system.state);
     let mut positions = request.positions.to_vec();
     for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
         positions[v as usize] = frame.leave(p);
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
     let border_normals = border
-        .zip(&system.border_normals)
+        .zip(&border_normals)
         .map(|(&v, n)| (v, (*n).into()))
         .collect();
     let inside = region.vertex_ids[..region.free].iter();
     let mean_curvature = inside
-        .zip(&system.state.h)
+        .zip(&faired.state.h)
         .map(|(&v, h)| (v, h / frame.scale))
         .collect();
     seconds.total = clock.elapsed().as_secs_f64();
@@ -418,6 +443,9 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
                     reason: "border normals point against the surface beside them: probably flipped".to_owned(),
                 }
             }
+            Ending::Converged if solved.poor.is_empty() && faired.rounding => Outcome::ConvergedLoosely {
+                reason: "max |Delta_B H| is as small as the rounding of positions allows, but above its limit".to_owned(),
+            },
             Ending::Converged if solved.poor.is_empty() => Outcome::Converged,
             Ending::FirstOrder if solved.poor.is_empty() => Outcome::ConvergedLoosely {
                 reason: "the surface holds with the first-order curvature alone".to_owned(),
@@ -425,7 +453,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
             Ending::Converged | Ending::FirstOrder => Outcome::ConvergedPoorTriangles {
                 triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
             },
-            Ending::Stopped if control.cancelled => Outcome::Cancelled,
+            Ending::Stopped if faired.cancelled => Outcome::Cancelled,
             Ending::Stopped => Outcome::IterationLimit,
             Ending::Partly(reached, farthest) => Outcome::NormalsNotReachable {
                 reached: *reached,
@@ -439,11 +467,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
             },
             Ending::Failed => Outcome::NotConverged,
         },
-        iterations: control.iterations,
-        defect: defect * system.diagonal,
+        iterations: faired.iterations,
+        defect: faired.defect,
         step: solved.step,
         seconds,
         quality,
+        levels: faired.levels,
         free_vertices: region.free,
         diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,

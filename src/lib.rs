@@ -14,6 +14,7 @@ pub mod error;
 pub mod fairing;
 pub mod linear;
 pub mod mesh;
+pub mod paper;
 pub mod quality;
 #[cfg(feature = "shapes")]
 pub mod shapes;
@@ -22,8 +23,9 @@ pub mod solve;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, Watcher, fair,
+    Solution, Solver, Watcher, fair,
 };
+pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
 
 /// The example of README.md, run as a test.

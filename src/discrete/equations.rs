@@ -35,7 +35,7 @@ pub enum FreeCurvature {
 }
 
 /// Valences up to this take extra samples in the paper's discretization (paper 6.2).
-const LOW_VALENCE: usize = 4;
+pub const LOW_VALENCE: usize = 4;
 
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;

@@ -12,6 +12,7 @@ mod output;
 mod render;
 mod report;
 mod selection;
+mod solver;
 mod text;
 
 use std::io::Write;

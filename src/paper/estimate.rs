@@ -1,0 +1,180 @@
+//! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
+//! values on the border, `S H = right` with the matrix of (6), (7) frozen. Solved by a few iterations only.
+
+use nalgebra::Vector3;
+
+use crate::discrete::equations::State;
+use crate::discrete::groups::Groups;
+use crate::mesh::Rings;
+
+/// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
+const SMALLEST_DIAGONAL: f64 = 1e-6;
+
+/// `S` on one level, and room for the iterations.
+#[derive(Debug)]
+pub struct Dirichlet<'a> {
+    rings: &'a Rings,
+    groups: &'a Groups,
+    /// `w_ij`, ring after ring.
+    weight: Vec<f64>,
+    /// `S_ii`; zero where it is too small to divide by.
+    diagonal: Vec<f64>,
+    /// `S H` at the solution, per free vertex: zero for `Delta_B H = 0`. See [`right_hand_side`].
+    right: Vec<f64>,
+    residual: Vec<f64>,
+    direction: Vec<f64>,
+    image: Vec<f64>,
+}
+
+/// What `S H` has to be, from the surface evaluated last: `-2 A_i / 3` times the prescribed `Delta_B H`, with `A_i` the
+/// area of the 1-disk. Here nothing is prescribed but zero; any other right-hand side of 7.5 enters at this one place,
+/// for both estimates, the vertex updates and the stopping criterion.
+pub fn right_hand_side(_state: &State, right: &mut [f64]) {
+    right.fill(0.0);
+}
+
+impl<'a> Dirichlet<'a> {
+    /// Room for the region of these rings.
+    pub fn new(rings: &'a Rings, groups: &'a Groups) -> Self {
+        let free = rings.free();
+        Self {
+            rings,
+            groups,
+            weight: vec![0.0; rings.neighbour.len()],
+            diagonal: vec![0.0; free],
+            right: vec![0.0; free],
+            residual: vec![0.0; free],
+            direction: vec![0.0; free],
+            image: vec![0.0; free],
+        }
+    }
+
+    /// Takes the weights of the surface that `state` was evaluated at.
+    pub fn refresh(&mut self, state: &State) {
+        let start = &self.rings.start;
+        for (i, &(first, lane)) in self.groups.place.iter().enumerate() {
+            let row = &mut self.weight[start[i] as usize..start[i + 1] as usize];
+            let slots = &state.weight[first as usize..first as usize + row.len()];
+            let (mut sum, mut absolute) = (0.0, 0.0);
+            for (w, slot) in row.iter_mut().zip(slots) {
+                *w = slot[lane as usize];
+                sum += *w;
+                absolute += w.abs();
+            }
+            self.diagonal[i] = if sum > SMALLEST_DIAGONAL * absolute {
+                sum
+            } else {
+                0.0
+            };
+        }
+        right_hand_side(state, &mut self.right);
+    }
+
+    fn row(&self, i: usize) -> impl Iterator<Item = (f64, usize)> {
+        let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
+        let row = self.weight[slots.clone()]
+            .iter()
+            .zip(&self.rings.neighbour[slots]);
+        row.map(|(&w, &j)| (w, j as usize))
+    }
+
+    /// One Gauss-Seidel iteration on `h` (free, border), vertex after vertex.
+    pub fn gauss_seidel(&self, h: &mut [f64]) {
+        for i in 0..self.diagonal.len() {
+            if self.diagonal[i] > 0.0 {
+                let sum: f64 = self.row(i).map(|(w, j)| w * h[j]).sum();
+                h[i] = (sum + self.right[i]) / self.diagonal[i];
+            }
+        }
+    }
+
+    /// `n` conjugate gradient iterations on `h` (free, border) with the diagonal as preconditioner.
+    pub fn conjugate_gradients(&mut self, h: &mut [f64], n: usize) {
+        let free = self.diagonal.len();
+        let mut residual = std::mem::take(&mut self.residual);
+        let mut direction = std::mem::take(&mut self.direction);
+        let mut image = std::mem::take(&mut self.image);
+        for i in 0..free {
+            let outer: f64 = self.row(i).map(|(w, j)| w * (h[i] - h[j])).sum();
+            residual[i] = self.right[i] - outer;
+            direction[i] = self.preconditioned(i, residual[i]);
+        }
+        let mut rho: f64 = (0..free).map(|i| residual[i] * direction[i]).sum();
+        for _ in 0..n {
+            let mut curvature = 0.0;
+            for i in 0..free {
+                let own = direction[i];
+                let other = |j: usize| if j < free { direction[j] } else { 0.0 };
+                image[i] = self.row(i).map(|(w, j)| w * (own - other(j))).sum();
+                curvature += own * image[i];
+            }
+            let alpha = rho / curvature;
+            // Solved, or rounding has taken over.
+            if !(rho > 0.0 && curvature > 0.0 && alpha.is_finite()) {
+                break;
+            }
+            let mut next = 0.0;
+            for i in 0..free {
+                h[i] += alpha * direction[i];
+                residual[i] -= alpha * image[i];
+                next += residual[i] * self.preconditioned(i, residual[i]);
+            }
+            let beta = next / rho;
+            for i in 0..free {
+                direction[i] = self.preconditioned(i, residual[i]) + beta * direction[i];
+            }
+            rho = next;
+        }
+        (self.residual, self.direction, self.image) = (residual, direction, image);
+    }
+
+    fn preconditioned(&self, i: usize, r: f64) -> f64 {
+        if self.diagonal[i] > 0.0 {
+            r / self.diagonal[i]
+        } else {
+            0.0
+        }
+    }
+
+    /// How far the surface of `state` is from the equation.
+    pub fn measure(&self, x: &[Vector3<f64>], state: &State, diagonal: f64) -> Residual {
+        let reach = x.iter().fold(0.0f64, |m, p| m.max(p.amax()));
+        let mut worst = Residual::default();
+        for i in 0..self.diagonal.len() {
+            let outer = (state.outer[i] - self.right[i]).abs();
+            let (mut absolute, mut shortest) = (0.0, f64::INFINITY);
+            for (w, j) in self.row(i) {
+                absolute += w.abs();
+                shortest = shortest.min((x[j] - x[i]).norm_squared());
+            }
+            let scale = 1.5 / state.area[i].max(f64::MIN_POSITIVE);
+            // A curvature is a second difference of positions that are known to half a unit in the last place.
+            let noise = f64::EPSILON * reach / shortest.max(f64::MIN_POSITIVE) * absolute;
+            let defect = outer / absolute.max(f64::MIN_POSITIVE) * diagonal;
+            worst.defect = larger(worst.defect, defect);
+            worst.laplacian = larger(worst.laplacian, outer * scale * diagonal.powi(3));
+            worst.rounding = worst.rounding.max(noise * scale * diagonal.powi(3));
+        }
+        worst
+    }
+}
+
+/// The maximum; what is not a number stays.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+/// How far a surface is from the outer fairness equation; none of it has a unit.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Residual {
+    /// `max_i |sum_j w_ij (H_i - H_j)| / sum_j |w_ij|`, times the diagonal.
+    pub defect: f64,
+    /// `max_i |Delta_B H_i|`, times the diagonal to the third power.
+    pub laplacian: f64,
+    /// Of that, what the rounding of the positions alone may make.
+    pub rounding: f64,
+}

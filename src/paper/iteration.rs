@@ -1,0 +1,218 @@
+//! One level: estimate, update, estimate, update (paper 7.1, Figure 6), until the outer fairness equation holds.
+
+use nalgebra::Vector3;
+
+use super::estimate::{Dirichlet, Residual};
+use super::vertex::Ring;
+use super::{Estimate, PaperOptions};
+use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::discrete::groups::Groups;
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::mesh::Rings;
+use crate::solve::Control;
+
+/// What the iteration has to reach on a level.
+#[derive(Debug, Clone, Copy)]
+pub struct Goal {
+    /// Harmonic defect.
+    pub defect: f64,
+    /// `|Delta_B H|` without unit.
+    pub laplacian: f64,
+    /// Updates on this level at most.
+    pub updates: usize,
+}
+
+/// How it ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The goal is met.
+    Met,
+    /// Met as far as the rounding of positions lets one see.
+    Rounding,
+    /// The level's share of updates is used up.
+    Spent,
+    /// The run's limit, or cancelled.
+    Stopped,
+    /// The surface has left the numbers.
+    Diverged,
+}
+
+/// What came of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Ended {
+    /// How.
+    pub end: End,
+    /// Of the surface returned.
+    pub residual: Residual,
+    /// Updates made.
+    pub updates: usize,
+    /// Root mean square of the last update's normal and tangential steps together, in diagonals.
+    pub step: f64,
+}
+
+/// One level of the hierarchy with room for the iteration.
+pub struct Level<'a> {
+    rings: &'a Rings,
+    groups: &'a Groups,
+    border_normals: &'a [Vector3<f64>],
+    weights: &'a FairnessWeights,
+    /// `lambda_ij`, ring after ring; empty where all are one.
+    lambda: Vec<f64>,
+    pub(super) state: State,
+    dirichlet: Dirichlet<'a>,
+    /// Unit normals of free and border vertices, the newest.
+    normal: Vec<Vector3<f64>>,
+    /// Estimated mean curvature, free and border.
+    h: Vec<f64>,
+}
+
+impl<'a> Level<'a> {
+    /// Room for the region of these rings.
+    pub fn new(
+        rings: &'a Rings,
+        groups: &'a Groups,
+        border_normals: &'a [Vector3<f64>],
+        weights: &'a FairnessWeights,
+    ) -> Self {
+        let free = rings.free();
+        let mut normal = vec![Vector3::zeros(); free];
+        normal.extend_from_slice(border_normals);
+        Self {
+            rings,
+            groups,
+            border_normals,
+            weights,
+            lambda: in_rings(rings, groups, weights),
+            state: State::new(groups, border_normals.len()),
+            dirichlet: Dirichlet::new(rings, groups),
+            h: vec![0.0; normal.len()],
+            normal,
+        }
+    }
+
+    /// Iterates from `x` (free, border) until the goal is met. `x` becomes the surface of smallest defect on the way;
+    /// the last one, where the goal is met. Progress is told after every update.
+    pub fn iterate(
+        &mut self,
+        x: &mut Vec<Vector3<f64>>,
+        options: &PaperOptions,
+        (goal, diagonal): (Goal, f64),
+        control: &mut Control<'_>,
+        tell: &mut dyn FnMut(&mut Control<'_>, f64, &Residual),
+    ) -> Ended {
+        let mut best = (
+            x.clone(),
+            Residual {
+                defect: f64::INFINITY,
+                ..Residual::default()
+            },
+        );
+        let mut ended = Ended {
+            end: End::Spent,
+            residual: Residual::default(),
+            updates: 0,
+            step: f64::NAN,
+        };
+        loop {
+            self.evaluate(x);
+            self.dirichlet.refresh(&self.state);
+            ended.residual = self.dirichlet.measure(x, &self.state, diagonal);
+            let Residual {
+                defect,
+                laplacian,
+                rounding,
+            } = ended.residual;
+            if !(defect.is_finite() && laplacian.is_finite()) {
+                ended.end = End::Diverged;
+                break;
+            }
+            if defect <= goal.defect && laplacian <= goal.laplacian.max(rounding) {
+                ended.end = if laplacian <= goal.laplacian {
+                    End::Met
+                } else {
+                    End::Rounding
+                };
+                return ended;
+            }
+            if defect < best.1.defect {
+                best.0.copy_from_slice(x);
+                best.1 = ended.residual;
+            }
+            if control.exhausted() {
+                ended.end = End::Stopped;
+                break;
+            }
+            if ended.updates == goal.updates {
+                break;
+            }
+            self.estimate(options.estimate, ended.updates);
+            ended.step = self.update(x, options.damping) / diagonal;
+            ended.updates += 1;
+            tell(control, ended.step, &ended.residual);
+        }
+        x.copy_from_slice(&best.0);
+        ended.residual = best.1;
+        ended
+    }
+
+    /// Evaluates both equations at `x`.
+    pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
+        let equations = Equations {
+            rings: self.rings,
+            groups: self.groups,
+            border_normals: self.border_normals,
+            weights: self.weights,
+            curvature: FreeCurvature::Paper,
+        };
+        equations.evaluate(x, &mut self.state);
+    }
+
+    /// The estimate for update number `count`, in `h`.
+    fn estimate(&mut self, estimate: Estimate, count: usize) {
+        self.h.copy_from_slice(&self.state.h);
+        match estimate {
+            Estimate::Alternating { .. } if count.is_multiple_of(2) => {
+                self.dirichlet.gauss_seidel(&mut self.h)
+            }
+            Estimate::Alternating { iterations } | Estimate::ConjugateGradients { iterations } => {
+                self.dirichlet.conjugate_gradients(&mut self.h, iterations);
+            }
+            Estimate::GaussSeidel { sweeps } => {
+                (0..sweeps).for_each(|_| self.dirichlet.gauss_seidel(&mut self.h));
+            }
+        }
+    }
+
+    /// Updates all free vertices, one after the other, each with the newest positions of its neighbours. Returns the
+    /// root mean square step.
+    fn update(&mut self, x: &mut [Vector3<f64>], s: f64) -> f64 {
+        let free = self.rings.free();
+        self.normal[..free].copy_from_slice(&self.state.normal);
+        let mut squares = 0.0;
+        for i in 0..free {
+            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
+            let ring = Ring {
+                neighbour: &self.rings.neighbour[slots.clone()],
+                lambda: self.lambda.get(slots).unwrap_or(&[]),
+            };
+            let update = ring.update(i, x, &self.normal, self.h[i], s);
+            x[i] = update.position;
+            self.normal[i] = update.normal;
+            squares += update.normal_step.powi(2) + update.tangential_step.powi(2);
+        }
+        (squares / free as f64).sqrt()
+    }
+}
+
+/// The weights, ring after ring.
+fn in_rings(rings: &Rings, groups: &Groups, weights: &FairnessWeights) -> Vec<f64> {
+    let mut lambda = Vec::new();
+    if weights.slots.is_some() {
+        lambda.reserve(rings.neighbour.len());
+        for (i, &(first, lane)) in groups.place.iter().enumerate() {
+            let valence = rings.ring(i).len();
+            lambda.extend((0..valence).map(|k| weights.at(first as usize + k, lane as usize)));
+        }
+    }
+    lambda
+}

@@ -1,0 +1,229 @@
+//! The second of the two second-order problems (paper 7.1 (II)), vertex by vertex: to the place that inner fairness
+//! asks for within the tangent plane (7.3), then along the normal until the curvature is the estimated one (7.2).
+
+use nalgebra::Vector3;
+
+use crate::discrete::curvature::{Frame, NormalEquations, RIDGE, back_substitute};
+use crate::discrete::equations::LOW_VALENCE;
+use crate::discrete::lanes::{Lanes, one};
+use crate::discrete::low_valence::spiral_sample;
+
+/// No normal step is longer than this part of the shortest edge. Far from the solution the linearization of 7.2 knows no
+/// bound; near it no step is that long.
+const LONGEST_STEP: f64 = 0.5;
+
+/// A vertex's ring and the weights of its inner fairness, of any common factor; no weights: all are one.
+#[derive(Debug, Clone, Copy)]
+pub struct Ring<'a> {
+    /// The neighbours, counter-clockwise.
+    pub neighbour: &'a [u32],
+    /// `lambda_ij`.
+    pub lambda: &'a [f64],
+}
+
+/// What an update does to a vertex.
+#[derive(Debug, Clone, Copy)]
+pub struct Update {
+    /// The new position.
+    pub position: Vector3<f64>,
+    /// The normal (6), which no motion of the vertex itself changes.
+    pub normal: Vector3<f64>,
+    /// `s t`.
+    pub normal_step: f64,
+    /// `|q~ - q|`.
+    pub tangential_step: f64,
+}
+
+impl Ring<'_> {
+    fn weight(&self, k: usize) -> f64 {
+        self.lambda.get(k).copied().unwrap_or(1.0)
+    }
+
+    /// `sum_j lambda_ij q_j` with weights of sum one.
+    pub fn centre(&self, x: &[Vector3<f64>]) -> Vector3<f64> {
+        let (mut sum, mut total) = (Vector3::zeros(), 0.0);
+        for (k, &j) in self.neighbour.iter().enumerate() {
+            sum += x[j as usize] * self.weight(k);
+            total += self.weight(k);
+        }
+        sum / total
+    }
+
+    /// The normalized sum of the triangles' cross products (6); `None` where they have no area.
+    pub fn normal(&self, x: &[Vector3<f64>], i: usize) -> Option<Vector3<f64>> {
+        let ring = self.neighbour;
+        let edge = |k: usize| x[ring[k] as usize] - x[i];
+        let m = ring.len();
+        let sum: Vector3<f64> = (0..m).map(|k| edge(k).cross(&edge((k + 1) % m))).sum();
+        sum.try_normalize(f64::MIN_POSITIVE)
+    }
+
+    /// Where vertex `i` goes so that its curvature becomes `target`. `normal` holds unit normals of all region
+    /// vertices; `s` damps the normal step.
+    pub fn update(
+        &self,
+        i: usize,
+        x: &[Vector3<f64>],
+        normal: &[Vector3<f64>],
+        target: f64,
+        s: f64,
+    ) -> Update {
+        let n = self.normal(x, i).unwrap_or(normal[i]);
+        let delta = self.centre(x) - x[i];
+        // The paper prints a plus; only the difference lies in the tangent plane.
+        let tangential = delta - n * delta.dot(&n);
+        let foot = x[i] + tangential;
+        let response = self.response(&foot, x, normal, &n);
+        let t = (response.curvature - target) / response.slope;
+        let t = t.min(response.bound).max(-response.bound);
+        Update {
+            position: foot + n * (s * t),
+            normal: n,
+            normal_step: s * t,
+            tangential_step: tangential.norm(),
+        }
+    }
+
+    /// Curvature at `foot` with the normal `n`, as a function of a step along it.
+    fn response(
+        &self,
+        foot: &Vector3<f64>,
+        x: &[Vector3<f64>],
+        normal: &[Vector3<f64>],
+        n: &Vector3<f64>,
+    ) -> Response {
+        let ring = self.neighbour;
+        let m = ring.len();
+        let frame = Frame::new(one(n));
+        let mut fit = NormalEquations::<1, 3>::new();
+        let mut moved = [Lanes::zero(); 3];
+        let (mut shortest, mut mean) = (f64::INFINITY, 0.0);
+        let mut add = |e: &Vector3<f64>| {
+            let square = e.norm_squared().max(f64::MIN_POSITIVE);
+            shortest = shortest.min(square);
+            let slope = 2.0 / square;
+            mean += slope;
+            let ([constant, a, b, ..], kappa) = frame.sample(&one(e), Lanes::splat(1.0));
+            fit.add(&[constant, a, b], kappa, Lanes::splat(1.0));
+            for (sum, phi) in moved.iter_mut().zip([constant, a, b]) {
+                *sum += phi * slope;
+            }
+        };
+        for &j in ring {
+            add(&(x[j as usize] - foot));
+        }
+        if m <= LOW_VALENCE {
+            for k in 0..m {
+                let (a, b) = (ring[k] as usize, ring[(k + 1) % m] as usize);
+                let p = spiral_sample(
+                    &one(&(x[a] - foot)),
+                    &one(&(x[b] - foot)),
+                    &one(&normal[a]),
+                    &one(&normal[b]),
+                );
+                add(&Vector3::new(p[0].0[0], p[1].0[0], p[2].0[0]));
+            }
+        }
+        let count = fit.weight().0[0];
+        let factor = fit.cholesky(&[0.0, RIDGE, RIDGE]);
+        let slope = back_substitute(&factor, moved)[0].0[0];
+        Response {
+            curvature: back_substitute(&factor, fit.right())[0].0[0],
+            // Directions all to one side may turn the sign of the fitted answer; the mean of the samples' keeps it.
+            slope: slope.max(SMALLEST_SLOPE * mean / count),
+            bound: LONGEST_STEP * shortest.sqrt(),
+        }
+    }
+}
+
+/// The fitted answer of `H` to a normal step is at least this part of the samples' mean one.
+const SMALLEST_SLOPE: f64 = 0.25;
+
+/// `H` around a point of a vertex's normal: `curvature - slope t`.
+struct Response {
+    curvature: f64,
+    slope: f64,
+    /// The largest `|t|`.
+    bound: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A vertex at the pole of a sphere of radius 2, its ring on the sphere, regular or not.
+    fn pole(m: usize, wobble: f64) -> (Vec<Vector3<f64>>, Vec<Vector3<f64>>, Vec<u32>) {
+        let mut x = vec![Vector3::new(0.0, 0.0, 2.0)];
+        for k in 0..m {
+            let phi = std::f64::consts::TAU * (k as f64 + wobble * (k as f64).sin()) / m as f64;
+            x.push(Vector3::new(
+                0.3 * phi.cos(),
+                0.3 * phi.sin(),
+                (4.0f64 - 0.09).sqrt(),
+            ));
+        }
+        let normal = x.iter().map(|p| p / 2.0).collect();
+        (x, normal, (1..=m as u32).collect())
+    }
+
+    #[test]
+    fn a_vertex_on_a_sphere_with_the_sphere_s_curvature_stays() {
+        for m in [3, 4, 5, 7] {
+            let (x, normal, ring) = pole(m, 0.0);
+            let ring = Ring {
+                neighbour: &ring,
+                lambda: &[],
+            };
+            let update = ring.update(0, &x, &normal, -0.5, 0.9);
+            assert!((update.position - x[0]).norm() < 1e-14, "valence {m}: {update:?}");
+        }
+    }
+
+    #[test]
+    fn the_undamped_step_meets_the_curvature_up_to_the_linearization() {
+        for m in [3, 4, 6] {
+            let (mut x, normal, ring) = pole(m, 0.0);
+            let ring = Ring {
+                neighbour: &ring,
+                lambda: &[],
+            };
+            let mut off = 0.01;
+            for _ in 0..3 {
+                let update = ring.update(0, &x, &normal, -0.45, 1.0);
+                x[0] = update.position;
+                let n = ring.normal(&x, 0).unwrap();
+                let gap = (ring.response(&x[0], &x, &normal, &n).curvature + 0.45).abs();
+                assert!(gap < 0.1 * off, "valence {m}: {gap}");
+                off = gap.max(1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn the_tangential_step_ends_over_the_centre_of_the_ring() {
+        let (mut x, normal, ring) = pole(5, 0.3);
+        let lambda = [1.0, 2.0, 0.5, 1.0, 3.0];
+        x[0] += Vector3::new(0.05, -0.02, 0.0);
+        let ring = Ring {
+            neighbour: &ring,
+            lambda: &lambda,
+        };
+        let update = ring.update(0, &x, &normal, -0.5, 0.9);
+        let gap = ring.centre(&x) - update.position;
+        assert!(gap.cross(&update.normal).norm() < 1e-15);
+        assert!(
+            (update.tangential_step - (ring.centre(&x) - x[0]).cross(&update.normal).norm()).abs() < 1e-15
+        );
+    }
+
+    #[test]
+    fn a_collapsed_ring_moves_nothing_out_of_the_numbers() {
+        let x = vec![Vector3::zeros(); 5];
+        let normal = vec![Vector3::z(); 5];
+        let ring = Ring {
+            neighbour: &[1, 2, 3, 4],
+            lambda: &[],
+        };
+        assert!(ring.update(0, &x, &normal, 1.0, 0.9).position.norm() < 1e-100);
+    }
+}
