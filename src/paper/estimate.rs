@@ -78,6 +78,15 @@ impl<'a> Dirichlet<'a> {
         row.map(|(&w, &j)| (w, j as usize))
     }
 
+    /// By how much a Gauss-Seidel iteration at vertex `i` follows the curvature of neighbour `k` of its ring.
+    pub fn share(&self, i: usize, k: usize) -> f64 {
+        if self.diagonal[i] > 0.0 {
+            self.weight[self.rings.start[i] as usize + k] / self.diagonal[i]
+        } else {
+            0.0
+        }
+    }
+
     /// One Gauss-Seidel iteration on `h` (free, border), vertex after vertex.
     pub fn gauss_seidel(&self, h: &mut [f64]) {
         for i in 0..self.diagonal.len() {

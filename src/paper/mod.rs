@@ -5,6 +5,7 @@
 
 pub mod estimate;
 pub mod iteration;
+pub mod local;
 pub mod multigrid;
 pub mod vertex;
 

@@ -84,6 +84,11 @@ impl Ring<'_> {
         }
     }
 
+    /// `-dH/dt` of vertex `i` under a step along its normal, where it is.
+    pub fn slope(&self, i: usize, x: &[Vector3<f64>], normal: &[Vector3<f64>]) -> f64 {
+        self.response(&x[i], x, normal, &normal[i]).slope
+    }
+
     /// Curvature at `foot` with the normal `n`, as a function of a step along it.
     fn response(
         &self,
