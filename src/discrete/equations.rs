@@ -12,7 +12,9 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
+use super::curvature::{
+    Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin, moreton_sequin_with_response,
+};
 use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
@@ -162,7 +164,7 @@ impl Equations<'_> {
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         self.free_vertices::<RESPONSE>(x, state);
         if self.curvature == FreeCurvature::Paper {
-            self.paper_curvature(x, state);
+            self.paper_curvature::<RESPONSE>(x, state);
         }
         let free = self.free();
         let (_, border) = state.h.split_at_mut(free);
@@ -322,7 +324,7 @@ impl Equations<'_> {
 
     /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
     /// of the neighbours, hence a pass of its own.
-    fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
+    fn paper_curvature<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         let rings = self.rings;
         let normal = &state.normal;
         let free = self.free();
@@ -330,9 +332,10 @@ impl Equations<'_> {
         state.h[..free]
             .par_iter_mut()
             .zip(state.k.par_iter_mut())
+            .zip(state.response.par_iter_mut())
             .with_min_len(256)
             .enumerate()
-            .for_each(|(i, (h, k))| {
+            .for_each(|(i, ((h, k), response))| {
                 let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
                 let q = one(&x[i]);
                 let at = |j: u32| minus(&one(&x[j as usize]), &q);
@@ -342,8 +345,14 @@ impl Equations<'_> {
                     spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
                 });
                 let n = one(&normal[i]);
-                let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
-                (*h, *k) = (mean.0[0], gauss.0[0]);
+                let samples = ring.iter().map(|&j| at(j)).chain(between);
+                if RESPONSE {
+                    let (mean, gauss, answer) = moreton_sequin_with_response(&n, samples);
+                    (*h, *k, *response) = (mean.0[0], gauss.0[0], answer.0[0]);
+                } else {
+                    let (mean, gauss) = moreton_sequin(&n, samples);
+                    (*h, *k) = (mean.0[0], gauss.0[0]);
+                }
             });
     }
 

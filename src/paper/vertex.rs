@@ -3,9 +3,9 @@
 
 use nalgebra::Vector3;
 
-use crate::discrete::curvature::{Frame, NormalEquations, RIDGE, back_substitute};
+use crate::discrete::curvature::moreton_sequin_with_response;
 use crate::discrete::equations::LOW_VALENCE;
-use crate::discrete::lanes::{Lanes, one};
+use crate::discrete::lanes::one;
 use crate::discrete::low_valence::spiral_sample;
 
 /// No normal step is longer than this part of the shortest edge. Far from the solution the linearization of 7.2 knows no
@@ -99,43 +99,25 @@ impl Ring<'_> {
     ) -> Response {
         let ring = self.neighbour;
         let m = ring.len();
-        let frame = Frame::new(one(n));
-        let mut fit = NormalEquations::<1, 3>::new();
-        let mut moved = [Lanes::zero(); 3];
+        let at = |j: u32| one(&(x[j as usize] - foot));
+        let extra = if m <= LOW_VALENCE { m } else { 0 };
+        let between = (0..extra).map(|k| {
+            let (a, b) = (ring[k], ring[(k + 1) % m]);
+            let (n_a, n_b) = (one(&normal[a as usize]), one(&normal[b as usize]));
+            spiral_sample(&at(a), &at(b), &n_a, &n_b)
+        });
+        let samples = ring.iter().map(|&j| at(j)).chain(between);
+        let (curvature, _, slope) = moreton_sequin_with_response(&one(n), samples);
         let (mut shortest, mut mean) = (f64::INFINITY, 0.0);
-        let mut add = |e: &Vector3<f64>| {
-            let square = e.norm_squared().max(f64::MIN_POSITIVE);
-            shortest = shortest.min(square);
-            let slope = 2.0 / square;
-            mean += slope;
-            let ([constant, a, b, ..], kappa) = frame.sample(&one(e), Lanes::splat(1.0));
-            fit.add(&[constant, a, b], kappa, Lanes::splat(1.0));
-            for (sum, phi) in moved.iter_mut().zip([constant, a, b]) {
-                *sum += phi * slope;
-            }
-        };
         for &j in ring {
-            add(&(x[j as usize] - foot));
+            let square = (x[j as usize] - foot).norm_squared().max(f64::MIN_POSITIVE);
+            shortest = shortest.min(square);
+            mean += 2.0 / (square * m as f64);
         }
-        if m <= LOW_VALENCE {
-            for k in 0..m {
-                let (a, b) = (ring[k] as usize, ring[(k + 1) % m] as usize);
-                let p = spiral_sample(
-                    &one(&(x[a] - foot)),
-                    &one(&(x[b] - foot)),
-                    &one(&normal[a]),
-                    &one(&normal[b]),
-                );
-                add(&Vector3::new(p[0].0[0], p[1].0[0], p[2].0[0]));
-            }
-        }
-        let count = fit.weight().0[0];
-        let factor = fit.cholesky(&[0.0, RIDGE, RIDGE]);
-        let slope = back_substitute(&factor, moved)[0].0[0];
         Response {
-            curvature: back_substitute(&factor, fit.right())[0].0[0],
+            curvature: curvature.0[0],
             // Directions all to one side may turn the sign of the fitted answer; the mean of the samples' keeps it.
-            slope: slope.max(SMALLEST_SLOPE * mean / count),
+            slope: slope.0[0].max(SMALLEST_SLOPE * mean),
             bound: LONGEST_STEP * shortest.sqrt(),
         }
     }
