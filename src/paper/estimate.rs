@@ -8,7 +8,7 @@ use crate::discrete::groups::Groups;
 use crate::mesh::Rings;
 
 /// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
-const SMALLEST_DIAGONAL: f64 = 1e-6;
+pub const SMALLEST_DIAGONAL: f64 = 1e-6;
 
 /// `S` on one level, and room for the iterations.
 #[derive(Debug)]

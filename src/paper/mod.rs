@@ -7,6 +7,7 @@ pub mod estimate;
 pub mod iteration;
 pub mod local;
 pub mod multigrid;
+pub mod prolongation;
 pub mod vertex;
 
 pub use multigrid::{Found, Problem, solve};
