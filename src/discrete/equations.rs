@@ -22,7 +22,7 @@ use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
 use super::spokes::{Spoke, measure};
-use crate::mesh::Rings;
+use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -274,6 +274,7 @@ impl Equations<'_> {
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
                 self.gather_flaps(x, slots.clone(), &q, flaps);
+                self.gather_rim(x, group, flaps);
                 (
                     n,
                     gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
@@ -322,6 +323,25 @@ impl Equations<'_> {
         }
     }
 
+    /// Where a ring edge lies on the rim there is no flap; the surface between its ends is known from their positions
+    /// and normals (6.2) and takes the flap's place. Without it a vertex in a notch has too few samples.
+    #[inline(always)]
+    fn gather_rim(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Lanes<LANES>)]) {
+        let groups = self.groups;
+        let free = self.free();
+        let rim = groups.rim_start[group] as usize..groups.rim_start[group + 1] as usize;
+        for edge in &groups.rim[rim] {
+            let lane = edge.lane as usize;
+            let q = &x[groups.vertex[group][lane] as usize];
+            let [a, b] = edge.ends.map(|j| one(&(x[j as usize] - q)));
+            let [n_a, n_b] = edge.ends.map(|j| one(&self.border_normals[j as usize - free]));
+            let (sample, weight) = &mut flaps[edge.slot as usize];
+            let between = spiral_sample(&a, &b, &n_a, &n_b);
+            set_lane(sample, lane, &super::lanes::lane(&between, 0));
+            weight.0[lane] = FLAP_WEIGHT;
+        }
+    }
+
     /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
     /// of the neighbours, hence a pass of its own.
     fn paper_curvature<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
@@ -366,8 +386,10 @@ impl Equations<'_> {
         }
     }
 
-    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region
-    /// and a spiral sample on every ring edge.
+    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
+    /// a spiral sample on every ring edge, and the flap across it. Without the flaps a single narrow fan of triangles,
+    /// whose directions span a few degrees, has a fit that turns the sign of the border's response: a sphere then is
+    /// an unstable solution of the equations.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -408,6 +430,15 @@ impl Equations<'_> {
                 &spiral_sample(&ends[0], &ends[1], &normals[0], &normals[1]),
                 weight,
             );
+        }
+        let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        for part in rings.border_flap[flaps].chunks(BORDER_LANES) {
+            let (mut e, mut weight) = (nothing, Lanes::zero());
+            for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
+                set_lane(&mut e, l, &(x[j as usize] - q));
+                weight.0[l] = 1.0;
+            }
+            fit.add(&e, weight);
         }
         fit.over_lanes()
     }

@@ -316,11 +316,19 @@ fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) ->
 /// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
 fn with_repair(
     system: &mut System<'_>,
-    x: Vec<Vector3<f64>>,
+    mut x: Vec<Vector3<f64>>,
     plan: Plan,
     control: &mut Control<'_>,
 ) -> Candidate {
     let mut repair = Repair::new(system);
+    system.evaluate(&x);
+    // The start is distributed almost as the result will be: what folds here would be found after the iterations.
+    if !system.poor(&x, crate::quality::NEEDLE).is_empty()
+        && let Some(weights) = repair.next(system, &x)
+        && let Ok(start) = system.set_weights(weights).and_then(|()| system.start())
+    {
+        x = start;
+    }
     let mut best = iterated(system, x, Plan { watch: true, ..plan }, control);
     let mut last = best.clone();
     while matches!(last.end, End::Converged | End::Poor) && !last.poor.is_empty() {

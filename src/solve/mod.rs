@@ -13,6 +13,7 @@ pub mod initial;
 pub mod pseudo_time;
 pub mod quasi_newton;
 pub mod system;
+pub mod untangle;
 pub mod weight_repair;
 
 pub use control::Control;
