@@ -1,5 +1,6 @@
 //! The public entry: what is asked, what came of it.
 
+mod frame;
 mod solvers;
 
 use std::ops::ControlFlow;
@@ -7,6 +8,8 @@ use std::sync::mpsc;
 use std::time::Instant;
 
 use nalgebra::Vector3;
+
+use frame::Frame;
 
 use crate::discrete::border_normals::estimate;
 use crate::discrete::groups::Groups;
@@ -18,7 +21,7 @@ use crate::paper::{LevelReport, PaperOptions, Problem};
 use crate::quality::{Quality, Surface};
 use crate::solve::Ending;
 use crate::solve::control::Callback;
-use crate::solve::globalize::{bounding_box, diagonal};
+use crate::solve::globalize::diagonal;
 
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -331,45 +334,6 @@ fn check(options: &Options<'_>) -> Result<(), Error> {
     match &options.solver {
         Solver::Fast => Ok(()),
         Solver::Paper(options) => solvers::check(options),
-    }
-}
-
-/// The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power
-/// of two, so that only the translation rounds.
-struct Frame {
-    centre: Vector3<f64>,
-    scale: f64,
-}
-
-impl Frame {
-    fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
-        let border = &x[region.free..region.region_vertices()];
-        let size = bounding_box(border);
-        let (low, high) = if (size.1 - size.0).norm() > 0.0 {
-            size
-        } else {
-            bounding_box(x)
-        };
-        let diagonal = (high - low).norm();
-        let exponent = if diagonal > 0.0 && diagonal.is_finite() {
-            diagonal.log2().round()
-        } else {
-            0.0
-        };
-        Self {
-            centre: low + (high - low) * 0.5,
-            scale: exponent.exp2(),
-        }
-    }
-
-    fn enter(&self, x: &mut [Vector3<f64>]) {
-        for p in x {
-            *p = (*p - self.centre) / self.scale;
-        }
-    }
-
-    fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
-        (p * self.scale + self.centre).into()
     }
 }
 

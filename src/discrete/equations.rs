@@ -12,9 +12,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{
-    Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin, moreton_sequin_with_response,
-};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
 use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
@@ -35,9 +33,6 @@ pub enum FreeCurvature {
     /// The paper's: cross-product normals, plain Moreton-Sequin, spiral samples at valence 3 and 4.
     Paper,
 }
-
-/// Valences up to this take extra samples in the paper's discretization (paper 6.2).
-pub const LOW_VALENCE: usize = 4;
 
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;
@@ -342,42 +337,8 @@ impl Equations<'_> {
         }
     }
 
-    /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
-    /// of the neighbours, hence a pass of its own.
-    fn paper_curvature<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
-        let rings = self.rings;
-        let normal = &state.normal;
-        let free = self.free();
-        let of = |i: u32| self.normal_at(normal, i);
-        state.h[..free]
-            .par_iter_mut()
-            .zip(state.k.par_iter_mut())
-            .zip(state.response.par_iter_mut())
-            .with_min_len(256)
-            .enumerate()
-            .for_each(|(i, ((h, k), response))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
-                let q = one(&x[i]);
-                let at = |j: u32| minus(&one(&x[j as usize]), &q);
-                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
-                let between = (0..extra).map(|s| {
-                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
-                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
-                });
-                let n = one(&normal[i]);
-                let samples = ring.iter().map(|&j| at(j)).chain(between);
-                if RESPONSE {
-                    let (mean, gauss, answer) = moreton_sequin_with_response(&n, samples);
-                    (*h, *k, *response) = (mean.0[0], gauss.0[0], answer.0[0]);
-                } else {
-                    let (mean, gauss) = moreton_sequin(&n, samples);
-                    (*h, *k) = (mean.0[0], gauss.0[0]);
-                }
-            });
-    }
-
     #[inline(always)]
-    fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
+    pub(super) fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
         let i = i as usize;
         if i < self.free() {
             normal[i]
@@ -389,7 +350,7 @@ impl Equations<'_> {
     /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region,
     /// a spiral sample on every ring edge, and the flap across it. Without the flaps a single narrow fan of triangles,
     /// whose directions span a few degrees, has a fit that turns the sign of the border's response: a sphere then is
-    /// an unstable solution of the equations.
+    /// an unstable solution of the equations. The paper has no flaps there (7.5), and its discretization none either.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -430,6 +391,9 @@ impl Equations<'_> {
                 &spiral_sample(&ends[0], &ends[1], &normals[0], &normals[1]),
                 weight,
             );
+        }
+        if self.curvature == FreeCurvature::Paper {
+            return fit.over_lanes();
         }
         let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
         for part in rings.border_flap[flaps].chunks(BORDER_LANES) {

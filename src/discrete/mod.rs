@@ -12,4 +12,5 @@ pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;
 pub mod normals;
+pub mod paper_curvature;
 pub mod spokes;

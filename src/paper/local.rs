@@ -4,9 +4,9 @@
 use nalgebra::Vector3;
 
 use crate::discrete::curvature::moreton_sequin;
-use crate::discrete::equations::LOW_VALENCE;
 use crate::discrete::lanes::{minus, one};
 use crate::discrete::low_valence::spiral_sample;
+use crate::discrete::paper_curvature::LOW_VALENCE;
 use crate::mesh::Rings;
 
 /// The triangles of the region around one vertex.

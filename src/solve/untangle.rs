@@ -28,7 +28,9 @@ pub fn untangle(rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
 fn best_place(ring: &[Vector3<f64>], mut p: Vector3<f64>) -> Vector3<f64> {
     // The vector area of a closed polygon does not depend on where its apex is, nor on whether that is inside.
     let area: Vector3<f64> = edges(ring).map(|(a, b)| (a - p).cross(&(b - p))).sum();
-    let Some(n) = area.try_normalize(0.0) else { return p };
+    let Some(n) = area.try_normalize(0.0) else {
+        return p;
+    };
     let radius = ring.iter().map(|a| (a - p).norm()).sum::<f64>() / ring.len() as f64;
     let side = ring[1] - ring[0];
     let Some(b_x) = (side - n * n.dot(&side)).try_normalize(0.0) else {

@@ -171,6 +171,7 @@ pub mod fairing {
         let Options {
             inner,
             discretization,
+            solver,
             tolerance,
             max_iterations,
             threads,
@@ -182,6 +183,7 @@ pub mod fairing {
             normals,
             inner,
             discretization,
+            solver,
             tolerance,
             max_iterations,
             threads,
