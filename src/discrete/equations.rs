@@ -284,7 +284,8 @@ impl Equations<'_> {
             }
         }
         let inner = minus(&sum, &scaled(&n, dot(&sum, &n)));
-        for (l, &i) in vertex.iter().enumerate() {
+        // Backwards: a group that is not full repeats its last vertex, and only the first of these lanes has its weights.
+        for (l, &i) in vertex.iter().enumerate().rev() {
             let i = i as usize - first_vertex;
             out.normal[i] = lane(&n, l);
             out.corrected[i] = lane(&c.normal, l);

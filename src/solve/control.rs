@@ -53,7 +53,8 @@ impl<'a> Control<'a> {
 
     fn tell(&mut self, fraction: f64, d: f64, stage: &'static str) {
         self.fraction = self.fraction.max(fraction);
-        if let Some(callback) = &mut self.callback {
+        // Who has asked to stop is not asked again.
+        if let (false, Some(callback)) = (self.cancelled, &mut self.callback) {
             self.cancelled |= callback(self.fraction, self.iterations, d, stage).is_break();
         }
     }
