@@ -162,11 +162,10 @@ fn the_maximum_principle() {
         println!("    beyond the border's range by {over:.1e} of 1 / diagonal");
         bars.at_most(format!("{name}: H inside beyond the border's range"), over, 0.05);
         let reference = fast(&shape, InnerFairness::Uniform);
+        bars.converged(format!("{name}, the default solver"), &reference);
         let gap = apart(&s.positions, &reference.positions) / reference.report.diagonal;
-        println!(
-            "    {gap:.1e} from the default solver ({})",
-            reference.report.outcome.name()
-        );
+        println!("    {gap:.1e} from the default solver");
+        bars.at_most(format!("{name}: from the default solver"), gap, 1e-4);
     }
     bars.finish();
 }
@@ -422,6 +421,34 @@ fn options_out_of_range_are_refused() {
     }
 }
 
+/// The interior of the given mesh decides on the hierarchy, but not on the result.
+#[test]
+fn the_start_does_not_matter() {
+    let shape = cylinder_blend();
+    let asked = |start: &[[f64; 3]]| {
+        let solver = Solver::Paper(PaperOptions {
+            levels: 0,
+            defect: 1e-8,
+            ..SINGLE
+        });
+        let options = Options {
+            solver,
+            ..options(TIGHT)
+        };
+        solve(&shape, start, options)
+    };
+    let reference = fast(&shape, InnerFairness::Uniform);
+    let mut bars = Bars::default();
+    for (name, start) in starts(&shape, 3) {
+        let s = asked(&start);
+        told(name, &s);
+        let gap = apart(&s.positions, &reference.positions) / reference.report.diagonal;
+        bars.converged(name, &s);
+        bars.at_most(format!("{name}: from the default solver"), gap, 1e-6);
+    }
+    bars.finish();
+}
+
 /// The sizes of the paper's Table 1. Times are told; the default solver has to be ten times faster on the largest.
 #[test]
 fn table_1() {
@@ -437,7 +464,7 @@ fn table_1() {
         let s = paper(
             shape,
             PaperOptions {
-                defect: 1e-3,
+                defect: 5e-3,
                 ..PaperOptions::default()
             },
             InnerFairness::Uniform,

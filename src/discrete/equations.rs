@@ -539,4 +539,35 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_group_that_is_not_full_keeps_the_weights_of_its_last_vertex() {
+        let shape = sphere_cap(60.0, 60, Sampling::Irregular { seed: 7 }, 0);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let x = region.positions(&shape.noise(3, 0.2));
+        let rings = Rings::new(&region);
+        let groups = Groups::new(&rings);
+        let weights = FairnessWeights::conformal(&groups, &x);
+        let equations = Equations {
+            rings: &rings,
+            groups: &groups,
+            border_normals: &vec![Vector3::z(); region.border],
+            weights: &weights,
+            curvature: FreeCurvature::Paper,
+        };
+        let mut state = State::new(&groups, region.border);
+        equations.evaluate(&x, &mut state);
+        for i in 0..region.free {
+            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let ring = rings.ring(i).iter().enumerate();
+            let sum: Vector3<f64> = ring
+                .map(|(k, &j)| (x[j as usize] - x[i]) * weights.at(first + k, lane))
+                .sum();
+            let n = state.normal[i];
+            assert!(
+                (sum - n * sum.dot(&n) - state.inner[i]).norm() < 1e-13,
+                "vertex {i}"
+            );
+        }
+    }
 }

@@ -187,3 +187,54 @@ pub struct Residual {
     /// Of that, what the rounding of the positions alone may make.
     pub rounding: f64,
 }
+
+#[cfg(all(test, feature = "shapes"))]
+mod tests {
+    use super::*;
+    use crate::discrete::equations::{Equations, FreeCurvature};
+    use crate::discrete::inner_fairness::FairnessWeights;
+    use crate::mesh::{Region, Selection};
+    use crate::shapes::{Sampling, sphere_cap};
+
+    #[test]
+    fn linear_functions_on_a_plane_are_harmonic_for_both_estimates() {
+        let shape = sphere_cap(60.0, 300, Sampling::Irregular { seed: 3 }, 0);
+        let flat: Vec<[f64; 3]> = shape.positions.iter().map(|p| [p[0], p[1], 0.0]).collect();
+        let region = Region::new(&flat, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let (x, rings) = (region.positions(&flat), Rings::new(&region));
+        let groups = Groups::new(&rings);
+        let border_normals = vec![Vector3::z(); region.border];
+        let equations = Equations {
+            rings: &rings,
+            groups: &groups,
+            border_normals: &border_normals,
+            weights: &FairnessWeights::uniform(),
+            curvature: FreeCurvature::Paper,
+        };
+        let mut state = State::new(&groups, region.border);
+        equations.evaluate(&x, &mut state);
+        let mut dirichlet = Dirichlet::new(&rings, &groups);
+        dirichlet.refresh(&state);
+        let exact: Vec<f64> = x[..region.region_vertices()]
+            .iter()
+            .map(|p| 1.0 + 2.0 * p.x - p.y)
+            .collect();
+        let off = |h: &[f64]| {
+            h.iter()
+                .zip(&exact)
+                .fold(0.0f64, |m, (a, b)| m.max((a - b).abs()))
+        };
+        let mut start = exact.clone();
+        start[..region.free].fill(0.0);
+
+        let mut h = start.clone();
+        dirichlet.conjugate_gradients(&mut h, 200);
+        assert!(off(&h) < 1e-10, "conjugate gradients: {}", off(&h));
+        dirichlet.gauss_seidel(&mut h);
+        assert!(off(&h) < 1e-10, "and they stay: {}", off(&h));
+
+        let mut h = start;
+        (0..2_000).for_each(|_| dirichlet.gauss_seidel(&mut h));
+        assert!(off(&h) < 1e-10, "Gauss-Seidel: {}", off(&h));
+    }
+}

@@ -53,9 +53,9 @@ const GROWTH: f64 = 4.0;
 /// border's edges force upon it are too thin.
 const BASE: f64 = 2.5;
 /// Coarse levels only prepare: to this defect,
-const COARSE_DEFECT: f64 = 1e-2;
+const COARSE_DEFECT: f64 = 1e-3;
 /// and for no longer than this many updates.
-const COARSE_UPDATES: usize = 200;
+const COARSE_UPDATES: usize = 1000;
 /// Progress is told after this many splits.
 const SPLITS: usize = 512;
 

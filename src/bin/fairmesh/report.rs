@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use fairmesh::{Outcome, Report};
+use fairmesh::{LevelReport, Outcome, Report};
 use serde_json::{Map, Value, json};
 
 use crate::explain;
@@ -70,6 +70,9 @@ impl Summary<'_> {
                 scientific(report.step)
             ),
         );
+        if !report.levels.is_empty() {
+            row("levels", levels(&report.levels));
+        }
         row("harmonic defect", scientific(report.defect));
         row("region's diagonal", significant(report.diagonal));
         let worst = self.geometry.polygon_of(quality.worst_triangle);
@@ -150,6 +153,8 @@ impl Summary<'_> {
                 .into(),
         );
         add("iterations", report.iterations.into());
+        let levels = report.levels.iter().map(level);
+        add("levels", levels.collect::<Vec<_>>().into());
         add("defect", report.defect.into());
         add("step", report.step.into());
         add("seconds", self.seconds());
@@ -197,6 +202,24 @@ impl Summary<'_> {
             "normal_deviation_rms": quality.normal_deviation_rms,
         })
     }
+}
+
+/// A level of the paper's scheme.
+fn level(level: &LevelReport) -> Value {
+    json!({
+        "vertices": level.vertices,
+        "triangles": level.triangles,
+        "updates": level.updates,
+        "defect": level.defect,
+    })
+}
+
+/// Vertices and updates of all levels.
+fn levels(levels: &[LevelReport]) -> String {
+    let told = levels
+        .iter()
+        .map(|l| format!("{} vertices ({} updates)", l.vertices, l.updates));
+    told.collect::<Vec<_>>().join(", ")
 }
 
 /// Two significant digits, for figures of which the order of magnitude counts.
