@@ -454,17 +454,17 @@ fn the_start_does_not_matter() {
 fn table_1() {
     let mut bars = Bars::default();
     let shapes = [
-        cylinder_blend(),
-        cylinder_blend_with(25, 14, 4),
-        cylinder_blend_with(31, 19, 5),
-        cylinder_blend_fine(),
+        (cylinder_blend(), 1e-3),
+        (cylinder_blend_with(25, 14, 4), 1e-3),
+        (cylinder_blend_with(31, 19, 5), 1e-3),
+        (cylinder_blend_fine(), 2e-3),
     ];
-    for shape in &shapes {
+    for (shape, defect) in &shapes {
         let vertices = shape.free_count() + shape.border_normals().len();
         let s = paper(
             shape,
             PaperOptions {
-                defect: 5e-3,
+                defect: *defect,
                 ..PaperOptions::default()
             },
             InnerFairness::Uniform,

@@ -100,14 +100,14 @@ impl<'a> Level<'a> {
     /// the last one, where the goal is met. Progress is told after every update.
     pub fn iterate(
         &mut self,
-        x: &mut Vec<Vector3<f64>>,
+        x: &mut [Vector3<f64>],
         options: &PaperOptions,
         (goal, diagonal): (Goal, f64),
         control: &mut Control<'_>,
         tell: &mut dyn FnMut(&mut Control<'_>, f64, &Residual),
     ) -> Ended {
         let mut best = (
-            x.clone(),
+            x.to_vec(),
             Residual {
                 defect: f64::INFINITY,
                 ..Residual::default()

@@ -236,7 +236,7 @@ impl Run<'_> {
     fn iterate(
         &mut self,
         level: &mut Level<'_>,
-        x: &mut Vec<Vector3<f64>>,
+        x: &mut [Vector3<f64>],
         goal: Goal,
         problem: &Problem<'_>,
         control: &mut Control<'_>,

@@ -33,7 +33,7 @@ struct Cli {
 enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
-    Fair(fair::FairArgs),
+    Fair(Box<fair::FairArgs>),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }

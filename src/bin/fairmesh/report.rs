@@ -295,6 +295,7 @@ mod tests {
                 h_inside: [f64::NAN, 1.0],
                 ..Quality::default()
             },
+            levels: Vec::new(),
             free_vertices: 1,
             diagonal: 2.0,
             linear_surface: true,
