@@ -22,8 +22,8 @@ pub mod solve;
 
 pub use error::Error;
 pub use fairing::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, Solver, Watcher, fair,
+    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
+    Seconds, Selection, Solution, Solver, Target, Watcher, fair,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

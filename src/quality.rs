@@ -8,11 +8,6 @@ use crate::mesh::{Region, Rings};
 /// An angle below this makes a triangle a needle, in degrees.
 pub const NEEDLE: f64 = 1.0;
 
-/// The largest `|H|` inside, against the border's.
-const OVERSHOOT: f64 = 1.05;
-/// Curvatures below this, times the diagonal, count as none.
-const OVERSHOOT_FLOOR: f64 = 0.1;
-
 /// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
 const STRAINED_DEGREES: f64 = 15.0;
 /// See [`STRAINED_DEGREES`].
@@ -148,21 +143,8 @@ impl Surface<'_> {
         poor
     }
 
-    /// Whether the surface has a bump that the coarse equations admit: more mean curvature inside than on the border,
-    /// which a harmonic function cannot have, or single border normals that it stands off far more than off the others.
-    pub fn is_doubtful(&self, diagonal: f64) -> bool {
-        self.overshoots(diagonal) || self.is_strained()
-    }
-
-    /// Whether `|H|` inside exceeds its maximum on the border by more than the discretization allows.
-    fn overshoots(&self, diagonal: f64) -> bool {
-        let largest = |h: &[f64]| h.iter().fold(0.0f64, |m, h| m.max(h.abs()));
-        let (inside, border) = self.h.split_at(self.region.free);
-        largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / diagonal
-    }
-
     /// Whether single border vertices deviate from their normals far more than the rest.
-    fn is_strained(&self) -> bool {
+    pub fn is_strained(&self) -> bool {
         let deviations = self.normal_deviations();
         let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
         let worst = deviations.iter().copied().fold(0.0, f64::max);

@@ -12,5 +12,8 @@ pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;
 pub mod normals;
+pub mod outer_fairness;
 pub mod paper_curvature;
+pub mod passing;
 pub mod spokes;
+pub mod target;

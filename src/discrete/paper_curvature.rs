@@ -16,9 +16,9 @@ impl Equations<'_> {
     /// of the neighbours, hence a pass of its own.
     pub(super) fn paper_curvature<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         let rings = self.rings;
-        let normal = &state.normal;
+        let normal = &state.corrected;
         let free = self.free();
-        let of = |i: u32| self.normal_at(normal, i);
+        let of = |i: u32| normal[i as usize];
         state.h[..free]
             .par_iter_mut()
             .zip(state.k.par_iter_mut())

@@ -1,5 +1,7 @@
 //! One call for each solver, and what both give back.
 
+use nalgebra::Vector3;
+
 use super::{Discretization, Request};
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
@@ -14,7 +16,9 @@ pub(super) struct Faired {
     pub(super) solved: Solved,
     /// Evaluated at the surface.
     pub(super) state: State,
-    /// Harmonic defect.
+    /// Prescribed, or the surface's own where it passes a fixed vertex.
+    pub(super) border_normals: Vec<Vector3<f64>>,
+    /// Of the outer equation, without unit.
     pub(super) defect: f64,
     pub(super) iterations: usize,
     pub(super) cancelled: bool,
@@ -45,6 +49,8 @@ pub(super) fn fast<'a>(
         problem.weights.clone(),
         curvature,
     );
+    system.passing = problem.passing.to_vec();
+    system.right_hand_side = problem.right_hand_side;
     let solved = crate::solve::solve(&mut system, &mut control)?;
     system.evaluate(&solved.x);
     let (defect, _) = system.equations().defect(&system.state);
@@ -52,6 +58,7 @@ pub(super) fn fast<'a>(
         solved,
         defect: defect * system.diagonal,
         state: system.state,
+        border_normals: system.border_normals,
         iterations: control.iterations,
         cancelled: control.cancelled,
         levels: Vec::new(),
@@ -71,14 +78,17 @@ pub(super) fn paper<'a>(
         rings: problem.rings,
         groups: problem.groups,
         border_normals: problem.border_normals,
+        passing: problem.passing,
         weights: problem.weights,
         curvature: FreeCurvature::Paper,
+        right_hand_side: problem.right_hand_side,
     };
     let mut state = State::new(problem.groups, problem.region.border);
     equations.evaluate(&found.solved.x, &mut state);
     let (defect, _) = equations.defect(&state);
     Ok(Faired {
         solved: found.solved,
+        border_normals: state.corrected[problem.region.free..].to_vec(),
         state,
         defect: defect * found.diagonal,
         iterations: control.iterations,

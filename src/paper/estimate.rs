@@ -1,10 +1,11 @@
 //! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
-//! values on the border, `S H = right` with the matrix of (6), (7) frozen. Solved by a few iterations only.
+//! values on the border, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
 
 use nalgebra::Vector3;
 
 use crate::discrete::equations::State;
 use crate::discrete::groups::Groups;
+use crate::discrete::target::RightHandSide;
 use crate::mesh::Rings;
 
 /// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
@@ -19,27 +20,22 @@ pub struct Dirichlet<'a> {
     weight: Vec<f64>,
     /// `S_ii`; zero where it is too small to divide by.
     diagonal: Vec<f64>,
-    /// `S H` at the solution, per free vertex: zero for `Delta_B H = 0`. See [`right_hand_side`].
+    right_hand_side: RightHandSide,
+    /// What `S H` has to be, per free vertex, at the surface evaluated last: zero for `Delta_B H = 0` (7.5).
     right: Vec<f64>,
     residual: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
 }
 
-/// What `S H` has to be, from the surface evaluated last: `-2 A_i / 3` times the prescribed `Delta_B H`, with `A_i` the
-/// area of the 1-disk. Here nothing is prescribed but zero; any other right-hand side of 7.5 enters at this one place,
-/// for both estimates, the vertex updates and the stopping criterion.
-pub fn right_hand_side(_state: &State, right: &mut [f64]) {
-    right.fill(0.0);
-}
-
 impl<'a> Dirichlet<'a> {
     /// Room for the region of these rings.
-    pub fn new(rings: &'a Rings, groups: &'a Groups) -> Self {
+    pub fn new(rings: &'a Rings, groups: &'a Groups, right_hand_side: RightHandSide) -> Self {
         let free = rings.free();
         Self {
             rings,
             groups,
+            right_hand_side,
             weight: vec![0.0; rings.neighbour.len()],
             diagonal: vec![0.0; free],
             right: vec![0.0; free],
@@ -66,8 +62,8 @@ impl<'a> Dirichlet<'a> {
             } else {
                 0.0
             };
+            self.right[i] = -self.right_hand_side.load(state.h[i], state.k[i], state.area[i]);
         }
-        right_hand_side(state, &mut self.right);
     }
 
     fn row(&self, i: usize) -> impl Iterator<Item = (f64, usize)> {
@@ -150,7 +146,7 @@ impl<'a> Dirichlet<'a> {
         let reach = x.iter().fold(0.0f64, |m, p| m.max(p.amax()));
         let mut worst = Residual::default();
         for i in 0..self.diagonal.len() {
-            let outer = (state.outer[i] - self.right[i]).abs();
+            let outer = state.outer[i].abs();
             let (mut absolute, mut shortest) = (0.0, f64::INFINITY);
             for (w, j) in self.row(i) {
                 absolute += w.abs();
@@ -208,12 +204,14 @@ mod tests {
             rings: &rings,
             groups: &groups,
             border_normals: &border_normals,
+            passing: &[],
             weights: &FairnessWeights::uniform(),
             curvature: FreeCurvature::Paper,
+            right_hand_side: RightHandSide::default(),
         };
         let mut state = State::new(&groups, region.border);
         equations.evaluate(&x, &mut state);
-        let mut dirichlet = Dirichlet::new(&rings, &groups);
+        let mut dirichlet = Dirichlet::new(&rings, &groups, RightHandSide::default());
         dirichlet.refresh(&state);
         let exact: Vec<f64> = x[..region.region_vertices()]
             .iter()

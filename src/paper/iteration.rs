@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::estimate::{Dirichlet, Residual};
 use super::local::Answer;
+use super::multigrid::Problem;
 use super::vertex::Ring;
 use super::{Estimate, PaperOptions};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
@@ -54,9 +55,7 @@ pub struct Ended {
 /// One level of the hierarchy with room for the iteration.
 pub struct Level<'a> {
     rings: &'a Rings,
-    groups: &'a Groups,
-    border_normals: &'a [Vector3<f64>],
-    weights: &'a FairnessWeights,
+    problem: Problem<'a>,
     /// `lambda_ij`, ring after ring; empty where all are one.
     lambda: Vec<f64>,
     pub(super) state: State,
@@ -71,24 +70,18 @@ pub struct Level<'a> {
 }
 
 impl<'a> Level<'a> {
-    /// Room for the region of these rings.
-    pub fn new(
-        rings: &'a Rings,
-        groups: &'a Groups,
-        border_normals: &'a [Vector3<f64>],
-        weights: &'a FairnessWeights,
-    ) -> Self {
+    /// Room for the region of a problem.
+    pub fn new(problem: &Problem<'a>) -> Self {
+        let (rings, groups, weights) = (problem.rings, problem.groups, problem.weights);
         let free = rings.free();
         let mut normal = vec![Vector3::zeros(); free];
-        normal.extend_from_slice(border_normals);
+        normal.extend_from_slice(problem.border_normals);
         Self {
             rings,
-            groups,
-            border_normals,
-            weights,
+            problem: *problem,
             lambda: in_rings(rings, groups, weights),
-            state: State::new(groups, border_normals.len()),
-            dirichlet: Dirichlet::new(rings, groups),
+            state: State::new(groups, problem.border_normals.len()),
+            dirichlet: Dirichlet::new(rings, groups, problem.right_hand_side),
             h: vec![0.0; normal.len()],
             damping: vec![1.0; free],
             answer: Answer::default(),
@@ -170,10 +163,12 @@ impl<'a> Level<'a> {
     pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
         let equations = Equations {
             rings: self.rings,
-            groups: self.groups,
-            border_normals: self.border_normals,
-            weights: self.weights,
+            groups: self.problem.groups,
+            border_normals: self.problem.border_normals,
+            passing: self.problem.passing,
+            weights: self.problem.weights,
             curvature: FreeCurvature::Paper,
+            right_hand_side: self.problem.right_hand_side,
         };
         equations.evaluate(x, &mut self.state);
     }
@@ -199,7 +194,7 @@ impl<'a> Level<'a> {
     /// is made from: the "rare constellations" of 7.5 in which a vertex alternates between two positions.
     fn measure_answers(&mut self, x: &mut [Vector3<f64>], damping: f64) {
         let free = self.rings.free();
-        self.normal[..free].copy_from_slice(&self.state.normal);
+        self.normal.copy_from_slice(&self.state.corrected);
         for i in 0..free {
             let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
             let ring = Ring {
@@ -221,7 +216,7 @@ impl<'a> Level<'a> {
     /// root mean square step.
     fn update(&mut self, x: &mut [Vector3<f64>]) -> f64 {
         let free = self.rings.free();
-        self.normal[..free].copy_from_slice(&self.state.normal);
+        self.normal.copy_from_slice(&self.state.corrected);
         let mut squares = 0.0;
         for i in 0..free {
             let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;

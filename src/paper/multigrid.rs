@@ -11,8 +11,10 @@ use super::{LevelReport, PaperOptions};
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
+use crate::discrete::target::RightHandSide;
 use crate::mesh::{ProgressiveMesh, Region, Rings, decimate, level_sizes};
 use crate::quality::{NEEDLE, Surface};
+use crate::solve::curvature_bounds::Judged;
 use crate::solve::globalize::diagonal;
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Ending, Solved, System};
@@ -30,8 +32,14 @@ pub struct Problem<'a> {
     pub input: &'a [Vector3<f64>],
     /// Prescribed normals.
     pub border_normals: &'a [Vector3<f64>],
+    /// Border vertices that the surface passes, as in [`crate::discrete::equations::Equations`].
+    pub passing: &'a [bool],
     /// Inner fairness on the given mesh.
     pub weights: &'a FairnessWeights,
+    /// How they come from a mesh, where they are not uniform: for the levels.
+    pub weigh: Option<fn(&Groups, &[Vector3<f64>]) -> FairnessWeights>,
+    /// What `Delta_B H` has to be.
+    pub right_hand_side: RightHandSide,
 }
 
 /// What was found.
@@ -81,12 +89,7 @@ pub fn solve(
         Some(x) => x,
         None => run.linear_start(problem, &clock)?,
     };
-    let mut level = Level::new(
-        problem.rings,
-        problem.groups,
-        problem.border_normals,
-        problem.weights,
-    );
+    let mut level = Level::new(problem);
     let goal = Goal {
         defect: options.defect,
         laplacian: options.laplacian,
@@ -154,8 +157,7 @@ impl Run<'_> {
         let mut progressive = decimate(region, input, sizes[0]);
         let mut normal = vec![Vector3::z(); region.free];
         normal.extend_from_slice(border_normals);
-        let conformal = self.problem.weights.slots.is_some();
-        let original = conformal.then_some(input);
+        let original = self.problem.weigh.is_some().then_some(input);
         let mut surface = Prolongation::new(original, input[..count].to_vec(), normal, self.options.damping);
         for (k, &next) in sizes.iter().enumerate().skip(1) {
             // The base may have more vertices than asked for, where no more collapses were allowed.
@@ -190,17 +192,17 @@ impl Run<'_> {
             ids.map(|&v| of[v as usize]).collect()
         };
         let input = gather(self.problem.input);
-        let weights = match surface.original {
+        let weights = match self.problem.weigh {
             None => FairnessWeights::uniform(),
-            Some(_) => FairnessWeights::conformal(&groups, &input),
+            Some(weigh) => weigh(&groups, &input),
         };
         let level_problem = Problem {
             region: &region,
             rings: &rings,
             groups: &groups,
             input: &input,
-            border_normals: self.problem.border_normals,
             weights: &weights,
+            ..*self.problem
         };
         let mut x = if is_base {
             self.linear_start(&level_problem, clock)?
@@ -212,7 +214,7 @@ impl Run<'_> {
             laplacian: f64::INFINITY,
             updates: COARSE_UPDATES,
         };
-        let mut level = Level::new(&rings, &groups, self.problem.border_normals, &weights);
+        let mut level = Level::new(&level_problem);
         self.iterate(&mut level, &mut x, goal, &level_problem, control);
         level.evaluate(&x);
         for (i, &v) in region.vertex_ids[..region.free].iter().enumerate() {
@@ -281,11 +283,16 @@ fn judged(
         region: problem.region,
         x: &x,
         normals: &level.state.corrected,
-        border_normals: problem.border_normals,
+        border_normals: &level.state.corrected[problem.region.free..],
         h: &level.state.h,
     };
+    let bounds = Judged {
+        state: &level.state,
+        right_hand_side: problem.right_hand_side,
+        diagonal: diagonal(&x),
+    };
     let ending = match ended.end {
-        End::Met | End::Rounding if surface.is_doubtful(diagonal(&x)) => Ending::Doubtful,
+        End::Met | End::Rounding if bounds.overshoots() || surface.is_strained() => Ending::Doubtful,
         End::Met | End::Rounding => Ending::Converged,
         End::Spent | End::Stopped => Ending::Stopped,
         End::Diverged => Ending::Failed,
@@ -310,6 +317,7 @@ fn linear_start(problem: &Problem<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
         problem.weights.clone(),
         FreeCurvature::Paper,
     );
+    system.passing = problem.passing.to_vec();
     let mut x = system.linear_surface()?;
     system.diagonal = diagonal(&x);
     system.tangential_steps(&mut x);

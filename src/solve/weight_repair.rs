@@ -7,7 +7,7 @@ use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
-const THRESHOLDS: [f64; 3] = [1.0, 3.0, 5.0];
+pub const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
 /// Vertices marked so far.
 #[derive(Debug)]

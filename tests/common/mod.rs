@@ -169,6 +169,8 @@ pub mod fairing {
     ) -> Solution {
         // Field by field: the callback's lifetime cannot be shortened.
         let Options {
+            interior,
+            target,
             inner,
             discretization,
             solver,
@@ -181,6 +183,8 @@ pub mod fairing {
         let progress = None;
         let options = Options {
             normals,
+            interior,
+            target,
             inner,
             discretization,
             solver,
