@@ -19,6 +19,9 @@ use crate::solve::globalize::diagonal;
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Ending, Solved, System};
 
+/// Inner fairness of a mesh.
+pub type Weigh = fn(&Groups, &[Vector3<f64>]) -> FairnessWeights;
+
 /// What is to be faired, in the region's own centred and scaled frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Problem<'a> {
@@ -37,7 +40,7 @@ pub struct Problem<'a> {
     /// Inner fairness on the given mesh.
     pub weights: &'a FairnessWeights,
     /// How they come from a mesh, where they are not uniform: for the levels.
-    pub weigh: Option<fn(&Groups, &[Vector3<f64>]) -> FairnessWeights>,
+    pub weigh: Option<Weigh>,
     /// What `Delta_B H` has to be.
     pub right_hand_side: RightHandSide,
 }
