@@ -215,6 +215,7 @@ fn work_unit(case: &Case, normals: &[(u32, [f64; 3])], threads: usize) -> Result
         rings: &rings,
         groups: &groups,
         border_normals: &normals,
+        passing: &[],
         weights: &weights,
         curvature: FreeCurvature::GradientCorrected {
             tilt_ridge: TILT_RIDGE,

@@ -40,6 +40,7 @@ fn evaluate(
         rings: &rings,
         groups: &groups,
         border_normals: &border_normals,
+        passing: &[],
         weights: &weights,
         curvature,
         right_hand_side,

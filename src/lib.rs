@@ -20,6 +20,7 @@ pub mod quality;
 pub mod shapes;
 pub mod solve;
 
+pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,

@@ -6,7 +6,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Discretization, InteriorNormals, Options, Solution, Target};
+use fairmesh::{BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
 use nalgebra::Vector3;
 
 /// Fixes the free vertices that are chosen; returns them.
@@ -71,7 +71,7 @@ fn summary(name: &str, solution: &Solution) {
 #[test]
 fn a_sphere_through_points_stays_a_sphere() {
     for n in [1_000, 13_000] {
-        for seed in [1, 7] {
+        for seed in [1, 2, 3, 4, 5] {
             let mut shape = sphere_cap(60.0, n, irregular(seed), OUTSIDE);
             let every = 97;
             let inside = fix(&mut shape, |v, p| v % every == 0 && p.z > 0.6);
@@ -114,65 +114,27 @@ fn a_cylinder_through_a_circle_stays_a_cylinder() {
     assert!(solution.report.outcome.is_success() && error < 4e-5);
 }
 
-/// The angle in degrees between the mean normals of the triangles on both sides of a vertex on a circle about the z axis.
-fn crease(shape: &Shape, solution: &Solution, inside: &[u32]) -> f64 {
-    let mut sums = vec![[Vector3::zeros(); 2]; shape.free.len()];
-    for t in &shape.triangles {
-        let p = t.map(|v| vector(&solution.positions[v as usize]));
-        let normal = (p[1] - p[0]).cross(&(p[2] - p[0]));
-        let centre = (p[0] + p[1] + p[2]) / 3.0;
-        for (v, p) in t.iter().zip(&p) {
-            sums[*v as usize][usize::from(centre.z > p.z)] += normal;
-        }
-    }
-    let angle = |v: &u32| {
-        let [a, b] = sums[*v as usize];
-        a.angle(&b).to_degrees()
-    };
-    inside.iter().map(angle).sum::<f64>() / inside.len() as f64
-}
-
+/// A known shortfall: `H` at a closed vertex comes from all sides at once, and given normals act through it alone. Across
+/// a curve with normals turned by 20 degrees there should be a crease; the turn nearly cancels between both sides.
 #[test]
-fn wrong_normals_on_a_curve_make_a_crease_in_curvature_and_none_do_not() {
+fn given_normals_on_a_curve_inside_hardly_bend_the_surface() {
     let mut shape = cylinder_band(4_000, Sampling::Regular, OUTSIDE);
     let inside = fix_curve(&mut shape, 0.0);
-    let row = shape.positions[inside[0] as usize][2];
-    assert!(
-        inside
-            .iter()
-            .all(|&v| (shape.positions[v as usize][2] - row).abs() < 1e-9)
-    );
     let smooth = solve_smooth(&shape, &inside, TIGHT);
     let mut given = outer_normals(&shape, &inside);
-    let tilt = 20f64.to_radians();
+    let (sin, cos) = 20f64.to_radians().sin_cos();
     for &v in &inside {
         let p = shape.positions[v as usize];
-        let (c, s) = (tilt.cos(), tilt.sin());
-        given.push((v, [c * p[0], c * p[1], s]));
+        given.push((v, [cos * p[0], cos * p[1], sin]));
     }
     given.sort_by_key(|g| g.0);
-    let tilted = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
+    let turned = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
     summary("smooth", &smooth);
-    summary("tilted", &tilted);
-    // Without normals the cylinder; with normals turned by 20 degrees it is entered and left with that slope.
-    let near = |s: &Solution| {
-        let off = |v: &u32| vector(&s.positions[*v as usize]);
-        let height = |p: &Vector3<f64>| p.z.abs() < 0.15;
-        shape
-            .free_vertices()
-            .iter()
-            .map(off)
-            .filter(height)
-            .map(|p| p.xy().norm() - 1.0)
-            .fold(0.0f64, |m, r| m.max(r.abs()))
-    };
-    println!(
-        "off the cylinder: {:.1e}, {:.1e}; crease {:.2}, {:.2}",
-        near(&smooth),
-        near(&tilted),
-        crease(&shape, &smooth, &inside),
-        crease(&shape, &tilted, &inside)
-    );
+    summary("turned", &turned);
+    let [a, b] = [&smooth, &turned].map(|s| errors(&shape, s).max);
+    println!("  off the cylinder {a:.1e}, {b:.1e}");
+    assert!(smooth.report.outcome.is_success() && a < 1e-6);
+    assert!(b > 100.0 * a && b < 1e-2);
 }
 
 #[test]
@@ -222,8 +184,43 @@ fn the_rule_of_the_input_is_there_on_request() {
                 };
                 let solution = solve_as_asked(&shape, &flat(&shape), options);
                 summary(&format!("{discretization:?} {interior:?} {target:?}"), &solution);
-                println!("  {:.1e}", errors(&shape, &solution).max);
+                let error = errors(&shape, &solution).max;
+                println!("  {error:.1e}");
+                if (discretization, target) == (Discretization::SecondOrder, Target::Harmonic) {
+                    // From the pinched input the normals are wrong, and not tangent along the curve.
+                    let smooth = interior == InteriorNormals::Smooth;
+                    assert!(if smooth { error < 2e-5 } else { error > 1e-3 });
+                }
+                assert!(solution.report.outcome.is_success());
             }
         }
+    }
+}
+
+#[test]
+fn convex_weights_keep_spheres() {
+    // Not on 13,000 vertices yet: with triangles of 2 degrees in the input the iteration fails there.
+    for n in [1_000] {
+        let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
+        let options = Options {
+            inner: InnerFairness::Convex,
+            ..options(TIGHT)
+        };
+        // Weights of the undistorted triangles.
+        let start: Vec<[f64; 3]> = shape
+            .positions
+            .iter()
+            .zip(&shape.free)
+            .map(|(p, &free)| if free { [p[0], p[1], 0.5 * p[2]] } else { *p })
+            .collect();
+        let solution = solve(&shape, &start, options);
+        let error = errors(&shape, &solution).max;
+        summary("convex", &solution);
+        println!(
+            "  {n}: {error:.1e}, {} fallbacks",
+            solution.report.fallback_weights
+        );
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_eq!(solution.report.fallback_weights, 0);
     }
 }

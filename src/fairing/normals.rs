@@ -21,8 +21,9 @@ pub enum BorderNormals<'a> {
 }
 
 /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
-/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case; along a
-/// curve with given normals the surface is tangent continuous, but its curvature jumps.
+/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case. It acts on
+/// the mean curvature there, which is taken from all sides at once: a turn of the normals across a curve nearly cancels
+/// between its sides, and does not bend the surface as it does at the border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum InteriorNormals {
     /// Those of the surface itself, found with it: it passes the vertices smoothly. Nothing but their position is

@@ -7,8 +7,10 @@ mod explain;
 mod failure;
 mod fair;
 mod formats;
+mod generate;
 mod normals;
 mod output;
+mod picture;
 mod render;
 mod report;
 mod selection;
@@ -34,6 +36,10 @@ enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
     Fair(Box<fair::FairArgs>),
+    /// Writes one of the paper's inputs or an exact surface as a mesh file
+    Generate(generate::GenerateArgs),
+    /// Makes a picture of one or more meshes
+    Render(render::RenderArgs),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
@@ -86,6 +92,8 @@ sound, the best surface is written.";
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
+        Command::Generate(args) => generate::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     match result {
