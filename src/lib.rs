@@ -14,6 +14,7 @@ pub mod error;
 pub mod fairing;
 pub mod linear;
 pub mod mesh;
+pub mod paper;
 pub mod quality;
 #[cfg(feature = "shapes")]
 pub mod shapes;
@@ -23,8 +24,9 @@ pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
-    Seconds, Selection, Solution, Target, Watcher, fair,
+    Seconds, Selection, Solution, Solver, Target, Watcher, fair,
 };
+pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
 
 /// The example of README.md, run as a test.

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use fairmesh::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
-    Solution, Target,
+    Solution, Solver, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -17,6 +17,7 @@ use crate::formats::{self, Format, Kind, MeshFile};
 use crate::output::Output;
 use crate::report::{Summary, Times};
 use crate::selection::{self, Selected, Ways};
+use crate::solver::SolverArgs;
 
 /// How vertices are distributed within the surface.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -116,6 +117,8 @@ pub struct FairArgs {
         help_heading = "Surface"
     )]
     discretization: Scheme,
+    #[command(flatten)]
+    solver: SolverArgs,
     /// Stop when the vertices move less than this part of the region's
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
@@ -182,6 +185,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         .as_deref()
         .map(|path| selection::border_normals(path, vertex_count))
         .transpose()?;
+    let solver = args.solver.solver(args.max_iterations)?;
     let output = Output::prepare(&args.output)?;
     let json = prepare_json(args)?;
     let mut times = Times {
@@ -190,7 +194,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     };
 
     let solving = Instant::now();
-    let solution = solve(args, &mesh, &selected, given.as_deref())
+    let solution = solve(args, solver, &mesh, &selected, given.as_deref())
         .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
     times.solve = solving.elapsed().as_secs_f64();
 
@@ -237,6 +241,7 @@ fn same_file(a: &Path, b: &Path) -> bool {
 /// The library's call.
 fn solve(
     args: &FairArgs,
+    solver: Solver,
     mesh: &MeshFile,
     selected: &Selected,
     given: Option<&[(u32, [f64; 3])]>,
@@ -274,6 +279,7 @@ fn solve(
             Scheme::SecondOrder => Discretization::SecondOrder,
             Scheme::Paper => Discretization::Paper,
         },
+        solver,
         tolerance: args.tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
