@@ -224,7 +224,7 @@ pub fn fair(
     selection: Selection<'_>,
     options: Options<'_>,
 ) -> Result<Solution, Error> {
-    check(&options)?;
+    options.check()?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads)
         .build()
@@ -294,22 +294,25 @@ fn relay<T: Send>(
     })
 }
 
-fn check(options: &Options<'_>) -> Result<(), Error> {
-    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
-        return Err(Error::BadOption {
-            name: "tolerance",
-            value: options.tolerance,
-            range: "greater than 0 and less than 1",
-        });
+impl Options<'_> {
+    /// Checks the ranges.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
+            return Err(Error::BadOption {
+                name: "tolerance",
+                value: self.tolerance,
+                range: "greater than 0 and less than 1",
+            });
+        }
+        if self.max_iterations == 0 {
+            return Err(Error::BadOption {
+                name: "max_iterations",
+                value: 0.0,
+                range: "at least 1",
+            });
+        }
+        Ok(())
     }
-    if options.max_iterations == 0 {
-        return Err(Error::BadOption {
-            name: "max_iterations",
-            value: 0.0,
-            range: "at least 1",
-        });
-    }
-    Ok(())
 }
 
 /// The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power

@@ -12,6 +12,7 @@
 pub mod discrete;
 pub mod error;
 pub mod fairing;
+pub mod holes;
 pub mod linear;
 pub mod mesh;
 pub mod quality;
@@ -23,6 +24,10 @@ pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
     Solution, Watcher, fair,
+};
+pub use holes::{
+    BorderLoop, FillOptions, FillOutcome, Filled, LoopKind, LoopReport, Loops, OpenReason, Parents,
+    border_loops, fill_holes,
 };
 pub use quality::Quality;
 

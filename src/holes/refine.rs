@@ -1,0 +1,323 @@
+//! Refinement of a patch to the edge lengths of its surroundings.
+//!
+//! Longest edges (against the length wanted there) are split in their middles first, and after every split edges are
+//! flipped towards Delaunay, so that vertices never crowd. Then rounds of splits, collapses, flips and tangential steps even
+//! the vertices out (as in Botsch and Kobbelt 2004). Rim vertices and rim edges stay.
+
+use std::collections::BinaryHeap;
+
+use nalgebra::Vector3;
+
+use super::patch::Patch;
+use crate::mesh::NONE;
+use crate::mesh::halfedge::{next, previous};
+
+/// The length wanted grows at most by this much per unit of length away from a short rim edge.
+pub(super) const GRADE: f64 = 0.5;
+/// Edges longer than this many wanted lengths are split.
+const LONG: f64 = 1.35;
+/// Edges shorter than this many are collapsed.
+const SHORT: f64 = 0.62;
+/// Rounds of splits, collapses, flips and steps.
+const ROUNDS: usize = 6;
+/// Tangential steps per round.
+const STEPS: usize = 3;
+/// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
+const MOST_FLIPS: usize = 40;
+/// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
+const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// How fine a patch shall be.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fineness {
+    /// Wanted edge length over that of the surroundings.
+    pub(super) factor: f64,
+    /// How much the wanted length grows per unit of distance from the rim.
+    pub(super) growth: f64,
+    /// No more inner vertices than this.
+    pub(super) most: usize,
+}
+
+/// Edges between rim vertices that may not be made: pairs (smaller, larger), sorted.
+pub(super) type Taken<'a> = &'a [(u32, u32)];
+
+/// A patch being refined.
+pub(super) struct Refiner<'a> {
+    pub(super) patch: &'a mut Patch,
+    pub(super) fineness: Fineness,
+    pub(super) taken: Taken<'a>,
+    spokes: Vec<u32>,
+    ring: Vec<u32>,
+    stack: Vec<u32>,
+}
+
+impl<'a> Refiner<'a> {
+    pub(super) fn new(patch: &'a mut Patch, fineness: Fineness, taken: Taken<'a>) -> Self {
+        Self {
+            patch,
+            fineness,
+            taken,
+            spokes: Vec::new(),
+            ring: Vec::new(),
+            stack: Vec::new(),
+        }
+    }
+
+    /// Splits, evens out, and drops what was removed. False: the vertices did not suffice.
+    pub(super) fn run(&mut self) -> bool {
+        self.flip_all();
+        let mut enough = self.split_long();
+        for _ in 0..ROUNDS {
+            self.collapse_short();
+            self.flip_all();
+            self.smooth_sizes();
+            for _ in 0..STEPS {
+                self.relax();
+            }
+            self.flip_all();
+            enough &= self.split_long();
+        }
+        self.relax();
+        self.flip_all();
+        self.patch.compact();
+        enough
+    }
+
+    /// The wanted edge length at a vertex.
+    fn wanted(&self, v: u32) -> f64 {
+        let (v, f) = (v as usize, &self.fineness);
+        (f.factor * self.patch.size[v] + f.growth * self.patch.depth[v]).min(self.patch.limit[v])
+    }
+
+    /// Length over the wanted one.
+    fn ratio(&self, h: u32) -> f64 {
+        let (a, b) = (self.patch.from(h), self.patch.to(h));
+        let mut wanted = 0.5 * (self.wanted(a) + self.wanted(b));
+        if self.patch.is_rim(a) && self.patch.is_rim(b) {
+            // An edge across the hole holds the surface in its middle: rather none.
+            wanted *= 0.8;
+        }
+        let ratio = self.patch.length(h) / wanted;
+        if ratio.is_finite() { ratio } else { 0.0 }
+    }
+
+    fn is_inner(&self, h: u32) -> bool {
+        self.patch.triangles[h as usize / 3][0] != NONE && self.patch.across(h) != NONE
+    }
+
+    fn split_long(&mut self) -> bool {
+        let mut queue: BinaryHeap<(u64, u32, u32, u32)> = BinaryHeap::new();
+        let push = |this: &Self, queue: &mut BinaryHeap<_>, h: u32| {
+            if this.is_inner(h) {
+                let ratio = this.ratio(h);
+                if ratio > LONG {
+                    queue.push((ratio.to_bits(), h, this.patch.from(h), this.patch.to(h)));
+                }
+            }
+        };
+        for h in 0..self.patch.half_edges() {
+            if self.is_inner(h) && self.patch.from(h) < self.patch.to(h) {
+                push(self, &mut queue, h);
+            }
+        }
+        let mut inner = (self.patch.fixed as u32..self.patch.x.len() as u32)
+            .filter(|&v| self.patch.is_alive(v))
+            .count();
+        while let Some((_, h, a, b)) = queue.pop() {
+            if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
+                continue;
+            }
+            if inner >= self.fineness.most {
+                return false;
+            }
+            inner += 1;
+            let m = self.patch.split(h);
+            let mut stack = std::mem::take(&mut self.stack);
+            self.patch.spokes(m, &mut self.spokes);
+            stack.extend(self.spokes.iter().map(|&g| next(g)));
+            let mut changed = self.spokes.clone();
+            let mut left = MOST_FLIPS;
+            while let Some(g) = stack.pop() {
+                if left > 0 && self.should_flip(g) {
+                    left -= 1;
+                    let o = self.patch.across(g);
+                    self.patch.flip(g);
+                    let (t0, t1) = (g / 3, o / 3);
+                    stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+                    changed.push(3 * t0 + 2);
+                }
+            }
+            self.stack = stack;
+            self.patch.spokes(m, &mut self.spokes);
+            changed.extend(&self.spokes);
+            for g in changed {
+                push(self, &mut queue, g);
+            }
+        }
+        true
+    }
+
+    /// Whether an edge violates Delaunay (the angles opposite to it sum up to more than 180 degrees) and its flip makes
+    /// neither a fold nor an edge that is there already.
+    fn should_flip(&mut self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE || self.patch.triangles[h as usize / 3][0] == NONE {
+            return false;
+        }
+        let [a, b] = [self.patch.from(h), self.patch.to(h)];
+        let [c, d] = [self.patch.from(previous(h)), self.patch.from(previous(o))];
+        let [p, q, r, s] = [a, b, c, d].map(|v| self.patch.x[v as usize]);
+        let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
+        // cot + cot < 0, without division: both cross products are lengths.
+        let (l0, l1) = (old0.norm(), old1.norm());
+        let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
+        let excess = dot0 * l1 + dot1 * l0;
+        if excess >= -1e-10 * (dot0.abs() * l1 + dot1.abs() * l0) && l0 > 0.0 && l1 > 0.0 {
+            return false;
+        }
+        let (new0, new1) = ((p - r).cross(&(s - r)), (q - s).cross(&(r - s)));
+        let (m0, m1) = (new0.norm(), new1.norm());
+        let long = (r - s).norm_squared();
+        if m0 <= 1e-9 * long || m1 <= 1e-9 * long {
+            return false;
+        }
+        let bend = new0.dot(&new1) / (m0 * m1);
+        if l0 > 0.0 && l1 > 0.0 {
+            let before = old0.dot(&old1) / (l0 * l1);
+            let side = old0 / l0 + old1 / l1;
+            if bend < BEND && bend < before || new0.dot(&side) <= 0.0 || new1.dot(&side) <= 0.0 {
+                return false;
+            }
+        } else if bend < 0.0 {
+            return false;
+        }
+        // A rim vertex keeps a triangle, an inner one three.
+        for v in [a, b] {
+            self.patch.spokes(v, &mut self.spokes);
+            if self.spokes.len() < 2 || !self.patch.is_rim(v) && self.spokes.len() < 4 {
+                return false;
+            }
+        }
+        let rim_edge = self.patch.is_rim(c) && self.patch.is_rim(d);
+        let is_taken = rim_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
+        !is_taken && !self.patch.are_joined(c, d, &mut self.spokes)
+    }
+
+    /// Flips towards Delaunay until nothing changes, or often enough.
+    pub(super) fn flip_all(&mut self) {
+        let mut stack: Vec<u32> = (0..self.patch.half_edges())
+            .filter(|&h| self.is_inner(h) && self.patch.from(h) < self.patch.to(h))
+            .collect();
+        let mut left = MOST_FLIPS * self.patch.x.len();
+        while let Some(h) = stack.pop() {
+            if left > 0 && self.should_flip(h) {
+                left -= 1;
+                let o = self.patch.across(h);
+                self.patch.flip(h);
+                let (t0, t1) = (h / 3, o / 3);
+                stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+            }
+        }
+    }
+
+    fn collapse_short(&mut self) {
+        for h in 0..self.patch.half_edges() {
+            if !self.is_inner(h) {
+                continue;
+            }
+            let (a, b) = (self.patch.from(h), self.patch.to(h));
+            let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
+            let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
+            if self.patch.length(h) < short * wanted && self.stays_short(a, b) {
+                let (mut spokes, mut ring) =
+                    (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
+                self.patch.collapse(h, &mut spokes, &mut ring);
+                (self.spokes, self.ring) = (spokes, ring);
+            }
+        }
+    }
+
+    /// Whether no edge would be long, or one that is taken, if vertex `a` moved to `b`.
+    fn stays_short(&mut self, a: u32, b: u32) -> bool {
+        if self.patch.is_rim(a) {
+            return false;
+        }
+        self.patch.ring(a, &mut self.spokes, &mut self.ring);
+        let target = self.patch.x[b as usize];
+        self.ring.iter().all(|&v| {
+            let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
+            let rim_edge = v != b && self.patch.is_rim(b) && self.patch.is_rim(v);
+            let is_taken = rim_edge && self.taken.binary_search(&(v.min(b), v.max(b))).is_ok();
+            !is_taken && (self.patch.x[v as usize] - target).norm() < LONG * wanted
+        })
+    }
+
+    /// Sizes of inner vertices become more harmonic; limits and depths are made anew from the neighbours'.
+    fn smooth_sizes(&mut self) {
+        for _ in 0..2 {
+            for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
+                if !self.patch.is_alive(v) {
+                    continue;
+                }
+                self.patch.ring(v, &mut self.spokes, &mut self.ring);
+                let (mut size, mut limit, mut depth) = (0.0, f64::INFINITY, f64::INFINITY);
+                let x = self.patch.x[v as usize];
+                for &w in &self.ring {
+                    let w = w as usize;
+                    let length = (self.patch.x[w] - x).norm();
+                    size += self.patch.size[w];
+                    limit = limit.min(self.patch.limit[w] + GRADE * length);
+                    depth = depth.min(self.patch.depth[w] + length);
+                }
+                let v = v as usize;
+                self.patch.size[v] = size / self.ring.len() as f64;
+                self.patch.limit[v] = limit;
+                self.patch.depth[v] = depth;
+            }
+        }
+    }
+
+    /// One tangential step of every inner vertex to the centre of its neighbours, unless a triangle would turn over.
+    pub(super) fn relax(&mut self) {
+        for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
+            if !self.patch.is_alive(v) {
+                continue;
+            }
+            self.patch.ring(v, &mut self.spokes, &mut self.ring);
+            let i = v as usize;
+            let (mut centre, mut origin) = (Vector3::zeros(), Vector3::zeros());
+            for &w in &self.ring {
+                centre += self.patch.x[w as usize];
+                origin += self.patch.origin[w as usize];
+            }
+            let count = self.ring.len() as f64;
+            let normal: Vector3<f64> = self
+                .spokes
+                .iter()
+                .map(|&h| self.patch.cross(h as usize / 3))
+                .sum();
+            let Some(normal) = normal.try_normalize(0.0) else {
+                continue;
+            };
+            let step = centre / count - self.patch.x[i];
+            let step = step - normal * normal.dot(&step);
+            if self.turns_over(v, &step) {
+                continue;
+            }
+            self.patch.x[i] += step;
+            self.patch.origin[i] = origin / count;
+        }
+    }
+
+    /// Whether a triangle at the vertex would turn by more than 60 degrees; its spokes are in `self.spokes`.
+    fn turns_over(&self, v: u32, step: &Vector3<f64>) -> bool {
+        let x = self.patch.x[v as usize] + step;
+        self.spokes.iter().any(|&h| {
+            let old = self.patch.cross(h as usize / 3);
+            let p = self.patch.x[self.patch.to(h) as usize];
+            let q = self.patch.x[self.patch.from(previous(h)) as usize];
+            let new = (p - x).cross(&(q - x));
+            old.dot(&new) < 0.5 * old.norm() * new.norm()
+        })
+    }
+}
