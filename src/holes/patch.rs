@@ -220,6 +220,11 @@ impl Patch {
         self.link(3 * t1 + 1, bc);
     }
 
+    /// Whether two vertices have an edge in the patch, without scratch.
+    pub(super) fn are_neighbours(&self, a: u32, b: u32) -> bool {
+        self.are_joined(a, b, &mut Vec::new())
+    }
+
     /// Whether two vertices have an edge in the patch.
     pub(super) fn are_joined(&self, a: u32, b: u32, spokes: &mut Vec<u32>) -> bool {
         self.spokes(a, spokes);
@@ -325,5 +330,38 @@ impl Patch {
         self.triangles = fresh.triangles;
         self.opposite = fresh.opposite;
         self.out = fresh.out;
+    }
+}
+
+#[cfg(test)]
+impl Patch {
+    /// Checks the invariants; for tests.
+    pub(super) fn validate(&self) -> Result<(), String> {
+        let mut edges = Vec::new();
+        for h in 0..self.half_edges() {
+            if self.triangles[h as usize / 3][0] == NONE {
+                continue;
+            }
+            let o = self.across(h);
+            let (a, b) = (self.from(h), self.to(h));
+            edges.push((a, b));
+            if o != NONE && (self.across(o) != h || self.from(o) != b || self.to(o) != a) {
+                return Err(format!("half-edge {h} ({a}, {b}) does not match {o}"));
+            }
+            if o == NONE && !(self.is_rim(a) && self.is_rim(b)) {
+                return Err(format!("edge ({a}, {b}) is open"));
+            }
+        }
+        edges.sort_unstable();
+        if let Some(w) = edges.windows(2).find(|w| w[0] == w[1]) {
+            return Err(format!("edge {:?} twice", w[0]));
+        }
+        for v in 0..self.x.len() {
+            let h = self.out[v];
+            if h != NONE && (self.triangles[h as usize / 3][0] == NONE || self.from(h) != v as u32) {
+                return Err(format!("vertex {v} has a wrong half-edge"));
+            }
+        }
+        Ok(())
     }
 }

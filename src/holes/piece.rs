@@ -35,6 +35,18 @@ const BESIDE_SHORT: f64 = 1.8;
 /// A patch may leave the rim's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
+/// A patch whose smallest angle (degrees) is below this is refined and faired again, so often at most.
+const ENOUGH: f64 = 15.0;
+const AGAIN: usize = 2;
+
+/// No fair surface was found.
+fn is_failed(report: &Report) -> bool {
+    !matches!(
+        report.outcome,
+        Outcome::Converged | Outcome::ConvergedPoorTriangles { .. } | Outcome::ConvergedLoosely { .. }
+    )
+}
+
 /// A filled loop in numbers of its own: the rim's vertices, then the new ones.
 pub(super) struct Piece {
     pub(super) outcome: FillOutcome,
@@ -112,10 +124,36 @@ impl Task<'_> {
                 ..*p
             })
         };
-        match self.faired(&patch, self.tolerance, self.max_iterations, &mut last) {
-            Ok(solution) => self.judge(&coarse, patch, solution, coarsened),
-            Err(error) => self.flat(&coarse, format!("fairing was refused: {error}"), None),
+        let mut best = match self.faired(&patch, self.tolerance, self.max_iterations, &mut last) {
+            Ok(solution) => (patch, solution),
+            Err(error) => return self.flat(&coarse, format!("fairing was refused: {error}"), None),
+        };
+        for _ in 0..AGAIN {
+            if best.1.report.quality.worst_angle >= ENOUGH {
+                break;
+            }
+            let Some(better) = self.again(&best.0, &best.1, &mut last) else {
+                break;
+            };
+            best = better;
         }
+        self.judge(&coarse, best.0, best.1, coarsened)
+    }
+
+    /// Refines a faired patch where it lies now, and fairs it again; None if its worst angle is no better.
+    fn again(&self, patch: &Patch, solution: &Solution, tell: &mut Tell<'_>) -> Option<(Patch, Solution)> {
+        let inner = self.inner(solution);
+        if is_failed(&solution.report) || !self.outside(&inner).is_empty() {
+            return None;
+        }
+        let mut patch = patch.clone();
+        patch.x[patch.fixed..].copy_from_slice(&inner);
+        self.refine(&mut patch);
+        let again = self
+            .faired(&patch, self.tolerance, self.max_iterations, tell)
+            .ok()?;
+        let better = again.report.quality.worst_angle > solution.report.quality.worst_angle;
+        (better && !is_failed(&again.report)).then_some((patch, again))
     }
 
     /// The triangulated loop with the sizes of its surroundings.

@@ -69,6 +69,7 @@ impl<'a> Refiner<'a> {
         let mut enough = self.split_long();
         for _ in 0..ROUNDS {
             self.collapse_short();
+            self.clear_rim();
             self.flip_all();
             self.smooth_sizes();
             for _ in 0..STEPS {
@@ -78,6 +79,7 @@ impl<'a> Refiner<'a> {
             enough &= self.split_long();
         }
         self.relax();
+        self.clear_rim();
         self.flip_all();
         self.patch.compact();
         enough
@@ -127,6 +129,9 @@ impl<'a> Refiner<'a> {
             if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
                 continue;
             }
+            if self.would_encroach(h) {
+                continue;
+            }
             if inner >= self.fineness.most {
                 return false;
             }
@@ -155,6 +160,70 @@ impl<'a> Refiner<'a> {
             }
         }
         true
+    }
+
+    /// Whether the middle of an edge would see a rim edge beside it under a wide angle. Rim edges cannot be split, so
+    /// vertices would gather along one that is longer than what is wanted there.
+    fn would_encroach(&self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
+        let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
+        [next(h), previous(h), next(o), previous(o)]
+            .into_iter()
+            .any(|g| self.patch.across(g) == NONE && self.is_wide(&m, g))
+    }
+
+    /// Whether a point sees an edge under more than 120 degrees.
+    fn is_wide(&self, m: &Vector3<f64>, h: u32) -> bool {
+        let p = self.patch.x[self.patch.from(h) as usize] - m;
+        let q = self.patch.x[self.patch.to(h) as usize] - m;
+        p.dot(&q) < -0.5 * p.norm() * q.norm()
+    }
+
+    /// Inner vertices that lie too near to a rim edge go to its nearer end.
+    fn clear_rim(&mut self) {
+        for h in 0..self.patch.half_edges() {
+            if self.patch.triangles[h as usize / 3][0] == NONE || self.patch.across(h) != NONE {
+                continue;
+            }
+            let v = self.patch.from(previous(h));
+            if self.patch.is_rim(v) || !self.is_wide(&self.patch.x[v as usize], h) {
+                continue;
+            }
+            let to_start = previous(h);
+            let to_end = self.patch.across(next(h));
+            let nearer = self.patch.length(to_start) < self.patch.length(next(h));
+            let order = if nearer {
+                [to_start, to_end]
+            } else {
+                [to_end, to_start]
+            };
+            for g in order {
+                let end = if g == NONE { v } else { self.patch.to(g) };
+                if g != NONE && self.makes_nothing_taken(v, end) && self.collapse(g) {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn collapse(&mut self, h: u32) -> bool {
+        let (mut spokes, mut ring) = (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
+        let done = self.patch.collapse(h, &mut spokes, &mut ring);
+        (self.spokes, self.ring) = (spokes, ring);
+        done
+    }
+
+    /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
+    fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
+        self.patch.ring(a, &mut self.spokes, &mut self.ring);
+        !self.patch.is_rim(b)
+            || self.ring.iter().all(|&v| {
+                let rim_edge = v != b && self.patch.is_rim(v);
+                !rim_edge
+                    || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
+                    || self.patch.are_neighbours(v, b)
+            })
     }
 
     /// Whether an edge violates Delaunay (the angles opposite to it sum up to more than 180 degrees) and its flip makes
@@ -229,26 +298,20 @@ impl<'a> Refiner<'a> {
             let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
             let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
             if self.patch.length(h) < short * wanted && self.stays_short(a, b) {
-                let (mut spokes, mut ring) =
-                    (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
-                self.patch.collapse(h, &mut spokes, &mut ring);
-                (self.spokes, self.ring) = (spokes, ring);
+                self.collapse(h);
             }
         }
     }
 
-    /// Whether no edge would be long, or one that is taken, if vertex `a` moved to `b`.
+    /// Whether no edge would be long, or one that is taken, if inner vertex `a` moved to `b`.
     fn stays_short(&mut self, a: u32, b: u32) -> bool {
-        if self.patch.is_rim(a) {
+        if self.patch.is_rim(a) || !self.makes_nothing_taken(a, b) {
             return false;
         }
-        self.patch.ring(a, &mut self.spokes, &mut self.ring);
         let target = self.patch.x[b as usize];
         self.ring.iter().all(|&v| {
             let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
-            let rim_edge = v != b && self.patch.is_rim(b) && self.patch.is_rim(v);
-            let is_taken = rim_edge && self.taken.binary_search(&(v.min(b), v.max(b))).is_ok();
-            !is_taken && (self.patch.x[v as usize] - target).norm() < LONG * wanted
+            (self.patch.x[v as usize] - target).norm() < LONG * wanted
         })
     }
 
