@@ -26,8 +26,8 @@ pub use fairing::{
     Solution, Watcher, fair,
 };
 pub use holes::{
-    BorderLoop, FillOptions, FillOutcome, Filled, LoopKind, LoopReport, Loops, OpenReason, Parents,
-    border_loops, fill_holes,
+    BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
+    Parents, border_loops, fill_holes,
 };
 pub use quality::Quality;
 

@@ -12,5 +12,5 @@ mod triangulate;
 
 pub use fill::{FillOptions, Filled, Loops, fill_holes};
 pub use loops::{BorderLoop, LoopKind, border_loops};
-pub use outcome::{FillOutcome, LoopReport, OpenReason};
+pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;

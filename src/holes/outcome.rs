@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::error::Error;
 use crate::fairing::{Outcome, Report};
 
 /// Why a loop was left open.
@@ -30,6 +31,20 @@ pub enum OpenReason {
     Cancelled,
 }
 
+/// Why a patch was not faired.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FlatReason {
+    /// Fairing was not asked for.
+    NotAsked,
+    /// The patch has no inner vertex: nothing can move.
+    NoInnerVertex,
+    /// The fairing was refused.
+    Refused(Error),
+    /// The fairing ended without a sound surface; the report says how.
+    Unsound,
+}
+
 /// How a loop ended.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -39,10 +54,10 @@ pub enum FillOutcome {
     /// Filled, but the fair surface was not found: the surface of the linear problem with the same border data, or the
     /// best one when the iterations ran out.
     Linear,
-    /// Filled with the refined triangulation: not tangent to the surroundings.
+    /// Filled with the triangulation, refined: not tangent to the surroundings.
     Flat {
-        /// Why: fairing was not asked for, or what failed.
-        reason: String,
+        /// Why.
+        reason: FlatReason,
     },
     /// Left as it was.
     LeftOpen(OpenReason),

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use nalgebra::Vector3;
 
-use super::outcome::{FillOutcome, OpenReason};
+use super::outcome::{FillOutcome, FlatReason, OpenReason};
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
@@ -109,13 +109,13 @@ impl Task<'_> {
         let mut patch = coarse.clone();
         if !self.fair {
             let coarsened = !self.refine(&mut patch);
-            let reason = "fairing was not asked for".to_owned();
+            let reason = FlatReason::NotAsked;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
         self.shape(&mut patch, tell);
         let coarsened = !self.refine(&mut patch);
         if patch.x.len() == patch.fixed {
-            let reason = "the patch has no inner vertex".to_owned();
+            let reason = FlatReason::NoInnerVertex;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
         let mut last = |p: &Progress| {
@@ -126,7 +126,7 @@ impl Task<'_> {
         };
         let mut best = match self.faired(&patch, self.tolerance, self.max_iterations, &mut last) {
             Ok(solution) => (patch, solution),
-            Err(error) => return self.flat(&coarse, format!("fairing was refused: {error}"), None),
+            Err(error) => return self.flat(&coarse, FlatReason::Refused(self.in_mesh(error)), None),
         };
         for _ in 0..AGAIN {
             if best.1.report.quality.worst_angle >= ENOUGH {
@@ -299,18 +299,14 @@ impl Task<'_> {
         };
         let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
         if report.outcome != Outcome::Converged && is_wild {
-            let reason = format!(
-                "fairing ended as {} with an unsound surface",
-                report.outcome.name()
-            );
-            return self.flat(coarse, reason, Some(report));
+            return self.flat(coarse, FlatReason::Unsound, Some(report));
         }
         patch.x[patch.fixed..].copy_from_slice(&inner);
         self.piece(coarse, patch, outcome, Some(report), coarsened)
     }
 
     /// The triangulation, refined.
-    fn flat(&self, coarse: &Patch, reason: String, report: Option<Report>) -> Piece {
+    fn flat(&self, coarse: &Patch, reason: FlatReason, report: Option<Report>) -> Piece {
         let mut patch = coarse.clone();
         let coarsened = !self.refine(&mut patch);
         let mut piece = self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
@@ -348,6 +344,46 @@ impl Task<'_> {
             coarsened,
             triangles: patch.triangles,
         }
+    }
+
+    /// An error with the mesh's numbers.
+    fn in_mesh(&self, mut error: Error) -> Error {
+        let around = self.surroundings;
+        let number = |ids: &[u32], i: &mut usize| {
+            if let Some(&id) = ids.get(*i) {
+                *i = id as usize;
+            }
+        };
+        let vertex = |v: &mut usize| number(&around.ids, v);
+        let face = |t: &mut usize| number(&around.triangle_ids, t);
+        match &mut error {
+            Error::NotFinite { vertex: v }
+            | Error::NonManifoldVertex { vertex: v }
+            | Error::BadNormal { vertex: v }
+            | Error::NoNormal { vertex: v } => vertex(v),
+            Error::NonManifoldEdge { a, b, triangle } => {
+                vertex(a);
+                vertex(b);
+                face(triangle);
+            }
+            Error::InconsistentOrientation {
+                a,
+                b,
+                triangle,
+                other,
+            } => {
+                vertex(a);
+                vertex(b);
+                face(triangle);
+                face(other);
+            }
+            Error::DuplicateTriangle { triangle, other } => {
+                face(triangle);
+                face(other);
+            }
+            _ => {}
+        }
+        error
     }
 
     /// A report in the caller's units.

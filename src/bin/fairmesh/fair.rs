@@ -141,7 +141,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         .map(|path| selection::border_normals(path, vertex_count))
         .transpose()?;
     let output = Output::prepare(&args.output)?;
-    let json = prepare_json(args)?;
+    let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let mut times = Times {
         read: start.elapsed().as_secs_f64(),
         ..Times::default()
@@ -171,10 +171,10 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     Ok(solution.report.outcome == Outcome::Converged)
 }
 
-fn prepare_json(args: &FairArgs) -> Result<Option<Output>, Failure> {
-    let Some(path) = &args.json else { return Ok(None) };
-    let others = [&args.output, &args.input];
-    if others.into_iter().any(|other| same_file(path, other)) {
+/// Where the report as JSON goes: not over these files.
+pub fn prepare_json(json: Option<&Path>, others: &[&Path]) -> Result<Option<Output>, Failure> {
+    let Some(path) = json else { return Ok(None) };
+    if others.iter().any(|other| same_file(path, other)) {
         return Err(Failure::new(format!(
             "{}: --json would overwrite the mesh; name another file",
             path.display()
@@ -231,7 +231,7 @@ fn solve(
         progress: Some(&mut progress),
     };
     let solution = fairmesh::fair(&geometry.positions, &geometry.triangles, selection, options);
-    bar.0.finish_and_clear();
+    bar.finish();
     solution
 }
 
@@ -264,13 +264,14 @@ fn write(mesh: &MeshFile, format: Format, solution: &Solution, output: &Output) 
 }
 
 /// The progress bar; it shows itself on a terminal only.
-struct Bar(ProgressBar);
+pub struct Bar(ProgressBar);
 
 impl Bar {
     /// Steps of the bar.
     const LENGTH: u64 = 1000;
 
-    fn new(quiet: bool) -> Self {
+    /// A bar from 0 to 1; nothing is shown if `quiet`.
+    pub fn new(quiet: bool) -> Self {
         let target = if quiet {
             ProgressDrawTarget::hidden()
         } else {
@@ -284,7 +285,13 @@ impl Bar {
         Self(bar)
     }
 
-    fn show(&mut self, progress: &Progress) -> ControlFlow<()> {
+    /// Takes it away.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+
+    /// Shows how far the run is.
+    pub fn show(&mut self, progress: &Progress) -> ControlFlow<()> {
         self.0
             .set_position((progress.fraction.clamp(0.0, 1.0) * Self::LENGTH as f64) as u64);
         self.0
