@@ -27,7 +27,7 @@ pub use fairing::{
 };
 pub use holes::{
     BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Parents, border_loops, fill_holes,
+    Parents, RemeshOptions, Remeshed, border_loops, fill_holes, remesh_region,
 };
 pub use quality::Quality;
 

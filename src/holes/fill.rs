@@ -119,14 +119,19 @@ pub fn fill_holes(
 }
 
 fn check(options: &FillOptions<'_>) -> Result<(), Error> {
-    if !(0.1..=10.0).contains(&options.density) {
-        return Err(Error::BadOption {
-            name: "density",
-            value: options.density,
-            range: "between 0.1 and 10",
-        });
-    }
+    check_density(options.density)?;
     options.fairing.check()
+}
+
+pub(super) fn check_density(density: f64) -> Result<(), Error> {
+    if (0.1..=10.0).contains(&density) {
+        return Ok(());
+    }
+    Err(Error::BadOption {
+        name: "density",
+        value: density,
+        range: "between 0.1 and 10",
+    })
 }
 
 /// The loops to be looked at, ascending, and whether they were named.

@@ -7,6 +7,7 @@ mod parents;
 mod patch;
 mod piece;
 mod refine;
+mod remesh;
 mod surroundings;
 mod triangulate;
 
@@ -14,3 +15,4 @@ pub use fill::{FillOptions, Filled, Loops, fill_holes};
 pub use loops::{BorderLoop, LoopKind, border_loops};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
+pub use remesh::{RemeshOptions, Remeshed, remesh_region};

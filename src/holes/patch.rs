@@ -17,6 +17,8 @@ pub(super) struct Patch {
     pub(super) origin: Vec<Vector3<f64>>,
     /// A triangle of that surface near there.
     pub(super) hint: Vec<u32>,
+    /// The mesh's number of a vertex that was there, [`NONE`] of a new one; only where it matters.
+    pub(super) old: Vec<u32>,
     /// The edge length of the surroundings, interpolated.
     pub(super) size: Vec<f64>,
     /// An upper bound of the edge length beside short edges of the rim.
@@ -39,6 +41,7 @@ impl Patch {
         let mut patch = Self {
             origin: x.clone(),
             hint: vec![0; x.len()],
+            old: vec![NONE; x.len()],
             size: vec![0.0; x.len()],
             limit: vec![f64::INFINITY; x.len()],
             depth: vec![0.0; x.len()],
@@ -200,6 +203,7 @@ impl Patch {
         self.depth.push(self.depth[i].min(self.depth[j]) + half);
         let limit = self.limit[i].min(self.limit[j]) + super::refine::GRADE * half;
         self.limit.push(limit);
+        self.old.push(NONE);
         self.out.push(NONE);
         self.x.len() as u32 - 1
     }
@@ -313,6 +317,7 @@ impl Patch {
         filter(&mut self.x, &keep);
         filter(&mut self.origin, &keep);
         filter(&mut self.hint, &keep);
+        filter(&mut self.old, &keep);
         filter(&mut self.size, &keep);
         filter(&mut self.limit, &keep);
         filter(&mut self.depth, &keep);

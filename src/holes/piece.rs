@@ -31,7 +31,7 @@ const COARSE_SHARE: f64 = 0.2;
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the rim, edges may be this much longer than those: triangles keep 15 degrees.
-const BESIDE_SHORT: f64 = 1.8;
+pub(super) const BESIDE_SHORT: f64 = 1.8;
 /// A patch may leave the rim's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
@@ -185,7 +185,7 @@ impl Task<'_> {
             most: self.most,
         };
         let mut shaped = patch.clone();
-        Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run();
+        Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
         if shaped.x.len() == shaped.fixed {
             return;
         }
@@ -215,8 +215,14 @@ impl Task<'_> {
                 most: self.most,
             };
             let mut refined = patch.clone();
-            let enough = Refiner::new(&mut refined, fineness, &self.surroundings.taken).run();
-            if enough || growth > LAST_GROWTH {
+            let mut refiner = Refiner::new(&mut refined, fineness, &self.surroundings.taken);
+            let is_last = growth > LAST_GROWTH;
+            let enough = if is_last {
+                refiner.run_to_end()
+            } else {
+                refiner.run()
+            };
+            if enough || is_last {
                 *patch = refined;
                 return growth == 0.0;
             }

@@ -63,10 +63,24 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    /// Splits, evens out, and drops what was removed. False: the vertices did not suffice.
+    /// Splits, evens out, and drops what was removed. False, and not finished: the vertices did not suffice.
     pub(super) fn run(&mut self) -> bool {
         self.flip_all();
-        let mut enough = self.split_long();
+        if !self.split_long() {
+            return false;
+        }
+        self.even_out()
+    }
+
+    /// The same, and finished with the vertices there are.
+    pub(super) fn run_to_end(&mut self) -> bool {
+        self.flip_all();
+        let enough = self.split_long();
+        self.even_out() && enough
+    }
+
+    fn even_out(&mut self) -> bool {
+        let mut enough = true;
         for _ in 0..ROUNDS {
             self.collapse_short();
             self.clear_rim();
@@ -317,7 +331,12 @@ impl<'a> Refiner<'a> {
 
     /// Sizes of inner vertices become more harmonic; limits and depths are made anew from the neighbours'.
     fn smooth_sizes(&mut self) {
-        for _ in 0..2 {
+        self.settle_sizes(2);
+    }
+
+    /// The same, often.
+    pub(super) fn settle_sizes(&mut self, sweeps: usize) {
+        for _ in 0..sweeps {
             for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
                 if !self.patch.is_alive(v) {
                     continue;

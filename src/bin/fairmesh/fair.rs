@@ -12,8 +12,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::{self, Format, Kind, MeshFile};
+use crate::formats::{self, Format, Geometry, Kind, MeshFile};
 use crate::output::Output;
+use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, Selected, Ways};
 
@@ -97,6 +98,11 @@ pub struct FairArgs {
         help_heading = "Surface"
     )]
     discretization: Scheme,
+    /// Triangulates the region anew before, with edges as long as those
+    /// around it: for features whose vertices would crowd. The output then
+    /// holds vertices and triangles and nothing else
+    #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
+    remesh: bool,
     /// Stop when the vertices move less than this part of the region's
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
@@ -147,18 +153,35 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         ..Times::default()
     };
 
+    let refused =
+        |error: fairmesh::Error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh)));
     let solving = Instant::now();
-    let solution = solve(args, &mesh, &selected, given.as_deref())
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
+    let region = Region::selected(&mesh, &selected, given);
+    let remeshed = if args.remesh {
+        Some(remesh::remesh(args, &mesh.geometry, &region).map_err(refused)?)
+    } else {
+        None
+    };
+    let (geometry, region) = match &remeshed {
+        Some((geometry, region)) => (geometry, region),
+        None => (&mesh.geometry, &region),
+    };
+    let solution = solve(args, geometry, region, args.tolerance).map_err(refused)?;
     times.solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
-    let stale_normals = write(&mesh, format, &solution, &output)?;
+    let stale_normals = if args.remesh {
+        let triangles: Vec<Vec<u32>> = geometry.triangles.iter().map(|t| t.to_vec()).collect();
+        output.write(&formats::plain(format, &solution.positions, &triangles))?;
+        0
+    } else {
+        write(&mesh, format, &solution, &output)?
+    };
     times.write = writing.elapsed().as_secs_f64();
     times.total = start.elapsed().as_secs_f64();
     let summary = Summary {
         report: &solution.report,
-        geometry: &mesh.geometry,
+        geometry,
         times,
         stale_normals,
     };
@@ -192,27 +215,48 @@ fn same_file(a: &Path, b: &Path) -> bool {
     resolved(a) == resolved(b)
 }
 
-/// The library's call.
-fn solve(
-    args: &FairArgs,
-    mesh: &MeshFile,
-    selected: &Selected,
-    given: Option<&[(u32, [f64; 3])]>,
-) -> Result<Solution, fairmesh::Error> {
-    let geometry = &mesh.geometry;
-    let triangles: Vec<u32>;
-    let selection = match selected.kind {
-        Kind::Vertex => Selection::Vertices(&selected.elements),
-        Kind::Face => {
-            triangles = triangles_of(mesh, &selected.elements);
-            Selection::Faces(&triangles)
+/// What may move, and the normals given, in the numbers of a mesh of triangles.
+pub struct Region {
+    pub kind: Kind,
+    /// Vertices or triangles.
+    pub elements: Vec<u32>,
+    pub normals: Option<Vec<(u32, [f64; 3])>>,
+}
+
+impl Region {
+    fn selected(mesh: &MeshFile, selected: &Selected, normals: Option<Vec<(u32, [f64; 3])>>) -> Self {
+        let elements = match selected.kind {
+            Kind::Vertex => selected.elements.clone(),
+            Kind::Face => triangles_of(mesh, &selected.elements),
+        };
+        Self {
+            kind: selected.kind,
+            elements,
+            normals,
         }
-    };
+    }
+
+    /// As the library wants it.
+    pub fn selection(&self) -> Selection<'_> {
+        match self.kind {
+            Kind::Vertex => Selection::Vertices(&self.elements),
+            Kind::Face => Selection::Faces(&self.elements),
+        }
+    }
+}
+
+/// The library's call.
+pub fn solve(
+    args: &FairArgs,
+    geometry: &Geometry,
+    region: &Region,
+    tolerance: Option<f64>,
+) -> Result<Solution, fairmesh::Error> {
     let mut bar = Bar::new(args.quiet);
     let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = Options::default();
     let options = Options {
-        normals: match given {
+        normals: match region.normals.as_deref() {
             Some(given) => BorderNormals::Given(given),
             None if args.average_normals => BorderNormals::Averaged,
             None => BorderNormals::Fitted,
@@ -225,12 +269,17 @@ fn solve(
             Scheme::SecondOrder => Discretization::SecondOrder,
             Scheme::Paper => Discretization::Paper,
         },
-        tolerance: args.tolerance.unwrap_or(defaults.tolerance),
+        tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
         progress: Some(&mut progress),
     };
-    let solution = fairmesh::fair(&geometry.positions, &geometry.triangles, selection, options);
+    let solution = fairmesh::fair(
+        &geometry.positions,
+        &geometry.triangles,
+        region.selection(),
+        options,
+    );
     bar.finish();
     solution
 }

@@ -58,6 +58,16 @@ pub struct Geometry {
 }
 
 impl Geometry {
+    /// Of triangles alone.
+    pub fn of_triangles(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        Self {
+            positions,
+            polygon_count: triangles.len(),
+            triangles,
+            ..Self::default()
+        }
+    }
+
     /// Adds a polygon found at byte `at`. Fewer than three corners: a polygon without triangles.
     fn push_polygon(&mut self, corners: &[u32], at: usize) {
         if corners.len() != 3 && self.polygon_of.is_empty() {

@@ -10,6 +10,7 @@ mod fill;
 mod formats;
 mod normals;
 mod output;
+mod remesh;
 mod render;
 mod report;
 mod selection;
