@@ -19,9 +19,9 @@ const LONG: f64 = 1.35;
 /// Edges shorter than this many are collapsed.
 const SHORT: f64 = 0.62;
 /// Rounds of splits, collapses, flips and steps.
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 4;
 /// Tangential steps per round.
-const STEPS: usize = 3;
+const STEPS: usize = 2;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
 const MOST_FLIPS: usize = 40;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
@@ -49,6 +49,7 @@ pub(super) struct Refiner<'a> {
     spokes: Vec<u32>,
     ring: Vec<u32>,
     stack: Vec<u32>,
+    crosses: Vec<Vector3<f64>>,
 }
 
 impl<'a> Refiner<'a> {
@@ -60,6 +61,7 @@ impl<'a> Refiner<'a> {
             spokes: Vec::new(),
             ring: Vec::new(),
             stack: Vec::new(),
+            crosses: Vec::new(),
         }
     }
 
@@ -373,17 +375,16 @@ impl<'a> Refiner<'a> {
                 origin += self.patch.origin[w as usize];
             }
             let count = self.ring.len() as f64;
-            let normal: Vector3<f64> = self
-                .spokes
-                .iter()
-                .map(|&h| self.patch.cross(h as usize / 3))
-                .sum();
+            self.crosses.clear();
+            self.crosses
+                .extend(self.spokes.iter().map(|&h| self.patch.cross(h as usize / 3)));
+            let normal: Vector3<f64> = self.crosses.iter().sum();
             let Some(normal) = normal.try_normalize(0.0) else {
                 continue;
             };
             let step = centre / count - self.patch.x[i];
             let step = step - normal * normal.dot(&step);
-            if self.turns_over(v, &step) {
+            if self.turns_over(&(self.patch.x[i] + step)) {
                 continue;
             }
             self.patch.x[i] += step;
@@ -391,15 +392,15 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    /// Whether a triangle at the vertex would turn by more than 60 degrees; its spokes are in `self.spokes`.
-    fn turns_over(&self, v: u32, step: &Vector3<f64>) -> bool {
-        let x = self.patch.x[v as usize] + step;
-        self.spokes.iter().any(|&h| {
-            let old = self.patch.cross(h as usize / 3);
-            let p = self.patch.x[self.patch.to(h) as usize];
-            let q = self.patch.x[self.patch.from(previous(h)) as usize];
-            let new = (p - x).cross(&(q - x));
-            old.dot(&new) < 0.5 * old.norm() * new.norm()
+    /// Whether a triangle of a vertex would turn by more than 60 degrees if the vertex moved to `x`; its neighbours are in
+    /// `ring`, the cross products of its triangles in `crosses`.
+    fn turns_over(&self, x: &Vector3<f64>) -> bool {
+        let count = self.ring.len();
+        let at = |k: usize| self.patch.x[self.ring[k % count] as usize] - x;
+        self.crosses.iter().enumerate().any(|(k, old)| {
+            let new = at(k).cross(&at(k + 1));
+            let dot = old.dot(&new);
+            dot <= 0.0 || dot * dot < 0.25 * old.norm_squared() * new.norm_squared()
         })
     }
 }
