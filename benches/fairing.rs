@@ -21,6 +21,7 @@ use fairmesh::discrete::curvature::TILT_RIDGE;
 use fairmesh::discrete::equations::{Equations, FreeCurvature, State};
 use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
+use fairmesh::discrete::target::RightHandSide;
 use fairmesh::mesh::{Region, Rings};
 use fairmesh::shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
 use fairmesh::{BorderNormals, Options, Report, Selection, Solution, fair};
@@ -214,10 +215,12 @@ fn work_unit(case: &Case, normals: &[(u32, [f64; 3])], threads: usize) -> Result
         rings: &rings,
         groups: &groups,
         border_normals: &normals,
+        passing: &[],
         weights: &weights,
         curvature: FreeCurvature::GradientCorrected {
             tilt_ridge: TILT_RIDGE,
         },
+        right_hand_side: RightHandSide::default(),
     };
     let x = region.positions(&case.positions);
     let mut state = State::new(&groups, region.border);

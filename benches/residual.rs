@@ -8,6 +8,7 @@ use fairmesh::discrete::curvature::TILT_RIDGE;
 use fairmesh::discrete::equations::{Equations, FreeCurvature, State};
 use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
+use fairmesh::discrete::target::{RightHandSide, Target};
 use fairmesh::mesh::{Region, Rings};
 use fairmesh::shapes::{Sampling, sphere_cap};
 
@@ -17,7 +18,13 @@ fn main() {
 
 const VERTICES: [usize; 3] = [1_000, 13_000, 100_000];
 
-fn evaluate(bencher: Bencher, vertices: usize, threads: usize, curvature: FreeCurvature) {
+fn evaluate(
+    bencher: Bencher,
+    vertices: usize,
+    threads: usize,
+    curvature: FreeCurvature,
+    right_hand_side: RightHandSide,
+) {
     let shape = sphere_cap(60.0, vertices, Sampling::Irregular { seed: 7 }, 4);
     let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
     let x = region.positions(&shape.noise(3, 0.1));
@@ -33,8 +40,10 @@ fn evaluate(bencher: Bencher, vertices: usize, threads: usize, curvature: FreeCu
         rings: &rings,
         groups: &groups,
         border_normals: &border_normals,
+        passing: &[],
         weights: &weights,
         curvature,
+        right_hand_side,
     };
     let mut state = State::new(&groups, region.border);
     let pool = rayon::ThreadPoolBuilder::new()
@@ -55,10 +64,31 @@ fn second_order<const THREADS: usize>(bencher: Bencher, vertices: usize) {
         FreeCurvature::GradientCorrected {
             tilt_ridge: TILT_RIDGE,
         },
+        RightHandSide::default(),
     );
 }
 
 #[divan::bench(args = VERTICES, consts = [1, 2])]
 fn paper<const THREADS: usize>(bencher: Bencher, vertices: usize) {
-    evaluate(bencher, vertices, THREADS, FreeCurvature::Paper);
+    evaluate(
+        bencher,
+        vertices,
+        THREADS,
+        FreeCurvature::Paper,
+        RightHandSide::default(),
+    );
+}
+
+/// The default discretization with the right-hand side of minimal energy.
+#[divan::bench(args = VERTICES, consts = [1, 2])]
+fn minimal_energy<const THREADS: usize>(bencher: Bencher, vertices: usize) {
+    evaluate(
+        bencher,
+        vertices,
+        THREADS,
+        FreeCurvature::GradientCorrected {
+            tilt_ridge: TILT_RIDGE,
+        },
+        Target::MinimalEnergy.right_hand_side(1.0),
+    );
 }

@@ -1,37 +1,27 @@
 //! The public entry: what is asked, what came of it.
 
+mod frame;
+mod normals;
+
 use std::ops::ControlFlow;
 use std::sync::mpsc;
 use std::time::Instant;
 
-use nalgebra::Vector3;
-
-use crate::discrete::border_normals::estimate;
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
+pub use crate::discrete::target::Target;
 use crate::error::Error;
 pub use crate::mesh::region::Selection;
 use crate::mesh::{Region, Rings};
 use crate::quality::{Quality, Surface};
 use crate::solve::control::Callback;
-use crate::solve::globalize::{bounding_box, diagonal};
+use crate::solve::globalize::diagonal;
 use crate::solve::{Control, Ending, System, solve};
-
-/// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
-#[derive(Debug, Clone, Copy, Default)]
-pub enum BorderNormals<'a> {
-    /// Fitted to second order to the surface outside the region, blended with the average where the scan
-    /// is rough; by the paper's rule (7.5) where there is no outside.
-    #[default]
-    Fitted,
-    /// The average of the outside triangles, as the paper does (7.5).
-    Averaged,
-    /// Given for some or all border vertices (`(vertex, unit normal)`); the others are fitted. Entries for
-    /// vertices that are not on the border are ignored.
-    Given(&'a [(u32, [f64; 3])]),
-}
+use frame::Frame;
+use normals::border_normals;
+pub use normals::{BorderNormals, InteriorNormals};
 
 /// How vertices are distributed within the surface (paper 7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -41,6 +31,8 @@ pub enum InnerFairness {
     Uniform,
     /// Cotangents of the input mesh: least distortion of the input triangles.
     Conformal,
+    /// Mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane.
+    Convex,
 }
 
 /// How normals and mean curvature are discretized (paper 5, 6).
@@ -60,6 +52,10 @@ pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 pub struct Options<'a> {
     /// Border normals. Default: fitted to the surroundings.
     pub normals: BorderNormals<'a>,
+    /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
+    pub interior: InteriorNormals,
+    /// What `Delta_B H` has to be. Default: zero.
+    pub target: Target,
     /// Inner fairness. Default: uniform.
     pub inner: InnerFairness,
     /// Discretization. Default: second order.
@@ -79,6 +75,8 @@ impl Default for Options<'_> {
     fn default() -> Self {
         Self {
             normals: BorderNormals::default(),
+            interior: InteriorNormals::default(),
+            target: Target::default(),
             inner: InnerFairness::default(),
             discretization: Discretization::default(),
             tolerance: 1e-8,
@@ -126,6 +124,11 @@ pub enum Outcome {
         /// The border vertices whose normals stood farthest away, worst first.
         vertices: Vec<u32>,
     },
+    /// A surface was found only for a part of the right-hand side of [`Options::target`]; the linear surface is returned.
+    TargetNotReachable {
+        /// The part, 0 to 1: a constant `c` was too large by the inverse.
+        reached: f64,
+    },
     /// No sound nonlinear surface was found; the linear surface is returned.
     NotConverged,
     /// The iteration limit was reached; the best surface so far is returned.
@@ -141,13 +144,14 @@ impl Outcome {
     }
 
     /// A stable lower-case name: `converged`, `converged_poor_triangles`, `converged_loosely`,
-    /// `normals_not_reachable`, `not_converged`, `iteration_limit`, `cancelled`.
+    /// `normals_not_reachable`, `target_not_reachable`, `not_converged`, `iteration_limit`, `cancelled`.
     pub fn name(&self) -> &'static str {
         match self {
             Outcome::Converged => "converged",
             Outcome::ConvergedPoorTriangles { .. } => "converged_poor_triangles",
             Outcome::ConvergedLoosely { .. } => "converged_loosely",
             Outcome::NormalsNotReachable { .. } => "normals_not_reachable",
+            Outcome::TargetNotReachable { .. } => "target_not_reachable",
             Outcome::NotConverged => "not_converged",
             Outcome::IterationLimit => "iteration_limit",
             Outcome::Cancelled => "cancelled",
@@ -173,11 +177,14 @@ pub struct Seconds {
 /// What came of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
+    /// What `Delta_B H` was to be.
+    pub target: Target,
     /// How the run ended.
     pub outcome: Outcome,
     /// Nonlinear iterations.
     pub iterations: usize,
-    /// Harmonic defect `max_i |sum_j w_ij (H_i - H_j)| / sum_j |w_ij| x L`, L the region's diagonal.
+    /// Defect `max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij| x L` of the equation `Delta_B H = rhs`,
+    /// `A_i` the area of the 1-disk, `L` the region's diagonal.
     pub defect: f64,
     /// The last step norm, in diagonals.
     pub step: f64,
@@ -194,7 +201,8 @@ pub struct Report {
     /// Border vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
-    /// Free vertices that took fallback weights, because their input triangles allow no conformal ones.
+    /// Free vertices that took fallback weights, because their input triangles allow no conformal or
+    /// convex ones.
     pub fallback_weights: usize,
 }
 
@@ -207,12 +215,14 @@ pub struct Solution {
     pub border_normals: Vec<(u32, [f64; 3])>,
     /// Free vertices and the mean curvature of the result there; negative on a sphere with outward normals.
     pub mean_curvature: Vec<(u32, f64)>,
+    /// Free vertices and the Gaussian curvature of the result there; positive on a sphere.
+    pub gaussian_curvature: Vec<(u32, f64)>,
     /// How it went.
     pub report: Report,
 }
 
-/// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)) between
-/// the fixed vertices, with tangent continuity there.
+/// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
+/// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.
 ///
 /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to.
 ///
@@ -224,7 +234,7 @@ pub fn fair(
     selection: Selection<'_>,
     options: Options<'_>,
 ) -> Result<Solution, Error> {
-    options.check()?;
+    check(&options)?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads)
         .build()
@@ -237,6 +247,8 @@ pub fn fair(
         triangles,
         selection,
         normals: options.normals,
+        interior: options.interior,
+        target: options.target,
         inner: options.inner,
         discretization: options.discretization,
         tolerance: options.tolerance,
@@ -254,6 +266,8 @@ struct Request<'a> {
     triangles: &'a [[u32; 3]],
     selection: Selection<'a>,
     normals: BorderNormals<'a>,
+    interior: InteriorNormals,
+    target: Target,
     inner: InnerFairness,
     discretization: Discretization,
     tolerance: f64,
@@ -294,64 +308,32 @@ fn relay<T: Send>(
     })
 }
 
-impl Options<'_> {
-    /// Checks the ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
-            return Err(Error::BadOption {
-                name: "tolerance",
-                value: self.tolerance,
-                range: "greater than 0 and less than 1",
-            });
-        }
-        if self.max_iterations == 0 {
-            return Err(Error::BadOption {
-                name: "max_iterations",
-                value: 0.0,
-                range: "at least 1",
-            });
-        }
-        Ok(())
+/// Checks the ranges.
+pub(crate) fn check(options: &Options<'_>) -> Result<(), Error> {
+    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
+        return Err(Error::BadOption {
+            name: "tolerance",
+            value: options.tolerance,
+            range: "greater than 0 and less than 1",
+        });
     }
-}
-
-/// The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power
-/// of two, so that only the translation rounds.
-struct Frame {
-    centre: Vector3<f64>,
-    scale: f64,
-}
-
-impl Frame {
-    fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
-        let border = &x[region.free..region.region_vertices()];
-        let size = bounding_box(border);
-        let (low, high) = if (size.1 - size.0).norm() > 0.0 {
-            size
-        } else {
-            bounding_box(x)
-        };
-        let diagonal = (high - low).norm();
-        let exponent = if diagonal > 0.0 && diagonal.is_finite() {
-            diagonal.log2().round()
-        } else {
-            0.0
-        };
-        Self {
-            centre: low + (high - low) * 0.5,
-            scale: exponent.exp2(),
-        }
+    if let Target::Constant(c) = options.target
+        && !c.is_finite()
+    {
+        return Err(Error::BadOption {
+            name: "target",
+            value: c,
+            range: "a finite constant",
+        });
     }
-
-    fn enter(&self, x: &mut [Vector3<f64>]) {
-        for p in x {
-            *p = (*p - self.centre) / self.scale;
-        }
+    if options.max_iterations == 0 {
+        return Err(Error::BadOption {
+            name: "max_iterations",
+            value: 0.0,
+            range: "at least 1",
+        });
     }
-
-    fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
-        (p * self.scale + self.centre).into()
-    }
+    Ok(())
 }
 
 fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Result<Solution, Error> {
@@ -362,11 +344,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     let mut x = region.positions(request.positions);
     let frame = Frame::new(&region, &x);
     frame.enter(&mut x);
-    let border_normals = border_normals(&region, &rings, &x, request.normals)?;
+    let (border_normals, passing) = border_normals(&region, &rings, &x, request.normals, request.interior)?;
     let groups = Groups::new(&rings);
     let weights = match request.inner {
         InnerFairness::Uniform => FairnessWeights::uniform(),
         InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
+        InnerFairness::Convex => FairnessWeights::convex(&groups, &x),
     };
     let fallback_weights = weights.clamped;
     let curvature = match request.discretization {
@@ -378,6 +361,8 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     seconds.setup = clock.elapsed().as_secs_f64();
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
     let mut system = System::new(&region, &rings, &groups, &x, border_normals, weights, curvature);
+    system.passing = passing;
+    system.right_hand_side = request.target.right_hand_side(frame.scale);
     let solved = solve(&mut system, &mut control).map_err(|_| Error::NothingFixed { vertex: 0 })?;
     seconds.start = solved.start_seconds;
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
@@ -403,18 +388,23 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         .zip(&system.border_normals)
         .map(|(&v, n)| (v, (*n).into()))
         .collect();
-    let inside = region.vertex_ids[..region.free].iter();
-    let mean_curvature = inside
-        .zip(&system.state.h)
-        .map(|(&v, h)| (v, h / frame.scale))
-        .collect();
+    let inside = |values: &[f64], unit: f64| -> Vec<(u32, f64)> {
+        let ids = region.vertex_ids[..region.free].iter();
+        ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
+    };
+    let mean_curvature = inside(&system.state.h, frame.scale);
+    let gaussian_curvature = inside(&system.state.k, frame.scale * frame.scale);
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
     let suspicious_normals = surface.suspicious_normals(&rings, &x);
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
     let border_ids = &region.vertex_ids[region.free..];
-    let linear_surface = matches!(solved.ending, Ending::Failed | Ending::Partly(..));
+    let linear_surface = matches!(
+        solved.ending,
+        Ending::Failed | Ending::Partly(..) | Ending::Loaded(..)
+    );
     let report = Report {
+        target: request.target,
         outcome: match &solved.ending {
             Ending::Converged | Ending::FirstOrder if solved.poor.is_empty() && !suspicious_normals.is_empty() => {
                 Outcome::ConvergedLoosely {
@@ -434,8 +424,9 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
                 reached: *reached,
                 vertices: local_ids(farthest, border_ids),
             },
+            Ending::Loaded(reached) => Outcome::TargetNotReachable { reached: *reached },
             Ending::Doubtful if solved.poor.is_empty() => Outcome::ConvergedLoosely {
-                reason: "the surface has a bump: its curvature inside exceeds that on the border, or it leaves single border normals".to_owned(),
+                reason: "the surface has a bump: its curvature inside exceeds what the border allows, or it leaves single border normals".to_owned(),
             },
             Ending::Doubtful => Outcome::ConvergedPoorTriangles {
                 triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
@@ -457,38 +448,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         positions,
         border_normals,
         mean_curvature,
+        gaussian_curvature,
         report,
     })
-}
-
-/// A given normal may miss unit length by this much.
-const UNIT: f64 = 1e-3;
-
-fn border_normals(
-    region: &Region,
-    rings: &Rings,
-    x: &[Vector3<f64>],
-    asked: BorderNormals<'_>,
-) -> Result<Vec<Vector3<f64>>, Error> {
-    let mut given = vec![None; region.border];
-    if let BorderNormals::Given(list) = asked {
-        let border = &region.vertex_ids[region.free..region.region_vertices()];
-        for &(v, n) in list {
-            let Ok(b) = border.binary_search(&v) else { continue };
-            let n = Vector3::from(n);
-            let length = n.norm();
-            // Also refuses what is not a number.
-            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
-                return Err(Error::BadNormal { vertex: v as usize });
-            }
-            given[b] = Some(n / length);
-        }
-    }
-    estimate(
-        region,
-        rings,
-        x,
-        !matches!(asked, BorderNormals::Averaged),
-        &given,
-    )
 }

@@ -20,10 +20,11 @@ pub mod quality;
 pub mod shapes;
 pub mod solve;
 
+pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Seconds, Selection,
-    Solution, Watcher, fair,
+    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
+    Seconds, Selection, Solution, Target, Watcher, fair,
 };
 pub use holes::{
     BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,

@@ -94,7 +94,8 @@ fn holes_are_listed_and_filled_with_all_other_bytes_kept() {
         assert!((100.0..=101.0).contains(&row[4]) && row[5] == 200.0 && (row[6] - 0.5).abs() < 1e-6);
     }
     assert!(
-        new[body + vertices + old_faces].starts_with("3 ") && new[body + vertices + old_faces].ends_with(" 0")
+        new[body + vertices + old_faces].starts_with("3 ")
+            && new[body + vertices + old_faces].ends_with(" 0")
     );
 }
 
@@ -129,11 +130,7 @@ fn obj_gets_lines_and_other_formats_are_written_anew() {
         let (out, _) = expect(&directory, &["holes", name], 0);
         assert!(!out.contains(" hole"), "{out}");
     }
-    let (_, err) = expect(
-        &directory,
-        &["fill", "in.obj", "-o", "x.obj", "--loop", "7"],
-        2,
-    );
+    let (_, err) = expect(&directory, &["fill", "in.obj", "-o", "x.obj", "--loop", "7"], 2);
     assert!(err.contains("7"), "{err}");
     expect(
         &directory,
@@ -149,7 +146,13 @@ fn a_region_can_be_triangulated_anew_before_it_is_faired() {
     fs::write(directory.join("in.obj"), obj(&cap())).unwrap();
     write_lists(&directory);
     let args = [
-        "fair", "in.obj", "-o", "out.obj", "--faces", "faces.txt", "--remesh",
+        "fair",
+        "in.obj",
+        "-o",
+        "out.obj",
+        "--faces",
+        "faces.txt",
+        "--remesh",
     ];
     let (out, _) = expect(&directory, &args, 0);
     assert!(out.starts_with("converged"), "{out}");

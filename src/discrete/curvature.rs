@@ -11,7 +11,7 @@ use super::spokes::{Spoke, inverse_square};
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
 /// says that it is not (all directions on two lines), without any switch.
-const RIDGE: f64 = 1e-6;
+pub const RIDGE: f64 = 1e-6;
 
 /// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
 pub const TILT_RIDGE: f64 = 1e-3;

@@ -1,6 +1,7 @@
 //! Both fairness equations over the region, evaluated at a surface.
 //!
-//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`.
+//! Outer fairness, one number per free vertex (paper (4), (6), (7)): `R1_i = (S H)_i = sum_j w_ij (H_i - H_j)`, plus the
+//! right-hand side where there is one ([`super::target`]).
 //! Inner fairness, a tangent vector per free vertex (paper 7.3): the part of `sum_j lambda_ij (q_j - q_i)` that is
 //! orthogonal to the normal. (The paper prints the projection with a plus sign; it is a minus.)
 //!
@@ -12,15 +13,16 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected, moreton_sequin};
-use super::groups::{Chunk, Groups, LANES, flap_weight, gather, gather_scalar, split_lengths};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
+use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
 use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
 use super::spokes::{Spoke, measure};
-use crate::mesh::Rings;
+use super::target::RightHandSide;
+use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,8 +36,8 @@ pub enum FreeCurvature {
     Paper,
 }
 
-/// Valences up to this take extra samples in the paper's discretization (paper 6.2).
-const LOW_VALENCE: usize = 4;
+/// A border vertex with up to this many triangles takes the flaps in full.
+const NARROW: usize = 2;
 
 /// A border vertex takes this many samples at once.
 const BORDER_LANES: usize = 4;
@@ -49,10 +51,14 @@ pub struct Equations<'a> {
     pub groups: &'a Groups,
     /// Unit normals at the border vertices.
     pub border_normals: &'a [Vector3<f64>],
+    /// Border vertices with a closed ring whose normal is not prescribed ([`super::passing`]); may be empty for none.
+    pub passing: &'a [bool],
     /// Inner fairness.
     pub weights: &'a FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be; zero for the paper's (4).
+    pub right_hand_side: RightHandSide,
 }
 
 /// Everything that is evaluated at a surface. Free vertices come first in `h`.
@@ -60,7 +66,8 @@ pub struct Equations<'a> {
 pub struct State {
     /// Normals of the ring: the direction of normal steps and of the tangential projection.
     pub normal: Vec<Vector3<f64>>,
-    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization).
+    /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization) at free, then the
+    /// normals at border vertices.
     pub corrected: Vec<Vector3<f64>>,
     /// Mean curvature at free, then at border vertices.
     pub h: Vec<f64>,
@@ -84,7 +91,7 @@ impl State {
         let free = groups.place.len();
         Self {
             normal: vec![Vector3::zeros(); free],
-            corrected: vec![Vector3::zeros(); free],
+            corrected: vec![Vector3::zeros(); free + border],
             h: vec![0.0; free + border],
             k: vec![0.0; free],
             area: vec![0.0; free],
@@ -161,7 +168,9 @@ impl Equations<'_> {
 
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         self.free_vertices::<RESPONSE>(x, state);
-        if self.curvature == FreeCurvature::Paper {
+        self.border_normals_at(x, state);
+        let paper = self.curvature == FreeCurvature::Paper;
+        if paper {
             self.paper_curvature(x, state);
         }
         let free = self.free();
@@ -171,6 +180,7 @@ impl Equations<'_> {
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
+            .filter(|(b, _)| paper || !self.passes(*b))
             .for_each(|(b, h)| *h = self.border_curvature(x, corrected, b));
         self.outer_residual(state);
     }
@@ -272,6 +282,7 @@ impl Equations<'_> {
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
                 self.gather_flaps(x, slots.clone(), &q, flaps);
+                self.gather_rim(x, group, flaps);
                 (
                     n,
                     gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
@@ -320,45 +331,29 @@ impl Equations<'_> {
         }
     }
 
-    /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
-    /// of the neighbours, hence a pass of its own.
-    fn paper_curvature(&self, x: &[Vector3<f64>], state: &mut State) {
-        let rings = self.rings;
-        let normal = &state.normal;
-        let free = self.free();
-        let of = |i: u32| self.normal_at(normal, i);
-        state.h[..free]
-            .par_iter_mut()
-            .zip(state.k.par_iter_mut())
-            .with_min_len(256)
-            .enumerate()
-            .for_each(|(i, (h, k))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
-                let q = one(&x[i]);
-                let at = |j: u32| minus(&one(&x[j as usize]), &q);
-                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
-                let between = (0..extra).map(|s| {
-                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
-                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
-                });
-                let n = one(&normal[i]);
-                let (mean, gauss) = moreton_sequin(&n, ring.iter().map(|&j| at(j)).chain(between));
-                (*h, *k) = (mean.0[0], gauss.0[0]);
-            });
-    }
-
+    /// Where a ring edge lies on the rim there is no flap; the surface between its ends is known from their positions
+    /// and normals (6.2) and takes the flap's place. Without it a vertex in a notch has too few samples.
     #[inline(always)]
-    fn normal_at(&self, normal: &[Vector3<f64>], i: u32) -> Vector3<f64> {
-        let i = i as usize;
-        if i < self.free() {
-            normal[i]
-        } else {
-            self.border_normals[i - self.free()]
+    fn gather_rim(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Lanes<LANES>)]) {
+        let groups = self.groups;
+        let free = self.free();
+        let rim = groups.rim_start[group] as usize..groups.rim_start[group + 1] as usize;
+        for edge in &groups.rim[rim] {
+            let lane = edge.lane as usize;
+            let q = &x[groups.vertex[group][lane] as usize];
+            let [a, b] = edge.ends.map(|j| one(&(x[j as usize] - q)));
+            let [n_a, n_b] = edge.ends.map(|j| one(&self.border_normals[j as usize - free]));
+            let (sample, weight) = &mut flaps[edge.slot as usize];
+            let between = spiral_sample(&a, &b, &n_a, &n_b);
+            set_lane(sample, lane, &super::lanes::lane(&between, 0));
+            weight.0[lane] = 1.0;
         }
     }
 
-    /// `H` at border vertex `b`, one-sided with the prescribed normal: Moreton-Sequin over its neighbours in the region
-    /// and a spiral sample on every ring edge.
+    /// `H` at border vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
+    /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
+    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
+    /// response, and even a sphere is then an unstable solution of the equations.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -372,7 +367,7 @@ impl Equations<'_> {
         let rings = self.rings;
         let free = self.free();
         let nothing: Vec3<BORDER_LANES> = [Lanes::zero(); 3];
-        let normal = &self.border_normals[b];
+        let normal = &corrected[free + b];
         let q = &x[free + b];
         let mut n = nothing;
         (0..BORDER_LANES).for_each(|l| set_lane(&mut n, l, normal));
@@ -391,7 +386,7 @@ impl Equations<'_> {
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
                     set_lane(&mut ends[k], l, &(x[j as usize] - q));
-                    set_lane(&mut normals[k], l, &self.normal_at(corrected, j));
+                    set_lane(&mut normals[k], l, &corrected[j as usize]);
                 }
                 weight.0[l] = 1.0;
             }
@@ -400,52 +395,17 @@ impl Equations<'_> {
                 weight,
             );
         }
-        fit.over_lanes()
-    }
-
-    /// `R1 = S H` from the weights and curvatures of `state`.
-    pub fn outer_residual(&self, state: &mut State) {
-        let groups = self.groups;
-        let (h, weight) = (&state.h, &state.weight);
-        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
-        pieces
-            .into_par_iter()
-            .zip(groups.chunks.par_iter())
-            .for_each(|(outer, chunk)| {
-                for group in chunk.groups.clone() {
-                    let vertex = &groups.vertex[group];
-                    let own = gather_scalar(h, vertex);
-                    let mut sum = Lanes::<LANES>::zero();
-                    for slot in groups.slots(group) {
-                        let other = gather_scalar(h, &groups.neighbour[slot]);
-                        sum += Lanes(weight[slot]) * (own - other);
-                    }
-                    for (l, &i) in vertex.iter().enumerate() {
-                        outer[i as usize - chunk.vertices.start] = sum.0[l];
-                    }
-                }
-            });
-    }
-
-    /// The harmonic defect `max_i |R1_i| / sum_j |w_ij|` (a mean curvature: times a length it has no unit), and
-    /// `|S H| / (|S| |H|)`, how much of the residual is more than cancellation.
-    pub fn defect(&self, state: &State) -> (f64, f64) {
-        let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
-        for i in 0..self.free() {
-            let (mut absolute, mut size) = (0.0, 0.0);
-            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
-            let start = self.rings.start[i] as usize;
-            for s in start..self.rings.start[i + 1] as usize {
-                let w = state.weight[first + s - start][lane].abs();
-                absolute += w;
-                size += w * state.h[self.rings.neighbour[s] as usize].abs();
+        let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
+        for part in rings.border_flap[flaps].chunks(BORDER_LANES) {
+            let (mut e, mut weight) = (nothing, Lanes::zero());
+            for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
+                set_lane(&mut e, l, &(x[j as usize] - q));
+                weight.0[l] = flap_weight;
             }
-            size += absolute * state.h[i].abs();
-            worst = worst.max(state.outer[i].abs() / absolute.max(f64::MIN_POSITIVE));
-            num += state.outer[i] * state.outer[i];
-            den += size * size;
+            fit.add(&e, weight);
         }
-        (worst, (num / den.max(f64::MIN_POSITIVE)).sqrt())
+        fit.over_lanes()
     }
 
     /// Area of the one-sided disk at border vertex `b`, and the one-sided cotangent weights to each of its ring edges'
@@ -504,7 +464,9 @@ mod tests {
                 groups: &groups,
                 border_normals: &border_normals,
                 weights: &FairnessWeights::conformal(&groups, &x),
+                passing: &[],
                 curvature,
+                right_hand_side: RightHandSide::default(),
             };
             let [mut wide, mut plain] = [(); 2].map(|()| State::new(&groups, region.border));
             equations.free_vertices::<true>(&x, &mut wide);
@@ -525,6 +487,7 @@ mod tests {
             );
             assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
             assert!(wide.response == plain.response && wide.weight == plain.weight);
+            equations.border_normals_at(&x, &mut wide);
             for b in 0..region.border {
                 let plain = equations.border_fit(&x, &wide.corrected, b);
                 assert_eq!(

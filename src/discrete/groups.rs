@@ -40,10 +40,25 @@ pub struct Groups {
     pub neighbour: Vec<[u32; LANES]>,
     /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
     pub flap: Vec<[u32; LANES]>,
+    /// Rows of `rim`, by group, and the end.
+    pub rim_start: Vec<u32>,
+    /// Slots without a flap: the ring edge lies on the rim of the region, with fixed vertices at both ends.
+    pub rim: Vec<RimEdge>,
     /// Per free vertex its first slot and its lane.
     pub place: Vec<(u32, u32)>,
     /// The largest valence.
     pub largest_valence: usize,
+}
+
+/// A ring edge that has no flap.
+#[derive(Debug, Clone, Copy)]
+pub struct RimEdge {
+    /// The ring position of its first end.
+    pub slot: u32,
+    /// The lane of the vertex in whose ring it is.
+    pub lane: u32,
+    /// Its ends, both fixed.
+    pub ends: [u32; 2],
 }
 
 impl Groups {
@@ -57,6 +72,8 @@ impl Groups {
             start: vec![0],
             neighbour: Vec::new(),
             flap: Vec::new(),
+            rim_start: vec![0],
+            rim: Vec::new(),
             place: vec![(0, 0); free],
             largest_valence: (0..free as u32).map(valence).max().unwrap_or(0),
         };
@@ -100,6 +117,17 @@ impl Groups {
                 }
             }));
         }
+        for (lane, &i) in members.iter().enumerate() {
+            let s = rings.start[i as usize] as usize;
+            for k in (0..valence).filter(|k| rings.flap[s + k] == NONE) {
+                self.rim.push(RimEdge {
+                    slot: k as u32,
+                    lane: lane as u32,
+                    ends: [rings.neighbour[s + k], rings.neighbour[s + (k + 1) % valence]],
+                });
+            }
+        }
+        self.rim_start.push(self.rim.len() as u32);
         self.vertex.push(vertex);
         self.start.push(self.neighbour.len());
     }

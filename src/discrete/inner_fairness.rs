@@ -14,15 +14,18 @@ use crate::mesh::Rings;
 /// positive definite for any input.
 pub const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
 
-/// Mean-value weights stay within this factor of one.
+/// Mean-value weights of repairs stay within this factor of one.
 const LARGEST_RATIO: f64 = 20.0;
+
+/// Those that were asked for are left alone as long as they stay within this one.
+const LARGEST_ASKED_RATIO: f64 = 1e3;
 
 /// Weights `lambda_ij` of all free vertices, slot by slot as in [`Groups`].
 #[derive(Debug, Clone)]
 pub struct FairnessWeights {
     /// Per slot the weights; `None`: all are one.
     pub slots: Option<Vec<[f64; LANES]>>,
-    /// Free vertices with an input triangle too thin for its cotangents: those are clamped.
+    /// Free vertices with an input triangle too thin for its cotangents or mean values: those are clamped.
     pub clamped: usize,
 }
 
@@ -43,6 +46,20 @@ impl FairnessWeights {
         };
         for i in 0..groups.place.len() {
             let was_clamped = weights.set_conformal(groups, input, i);
+            weights.clamped += usize::from(was_clamped);
+        }
+        weights
+    }
+
+    /// Mean-value weights of the input mesh, see [`Self::set_mean_value`]: positive without clamping, and where the ring
+    /// is plane they reproduce its centre, so that a plane input mesh keeps its vertices.
+    pub fn convex(groups: &Groups, input: &[Vector3<f64>]) -> Self {
+        let mut weights = Self {
+            slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]),
+            clamped: 0,
+        };
+        for i in 0..groups.place.len() {
+            let was_clamped = weights.set_bounded_mean_value(groups, input, i, LARGEST_ASKED_RATIO);
             weights.clamped += usize::from(was_clamped);
         }
         weights
@@ -75,6 +92,18 @@ impl FairnessWeights {
     /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
     /// coordinates", CAGD 20 (2003).
     pub fn set_mean_value(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) {
+        self.set_bounded_mean_value(groups, input, i, LARGEST_RATIO);
+    }
+
+    /// The same within a factor `bound` of one. Returns whether a weight was outside, or no number: those take the
+    /// nearer end, or one.
+    fn set_bounded_mean_value(
+        &mut self,
+        groups: &Groups,
+        input: &[Vector3<f64>],
+        i: usize,
+        bound: f64,
+    ) -> bool {
         let slots = self
             .slots
             .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
@@ -85,23 +114,26 @@ impl FairnessWeights {
             let (a, b) = (edge(k), edge(k + 1));
             let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
             let whole = (sine * sine + cosine * cosine).sqrt();
-            (sine / (whole + cosine).max(whole * LARGEST_RATIO.recip())).clamp(0.0, LARGEST_RATIO)
+            (sine / (whole + cosine).max(whole * bound.recip())).clamp(0.0, bound)
         };
         let mean = (0..valence).map(|k| edge(k).norm()).sum::<f64>() / valence as f64;
-        let mut sum = 0.0;
+        let (mut sum, mut clamped) = (0.0, false);
         for k in 0..valence {
             let w = (half_tangent(k + valence - 1) + half_tangent(k)) * mean / edge(k).norm();
-            let w = if w.is_finite() {
-                w.clamp(LARGEST_RATIO.recip(), LARGEST_RATIO)
+            let inside = if w.is_finite() {
+                w.clamp(bound.recip(), bound)
             } else {
                 1.0
             };
+            clamped |= inside != w;
+            let w = inside;
             slots[first + k][lane] = w;
             sum += w;
         }
         for k in 0..valence {
             slots[first + k][lane] *= valence as f64 / sum;
         }
+        clamped
     }
 
     /// The weight in one slot.
@@ -150,4 +182,49 @@ pub fn laplacian(
         values[pattern.start[i + 1] - 1] = diagonal[i];
     }
     values
+}
+
+#[cfg(all(test, feature = "shapes"))]
+mod tests {
+    use super::*;
+    use crate::mesh::{Region, Selection};
+    use crate::shapes::{Sampling, sphere_cap};
+
+    #[test]
+    fn convex_weights_are_positive_and_reproduce_a_plane() {
+        let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let rings = Rings::new(&region);
+        let groups = Groups::new(&rings);
+        let mut x = region.positions(&shape.positions);
+        x.iter_mut().for_each(|p| p.z = 0.0);
+        let weights = FairnessWeights::convex(&groups, &x);
+        assert_eq!(weights.clamped, 0);
+        for i in 0..region.free {
+            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let mut sum = Vector3::zeros();
+            for (k, &j) in rings.ring(i).iter().enumerate() {
+                let w = weights.at(first + k, lane);
+                assert!(w > 0.0);
+                sum += (x[j as usize] - x[i]) * w;
+            }
+            assert!(sum.norm() < 1e-14, "vertex {i}: {}", sum.norm());
+        }
+    }
+
+    #[test]
+    fn convex_weights_of_unusable_triangles_are_bounded_and_counted() {
+        let shape = sphere_cap(60.0, 200, Sampling::Irregular { seed: 7 }, 4);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let rings = Rings::new(&region);
+        let groups = Groups::new(&rings);
+        let mut x = region.positions(&shape.positions);
+        // All edges of a ring without length.
+        let ring = rings.ring(0).to_vec();
+        ring.iter().for_each(|&j| x[j as usize] = x[0]);
+        let weights = FairnessWeights::convex(&groups, &x);
+        assert!(weights.clamped > 0);
+        let mut all = weights.slots.iter().flatten().flatten();
+        assert!(all.all(|w| *w > 0.0 && w.is_finite()));
+    }
 }

@@ -10,7 +10,7 @@ use super::parents::Parents;
 use super::piece::{Piece, Task};
 use super::surroundings::Surroundings;
 use crate::error::Error;
-use crate::fairing::{Options, Progress};
+use crate::fairing::{self, Options, Progress};
 use crate::mesh::NONE;
 
 /// Which loops are filled.
@@ -120,7 +120,7 @@ pub fn fill_holes(
 
 fn check(options: &FillOptions<'_>) -> Result<(), Error> {
     check_density(options.density)?;
-    options.fairing.check()
+    fairing::check(&options.fairing)
 }
 
 pub(super) fn check_density(density: f64) -> Result<(), Error> {
@@ -216,6 +216,7 @@ impl Run<'_, '_> {
             most: self.left,
             fair: self.options.fair,
             normals: self.options.fairing.normals,
+            target: self.options.fairing.target,
             inner: self.options.fairing.inner,
             discretization: self.options.fairing.discretization,
             tolerance: self.options.fairing.tolerance,

@@ -16,7 +16,7 @@ use super::triangulate::Rim;
 use crate::error::Error;
 use crate::fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
-    fair,
+    Target, fair,
 };
 use crate::quality::smallest_angle;
 
@@ -92,6 +92,7 @@ pub(super) struct Task<'a> {
     pub(super) most: usize,
     pub(super) fair: bool,
     pub(super) normals: BorderNormals<'a>,
+    pub(super) target: Target,
     pub(super) inner: InnerFairness,
     pub(super) discretization: Discretization,
     pub(super) tolerance: f64,
@@ -261,14 +262,24 @@ impl Task<'_> {
                 BorderNormals::Given(_) => BorderNormals::Given(&given),
                 other => other,
             },
+            target: self.target_here(),
             inner: self.inner,
             discretization: self.discretization,
             tolerance,
             max_iterations,
             threads: self.threads,
             progress: Some(tell),
+            ..Options::default()
         };
         fair(&positions, &triangles, Selection::Vertices(&free), options)
+    }
+
+    /// The right-hand side in the units of the frame: a constant is an inverse cube of lengths.
+    fn target_here(&self) -> Target {
+        match self.target {
+            Target::Constant(c) => Target::Constant(c * self.surroundings.scale().powi(3)),
+            other => other,
+        }
     }
 
     /// The new vertices of a solution.

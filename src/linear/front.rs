@@ -106,6 +106,34 @@ impl<T> Default for Work<T> {
     }
 }
 
+/// `in_blocks!(j, C in p => f::<C>(j))`: for the columns `0..p` from the left, four at a time, `f` with the first column `j`
+/// and the number `C` of columns known to the compiler.
+macro_rules! in_blocks {
+    ($j:ident, $C:ident in $p:expr => $call:expr) => {
+        let mut $j = 0;
+        while $j + 4 <= $p {
+            const $C: usize = 4;
+            $call;
+            $j += $C;
+        }
+        match $p - $j {
+            3 => {
+                const $C: usize = 3;
+                $call;
+            }
+            2 => {
+                const $C: usize = 2;
+                $call;
+            }
+            1 => {
+                const $C: usize = 1;
+                $call;
+            }
+            _ => {}
+        }
+    };
+}
+
 /// Fronts with at most this many pivots are eliminated by the loops below: the calls of the blocked kernels
 /// would cost more than they gain.
 const SMALL: usize = 16;
@@ -213,17 +241,7 @@ fn eliminate_small<T: Real>(
         if fresh {
             target.fill([T::ZERO; LANES]);
         }
-        let mut k = 0;
-        while k + 4 <= p {
-            diminish::<T, 4>(target, low, groups, k, j);
-            k += 4;
-        }
-        match p - k {
-            3 => diminish::<T, 3>(target, low, groups, k, j),
-            2 => diminish::<T, 2>(target, low, groups, k, j),
-            1 => diminish::<T, 1>(target, low, groups, k, j),
-            _ => {}
-        }
+        in_blocks!(k, C in p => diminish::<T, C>(target, low, groups, k, j));
     }
     Ok(())
 }
@@ -263,17 +281,7 @@ pub(crate) fn forward<T: Real, const K: usize>(
     local: &mut [T],
     stride: usize,
 ) {
-    let mut j = 0;
-    while j + 4 <= p {
-        forward_block::<T, K, 4>(panel, m, j, local, stride);
-        j += 4;
-    }
-    match p - j {
-        3 => forward_block::<T, K, 3>(panel, m, j, local, stride),
-        2 => forward_block::<T, K, 2>(panel, m, j, local, stride),
-        1 => forward_block::<T, K, 1>(panel, m, j, local, stride),
-        _ => {}
-    }
+    in_blocks!(j, C in p => forward_block::<T, K, C>(panel, m, j, local, stride));
 }
 
 /// The columns `j..j + C` of the forward substitution.

@@ -2,9 +2,11 @@
 
 pub mod anderson;
 pub mod cholesky;
+mod elimination;
 mod front;
 pub mod ordering;
 pub mod sparse;
+mod supernodes;
 pub mod symbolic;
 
 pub use front::Real;

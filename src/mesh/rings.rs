@@ -28,6 +28,8 @@ pub struct Rings {
     pub border_edge_start: Vec<u32>,
     /// Ring edges of the region triangles at each border vertex `b`: `(b, e[0], e[1])` is counter-clockwise.
     pub border_edge: Vec<[u32; 2]>,
+    /// The third vertex of the region triangle across that ring edge, or [`NONE`].
+    pub border_flap: Vec<u32>,
     /// Per border vertex: its triangles form one closed ring inside the region, nothing is outside.
     pub closed: Vec<bool>,
 
@@ -164,6 +166,7 @@ impl Rings {
         }
         if inside {
             self.border_edge.push(edge);
+            self.border_flap.push(half_edges.flap(next(h)));
         } else {
             self.outside_edge.push(edge);
             self.outside_flap.push(half_edges.flap_beyond(next(h)));

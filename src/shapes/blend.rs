@@ -6,8 +6,11 @@
 //! `0 <= c_t <= arc + seam`. The side c_t = 0 is half the girth of tube t, the side c_t = arc + seam is the
 //! seam opposite to it. Rings of staggered vertices lead from the sheets to the fixed circles.
 
-use super::blend_start::{relax, tube_frame};
+use super::blend_start::{project, relax, trisect, tube_frame};
+use super::irregular::{INSERTED, scramble};
+use super::sampling::Sampling;
 use super::shape::Shape;
+use super::size::blend_size;
 use super::surface::unit;
 use std::collections::HashMap;
 
@@ -46,9 +49,13 @@ pub fn cylinder_blend_fine() -> Shape {
 /// nine, its neighbours so that the mesh conforms: not symmetric.
 pub fn cylinder_blend_refined_patch() -> Shape {
     let mut shape = cylinder_blend();
-    let inside = |p: [f64; 3]| p[2] > 0.0 && (0.0..0.65).contains(&p[0]) && (-0.3..0.35).contains(&p[1]);
-    super::blend_start::trisect(&mut shape, inside);
+    refine_patch(&mut shape);
     shape
+}
+
+fn refine_patch(shape: &mut Shape) {
+    let inside = |p: [f64; 3]| p[2] > 0.0 && (0.0..0.65).contains(&p[0]) && (-0.3..0.35).contains(&p[1]);
+    trisect(shape, project, inside);
 }
 
 /// The cylinder blend with `arc` edges on half a circle, `seam` edges on a seam and `rings` rings of
@@ -58,24 +65,50 @@ pub fn cylinder_blend_with(arc: usize, seam: usize, rings: usize) -> Shape {
     Net::new(arc.clamp(3, 1_000), seam.clamp(1, 1_000), rings.min(1_000)).finish()
 }
 
+/// A cylinder blend of about `n` vertices (50 to 5 million): 118, 920 and 13,308 are the three above.
+/// [`Sampling::Irregular`] inserts vertices, flips edges and shakes; [`Sampling::LocallyRefined`] is the patch of
+/// [`cylinder_blend_refined_patch`], whatever its fields.
+pub fn cylinder_blend_of(n: usize, sampling: Sampling) -> Shape {
+    let share = if matches!(sampling, Sampling::Irregular { .. }) {
+        1.0 + INSERTED
+    } else {
+        1.0
+    };
+    let mut shape = match (n as f64 / share).round() as usize {
+        118 => cylinder_blend_coarse(),
+        920 => cylinder_blend(),
+        13_308 => cylinder_blend_fine(),
+        n => {
+            let [arc, seam, rings] = blend_size(n);
+            cylinder_blend_with(arc, seam, rings)
+        }
+    };
+    match sampling {
+        Sampling::Regular => {}
+        Sampling::Irregular { seed } => scramble(&mut shape, seed),
+        Sampling::LocallyRefined { .. } => refine_patch(&mut shape),
+    }
+    shape
+}
+
 type Triple = [usize; 3];
 
 /// The connectivity under construction.
-struct Net {
+pub(super) struct Net {
     arc: usize,
     seam: usize,
     /// Vertices of the two sheets by lower sheet or not, c0 and c1.
     sheets: HashMap<(bool, usize, usize), u32>,
-    triangles: Vec<[u32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
     /// The fixed circle of every tube, from the +E side upward.
-    circles: [Vec<u32>; 3],
+    pub(super) circles: [Vec<u32>; 3],
     /// Are the circles' vertices half a step further?
-    staggered: bool,
-    vertices: u32,
+    pub(super) staggered: bool,
+    pub(super) vertices: u32,
 }
 
 impl Net {
-    fn new(arc: usize, seam: usize, rings: usize) -> Net {
+    pub(super) fn new(arc: usize, seam: usize, rings: usize) -> Net {
         let mut net = Net {
             arc,
             seam,
@@ -190,7 +223,7 @@ impl Net {
 
     /// A vertex of valence 6 in the middle of a sheet, where the lattice has a triangle there: the triangle
     /// and its three neighbours become a fan of six.
-    fn insert_pole(&mut self, lower: bool) {
+    pub(super) fn insert_pole(&mut self, lower: bool) {
         let (n, third) = (self.size(), self.size() / 3);
         let shifted = |t: usize, by: [usize; 3]| {
             let mut c = [third; 3];

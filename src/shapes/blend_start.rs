@@ -19,7 +19,7 @@ pub(super) fn tube_frame(t: usize) -> ([f64; 3], [f64; 3]) {
 }
 
 /// Moves a point onto the start surface along the gradient of the soft minimum.
-fn project(mut p: [f64; 3]) -> [f64; 3] {
+pub(super) fn project(mut p: [f64; 3]) -> [f64; 3] {
     for _ in 0..6 {
         let (mut sum, mut gradient) = (0.0, [0.0; 3]);
         for t in 0..3 {
@@ -46,13 +46,13 @@ fn project(mut p: [f64; 3]) -> [f64; 3] {
 }
 
 /// Neighbours of every vertex, flat.
-struct Neighbours {
+pub(super) struct Neighbours {
     start: Vec<u32>,
     list: Vec<u32>,
 }
 
 impl Neighbours {
-    fn new(triangles: &[[u32; 3]], n: usize) -> Self {
+    pub(super) fn new(triangles: &[[u32; 3]], n: usize) -> Self {
         let mut edges: Vec<(u32, u32)> = Vec::with_capacity(6 * triangles.len());
         for &[a, b, c] in triangles {
             edges.extend([(a, b), (b, a), (b, c), (c, b), (c, a), (a, c)]);
@@ -68,7 +68,7 @@ impl Neighbours {
         }
     }
 
-    fn of(&self, v: usize) -> &[u32] {
+    pub(super) fn of(&self, v: usize) -> &[u32] {
         &self.list[self.start[v] as usize..self.start[v + 1] as usize]
     }
 
@@ -131,8 +131,13 @@ fn harmonic(shape: &mut Shape, near: &Neighbours, free: &[usize]) {
 }
 
 /// Divides every triangle whose centre is `inside` into nine, keeping the mesh conforming: a neighbour with
-/// one divided side becomes a fan of three, one with more is divided too.
-pub(super) fn trisect(shape: &mut Shape, inside: impl Fn([f64; 3]) -> bool) {
+/// one divided side becomes a fan of three, one with more is divided too. New vertices lie where `place` puts
+/// the mean of the corners.
+pub(super) fn trisect(
+    shape: &mut Shape,
+    place: impl Fn([f64; 3]) -> [f64; 3],
+    inside: impl Fn([f64; 3]) -> bool,
+) {
     let centre = |t: &[u32; 3]| -> [f64; 3] {
         std::array::from_fn(|i| t.iter().map(|&v| shape.positions[v as usize][i]).sum::<f64>() / 3.0)
     };
@@ -162,7 +167,8 @@ pub(super) fn trisect(shape: &mut Shape, inside: impl Fn([f64; 3]) -> bool) {
         for k in 0..3 {
             let (a, b) = edge(t[k], t[(k + 1) % 3]);
             if let Some(cut) = cuts.get_mut(&(a, b)).filter(|cut| **cut == [0; 2]) {
-                *cut = [1.0, 2.0].map(|w| add_between(shape, [a, a, b], [0.0, 1.0 - w / 3.0, w / 3.0]));
+                *cut =
+                    [1.0, 2.0].map(|w| add_between(shape, &place, [a, a, b], [0.0, 1.0 - w / 3.0, w / 3.0]));
             }
         }
     }
@@ -173,7 +179,7 @@ pub(super) fn trisect(shape: &mut Shape, inside: impl Fn([f64; 3]) -> bool) {
     for (&[a, b, c], fine) in old.iter().zip(fine) {
         match (third(a, b), third(b, c), third(c, a)) {
             (Some(ab), Some(bc), Some(ca)) if fine => {
-                let m = add_between(shape, [a, b, c], [1.0 / 3.0; 3]);
+                let m = add_between(shape, &place, [a, b, c], [1.0 / 3.0; 3]);
                 let rim = [a, ab[0], ab[1], b, bc[0], bc[1], c, ca[0], ca[1]];
                 for k in 0..9 {
                     // The three corners are cut off by the edge between their neighbours.
@@ -204,11 +210,16 @@ fn fan(triangles: &mut Vec<[u32; 3]>, a: u32, cut: [u32; 2], b: u32, apex: u32) 
     triangles.extend([[a, cut[0], apex], [cut[0], cut[1], apex], [cut[1], b, apex]]);
 }
 
-/// A new free vertex at a weighted mean, on the start surface.
-fn add_between(shape: &mut Shape, of: [u32; 3], weight: [f64; 3]) -> u32 {
+/// A new free vertex where `place` puts a weighted mean.
+fn add_between(
+    shape: &mut Shape,
+    place: impl Fn([f64; 3]) -> [f64; 3],
+    of: [u32; 3],
+    weight: [f64; 3],
+) -> u32 {
     let p = of.map(|v| shape.positions[v as usize]);
     let mean = std::array::from_fn(|i| (0..3).map(|k| weight[k] * p[k][i]).sum());
-    shape.positions.push(project(mean));
+    shape.positions.push(place(mean));
     shape.normals.push([0.0; 3]);
     shape.free.push(true);
     shape.positions.len() as u32 - 1

@@ -9,24 +9,29 @@
 mod blend;
 mod blend_start;
 mod chart;
+mod irregular;
 mod planar;
+mod plate;
 mod revolution;
 mod rng;
 mod sampling;
 mod shape;
+mod size;
 mod sphere;
 mod surface;
+mod tetra;
 mod unduloid;
 
 pub use blend::{
     BLEND_DISTANCE, BLEND_RADIUS, cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine,
-    cylinder_blend_refined_patch, cylinder_blend_with,
+    cylinder_blend_of, cylinder_blend_refined_patch, cylinder_blend_with,
 };
 pub use revolution::{catenoid_band, cylinder_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
 pub use shape::Shape;
 pub use sphere::{saddle_graph, sphere_cap, sphere_with_hole};
 pub use surface::{Similarity, Surface};
+pub use tetra::{TETRA_RADIUS, tetra_thing, tetra_thing_coarse, tetra_thing_of, tetra_thing_with};
 pub use unduloid::Unduloid;
 
 /// Rings of fixed triangles around the free region unless there is a reason for another number.

@@ -311,7 +311,7 @@ impl Shift {
 
     /// Change of `H_b` per unit shift.
     fn answer(&self, equations: &Equations<'_>, state: &State, b: usize) -> f64 {
-        let after = equations.border_curvature(&self.x, &state.corrected, b);
+        let after = equations.border_curvature_of_any(&self.x, &state.corrected, b);
         (after - state.h[equations.free() + b]) / self.length
     }
 }

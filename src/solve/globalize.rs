@@ -1,7 +1,7 @@
 //! The order in which harder means are tried, until a sound surface is found or none is left:
 //!
 //! 1. directly, from the linear surface, with repaired inner fairness where triangles end flipped or thin; then the
-//!    same from the linear surface on a membrane's metric;
+//!    same from the linear surface on a membrane's metric; with a right-hand side, continuation in it before that;
 //! 2. plain (first-order) curvature first, whose basin is larger, then a jump to the second order;
 //! 3. pseudo-time from there;
 //! 4. the plain solution to tolerance, reported as what it is;
@@ -14,10 +14,11 @@ use nalgebra::Vector3;
 
 use super::continuation::continuation;
 use super::control::Control;
+use super::loading::loading;
 use super::pseudo_time::pseudo_time;
 use super::quasi_newton::{End, Plan, iterate};
 use super::system::{Collapsed, System};
-use super::weight_repair::Repair;
+use super::weight_repair::{Repair, THRESHOLDS};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
 use crate::quality::Surface;
@@ -28,11 +29,6 @@ const GUARD: f64 = 10.0;
 const PLAIN_GUARD: f64 = 5.0;
 /// Plain curvature only prepares: it goes no further than this.
 const PLAIN_TOLERANCE: f64 = 1e-4;
-
-/// The largest `|H|` inside, against the border's.
-const OVERSHOOT: f64 = 1.05;
-/// Curvatures below this, times the diagonal, count as none.
-const OVERSHOOT_FLOOR: f64 = 0.1;
 
 /// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
 const STRAINED_DEGREES: f64 = 15.0;
@@ -53,6 +49,8 @@ pub enum Ending {
     /// Border normals reached only to this fraction of the way; the linear surface. Border vertices (numbered from
     /// the first border vertex), the farthest first.
     Partly(f64, Vec<u32>),
+    /// A surface was found for this part of the right-hand side only; the linear surface.
+    Loaded(f64),
     /// Limit or cancel: the best surface so far.
     Stopped,
 }
@@ -83,7 +81,7 @@ pub struct Candidate {
     pub step: f64,
     /// Its poor triangles.
     pub poor: Vec<u32>,
-    /// Its mean curvature inside exceeds that on the border, which a harmonic function cannot, or it stands off single
+    /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]), or it stands off single
     /// border normals far more than off the others: a bump that the coarse equations admit.
     pub doubtful: bool,
 }
@@ -159,6 +157,15 @@ fn attempts(
     keep(&mut fallback, first, Ending::Converged);
 
     restore(system, &weights);
+    let mut loaded = None;
+    if !system.right_hand_side.is_zero() {
+        let found = loading(system, linear, control);
+        match found.candidate {
+            Some(candidate) if candidate.is_settled() => return settled(candidate, Ending::Converged),
+            Some(candidate) => keep(&mut fallback, candidate, Ending::Converged),
+            None => loaded = Some(found.reached),
+        }
+    }
     let membrane = system.membrane();
     if let Ok(mut start) = system.linear_surface_on(&membrane) {
         system.tangential_steps(&mut start);
@@ -218,6 +225,7 @@ fn attempts(
     match fallback.into_iter().next() {
         Some((candidate, Ending::Converged)) if candidate.doubtful => (Some(candidate), Ending::Doubtful),
         Some((candidate, ending)) => (Some(candidate), ending),
+        None if loaded.is_some_and(|part| part > 0.0) => (None, Ending::Loaded(loaded.unwrap_or(0.0))),
         None if continued.reached > 0.0 => (None, Ending::Partly(continued.reached, continued.farthest)),
         None => (None, Ending::Failed),
     }
@@ -326,11 +334,19 @@ fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) ->
 /// Iterates; where triangles end flipped or thin, repairs the inner fairness around them and starts again.
 fn with_repair(
     system: &mut System<'_>,
-    x: Vec<Vector3<f64>>,
+    mut x: Vec<Vector3<f64>>,
     plan: Plan,
     control: &mut Control<'_>,
 ) -> Candidate {
     let mut repair = Repair::new(system);
+    system.evaluate(&x);
+    // The start is distributed almost as the result will be: what folds here would be found after the iterations.
+    if !system.poor(&x, THRESHOLDS[0]).is_empty()
+        && let Some(weights) = repair.next(system, &x)
+        && let Ok(start) = system.set_weights(weights).and_then(|()| system.start())
+    {
+        x = start;
+    }
     let mut best = iterated(system, x, Plan { watch: true, ..plan }, control);
     let mut last = best.clone();
     while matches!(last.end, End::Converged | End::Poor) && !last.poor.is_empty() {
@@ -365,14 +381,6 @@ impl System<'_> {
         self.diagonal = diagonal(&x);
         self.tangential_steps(&mut x);
         Ok(x)
-    }
-
-    /// Whether `|H|` inside exceeds its maximum on the border by more than the discretization allows, at the last
-    /// evaluation.
-    fn overshoots(&self) -> bool {
-        let largest = |h: &[f64]| h.iter().fold(0.0f64, |m, h| m.max(h.abs()));
-        let (inside, border) = self.state.h.split_at(self.free());
-        largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / self.diagonal
     }
 
     /// Whether single border vertices deviate from their normals far more than the rest.

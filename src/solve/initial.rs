@@ -15,6 +15,9 @@ use crate::linear::symbolic::Symbolic;
 const REFINED: f64 = 1e-4;
 /// More iterations than this say that 32 bits do not suffice.
 const MOST_ITERATIONS: usize = 16;
+/// So does a step longer than this. A step of conjugate gradients is at most `1 / l` long, `l` the least eigenvalue of the
+/// preconditioned matrix, 1 for an exact factor: in some low mode the normal step would be too short by this factor or more.
+const LONGEST_STEP: f64 = 3.0;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 
@@ -173,6 +176,9 @@ impl System<'_> {
                 .apply(self.rings, &direction, None, &mut scratch, &mut image);
             let curvature = products(&direction[..free], &image);
             let alpha = ratios(rho, curvature);
+            if !self.is_double() && alpha.iter().any(|&a| a > LONGEST_STEP) {
+                return false;
+            }
             add_scaled(&mut x[..free], alpha, &direction[..free]);
             add_scaled(&mut residual, alpha.map(|a| -a), &image);
             preconditioned.copy_from_slice(&residual);

@@ -7,12 +7,16 @@
 pub mod bilaplacian;
 pub mod continuation;
 pub mod control;
+pub mod curvature_bounds;
+pub mod direction;
 pub mod factor;
 pub mod globalize;
 pub mod initial;
+pub mod loading;
 pub mod pseudo_time;
 pub mod quasi_newton;
 pub mod system;
+pub mod untangle;
 pub mod weight_repair;
 
 pub use control::Control;

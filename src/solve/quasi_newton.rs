@@ -11,7 +11,7 @@ const NEAR: f64 = 1e-4;
 /// Growth of the step norm over the best that an accelerated step may cause.
 const SAFE_GROWTH: f64 = 1.5;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
-const LARGEST_STEP: f64 = 0.2;
+const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
 const EXTRA: usize = 3;
 /// Steps that Anderson acceleration looks back on.

@@ -6,10 +6,12 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
+use super::direction;
 use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
+use crate::discrete::target::RightHandSide;
 use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
@@ -17,6 +19,10 @@ use crate::mesh::{Region, Rings};
 
 /// Tangential steps below this, in diagonals, are projected.
 const NEAR: f64 = 1e-3;
+
+/// With more free vertices `P` is factored in 64 bits from the start: its condition grows with their square, and the lowest
+/// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
+const SINGLE_UP_TO: usize = 250_000;
 
 /// Largest edge-relative change of one step.
 pub const LARGEST_CHANGE: f64 = 0.5;
@@ -31,12 +37,16 @@ pub struct System<'a> {
     pub groups: &'a Groups,
     /// The input surface of the region (free, border).
     pub input: &'a [Vector3<f64>],
-    /// Prescribed normals.
+    /// Prescribed normals; those of the last evaluation where the surface passes.
     pub border_normals: Vec<Vector3<f64>>,
+    /// Border vertices with a closed ring that the surface passes smoothly; empty: none.
+    pub passing: Vec<bool>,
     /// Inner fairness.
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
     pub curvature: FreeCurvature,
+    /// What `Delta_B H` has to be, in the frame; zero unless set.
+    pub right_hand_side: RightHandSide,
     /// The last evaluation.
     pub state: State,
     /// The metric that `P` was made from.
@@ -111,14 +121,16 @@ impl<'a> System<'a> {
             groups,
             input,
             border_normals,
+            passing: Vec::new(),
             weights,
             curvature,
+            right_hand_side: RightHandSide::default(),
             state: State::new(groups, region.border),
             metric: Metric::default(),
             diagonal: 1.0,
             g_pattern,
             g,
-            p: Factor::new(&p_symbolic, false),
+            p: Factor::new(&p_symbolic, free > SINGLE_UP_TO),
             p_values: vec![0.0; p_pattern.column.len()],
             p_pattern,
             p_symbolic,
@@ -138,8 +150,10 @@ impl<'a> System<'a> {
             rings: self.rings,
             groups: self.groups,
             border_normals: &self.border_normals,
+            passing: &self.passing,
             weights: &self.weights,
             curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
         }
     }
 
@@ -148,6 +162,16 @@ impl<'a> System<'a> {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
+        self.take_passing_normals();
+    }
+
+    fn take_passing_normals(&mut self) {
+        let (_, current) = self.state.corrected.split_at(self.region.free);
+        for ((normal, current), passes) in self.border_normals.iter_mut().zip(current).zip(&self.passing) {
+            if *passes {
+                *normal = *current;
+            }
+        }
     }
 
     /// Takes new inner-fairness weights.
@@ -168,6 +192,7 @@ impl<'a> System<'a> {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
+            self.take_passing_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
@@ -208,7 +233,7 @@ impl<'a> System<'a> {
     }
 
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
+    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
     /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
     /// Near the solution it is projected, or each equation would disturb the other.
     pub fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
@@ -241,12 +266,17 @@ impl<'a> System<'a> {
             largest: self.normal_step.iter().fold(0.0f64, |m, t| m.max(t[0].abs())) / self.diagonal,
         };
         let project = norm.tangential < NEAR;
+        let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
+        let rounds = direction::rounds(norm.largest * self.diagonal, disk);
+        let averaged = (rounds > 0)
+            .then(|| direction::averaged(self.rings, &self.state.normal, &self.border_normals, rounds));
+        let along = averaged.as_ref().unwrap_or(&self.state.normal);
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
             let d = Vector3::from(self.tangential_step[i]);
             let off = if project { d.dot(n) } else { 0.0 };
             for c in 0..3 {
-                s[c] = (self.normal_step[i][0] - off) * n[c] + d[c];
+                s[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
             }
         }
         norm

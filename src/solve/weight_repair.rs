@@ -3,10 +3,11 @@
 use nalgebra::Vector3;
 
 use super::system::System;
+use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
-const THRESHOLDS: [f64; 3] = [1.0, 3.0, 5.0];
+pub const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
 /// Vertices marked so far.
 #[derive(Debug)]
@@ -26,8 +27,9 @@ impl Repair {
         }
     }
 
-    /// Marks the vertices of poor triangles at `x` and gives them mean-value weights of the input mesh. `None` when there
-    /// is nothing left to try.
+    /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
+    /// like everything here, taken from connectivity and border alone and not from the input's interior. `None` when
+    /// there is nothing left to try.
     pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
         self.round += 1;
@@ -42,9 +44,11 @@ impl Repair {
         for _ in 1..self.round {
             self.grow(system);
         }
+        let mut better = x.to_vec();
+        untangle(system.rings, &self.marked, &mut better);
         let mut weights = self.asked.clone();
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
-            weights.set_mean_value(system.groups, system.input, i);
+            weights.set_mean_value(system.groups, &better, i);
         }
         Some(weights)
     }

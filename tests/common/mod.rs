@@ -169,6 +169,8 @@ pub mod fairing {
     ) -> Solution {
         // Field by field: the callback's lifetime cannot be shortened.
         let Options {
+            interior,
+            target,
             inner,
             discretization,
             tolerance,
@@ -180,6 +182,8 @@ pub mod fairing {
         let progress = None;
         let options = Options {
             normals,
+            interior,
+            target,
             inner,
             discretization,
             tolerance,

@@ -11,7 +11,7 @@ use fairmesh::{BorderNormals, Options, Outcome, Selection};
 use crate::failure::Failure;
 use crate::formats::{self, Format};
 use crate::output::Output;
-use crate::render::{self, Shading, View};
+use crate::picture::{self, Layout, Shading, View};
 use crate::report::{Summary, Times};
 
 /// What `fairmesh demo` is asked.
@@ -114,6 +114,7 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
         triangles,
         shading,
         region: &[],
+        focus: &[],
     };
     let views = [
         view(start, Shading::Flat),
@@ -122,10 +123,14 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
         view(result, Shading::ReflectionLines),
     ];
     // From above, along one of the three tubes.
-    let options = render::Options {
+    let options = picture::Options {
         tile: [490, 400],
         direction: [0.45, -0.75, 0.8],
-        ..render::Options::default()
+        ..picture::Options::default()
     };
-    render::render(&views, &options)
+    let layout = Layout {
+        columns: 2,
+        ..Layout::default()
+    };
+    picture::render(&views, &options, &layout)
 }

@@ -87,6 +87,10 @@ pub fn outcome(report: &Report) -> String {
             100.0 * reached,
             vertices.len()
         ),
+        Outcome::TargetNotReachable { reached } => format!(
+            "no surface with this --target was found, only one with {:.0} % of its right-hand side",
+            100.0 * reached
+        ),
         Outcome::NotConverged => "no sound surface was found".into(),
         Outcome::IterationLimit => "stopped at the iteration limit".into(),
         Outcome::Cancelled => "stopped on request".into(),
@@ -106,6 +110,9 @@ pub fn advice(report: &Report) -> String {
         }
         Outcome::NormalsNotReachable { .. } => {
             "check the normals of the vertices named (flipped? noise?); try --average-normals or select more"
+        }
+        Outcome::TargetNotReachable { .. } => {
+            "the file holds the linear surface; ask for a smaller constant, or a smaller region"
         }
         Outcome::NotConverged => {
             "the file holds the linear surface; select more, or remesh the region and try again"

@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use fairmesh::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Selection, Solution,
+    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
+    Solution, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -25,6 +26,8 @@ enum Inner {
     Uniform,
     /// The least distortion of the input's triangles
     Conformal,
+    /// Nearly that, by positive weights for any triangles
+    Convex,
 }
 
 /// How normals and mean curvature are discretized.
@@ -80,6 +83,10 @@ pub struct FairArgs {
         verbatim_doc_comment
     )]
     average_normals: bool,
+    /// Normals of fixed vertices inside the region come from their triangles
+    /// in the input; without, the surface passes them smoothly
+    #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
+    interior_from_input: bool,
     /// How vertices are distributed within the surface
     #[arg(
         long,
@@ -89,6 +96,18 @@ pub struct FairArgs {
         help_heading = "Surface"
     )]
     inner: Inner,
+    /// What the Laplacian of the mean curvature H shall be: 'harmonic' (0),
+    /// 'constant=C' (C per cubic length, positive: pushes outward) or
+    /// 'minimal-energy' (-2 H (H^2 - K))
+    #[arg(
+        long,
+        value_name = "WHAT",
+        default_value = "harmonic",
+        value_parser = target,
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
+    target: Target,
     /// How normals and mean curvature are discretized
     #[arg(
         long,
@@ -126,6 +145,29 @@ pub struct FairArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+}
+
+/// Reads `--target`.
+fn target(text: &str) -> Result<Target, String> {
+    match text {
+        "harmonic" => Ok(Target::Harmonic),
+        "minimal-energy" => Ok(Target::MinimalEnergy),
+        _ => text
+            .strip_prefix("constant=")
+            .and_then(|c| c.parse::<f64>().ok())
+            .filter(|c| c.is_finite())
+            .map(Target::Constant)
+            .ok_or_else(|| "expected harmonic, constant=NUMBER or minimal-energy".to_owned()),
+    }
+}
+
+/// The same as text.
+pub fn target_name(target: Target) -> String {
+    match target {
+        Target::Harmonic => "harmonic".to_owned(),
+        Target::Constant(c) => format!("constant={c}"),
+        Target::MinimalEnergy => "minimal-energy".to_owned(),
+    }
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -261,9 +303,16 @@ pub fn solve(
             None if args.average_normals => BorderNormals::Averaged,
             None => BorderNormals::Fitted,
         },
+        interior: if args.interior_from_input {
+            InteriorNormals::Input
+        } else {
+            InteriorNormals::Smooth
+        },
+        target: args.target,
         inner: match args.inner {
             Inner::Uniform => InnerFairness::Uniform,
             Inner::Conformal => InnerFairness::Conformal,
+            Inner::Convex => InnerFairness::Convex,
         },
         discretization: match args.discretization {
             Scheme::SecondOrder => Discretization::SecondOrder,

@@ -8,8 +8,10 @@ mod failure;
 mod fair;
 mod fill;
 mod formats;
+mod generate;
 mod normals;
 mod output;
+mod picture;
 mod remesh;
 mod render;
 mod report;
@@ -34,7 +36,11 @@ struct Cli {
 enum Command {
     /// Fairs a region of a mesh file
     #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
-    Fair(fair::FairArgs),
+    Fair(Box<fair::FairArgs>),
+    /// Writes one of the paper's inputs or an exact surface as a mesh file
+    Generate(generate::GenerateArgs),
+    /// Makes a picture of one or more meshes
+    Render(render::RenderArgs),
     /// Lists the border loops of a mesh file
     Holes(fill::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
@@ -102,6 +108,8 @@ hole is left open or its surface is not fair: the report says which and why.";
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
+        Command::Generate(args) => generate::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Holes(args) => fill::list(&args),
         Command::Fill(args) => fill::run(&args),
         Command::Demo(args) => demo::run(&args),

@@ -1,6 +1,6 @@
 //! `fairmesh fair --remesh`: the region is triangulated anew where it will lie.
 
-use fairmesh::{Outcome, RemeshOptions, remesh_region};
+use fairmesh::{RemeshOptions, remesh_region};
 
 use crate::fair::{FairArgs, Region, solve};
 use crate::formats::{Geometry, Kind};
@@ -15,11 +15,7 @@ pub fn remesh(
     region: &Region,
 ) -> Result<(Geometry, Region), fairmesh::Error> {
     let rough = solve(args, geometry, region, Some(TOLERANCE))?;
-    let failed = matches!(
-        rough.report.outcome,
-        Outcome::NotConverged | Outcome::NormalsNotReachable { .. }
-    );
-    let positions = if failed {
+    let positions = if rough.report.linear_surface {
         &geometry.positions
     } else {
         &rough.positions

@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use fairmesh::{Outcome, Report};
+use fairmesh::{Outcome, Report, Target};
 use serde_json::{Map, Value, json};
 
 use crate::explain;
+use crate::fair::target_name;
 use crate::formats::Geometry;
 
 /// Seconds of the command; `solve` is the library's whole call, `setup` the part of it before any solving.
@@ -70,7 +71,17 @@ impl Summary<'_> {
                 scientific(report.step)
             ),
         );
-        row("harmonic defect", scientific(report.defect));
+        if report.target != Target::Harmonic {
+            row("target", target_name(report.target));
+        }
+        row(
+            if report.target == Target::Harmonic {
+                "harmonic defect"
+            } else {
+                "defect"
+            },
+            scientific(report.defect),
+        );
         row("region's diagonal", significant(report.diagonal));
         let worst = self.geometry.polygon_of(quality.worst_triangle);
         row(
@@ -136,7 +147,9 @@ impl Summary<'_> {
             _ => Value::from(explain::outcome(report)),
         };
         let reached = match report.outcome {
-            Outcome::NormalsNotReachable { reached, .. } => Value::from(reached),
+            Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => {
+                Value::from(reached)
+            }
             _ => Value::Null,
         };
         let mut object = Map::new();
@@ -149,6 +162,7 @@ impl Summary<'_> {
                 .filter(|advice| !advice.is_empty())
                 .into(),
         );
+        add("target", target_name(report.target).into());
         add("iterations", report.iterations.into());
         add("defect", report.defect.into());
         add("step", report.step.into());
@@ -256,6 +270,7 @@ mod tests {
 
     fn report(outcome: Outcome) -> Report {
         Report {
+            target: Target::Constant(0.5),
             outcome,
             iterations: 7,
             defect: f64::NAN,
@@ -297,6 +312,7 @@ mod tests {
         };
         let json = summary.json();
         assert_eq!(json["outcome"], "not_converged");
+        assert_eq!(json["target"], "constant=0.5");
         assert_eq!(json["quality"]["worst_triangle"], 1);
         assert_eq!(json["quality"]["flipped"], json!({ "count": 1, "list": [1] }));
         assert_eq!(json["quality"]["needles"], json!({ "count": 2, "list": [0, 1] }));
@@ -324,6 +340,7 @@ mod tests {
                 reached: 0.4,
                 vertices: vec![5, 1],
             },
+            Outcome::TargetNotReachable { reached: 0.25 },
             Outcome::NotConverged,
             Outcome::IterationLimit,
             Outcome::Cancelled,

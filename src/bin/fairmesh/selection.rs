@@ -130,8 +130,8 @@ fn index(bytes: &[u8], words: &mut Words<'_>, count: usize, what: &str) -> Resul
     }
 }
 
-/// Indices, one per line.
-fn indices(path: &Path, count: usize, what: &str) -> Result<Vec<u32>, Failure> {
+/// Indices below `count`, one per line; `what` is the plural of what they number.
+pub fn indices(path: &Path, count: usize, what: &str) -> Result<Vec<u32>, Failure> {
     let (name, bytes) = read(path)?;
     let mut indices = Vec::new();
     lines(&bytes, |words| {

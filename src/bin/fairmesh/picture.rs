@@ -1,0 +1,208 @@
+//! Pictures of surfaces: a small software renderer, supersampled, as PNG.
+
+mod camera;
+mod canvas;
+mod paint;
+mod sheet;
+
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use camera::Camera;
+use canvas::Canvas;
+pub use sheet::Layout;
+
+type V3 = [f64; 3];
+
+/// How a surface is painted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shading<'a> {
+    /// Every triangle by its own normal.
+    Flat,
+    /// The mirror image of rings of light around a far sphere, by interpolated vertex normals. A crease breaks the lines,
+    /// a jump of curvature kinks them.
+    ReflectionLines,
+    /// Colours of a scale by a value per vertex, which is interpolated; the range of the scale.
+    Values(&'a [f64], [f64; 2]),
+}
+
+/// One picture of one surface.
+pub struct View<'a> {
+    pub positions: &'a [V3],
+    pub triangles: &'a [[u32; 3]],
+    pub shading: Shading<'a>,
+    /// Vertices of the faired region: triangles that have one are tinted. Empty: none.
+    pub region: &'a [bool],
+    /// Vertices that have to be in the picture. Empty: all.
+    pub focus: &'a [bool],
+}
+
+/// How it is seen. All views are seen by the same camera, which shows all of every surface's focus.
+pub struct Options {
+    /// Width and height of one view, in pixels.
+    pub tile: [usize; 2],
+    /// From the surface to the eye; any length.
+    pub direction: V3,
+    /// What points up in the picture.
+    pub up: V3,
+    /// Samples per pixel along each axis.
+    pub samples: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tile: [720, 720],
+            direction: [1.0, 0.7, 0.8],
+            up: [0.0, 0.0, 1.0],
+            samples: 3,
+        }
+    }
+}
+
+/// Paints the views in rows and encodes the picture.
+pub fn render(views: &[View<'_>], options: &Options, layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
+    let camera = Camera::around(views, options);
+    let tiles: Vec<_> = views
+        .par_iter()
+        .map(|view| Canvas::paint(view, &camera, options).shrunk(options.samples))
+        .collect();
+    sheet::encode(&tiles, layout).map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::canvas::{BACKDROP, srgb};
+    use super::*;
+
+    /// The pixels of an encoded picture.
+    fn decode(bytes: &[u8]) -> (Vec<u8>, [usize; 2]) {
+        let image = image::load_from_memory(bytes).unwrap().to_rgb8();
+        let size = [image.width() as usize, image.height() as usize];
+        (image.into_raw(), size)
+    }
+
+    /// A square seen from the front, and one half its size before (`near` > 0) or behind it.
+    fn squares(near: f64) -> (Vec<V3>, Vec<[u32; 3]>) {
+        let mut positions = Vec::new();
+        for (side, z) in [(1.0, 0.0), (0.5, near)] {
+            positions.extend([
+                [-side, -side, z],
+                [side, -side, z],
+                [side, side, z],
+                [-side, side, z],
+            ]);
+        }
+        // The inner one faces away, so that it is painted differently.
+        (positions, vec![[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]])
+    }
+
+    fn picture(near: f64, shading: Shading<'_>) -> (Vec<u8>, [usize; 2]) {
+        let (positions, triangles) = squares(near);
+        let view = View {
+            positions: &positions,
+            triangles: &triangles,
+            shading,
+            region: &[],
+            focus: &[],
+        };
+        let options = Options {
+            tile: [50, 50],
+            direction: [0.0, 0.0, 1.0],
+            up: [0.0, 1.0, 0.0],
+            ..Options::default()
+        };
+        decode(&render(&[view], &options, &Layout::default()).unwrap())
+    }
+
+    fn pixel((pixels, [width, _]): &(Vec<u8>, [usize; 2]), x: usize, y: usize) -> [u8; 3] {
+        let at = 3 * (y * width + x);
+        [pixels[at], pixels[at + 1], pixels[at + 2]]
+    }
+
+    #[test]
+    fn what_is_nearer_hides_what_is_behind() {
+        let (front, behind) = (picture(0.1, Shading::Flat), picture(-0.1, Shading::Flat));
+        let backdrop = BACKDROP.map(srgb);
+        for shown in [&front, &behind] {
+            assert_eq!(pixel(shown, 0, 0), backdrop);
+            assert_ne!(pixel(shown, 10, 25), backdrop);
+        }
+        assert_ne!(pixel(&front, 25, 25), pixel(&front, 8, 8));
+        assert_eq!(pixel(&behind, 25, 25), pixel(&behind, 24, 26));
+        assert_eq!(pixel(&front, 8, 8), pixel(&behind, 8, 8));
+    }
+
+    #[test]
+    fn the_surface_fills_the_tile_up_to_the_margin() {
+        let shown = picture(-0.1, Shading::Flat);
+        let covered = (0..50)
+            .filter(|&x| pixel(&shown, x, 25) != BACKDROP.map(srgb))
+            .count();
+        assert_eq!(covered, 44);
+    }
+
+    #[test]
+    fn odd_input_makes_a_picture_too() {
+        let options = Options {
+            tile: [8, 8],
+            ..Options::default()
+        };
+        let positions = [[f64::NAN; 3], [0.0; 3], [1.0; 3], [1e308; 3]];
+        let triangles = [[0, 1, 2], [1, 1, 1], [1, 2, 3]];
+        let two = Layout {
+            columns: 2,
+            ..Layout::default()
+        };
+        let values = [f64::NAN, 1.0, f64::INFINITY, 2.0];
+        for shading in [
+            Shading::Flat,
+            Shading::ReflectionLines,
+            Shading::Values(&values, [1.0, 1.0]),
+        ] {
+            let view = || View {
+                positions: &positions,
+                triangles: &triangles,
+                shading,
+                region: &[],
+                focus: &[],
+            };
+            let (_, size) = decode(&render(&[view(), view(), view()], &options, &two).unwrap());
+            assert_eq!(size, [16, 16]);
+        }
+        render(&[], &options, &two).unwrap_err();
+    }
+
+    #[test]
+    fn colours_run_over_the_scale_and_the_sheet_has_room_for_it() {
+        let (positions, triangles) = squares(-0.1);
+        let values: Vec<f64> = positions.iter().map(|p| p[0]).collect();
+        let view = View {
+            positions: &positions,
+            triangles: &triangles,
+            shading: Shading::Values(&values, [-1.0, 1.0]),
+            region: &[],
+            focus: &[],
+        };
+        let options = Options {
+            tile: [60, 60],
+            direction: [0.0, 0.0, 1.0],
+            up: [0.0, 1.0, 0.0],
+            ..Options::default()
+        };
+        let captions = ["one".to_owned()];
+        let layout = Layout {
+            columns: 1,
+            captions: &captions,
+            scale: Some(("H", [-1.0, 1.0])),
+        };
+        let shown = decode(&render(&[view], &options, &layout).unwrap());
+        let (low, high) = (pixel(&shown, 6, 30), pixel(&shown, 53, 30));
+        assert!(low[2] > 2 * low[1] || low[2] > low[0], "{low:?}");
+        assert!(high[0] > 2 * high[2], "{high:?}");
+        assert!(shown.1[0] > 60 && shown.1[1] > 60);
+        // Ink below the tile, and the bar beside it.
+        assert!((0..60).any(|x| (62..shown.1[1]).any(|y| pixel(&shown, x, y)[0] < 128)));
+        assert_ne!(pixel(&shown, 75, 40), [255; 3]);
+    }
+}

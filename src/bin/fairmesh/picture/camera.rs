@@ -1,0 +1,122 @@
+//! Where the eye is, and where it sees a point.
+
+use super::{Options, V3, View};
+use crate::normals::{cross, dot, sub, unit};
+
+/// Share of a tile that stays empty on each side.
+const MARGIN: f64 = 0.06;
+/// Distance of the eye from the centre, in radii of the bounding sphere.
+const DISTANCE: f64 = 5.0;
+
+/// An eye that looks at a point.
+pub struct Camera {
+    centre: V3,
+    distance: f64,
+    right: V3,
+    up: V3,
+    /// From the centre to the eye.
+    back: V3,
+    /// Picture coordinates of the tile's middle, and pixels (with samples) per picture unit.
+    middle: [f64; 2],
+    scale: f64,
+    size: [usize; 2],
+}
+
+/// A point of the picture, in pixels; `w` is one over the distance from the eye.
+#[derive(Clone, Copy)]
+pub struct Projected {
+    pub x: f64,
+    pub y: f64,
+    pub w: f64,
+}
+
+impl Camera {
+    pub fn around(views: &[View<'_>], options: &Options) -> Self {
+        let used = || views.iter().flat_map(|view| used_positions(view));
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in used() {
+            (0..3).for_each(|axis| {
+                low[axis] = low[axis].min(p[axis]);
+                high[axis] = high[axis].max(p[axis]);
+            });
+        }
+        let centre = [0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis])).map(finite);
+        let radius = used()
+            .map(|p| dot(sub(p, centre), sub(p, centre)).sqrt())
+            .fold(1e-300, f64::max);
+        let back = unit(options.direction).unwrap_or([0.0, 0.0, 1.0]);
+        let right = unit(cross(options.up, back)).or_else(|| unit(cross([0.0, 1.0, 0.0], back)));
+        let right = right.unwrap_or([1.0, 0.0, 0.0]);
+        let mut camera = Self {
+            centre,
+            distance: DISTANCE * radius,
+            right,
+            up: cross(back, right),
+            back,
+            middle: [0.0; 2],
+            scale: 1.0,
+            size: options.tile.map(|pixels| pixels * options.samples),
+        };
+        camera.fit(used());
+        camera
+    }
+
+    /// Places the picture so that all points are in it.
+    fn fit(&mut self, points: impl Iterator<Item = V3>) {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in points {
+            let [x, y, _] = self.plane(p);
+            low = [low[0].min(x), low[1].min(y)];
+            high = [high[0].max(x), high[1].max(y)];
+        }
+        let room = self.size.map(|pixels| pixels as f64 * (1.0 - 2.0 * MARGIN));
+        self.middle = [0, 1].map(|axis| finite(0.5 * (low[axis] + high[axis])));
+        let scales = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis]));
+        let scale = scales[0].min(scales[1]);
+        self.scale = if scale.is_finite() { scale } else { 1.0 };
+    }
+
+    /// Picture coordinates before scaling, and one over the distance.
+    fn plane(&self, p: V3) -> V3 {
+        let d = sub(p, self.centre);
+        let w = 1.0 / (self.distance - dot(d, self.back));
+        [
+            dot(d, self.right) * self.distance * w,
+            dot(d, self.up) * self.distance * w,
+            w,
+        ]
+    }
+
+    pub fn project(&self, p: V3) -> Projected {
+        let [x, y, w] = self.plane(p);
+        Projected {
+            x: 0.5 * self.size[0] as f64 + self.scale * (x - self.middle[0]),
+            y: 0.5 * self.size[1] as f64 - self.scale * (y - self.middle[1]),
+            w,
+        }
+    }
+
+    /// The eye.
+    pub fn eye(&self) -> V3 {
+        [0, 1, 2].map(|axis| self.centre[axis] + self.distance * self.back[axis])
+    }
+
+    /// A direction given in the picture's right, up and towards the eye.
+    pub fn direction(&self, [r, u, b]: V3) -> V3 {
+        let sum = [0, 1, 2].map(|axis| r * self.right[axis] + u * self.up[axis] + b * self.back[axis]);
+        unit(sum).unwrap_or(self.back)
+    }
+}
+
+fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
+}
+
+/// The positions that triangles use; if the view is about some vertices, those.
+fn used_positions<'a>(view: &'a View<'_>) -> impl Iterator<Item = V3> + 'a {
+    let corners = view.triangles.as_flattened().iter();
+    let shown = corners.filter(|&&v| view.focus.is_empty() || view.focus.get(v as usize) == Some(&true));
+    shown
+        .map(|&v| view.positions[v as usize])
+        .filter(|p| p.iter().all(|c| c.is_finite()))
+}

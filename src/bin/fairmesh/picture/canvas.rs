@@ -1,0 +1,105 @@
+//! Triangles into a z-buffer.
+//!
+//! Own code, because there is no kept crate for it: of the pure-Rust rasterizers, `euc` has had no release by its
+//! author since 2021, takes depth in 32 bits and panics where its buffers do not fit, and the others draw without
+//! depth (`tiny-skia`, `imageproc`) or need a graphics card. What is needed is the one loop of [`Canvas::triangle`].
+
+use image::{Rgb, RgbImage};
+
+use super::camera::{Camera, Projected};
+use super::paint::Painter;
+use super::{Options, View};
+
+/// Linear light where there is no surface.
+pub const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
+
+/// A tile with samples: colour (linear light) and depth.
+pub struct Canvas {
+    size: [usize; 2],
+    colour: Vec<[f32; 3]>,
+    /// One over the distance of what is seen; 0: nothing.
+    depth: Vec<f64>,
+}
+
+impl Canvas {
+    pub fn paint(view: &View<'_>, camera: &Camera, options: &Options) -> Self {
+        let mut canvas = Self::empty(options.tile.map(|pixels| pixels * options.samples));
+        let painter = Painter::new(view, camera);
+        let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
+        for t in 0..view.triangles.len() {
+            canvas.triangle(t, &projected, &painter);
+        }
+        canvas
+    }
+
+    /// Nothing but the backdrop.
+    fn empty(size: [usize; 2]) -> Self {
+        let samples = size[0] * size[1];
+        Self {
+            size,
+            colour: vec![BACKDROP; samples],
+            depth: vec![0.0; samples],
+        }
+    }
+
+    /// Fills the samples whose centres are in the triangle and that nothing nearer covers.
+    fn triangle(&mut self, t: usize, projected: &[Projected], painter: &Painter<'_>) {
+        let [a, b, c] = painter.view.triangles[t].map(|v| projected[v as usize]);
+        let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        // What reaches behind the eye is left out.
+        if !area.is_finite() || area == 0.0 || [a, b, c].iter().any(|p| p.w <= 0.0) {
+            return;
+        }
+        let clip = |low: f64, high: f64, size: usize| {
+            let first = (low - 0.5).ceil().clamp(0.0, size as f64) as usize;
+            let end = (high - 0.5).floor() + 1.0;
+            first..end.clamp(0.0, size as f64) as usize
+        };
+        let columns = clip(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.size[0]);
+        for row in clip(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.size[1]) {
+            let y = row as f64 + 0.5;
+            for column in columns.clone() {
+                let x = column as f64 + 0.5;
+                let beta = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
+                let gamma = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+                let alpha = 1.0 - beta - gamma;
+                if alpha < 0.0 || beta < 0.0 || gamma < 0.0 {
+                    continue;
+                }
+                // One over the distance is linear in the picture; the coordinates on the triangle are not.
+                let weights = [alpha * a.w, beta * b.w, gamma * c.w];
+                let w = weights[0] + weights[1] + weights[2];
+                let sample = row * self.size[0] + column;
+                if w > self.depth[sample] {
+                    self.depth[sample] = w;
+                    self.colour[sample] = painter.colour(t, weights.map(|weight| weight / w));
+                }
+            }
+        }
+    }
+
+    /// The tile's pixels: means of the samples' light, as sRGB.
+    pub fn shrunk(&self, samples: usize) -> RgbImage {
+        let [width, height] = self.size.map(|size| (size / samples) as u32);
+        RgbImage::from_fn(width, height, |x, y| {
+            let mut sum = [0.0f32; 3];
+            let (x, y) = (x as usize * samples, y as usize * samples);
+            for (j, i) in (0..samples).flat_map(|j| (0..samples).map(move |i| (j, i))) {
+                let colour = self.colour[(y + j) * self.size[0] + x + i];
+                (0..3).for_each(|channel| sum[channel] += colour[channel]);
+            }
+            Rgb(sum.map(|light| srgb(light / (samples * samples) as f32)))
+        })
+    }
+}
+
+/// Linear light as an sRGB byte.
+pub fn srgb(light: f32) -> u8 {
+    let light = light.clamp(0.0, 1.0);
+    let curve = if light <= 0.003_130_8 {
+        12.92 * light
+    } else {
+        1.055 * light.powf(1.0 / 2.4) - 0.055
+    };
+    (255.0 * curve).round() as u8
+}

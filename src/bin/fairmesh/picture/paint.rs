@@ -1,0 +1,111 @@
+//! The light that a point of the surface sends to the eye.
+
+use super::camera::Camera;
+use super::{Shading, V3, View};
+use crate::normals::{all as vertex_normals, cross, dot, sub, unit};
+
+/// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
+const LINES: f64 = 17.0;
+
+/// Light and material of one view.
+pub struct Painter<'a> {
+    pub view: &'a View<'a>,
+    normals: Vec<V3>,
+    eye: V3,
+    key: V3,
+    fill: V3,
+    /// The axis around which the rings of light lie.
+    poles: V3,
+}
+
+impl<'a> Painter<'a> {
+    pub fn new(view: &'a View<'a>, camera: &Camera) -> Self {
+        Self {
+            view,
+            normals: vertex_normals(view.positions, view.triangles),
+            eye: camera.eye(),
+            key: camera.direction([-0.55, 0.75, 0.8]),
+            fill: camera.direction([0.9, -0.1, 0.45]),
+            poles: camera.direction([0.35, 1.0, 0.15]),
+        }
+    }
+
+    /// The light that comes from a point of a triangle, given by its barycentric coordinates.
+    pub fn colour(&self, t: usize, weights: V3) -> [f32; 3] {
+        let corners = self.view.triangles[t];
+        let [a, b, c] = corners.map(|v| self.view.positions[v as usize]);
+        let point = [0, 1, 2].map(|axis| weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]);
+        let eye = unit(sub(self.eye, point)).unwrap_or([0.0, 0.0, 1.0]);
+        let flat = unit(cross(sub(b, a), sub(c, a))).unwrap_or(eye);
+        let is_back = dot(flat, eye) < 0.0;
+        let mut normal = match self.view.shading {
+            Shading::Flat => flat,
+            Shading::ReflectionLines | Shading::Values(..) => {
+                self.smooth_normal(corners, weights).unwrap_or(flat)
+            }
+        };
+        if is_back {
+            normal = normal.map(|c| -c);
+        }
+        let in_region = corners
+            .iter()
+            .any(|&v| self.view.region.get(v as usize) == Some(&true));
+        match self.view.shading {
+            Shading::Flat => self.matte(normal, eye, is_back, in_region),
+            Shading::ReflectionLines => self.mirror(normal, eye, is_back),
+            Shading::Values(values, range) => {
+                let value = (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum();
+                self.tinted(scale_colour(value, range), normal, is_back)
+            }
+        }
+    }
+
+    fn smooth_normal(&self, corners: [u32; 3], weights: V3) -> Option<V3> {
+        let [a, b, c] = corners.map(|v| self.normals[v as usize]);
+        unit([0, 1, 2].map(|axis| weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]))
+    }
+
+    /// Two lamps and an even sky.
+    fn light(&self, normal: V3) -> f64 {
+        0.10 + 0.82 * dot(normal, self.key).max(0.0) + 0.16 * dot(normal, self.fill).max(0.0)
+    }
+
+    fn matte(&self, normal: V3, eye: V3, is_back: bool, in_region: bool) -> [f32; 3] {
+        let grey = match (is_back, in_region) {
+            (true, _) => [0.36, 0.31, 0.27],
+            (false, true) => [0.60, 0.60, 0.58],
+            (false, false) => [0.36, 0.47, 0.60],
+        };
+        let half = unit([0, 1, 2].map(|axis| self.key[axis] + eye[axis])).unwrap_or(eye);
+        let gloss = 0.06 * dot(normal, half).max(0.0).powi(24);
+        let light = self.light(normal);
+        grey.map(|channel| (channel * light * 1.1 + gloss) as f32)
+    }
+
+    /// A colour of the scale, hardly shaded, so that it can be read off.
+    fn tinted(&self, colour: [f32; 3], normal: V3, is_back: bool) -> [f32; 3] {
+        let shade = (0.55 + 0.5 * self.light(normal)) * if is_back { 0.35 } else { 1.0 };
+        colour.map(|channel| channel * shade as f32)
+    }
+
+    fn mirror(&self, normal: V3, eye: V3, is_back: bool) -> [f32; 3] {
+        let along = 2.0 * dot(normal, eye);
+        let mirrored = [0, 1, 2].map(|axis| along * normal[axis] - eye[axis]);
+        let wave = (LINES * dot(mirrored, self.poles).clamp(-1.0, 1.0).asin()).sin();
+        // Soft edges; the samples do the rest.
+        let stripe = ((wave / 0.25).clamp(-1.0, 1.0) + 1.0) / 2.0;
+        let shade = (0.55 + 0.6 * self.light(normal)) * if is_back { 0.45 } else { 1.0 };
+        let (dark, bright) = ([0.025, 0.035, 0.06], [0.80, 0.82, 0.84]);
+        [0, 1, 2].map(|channel| (shade * (dark[channel] + stripe * (bright[channel] - dark[channel]))) as f32)
+    }
+}
+
+/// Linear light of a value on the scale; grey where there is no value.
+pub fn scale_colour(value: f64, [low, high]: [f64; 2]) -> [f32; 3] {
+    let share = (value - low) / (high - low);
+    if share.is_nan() {
+        return [0.3; 3];
+    }
+    let colour = colorous::TURBO.eval_continuous(share.clamp(0.0, 1.0));
+    [colour.r, colour.g, colour.b].map(|byte| (f32::from(byte) / 255.0).powf(2.2))
+}

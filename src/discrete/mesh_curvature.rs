@@ -1,0 +1,290 @@
+//! Mean curvature at every vertex of a mesh, without a region: to look at a surface, or to show it.
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, RIDGE, TILT_RIDGE, gradient_corrected};
+use super::lanes::{Lanes, Vec3, cross, dot, normalized, one, plus};
+use super::normals::max_normal;
+use super::spokes::{Spoke, measure};
+use crate::error::Error;
+
+/// How often the fit at a border vertex is made.
+const BORDER_PASSES: usize = 5;
+
+/// Mean curvature `(k1 + k2) / 2` at every vertex, in one over the unit of the positions: the gradient-corrected
+/// Moreton-Sequin fit (paper 6.1) that the solver uses at free vertices.
+///
+/// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to; `H` is
+/// negative on a sphere with outward normals. A vertex on the border of the mesh sees its side alone, and begins
+/// with the mean normal of its triangles instead of a closed ring's; that is first order at best, and a corner with a
+/// single triangle has hardly anything to see. A vertex without triangles gets NaN. The mesh need not
+/// be a manifold: a vertex where it is none is taken as one on the border.
+///
+/// # Errors
+/// [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist, [`Error::NotFinite`] for a
+/// vertex of a triangle whose position is not finite.
+pub fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
+    check(positions, triangles)?;
+    let edges = Edges::new(positions.len(), triangles);
+    Ok((0..positions.len())
+        .into_par_iter()
+        .with_min_len(256)
+        .map_init(Work::default, |work, v| edges.curvature(positions, v, work))
+        .collect())
+}
+
+fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), Error> {
+    for (triangle, corners) in triangles.iter().enumerate() {
+        for &index in corners {
+            let Some(p) = positions.get(index as usize) else {
+                return Err(Error::IndexOutOfRange {
+                    triangle,
+                    index,
+                    vertex_count: positions.len(),
+                });
+            };
+            if !p.iter().all(|x| x.is_finite()) {
+                return Err(Error::NotFinite {
+                    vertex: index as usize,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The directed edges of all triangles by their origin: row `v` of `out` holds the ring edge `[a, b]` of every
+/// triangle `(v, a, b)`, by `a`.
+struct Edges {
+    start: Vec<u32>,
+    out: Vec<[u32; 2]>,
+}
+
+/// Room for one ring.
+#[derive(Default)]
+struct Work {
+    ring: Vec<Spoke<1>>,
+    flaps: Vec<(Vec3<1>, Lanes<1>)>,
+    walked: Vec<[u32; 2]>,
+    near: Vec<u32>,
+}
+
+impl Edges {
+    fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
+        let mut start = vec![0u32; vertices + 1];
+        triangles
+            .iter()
+            .flatten()
+            .for_each(|&v| start[v as usize + 1] += 1);
+        (0..vertices).for_each(|v| start[v + 1] += start[v]);
+        let mut next = start.clone();
+        let mut out = vec![[0; 2]; 3 * triangles.len()];
+        for &[a, b, c] in triangles {
+            for [v, a, b] in [[a, b, c], [b, c, a], [c, a, b]] {
+                out[next[v as usize] as usize] = [a, b];
+                next[v as usize] += 1;
+            }
+        }
+        for v in 0..vertices {
+            out[start[v] as usize..start[v + 1] as usize].sort_unstable();
+        }
+        Self { start, out }
+    }
+
+    fn row(&self, v: u32) -> &[[u32; 2]] {
+        &self.out[self.start[v as usize] as usize..self.start[v as usize + 1] as usize]
+    }
+
+    /// The third vertex of the triangle with the directed edge from `v` to `a`.
+    fn apex(&self, v: u32, a: u32) -> Option<u32> {
+        let row = self.row(v);
+        let at = row.partition_point(|e| e[0] < a);
+        row.get(at).filter(|e| e[0] == a).map(|e| e[1])
+    }
+
+    /// The ring edges of `v` in order, if they are one closed ring.
+    fn walk(&self, v: u32, walked: &mut Vec<[u32; 2]>) -> bool {
+        let row = self.row(v);
+        walked.clear();
+        let mut at = row.first().map_or(0, |e| e[0]);
+        while walked.len() < row.len() {
+            let Some(b) = self.apex(v, at) else { break };
+            walked.push([at, b]);
+            at = b;
+        }
+        walked.len() == row.len() && at == row[0][0] && !repeats(row)
+    }
+
+    fn curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut Work) -> f64 {
+        if self.row(v as u32).is_empty() {
+            return f64::NAN;
+        }
+        let q = Vector3::from(positions[v]);
+        let from = |w: u32| one(&(Vector3::from(positions[w as usize]) - q));
+        if !self.walk(v as u32, &mut work.walked) {
+            return self.border_curvature(v as u32, from, work);
+        }
+        let (ring, flaps) = (&mut work.ring, &mut work.flaps);
+        ring.clear();
+        flaps.clear();
+        for &[a, b] in &work.walked {
+            ring.push(Spoke {
+                edge: from(a),
+                ..Spoke::zero()
+            });
+            flaps.push(match self.apex(b, a).filter(|&f| f as usize != v) {
+                Some(f) => (from(f), Lanes::splat(FLAP_WEIGHT)),
+                None => (from(a), Lanes::zero()),
+            });
+        }
+        measure(ring);
+        gradient_corrected::<1, false>(&max_normal(ring), ring, flaps, TILT_RIDGE)
+            .h
+            .0[0]
+    }
+
+    /// The same fit from one side, to the ring with weight 1 and to all of the second ring as to flaps: a vertex of two
+    /// triangles has too few of them. Repeated, because the first normal is off by more than a closed ring's and the
+    /// ridge holds back a part of what has to be taken out.
+    fn border_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut Work) -> f64 {
+        let near = &mut work.near;
+        near.clear();
+        near.extend(self.row(v).iter().flatten());
+        near.sort_unstable();
+        near.dedup();
+        let ring = near.len();
+        for k in 0..ring {
+            near.extend(self.row(near[k]).iter().flatten());
+        }
+        near[ring..].sort_unstable();
+        let (first, second) = near.split_at(ring);
+        let repeated = |k: usize| k > 0 && second[k - 1] == second[k];
+        let beyond = (0..second.len()).filter(|&k| {
+            let w = second[k];
+            !repeated(k) && w != v && first.binary_search(&w).is_err()
+        });
+        let samples = &mut work.flaps;
+        samples.clear();
+        samples.extend(first.iter().map(|&w| (from(w), Lanes::splat(1.0))));
+        samples.extend(beyond.map(|k| (from(second[k]), Lanes::splat(FLAP_WEIGHT))));
+        let mut sum = [Lanes::zero(); 3];
+        for &[a, b] in self.row(v) {
+            sum = plus(&sum, &cross(&from(a), &from(b)));
+        }
+        let squares: f64 = samples[..ring].iter().map(|(e, _)| dot(e, e).0[0]).sum();
+        let l = Lanes::splat((squares / ring as f64).sqrt());
+        let (mut n, mut h) = (normalized(&sum), 0.0);
+        for _ in 0..BORDER_PASSES {
+            let frame = Frame::new(n);
+            let mut fit = NormalEquations::<1, 5>::new();
+            for (e, weight) in samples.iter() {
+                let (phi, kappa) = frame.sample(e, l);
+                fit.add(&phi, kappa, *weight);
+            }
+            let y = fit.solve(&[0.0, RIDGE, RIDGE, TILT_RIDGE, TILT_RIDGE]);
+            let (g_x, g_y) = (l * y[3], l * y[4]);
+            n = frame.tilted(g_x, g_y);
+            h = (y[0] / (g_x * g_x + g_y * g_y + 1.0).sqrt()).0[0];
+        }
+        h
+    }
+}
+
+/// Whether two triangles of a vertex begin with the same edge.
+fn repeats(row: &[[u32; 2]]) -> bool {
+    row.windows(2).any(|w| w[0][0] == w[1][0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sheet `f(u, v)` over [-1, 1]^2 with `n` edges a side, the diagonals in turn this way and that.
+    fn sheet(n: usize, f: impl Fn(f64, f64) -> [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let at = |k: usize| 2.0 * k as f64 / n as f64 - 1.0;
+        let wiggle = |i: usize, j: usize| 0.3 / n as f64 * ((3 * i + 5 * j) as f64).sin();
+        let grid = (0..=n).flat_map(|i| (0..=n).map(move |j| (i, j)));
+        let positions = grid.map(|(i, j)| f(at(i) + wiggle(i, j), at(j) + wiggle(j, i)));
+        let mut triangles = Vec::new();
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let v = |i: usize, j: usize| (i * (n + 1) + j) as u32;
+            let [a, b, c, d] = [v(i, j), v(i + 1, j), v(i + 1, j + 1), v(i, j + 1)];
+            triangles.extend(if (i + j) % 2 == 0 {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            });
+        }
+        (positions.collect(), triangles)
+    }
+
+    /// Largest errors inside and on the border.
+    fn errors(n: usize, f: impl Fn(f64, f64) -> [f64; 3], exact: f64) -> [f64; 2] {
+        let (positions, triangles) = sheet(n, f);
+        let h = mean_curvature(&positions, &triangles).unwrap();
+        let mut worst = [0.0f64; 2];
+        for (k, h) in h.into_iter().enumerate() {
+            let inner = |x: usize| x > 0 && x < n;
+            if !inner(k / (n + 1)) && !inner(k % (n + 1)) {
+                // A corner with a single triangle.
+                continue;
+            }
+            let side = usize::from(!(inner(k / (n + 1)) && inner(k % (n + 1))));
+            worst[side] = worst[side].max((h - exact).abs());
+        }
+        worst
+    }
+
+    #[test]
+    fn spheres_are_exact_inside_and_cylinders_converge() {
+        let sphere = |u: f64, v: f64| {
+            let z = (4.0 - u * u - v * v).sqrt();
+            [u, v, z]
+        };
+        let cylinder = |u: f64, v: f64| [u.sin(), v, u.cos()];
+        let [inside, border] = errors(12, sphere, -0.5);
+        assert!(inside < 1e-12 && border < 1e-3, "{inside:e} {border:e}");
+        let (coarse, fine) = (errors(12, cylinder, -0.5), errors(48, cylinder, -0.5));
+        assert!(fine[0] < 2e-3 && fine[0] < 0.3 * coarse[0], "{coarse:?} {fine:?}");
+        assert!(fine[1] < 0.05 && fine[1] < 0.5 * coarse[1], "{coarse:?} {fine:?}");
+    }
+
+    #[test]
+    fn sign_and_scale() {
+        let (positions, mut triangles) = sheet(6, |u, v| [u, v, 0.3 * u * u + 0.2 * v * v * v]);
+        let h = mean_curvature(&positions, &triangles).unwrap();
+        let large: Vec<[f64; 3]> = positions.iter().map(|p| p.map(|x| 1024.0 * x)).collect();
+        let scaled = mean_curvature(&large, &triangles).unwrap();
+        assert!(h.iter().zip(&scaled).all(|(a, b)| *a == 1024.0 * b));
+        triangles.iter_mut().for_each(|t| t.swap(0, 1));
+        let turned = mean_curvature(&positions, &triangles).unwrap();
+        assert!(h.iter().zip(&turned).all(|(a, b)| (a + b).abs() < 1e-9));
+    }
+
+    #[test]
+    fn odd_meshes() {
+        assert!(mean_curvature(&[[0.0; 3]], &[]).unwrap()[0].is_nan());
+        let one = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // A lone triangle, a repeated one, three on an edge, one without area.
+        for triangles in [
+            vec![[0, 1, 2]],
+            vec![[0, 1, 2], [0, 1, 2]],
+            vec![[0, 1, 2], [0, 1, 3], [1, 0, 3]],
+            vec![[0, 0, 1]],
+        ] {
+            mean_curvature(&one, &triangles).unwrap();
+        }
+        let missing = mean_curvature(&one, &[[0, 1, 2], [0, 1, 9]]).unwrap_err();
+        assert_eq!(
+            missing,
+            Error::IndexOutOfRange {
+                triangle: 1,
+                index: 9,
+                vertex_count: 4
+            }
+        );
+        let nan = mean_curvature(&[[0.0; 3], [f64::NAN; 3], [1.0; 3]], &[[0, 1, 2]]).unwrap_err();
+        assert_eq!(nan, Error::NotFinite { vertex: 1 });
+    }
+}

@@ -1,0 +1,92 @@
+//! Outer fairness: `R1_i = (S H)_i + (2 A_i / 3) rhs_i`, one number per free vertex (paper (4), (6), (7)).
+
+use rayon::prelude::*;
+
+use super::equations::{Equations, State};
+use super::groups::{LANES, gather_scalar, split_lengths};
+use super::lanes::{Lanes, vectorized};
+
+impl Equations<'_> {
+    /// `R1` from the weights, areas and curvatures of `state`. An inhomogeneous right-hand side is taken at the
+    /// surface at hand.
+    pub fn outer_residual(&self, state: &mut State) {
+        if self.right_hand_side.is_zero() {
+            return self.residual_with(state, |sum, _, _, _| sum);
+        }
+        self.residual_with(state, |sum, state, vertex, h| {
+            let k = gather_scalar(state.k, vertex);
+            let area = gather_scalar(state.area, vertex);
+            sum + self.right_hand_side.load_lanes(h, k, area)
+        });
+    }
+
+    /// `finish` makes `R1` of a group from its `S H`, its vertices and their `H`.
+    #[inline(always)]
+    fn residual_with(
+        &self,
+        state: &mut State,
+        finish: impl Fn(Lanes<LANES>, &Evaluated<'_>, &[u32; LANES], Lanes<LANES>) -> Lanes<LANES> + Sync,
+    ) {
+        let groups = self.groups;
+        let (h, weight) = (&state.h, &state.weight);
+        let evaluated = Evaluated {
+            k: &state.k,
+            area: &state.area,
+        };
+        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
+        pieces
+            .into_par_iter()
+            .zip(groups.chunks.par_iter())
+            .for_each(|(outer, chunk)| {
+                vectorized(
+                    #[inline(always)]
+                    || {
+                        for group in chunk.groups.clone() {
+                            let vertex = &groups.vertex[group];
+                            let own = gather_scalar(h, vertex);
+                            let mut sum = Lanes::<LANES>::zero();
+                            for slot in groups.slots(group) {
+                                let other = gather_scalar(h, &groups.neighbour[slot]);
+                                sum += Lanes(weight[slot]) * (own - other);
+                            }
+                            let residual = finish(sum, &evaluated, vertex, own);
+                            for (l, &i) in vertex.iter().enumerate() {
+                                outer[i as usize - chunk.vertices.start] = residual.0[l];
+                            }
+                        }
+                    },
+                );
+            });
+    }
+
+    /// The defect `max_i |R1_i| / sum_j |w_ij|` of the outer equation (a mean curvature: times a length it has no unit),
+    /// and `|R1| / (|S| |H| + |load|)`, how much of the residual is more than cancellation.
+    pub fn defect(&self, state: &State) -> (f64, f64) {
+        let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
+        for i in 0..self.free() {
+            let (mut absolute, mut size) = (0.0, 0.0);
+            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
+            let start = self.rings.start[i] as usize;
+            for s in start..self.rings.start[i + 1] as usize {
+                let w = state.weight[first + s - start][lane].abs();
+                absolute += w;
+                size += w * state.h[self.rings.neighbour[s] as usize].abs();
+            }
+            size += absolute * state.h[i].abs();
+            size += self
+                .right_hand_side
+                .load(state.h[i], state.k[i], state.area[i])
+                .abs();
+            worst = worst.max(state.outer[i].abs() / absolute.max(f64::MIN_POSITIVE));
+            num += state.outer[i] * state.outer[i];
+            den += size * size;
+        }
+        (worst, (num / den.max(f64::MIN_POSITIVE)).sqrt())
+    }
+}
+
+/// What a right-hand side depends on.
+struct Evaluated<'s> {
+    k: &'s [f64],
+    area: &'s [f64],
+}

@@ -1,0 +1,77 @@
+//! Which normals hold at the border vertices.
+
+use nalgebra::Vector3;
+
+use crate::discrete::border_normals::estimate;
+use crate::error::Error;
+use crate::mesh::{Region, Rings};
+
+/// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
+#[derive(Debug, Clone, Copy, Default)]
+pub enum BorderNormals<'a> {
+    /// Fitted to second order to the surface outside the region, blended with the average where the scan
+    /// is rough; by the paper's rule (7.5) where there is no outside.
+    #[default]
+    Fitted,
+    /// The average of the outside triangles, as the paper does (7.5).
+    Averaged,
+    /// Given for some or all border vertices (`(vertex, unit normal)`); the others are fitted. Entries for
+    /// vertices that are not on the border are ignored.
+    Given(&'a [(u32, [f64; 3])]),
+}
+
+/// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
+/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case. It acts on
+/// the mean curvature there, which is taken from all sides at once: a turn of the normals across a curve nearly cancels
+/// between its sides, and does not bend the surface as it does at the border.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum InteriorNormals {
+    /// Those of the surface itself, found with it: it passes the vertices smoothly. Nothing but their position is
+    /// prescribed.
+    #[default]
+    Smooth,
+    /// The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
+    Input,
+}
+
+/// A given normal may miss unit length by this much.
+const UNIT: f64 = 1e-3;
+
+/// Normals at the border, and where the surface passes instead; empty: nowhere.
+pub(super) fn border_normals(
+    region: &Region,
+    rings: &Rings,
+    x: &[Vector3<f64>],
+    asked: BorderNormals<'_>,
+    interior: InteriorNormals,
+) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+    let mut given = vec![None; region.border];
+    if let BorderNormals::Given(list) = asked {
+        let border = &region.vertex_ids[region.free..region.region_vertices()];
+        for &(v, n) in list {
+            let Ok(b) = border.binary_search(&v) else { continue };
+            let n = Vector3::from(n);
+            let length = n.norm();
+            // Also refuses what is not a number.
+            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
+                return Err(Error::BadNormal { vertex: v as usize });
+            }
+            given[b] = Some(n / length);
+        }
+    }
+    let mut passing = vec![false; region.border];
+    if interior == InteriorNormals::Smooth {
+        for (b, given) in given.iter_mut().enumerate() {
+            if rings.closed[b] && given.is_none() {
+                passing[b] = true;
+                // Any will do until the first evaluation.
+                *given = Some(Vector3::z());
+            }
+        }
+    }
+    if !passing.contains(&true) {
+        passing.clear();
+    }
+    let fitted = !matches!(asked, BorderNormals::Averaged);
+    Ok((estimate(region, rings, x, fitted, &given)?, passing))
+}

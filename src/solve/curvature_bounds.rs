@@ -1,0 +1,62 @@
+//! What the equation says about the extent of `H` inside, as a guard against bumps: surfaces that satisfy the discrete
+//! equations, but no smooth one does.
+
+use super::system::System;
+
+/// The largest `|H|` inside, against the border's.
+const OVERSHOOT: f64 = 1.05;
+/// Curvatures below this, times the diagonal, count as none.
+const OVERSHOOT_FLOOR: f64 = 0.1;
+/// The most that a 1-disk may hold of the total curvature `kappa_1^2 + kappa_2^2` (paper (1)): on a sphere of equilateral
+/// triangles that is a turn of 50 degrees along every edge.
+const TOTAL_CURVATURE: f64 = 4.0;
+
+impl System<'_> {
+    /// Whether `H` inside, at the last evaluation, exceeds what the equation allows, and the discretization besides.
+    pub fn overshoots(&self) -> bool {
+        let right = &self.right_hand_side;
+        if right.energy != 0.0 {
+            self.is_unresolved()
+        } else if right.constant != 0.0 {
+            self.overshoots_load(right.constant)
+        } else {
+            self.overshoots_border()
+        }
+    }
+
+    /// Harmonic functions have their extrema on the border.
+    fn overshoots_border(&self) -> bool {
+        let largest = |h: &[f64]| h.iter().fold(0.0f64, |m, h| m.max(h.abs()));
+        let (inside, border) = self.state.h.split_at(self.free());
+        largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / self.diagonal
+    }
+
+    /// With `Delta_B H = c > 0` the maximum still is on the border. The minimum is lower than there by at most `c` times
+    /// the largest `u` with `-Delta_B u = 1` and no border value, for which that of a strip as wide as the diagonal is
+    /// taken, `L^2 / 8`: no domain in a plane or on a cylinder between two planes `L` apart has a larger one.
+    fn overshoots_load(&self, c: f64) -> bool {
+        let (inside, border) = self.state.h.split_at(self.free());
+        let upward = c.signum();
+        let range = |h: &[f64]| {
+            h.iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| {
+                    [low.min(upward * h), high.max(upward * h)]
+                })
+        };
+        let ([low, high], [border_low, border_high]) = (range(inside), range(border));
+        let slack =
+            (OVERSHOOT - 1.0) * border_low.abs().max(border_high.abs()) + OVERSHOOT_FLOOR / self.diagonal;
+        let dip = c.abs() * self.diagonal * self.diagonal / 8.0;
+        high > border_high + slack || low < border_low - dip - slack
+    }
+
+    /// Surfaces of minimal energy obey no maximum principle: a strip bent round is curved most in its middle. But where a
+    /// single 1-disk holds much of the energy, the surface is none that the mesh can tell.
+    fn is_unresolved(&self) -> bool {
+        let state = &self.state;
+        (0..self.free()).any(|i| {
+            let h = state.h[i];
+            state.area[i] * (4.0 * h * h - 2.0 * state.k[i]) > TOTAL_CURVATURE
+        })
+    }
+}

@@ -1,0 +1,107 @@
+//! The directions that large normal steps go along.
+//!
+//! A step of many edge lengths along each vertex's own normal tears the ring of a vertex whose normal differs from its
+//! neighbours': the surface between them turns by more than a triangle bears, although the step itself is smooth. Along
+//! averaged normals a rough spot moves as a whole, and the steps that follow smooth it. Steps that are
+//! shorter than the edges take the normals as they are.
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use crate::discrete::groups::CHUNK;
+use crate::mesh::Rings;
+
+/// At most this many averagings: a few edges around.
+const MOST_ROUNDS: usize = 20;
+
+/// The averagings for a largest step of this length on a surface with 1-disks of this mean area: one per edge length.
+pub fn rounds(largest: f64, disk: f64) -> usize {
+    // Of six equilateral triangles.
+    let edge = (disk / (1.5 * 3f64.sqrt())).sqrt();
+    let lengths = largest / edge;
+    if lengths.is_finite() {
+        lengths.min(MOST_ROUNDS as f64) as usize
+    } else {
+        0
+    }
+}
+
+/// Averages the unit normals of the free vertices this many times over their closed rings, in which border vertices have
+/// the prescribed normals. Unit vectors; the vertex's own normal where nothing is left.
+pub fn averaged(
+    rings: &Rings,
+    normal: &[Vector3<f64>],
+    border_normals: &[Vector3<f64>],
+    rounds: usize,
+) -> Vec<Vector3<f64>> {
+    let free = normal.len();
+    let mut field = normal.to_vec();
+    let mut next = field.clone();
+    for _ in 0..rounds {
+        next.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, next)| {
+            for (k, next) in next.iter_mut().enumerate() {
+                let i = chunk * CHUNK + k;
+                let ring = rings.ring(i);
+                let mut sum = field[i];
+                for &j in ring {
+                    let j = j as usize;
+                    sum += if j < free {
+                        field[j]
+                    } else {
+                        border_normals[j - free]
+                    };
+                }
+                *next = sum / (ring.len() + 1) as f64;
+            }
+        });
+        std::mem::swap(&mut field, &mut next);
+    }
+    for (d, n) in field.iter_mut().zip(normal) {
+        *d = d.try_normalize(1e-9).unwrap_or(*n);
+    }
+    field
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A free vertex with a wrong normal among six border vertices.
+    fn star() -> Rings {
+        Rings {
+            start: vec![0, 6],
+            neighbour: (1..7).collect(),
+            ..Rings::default()
+        }
+    }
+
+    #[test]
+    fn one_round_is_the_mean_over_the_closed_ring() {
+        let border = [Vector3::z(); 6];
+        let d = averaged(&star(), &[Vector3::x()], &border, 1);
+        assert!((d[0] - Vector3::new(1.0, 0.0, 6.0).normalize()).norm() < 1e-15);
+        assert_eq!(averaged(&star(), &[Vector3::x()], &border, 0), [Vector3::x()]);
+    }
+
+    #[test]
+    fn equal_normals_stay_and_opposite_ones_keep_their_own() {
+        let tilted = Vector3::new(0.48, 0.6, 0.64);
+        let d = averaged(&star(), &[tilted], &[tilted; 6], 10);
+        assert!((d[0] - tilted).norm() < 1e-15);
+        let mut border = [Vector3::z(); 6];
+        border[3..].fill(-Vector3::z());
+        border[0] = -Vector3::x();
+        border[3] = Vector3::zeros();
+        assert_eq!(averaged(&star(), &[Vector3::x()], &border, 1), [Vector3::x()]);
+    }
+
+    #[test]
+    fn short_steps_and_broken_ones_take_the_normals_as_they_are() {
+        let disk = 1.5 * 3f64.sqrt();
+        assert_eq!(rounds(0.99, disk), 0);
+        assert_eq!(rounds(2.5, disk), 2);
+        assert_eq!(rounds(1e9, disk), MOST_ROUNDS);
+        assert_eq!(rounds(f64::NAN, disk), 0);
+        assert_eq!(rounds(1.0, 0.0), 0);
+    }
+}

@@ -1,0 +1,99 @@
+//! Where a vertex of a folded ring ought to be: the place within its ring from which the worst triangle is best.
+
+use nalgebra::Vector3;
+
+use crate::mesh::Rings;
+
+/// Times that every marked vertex is moved.
+const SWEEPS: usize = 8;
+/// Directions that are tried around the vertex.
+const DIRECTIONS: usize = 8;
+/// The first and the last distance tried, relative to the ring's mean radius.
+const DISTANCES: [f64; 2] = [0.5, 0.01];
+
+/// Moves the marked free vertices of `x`, one after the other, each within the plane of its ring, so that the least
+/// quality of the triangles around it grows. The rest of `x` stays.
+pub fn untangle(rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
+    let mut ring = Vec::new();
+    for _ in 0..SWEEPS {
+        for i in (0..marked.len()).filter(|&i| marked[i]) {
+            ring.clear();
+            ring.extend(rings.ring(i).iter().map(|&j| x[j as usize]));
+            x[i] = best_place(&ring, x[i]);
+        }
+    }
+}
+
+/// The best place that is found from `p` within the plane of the ring, by trying ever smaller steps around it.
+fn best_place(ring: &[Vector3<f64>], mut p: Vector3<f64>) -> Vector3<f64> {
+    // The vector area of a closed polygon does not depend on where its apex is, nor on whether that is inside.
+    let area: Vector3<f64> = edges(ring).map(|(a, b)| (a - p).cross(&(b - p))).sum();
+    let Some(n) = area.try_normalize(0.0) else {
+        return p;
+    };
+    let radius = ring.iter().map(|a| (a - p).norm()).sum::<f64>() / ring.len() as f64;
+    let side = ring[1] - ring[0];
+    let Some(b_x) = (side - n * n.dot(&side)).try_normalize(0.0) else {
+        return p;
+    };
+    let b_y = n.cross(&b_x);
+    let mut quality = least_quality(ring, &p, &n);
+    let mut distance = DISTANCES[0];
+    while distance > DISTANCES[1] {
+        let tried = (0..DIRECTIONS).map(|k| {
+            let phi = k as f64 * std::f64::consts::TAU / DIRECTIONS as f64;
+            let place = p + (b_x * phi.cos() + b_y * phi.sin()) * (distance * radius);
+            (least_quality(ring, &place, &n), place)
+        });
+        match tried.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((better, place)) if better > quality => (quality, p) = (better, place),
+            _ => distance *= 0.5,
+        }
+    }
+    p
+}
+
+/// The least of the triangles' `area / sum of squared edges` around `p`, negative where one is turned over.
+fn least_quality(ring: &[Vector3<f64>], p: &Vector3<f64>, n: &Vector3<f64>) -> f64 {
+    let of = |(a, b): (&Vector3<f64>, &Vector3<f64>)| {
+        let (u, v) = (a - p, b - p);
+        let squares = u.norm_squared() + v.norm_squared() + (a - b).norm_squared();
+        u.cross(&v).dot(n) / squares.max(f64::MIN_POSITIVE)
+    };
+    edges(ring).map(of).fold(f64::INFINITY, f64::min)
+}
+
+fn edges(ring: &[Vector3<f64>]) -> impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)> {
+    ring.iter().zip(ring.iter().cycle().skip(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygon(corners: &[[f64; 2]]) -> Vec<Vector3<f64>> {
+        corners.iter().map(|c| Vector3::new(c[0], c[1], 0.3)).collect()
+    }
+
+    #[test]
+    fn the_best_place_in_a_regular_polygon_is_its_centre() {
+        let corners: Vec<_> = (0..6)
+            .map(|k| (f64::from(k) * std::f64::consts::TAU / 6.0).sin_cos())
+            .map(|(s, c)| [c, s])
+            .collect();
+        let found = best_place(&polygon(&corners), Vector3::new(0.7, 0.5, 0.3));
+        assert!((found - Vector3::new(0.0, 0.0, 0.3)).norm() < 0.05, "{found}");
+    }
+
+    #[test]
+    fn a_vertex_outside_a_notched_ring_comes_back_into_its_kernel() {
+        // A chevron: its centroid is outside.
+        let ring = polygon(&[[0.0, 0.0], [4.0, 3.0], [0.0, 1.0], [-4.0, 3.0]]);
+        let start = Vector3::new(0.0, 1.75, 0.3);
+        let up = Vector3::z();
+        assert!(least_quality(&ring, &start, &up) < 0.0);
+        let found = best_place(&ring, start);
+        assert!(least_quality(&ring, &found, &up) > 0.02, "{found}");
+        assert!((found.z - 0.3).abs() < 1e-12);
+    }
+}

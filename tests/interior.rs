@@ -1,0 +1,226 @@
+//! Fixed vertices inside the region: interpolated points and curves, with normals or without.
+#![cfg(feature = "shapes")]
+#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
+
+mod common;
+
+use common::fairing::*;
+use fairmesh::shapes::*;
+use fairmesh::{BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
+use nalgebra::Vector3;
+
+/// Fixes the free vertices that are chosen; returns them.
+fn fix(shape: &mut Shape, chosen: impl Fn(usize, Vector3<f64>) -> bool) -> Vec<u32> {
+    let fixed: Vec<u32> = shape
+        .free_vertices()
+        .into_iter()
+        .filter(|&v| chosen(v as usize, vector(&shape.positions[v as usize])))
+        .collect();
+    fixed.iter().for_each(|&v| shape.free[v as usize] = false);
+    fixed
+}
+
+/// Fixes a curve of edges: the lowest vertices above the height `z`. No triangle is left without a free vertex.
+fn fix_curve(shape: &mut Shape, z: f64) -> Vec<u32> {
+    let above = |v: u32, shape: &Shape| shape.positions[v as usize][2] > z - 1e-9;
+    let mut on = vec![false; shape.free.len()];
+    for t in &shape.triangles {
+        let lower = t.iter().any(|&v| !above(v, shape));
+        for &v in t
+            .iter()
+            .filter(|v| lower && above(**v, shape) && shape.free[**v as usize])
+        {
+            on[v as usize] = true;
+        }
+    }
+    for t in &shape.triangles {
+        if t.iter().all(|&v| on[v as usize]) {
+            let height = |v: &&u32| shape.positions[**v as usize][2];
+            let highest = t.iter().max_by(|a, b| height(a).total_cmp(&height(b)));
+            highest.iter().for_each(|v| on[**v as usize] = false);
+        }
+    }
+    fix(shape, |v, _| on[v])
+}
+
+/// The normals of the outer border only.
+fn outer_normals(shape: &Shape, inside: &[u32]) -> Vec<(u32, [f64; 3])> {
+    let mut normals = shape.border_normals();
+    normals.retain(|(v, _)| !inside.contains(v));
+    normals
+}
+
+/// Solves from a flattened interior with constraint points where they are.
+fn solve_smooth(shape: &Shape, inside: &[u32], tolerance: f64) -> Solution {
+    solve_given(
+        shape,
+        &flat(shape),
+        &outer_normals(shape, inside),
+        options(tolerance),
+    )
+}
+
+fn summary(name: &str, solution: &Solution) {
+    let report = &solution.report;
+    println!(
+        "{name}: {} iterations, {:?}, defect {:.1e}, angle {:.1}",
+        report.iterations, report.outcome, report.defect, report.quality.worst_angle
+    );
+}
+
+#[test]
+fn a_sphere_through_points_stays_a_sphere() {
+    for n in [1_000, 13_000] {
+        for seed in [1, 2, 3, 4, 5] {
+            let mut shape = sphere_cap(60.0, n, irregular(seed), OUTSIDE);
+            let every = 97;
+            let inside = fix(&mut shape, |v, p| v % every == 0 && p.z > 0.6);
+            assert!(inside.len() > 4);
+            let solution = solve_smooth(&shape, &inside, TIGHT);
+            summary("points on a sphere", &solution);
+            let error = errors(&shape, &solution).max;
+            println!("  {n} {seed}: {} points, error {error:.1e}", inside.len());
+            assert!(solution.report.outcome.is_success() && error < 1e-9);
+            for (v, normal) in &solution.border_normals {
+                let off = (vector(normal) - vector(&shape.positions[*v as usize])).norm();
+                assert!(off < 1e-6, "normal of {v} off by {off}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sphere_through_a_circle_stays_a_sphere() {
+    for n in [1_000, 13_000] {
+        let mut shape = sphere_cap(60.0, n, irregular(7), OUTSIDE);
+        let z = 30f64.to_radians().cos();
+        let inside = fix_curve(&mut shape, z);
+        let solution = solve_smooth(&shape, &inside, TIGHT);
+        summary("circle on a sphere", &solution);
+        let error = errors(&shape, &solution).max;
+        println!("  {n}: {} vertices, error {error:.1e}", inside.len());
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+    }
+}
+
+#[test]
+fn a_cylinder_through_a_circle_stays_a_cylinder() {
+    let mut shape = cylinder_band(13_000, irregular(7), OUTSIDE);
+    let inside = fix_curve(&mut shape, 0.2);
+    let solution = solve_smooth(&shape, &inside, TIGHT);
+    summary("circle on a cylinder", &solution);
+    let error = errors(&shape, &solution).max;
+    println!("  {} vertices, error {error:.1e}", inside.len());
+    assert!(solution.report.outcome.is_success() && error < 4e-5);
+}
+
+/// A known shortfall: `H` at a closed vertex comes from all sides at once, and given normals act through it alone. Across
+/// a curve with normals turned by 20 degrees there should be a crease; the turn nearly cancels between both sides.
+#[test]
+fn given_normals_on_a_curve_inside_hardly_bend_the_surface() {
+    let mut shape = cylinder_band(4_000, Sampling::Regular, OUTSIDE);
+    let inside = fix_curve(&mut shape, 0.0);
+    let smooth = solve_smooth(&shape, &inside, TIGHT);
+    let mut given = outer_normals(&shape, &inside);
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    for &v in &inside {
+        let p = shape.positions[v as usize];
+        given.push((v, [cos * p[0], cos * p[1], sin]));
+    }
+    given.sort_by_key(|g| g.0);
+    let turned = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
+    summary("smooth", &smooth);
+    summary("turned", &turned);
+    let [a, b] = [&smooth, &turned].map(|s| errors(&shape, s).max);
+    println!("  off the cylinder {a:.1e}, {b:.1e}");
+    assert!(smooth.report.outcome.is_success() && a < 1e-6);
+    assert!(b > 100.0 * a && b < 1e-2);
+}
+
+#[test]
+fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
+    for n in [1_000, 4_000, 13_000] {
+        for height in [0.02, 0.1, -0.1, 0.3] {
+            let mut shape = sphere_cap(60.0, n, irregular(7), OUTSIDE);
+            let top = shape
+                .free_vertices()
+                .into_iter()
+                .max_by(|a, b| shape.positions[*a as usize][2].total_cmp(&shape.positions[*b as usize][2]))
+                .unwrap();
+            shape.free[top as usize] = false;
+            shape.positions[top as usize][2] += height;
+            let solution = solve_smooth(&shape, &[top], 1e-8);
+            let h = &solution.report.quality.h_inside;
+            summary(&format!("point at {height} of {n}"), &solution);
+            let q = vector(&shape.positions[top as usize]);
+            let mut worst = 0.0f64;
+            for t in shape.triangles.iter().filter(|t| t.contains(&top)) {
+                let p = t.map(|v| vector(&solution.positions[v as usize]));
+                let normal = (p[1] - p[0]).cross(&(p[2] - p[0]));
+                worst = worst.max(normal.angle(&q).to_degrees());
+            }
+            println!(
+                "  H {h:.2?} border {:.2?}, triangles at the point lean by {worst:.1} degrees",
+                solution.report.quality.h_border
+            );
+        }
+    }
+}
+
+#[test]
+fn the_rule_of_the_input_is_there_on_request() {
+    let mut shape = cylinder_band(2_000, irregular(3), OUTSIDE);
+    let inside = fix_curve(&mut shape, 0.0);
+    let outer = outer_normals(&shape, &inside);
+    for discretization in [Discretization::SecondOrder, Discretization::Paper] {
+        for interior in [InteriorNormals::Smooth, InteriorNormals::Input] {
+            for target in [Target::Harmonic, Target::MinimalEnergy] {
+                let options = Options {
+                    interior,
+                    discretization,
+                    target,
+                    normals: BorderNormals::Given(&outer),
+                    ..options(1e-8)
+                };
+                let solution = solve_as_asked(&shape, &flat(&shape), options);
+                summary(&format!("{discretization:?} {interior:?} {target:?}"), &solution);
+                let error = errors(&shape, &solution).max;
+                println!("  {error:.1e}");
+                if (discretization, target) == (Discretization::SecondOrder, Target::Harmonic) {
+                    // From the pinched input the normals are wrong, and not tangent along the curve.
+                    let smooth = interior == InteriorNormals::Smooth;
+                    assert!(if smooth { error < 2e-5 } else { error > 1e-3 });
+                }
+                assert!(solution.report.outcome.is_success());
+            }
+        }
+    }
+}
+
+#[test]
+fn convex_weights_keep_spheres() {
+    // Not on 13,000 vertices yet: with triangles of 2 degrees in the input the iteration fails there.
+    for n in [1_000] {
+        let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
+        let options = Options {
+            inner: InnerFairness::Convex,
+            ..options(TIGHT)
+        };
+        // Weights of the undistorted triangles.
+        let start: Vec<[f64; 3]> = shape
+            .positions
+            .iter()
+            .zip(&shape.free)
+            .map(|(p, &free)| if free { [p[0], p[1], 0.5 * p[2]] } else { *p })
+            .collect();
+        let solution = solve(&shape, &start, options);
+        let error = errors(&shape, &solution).max;
+        summary("convex", &solution);
+        println!(
+            "  {n}: {error:.1e}, {} fallbacks",
+            solution.report.fallback_weights
+        );
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_eq!(solution.report.fallback_weights, 0);
+    }
+}
