@@ -177,7 +177,9 @@ fn a_sphere_is_completed_to_rounding_at_every_density() {
                     .iter()
                     .map(|p| (radius(p) - 1.0).abs());
                 bars.at_most(format!("{what}: off the sphere"), off.fold(0.0, f64::max), 1e-6);
-                bars.at_least(format!("{what}: angle"), report.worst_angle, 14.0);
+                // Rims of irregular meshes have edges of very different lengths side by side.
+                let angle = if density > 1.0 { 15.0 } else { 12.0 };
+                bars.at_least(format!("{what}: angle"), report.worst_angle, angle);
                 let ratios = edge_ratios(&x, &t, &filled);
                 let outside = ratios.iter().filter(|r| !(0.5..=2.0).contains(*r)).count();
                 bars.at_most(

@@ -31,7 +31,7 @@ const COARSE_SHARE: f64 = 0.2;
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the rim, edges may be this much longer than those: triangles keep 15 degrees.
-pub(super) const BESIDE_SHORT: f64 = 1.8;
+pub(super) const BESIDE_SHORT: f64 = 1.5;
 /// A patch may leave the rim's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 

@@ -19,7 +19,7 @@ const LONG: f64 = 1.35;
 /// Edges shorter than this many are collapsed.
 const SHORT: f64 = 0.62;
 /// Rounds of splits, collapses, flips and steps.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 5;
 /// Tangential steps per round.
 const STEPS: usize = 2;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
