@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Writes REPRODUCTION.md and docs/reproduction/*.png: the paper's figures, table and claims, measured.
-#   ./reproduce.sh [--scan NAME MESH FREE-VERTICES]... [--runs N]
-# Scans are only measured and shown in target/reproduction; they do not become part of the document's pictures.
+#   ./reproduce.sh [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]
+# Scans are for Figures 9 and 10: a name that says where the scan comes from, the mesh, its free vertices (one number
+# per line, from 0), and from where they are seen ('right', '0,1,0.3', ...).
 set -euo pipefail
 cd "$(dirname "$0")"
 cargo build --release --locked --bin fairmesh --example reproduce

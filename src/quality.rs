@@ -56,11 +56,13 @@ pub struct Surface<'a> {
 
 /// The worst angle of a triangle in degrees.
 pub fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
-    let corner = |i: usize| {
-        let (a, b) = (p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
-        angle(&a, &b).to_degrees()
-    };
-    let smallest = corner(0).min(corner(1)).min(corner(2));
+    let edge = [0, 1, 2].map(|i| p[(i + 2) % 3] - p[(i + 1) % 3]);
+    let length = edge.map(|e| e.norm_squared());
+    // It is opposite to the shortest edge.
+    let i = (0..3)
+        .min_by(|&a, &b| length[a].total_cmp(&length[b]))
+        .unwrap_or(0);
+    let smallest = angle(&edge[(i + 2) % 3], &-edge[(i + 1) % 3]).to_degrees();
     if smallest.is_finite() { smallest } else { 0.0 }
 }
 

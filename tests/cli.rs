@@ -323,3 +323,110 @@ fn the_demo_makes_its_three_files() {
     assert!(String::from_utf8_lossy(&start).contains("element vertex 920\n"));
     assert!(String::from_utf8_lossy(&start).contains("element face 1746\n"));
 }
+
+/// Width and height of a PNG, after its signature.
+fn size_of_png(path: &Path) -> [u32; 2] {
+    let png = fs::read(path).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
+}
+
+#[test]
+fn what_is_generated_is_faired_and_shown() {
+    let directory = directory("generate");
+    let list = ["--free", "free.txt", "--normals", "normals.txt"];
+    let make = |output: &str, start: &str, code: i32| {
+        let mut args = vec!["generate", "sphere-cap", "-o", output, "--vertices", "300"];
+        args.extend(["--triangulation", "irregular", "--seed", "5", "--start", start]);
+        args.extend(list);
+        expect(&directory, &args, code)
+    };
+    let (out, _) = make("cap.off", "noise", 0);
+    assert!(out.contains("the unit sphere about the origin"), "{out}");
+    let first = fs::read(directory.join("cap.off")).unwrap();
+    make("cap.off", "noise", 0);
+    assert_eq!(first, fs::read(directory.join("cap.off")).unwrap());
+    let mut args = vec!["fair", "cap.off", "-o", "fair.off"];
+    args.extend(list);
+    expect(&directory, &args, 0);
+    let text = fs::read_to_string(directory.join("fair.off")).unwrap();
+    let mut lines = text.lines().skip(1);
+    let count: usize = lines
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    let positions: Vec<[f64; 3]> = lines
+        .take(count)
+        .map(|line| {
+            let words: Vec<f64> = line.split_whitespace().map(|w| w.parse().unwrap()).collect();
+            [words[0], words[1], words[2]]
+        })
+        .collect();
+    assert_eq!(positions.len(), count);
+    assert!(off_sphere(&positions) < 1e-7);
+
+    let mut args = vec![
+        "render", "cap.off", "fair.off", "-o", "both.png", "--view", "-1,0,1",
+    ];
+    args.extend(["--shade", "flat,reflection,curvature", "--size", "60x50"]);
+    expect(&directory, &args, 0);
+    let [width, height] = size_of_png(&directory.join("both.png"));
+    assert!(width > 2 * 60 && height > 3 * 50, "{width} x {height}");
+    args.extend([
+        "--caption",
+        "",
+        "--caption",
+        "",
+        "--range",
+        "-1.1,-0.9",
+        "--around",
+        "free.txt",
+    ]);
+    expect(&directory, &args, 0);
+    assert_eq!(size_of_png(&directory.join("both.png"))[1], 3 * 50);
+}
+
+#[test]
+fn what_cannot_be_generated_or_shown_is_refused() {
+    let directory = directory("generate-refused");
+    let refused = |args: &[&str], what: &str| {
+        let (_, err) = expect(&directory, args, 2);
+        assert!(err.contains(what), "{args:?}: {err}");
+    };
+    refused(
+        &["generate", "saddle", "-o", "a.ply", "--exact", "b.ply"],
+        "no exact surface",
+    );
+    refused(
+        &["generate", "cylinder", "-o", "a.ply", "--angle", "3"],
+        "--angle",
+    );
+    refused(
+        &["generate", "cylinder", "-o", "a.ply", "--free", "a.ply"],
+        "two different files",
+    );
+    refused(&["generate", "cylinder", "-o", "a.ply", "--noise=-1"], "--noise");
+    refused(&["generate", "cone", "-o", "a.ply"], "cone");
+    assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
+    expect(
+        &directory,
+        &["generate", "cylinder-blend", "--vertices", "118", "-o", "a.obj"],
+        0,
+    );
+    let render = |more: &[&'static str], what: &str| {
+        let mut args = vec!["render", "a.obj", "-o", "a.png"];
+        args.extend(more);
+        refused(&args, what);
+    };
+    render(&["--view", "1,2"], "--view 1,2");
+    render(&["--size", "10x10"], "--size 10x10");
+    render(&["--range", "2,1"], "--range 2,1");
+    render(&["--caption", "a", "--caption", "b"], "--caption");
+    render(&["--up", "0,0,0"], "--up");
+    refused(&["render", "none.ply", "-o", "a.png"], "none.ply");
+    assert!(!directory.join("a.png").exists());
+}

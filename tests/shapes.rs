@@ -417,3 +417,101 @@ fn a_hundred_thousand_vertices() {
         }
     }
 }
+
+/// Blends are spheres with three holes, tetra things closed surfaces of genus 3, whatever the triangulation.
+#[test]
+fn blends_and_tetra_things_of_any_size() {
+    let samplings = [
+        Sampling::Regular,
+        Sampling::Irregular { seed: 3 },
+        Sampling::locally_refined(),
+    ];
+    for sampling in samplings {
+        for n in [200, 500, 1_500] {
+            let (blend, tetra) = (cylinder_blend_of(n, sampling), tetra_thing_of(n, sampling));
+            for (name, s, euler, loops) in [("blend", &blend, -1, 3), ("tetra", &tetra, -4, 0)] {
+                let (e, l) = topology(s);
+                assert_eq!((e, l.len()), (euler, loops), "{name} {n} {sampling:?}");
+                // A patch comes on top of the wished number.
+                if !matches!(sampling, Sampling::LocallyRefined { .. }) {
+                    let missed = s.positions.len().abs_diff(n);
+                    assert!(missed * 10 <= n, "{name} {n} {sampling:?}: {}", s.positions.len());
+                }
+                sound(name, s);
+            }
+            assert_eq!(blend, cylinder_blend_of(n, sampling));
+        }
+    }
+    let (low, high) = cylinder_blend_of(1_500, samplings[1]).valence_range();
+    assert!(low <= 4 && high >= 9, "{low} to {high}");
+    assert_ne!(
+        cylinder_blend_of(500, Sampling::Irregular { seed: 1 }),
+        cylinder_blend_of(500, Sampling::Irregular { seed: 2 })
+    );
+}
+
+/// Triangles with angles, and unit normals at the fixed vertices, which stand off the surface.
+fn sound(name: &str, s: &Shape) {
+    for t in &s.triangles {
+        let p = t.map(|v| s.positions[v as usize]);
+        for k in 0..3 {
+            let (a, b) = (sub(p[(k + 1) % 3], p[k]), sub(p[(k + 2) % 3], p[k]));
+            let angle = dot(cross(a, b), cross(a, b)).sqrt().atan2(dot(a, b));
+            assert!(angle.to_degrees() > 5.0, "{name}: {} degrees", angle.to_degrees());
+        }
+    }
+    for (v, n) in s.border_normals() {
+        assert!((dot(n, n).sqrt() - 1.0).abs() < 1e-14, "{name}: normal of {v}");
+    }
+}
+
+/// The paper's two sizes (Table 1, Fig. 8), and six circles of the right radius, in the planes that halve the edges.
+#[test]
+fn tetra_things_of_the_paper() {
+    for (s, vertices, triangles, round) in [
+        (tetra_thing_coarse(), 500, 1_008, 10),
+        (tetra_thing(), 13_308, 26_624, 58),
+    ] {
+        assert_eq!((s.positions.len(), s.triangles.len()), (vertices, triangles));
+        let fixed: Vec<usize> = (0..vertices).filter(|&v| !s.free[v]).collect();
+        assert_eq!(fixed.len(), 6 * round);
+        let mut centres: Vec<[i64; 3]> = Vec::new();
+        for v in fixed {
+            let (p, n) = (s.positions[v], s.normals[v]);
+            let centre: [f64; 3] = std::array::from_fn(|i| p[i] - TETRA_RADIUS * n[i]);
+            let height = dot(centre, centre).sqrt();
+            assert!(
+                (height - std::f64::consts::FRAC_1_SQRT_2).abs() < 1e-12,
+                "{height}"
+            );
+            centres.push(centre.map(|x| (10.0 * x).round() as i64));
+        }
+        centres.sort_unstable();
+        centres.dedup();
+        assert_eq!(centres.len(), 6);
+        let (euler, loops) = topology(&s);
+        assert_eq!((euler, loops.len()), (-4, 0));
+        // The start has the symmetries of the tetrahedron.
+        for image in [|p: [f64; 3]| [p[1], p[2], p[0]], |p: [f64; 3]| [p[1], p[0], p[2]]] {
+            symmetric(&s, image);
+        }
+    }
+}
+
+fn symmetric(s: &Shape, image: impl Fn([f64; 3]) -> [f64; 3]) {
+    let key = |p: [f64; 3]| p.map(|x| (1e4 * x).round() as i64);
+    let mut at: HashMap<[i64; 3], [f64; 3]> = HashMap::new();
+    for p in &s.positions {
+        at.insert(key(*p), *p);
+    }
+    for p in &s.positions {
+        let (q, k) = (image(*p), key(image(*p)));
+        // Rounding may put the image into the next cell.
+        let found = (0..27).any(|c| {
+            let cell = [k[0] + c % 3 - 1, k[1] + c / 3 % 3 - 1, k[2] + c / 9 - 1];
+            at.get(&cell)
+                .is_some_and(|r| dot(sub(*r, q), sub(*r, q)).sqrt() < 1e-8)
+        });
+        assert!(found, "no vertex at {q:?}");
+    }
+}

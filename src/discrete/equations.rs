@@ -16,11 +16,11 @@ use rayon::prelude::*;
 use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
 use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
-use super::lanes::{Lanes, Vec3, dot, lane, minus, one, scaled, set_lane, vectorized};
+use super::lanes::{Lanes, Vec3, lane, minus, one, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
-use super::spokes::{Spoke, measure};
+use super::spokes::Spoke;
 use super::target::RightHandSide;
 use crate::mesh::{NONE, Rings};
 
@@ -250,14 +250,7 @@ impl Equations<'_> {
         let groups = self.groups;
         let slots = groups.slots(group);
         let vertex = &groups.vertex[group];
-        let q = gather(x, vertex);
-        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[slots.clone()]) {
-            spoke.edge = gather(x, j);
-        }
-        for spoke in ring.iter_mut() {
-            spoke.edge = minus(&spoke.edge, &q);
-        }
-        measure(ring);
+        let q = self.gather_ring(x, group, ring);
         let area = ring_weights(ring, weight);
         for (to, from) in out.weight[slots.start - first_slot..]
             .iter_mut()
@@ -289,14 +282,7 @@ impl Equations<'_> {
                 )
             }
         };
-        let mut sum = [Lanes::zero(); 3];
-        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
-            match &self.weights.slots {
-                None => sum = super::lanes::plus(&sum, e),
-                Some(w) => sum = super::lanes::plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
-            }
-        }
-        let inner = minus(&sum, &scaled(&n, dot(&sum, &n)));
+        let inner = self.inner_residual(slots, ring, &n);
         for (l, &i) in vertex.iter().enumerate() {
             let i = i as usize - first_vertex;
             out.normal[i] = lane(&n, l);
@@ -487,6 +473,9 @@ mod tests {
             );
             assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
             assert!(wide.response == plain.response && wide.weight == plain.weight);
+            let mut tangential = State::new(&groups, region.border);
+            equations.evaluate_inner(&x, &mut tangential);
+            assert!(tangential.normal == wide.normal && tangential.inner == wide.inner);
             equations.border_normals_at(&x, &mut wide);
             for b in 0..region.border {
                 let plain = equations.border_fit(&x, &wide.corrected, b);

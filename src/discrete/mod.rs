@@ -8,6 +8,7 @@ pub mod curvature;
 pub mod equations;
 pub mod groups;
 pub mod inner_fairness;
+mod inner_residual;
 pub mod lanes;
 pub mod laplace_beltrami;
 pub mod low_valence;

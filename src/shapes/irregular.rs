@@ -143,7 +143,7 @@ fn shake(shape: &mut Shape, rng: &mut Rng) {
     for (t, corners) in shape.triangles.iter().enumerate() {
         corners.iter().for_each(|&v| around[v as usize].push(t as u32));
     }
-    for v in 0..shape.positions.len() {
+    for (v, around) in around.iter().enumerate() {
         if !shape.free[v] {
             continue;
         }
@@ -151,12 +151,12 @@ fn shake(shape: &mut Shape, rng: &mut Rng) {
         let distance = |w: &u32| length(sub(shape.positions[*w as usize], p));
         let reach = SHAKE * near.of(v).iter().map(distance).fold(f64::INFINITY, f64::min);
         let at = |t: u32| shape.triangles[t as usize].map(|w| shape.positions[w as usize]);
-        let normals: Vec<[f64; 3]> = around[v].iter().map(|&t| normal(at(t))).collect();
+        let normals: Vec<[f64; 3]> = around.iter().map(|&t| normal(at(t))).collect();
         let n = unit(std::array::from_fn(|i| normals.iter().map(|n| n[i]).sum()));
         let by: [f64; 3] = std::array::from_fn(|_| rng.between(-reach, reach));
         let along = dot(by, n);
         shape.positions[v] = std::array::from_fn(|i| p[i] + by[i] - along * n[i]);
-        let sound = around[v].iter().zip(&normals).all(|(&t, before)| {
+        let sound = around.iter().zip(&normals).all(|(&t, before)| {
             let corners = shape.triangles[t as usize].map(|w| shape.positions[w as usize]);
             smallest_angle(corners) > ANGLE && dot(normal(corners), *before) > 0.8
         });

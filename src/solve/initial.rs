@@ -11,8 +11,9 @@ use crate::linear::ordering::amd;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
 
-/// Linear systems are solved to this, in the norm of their own energy: they only make a start.
-const REFINED: f64 = 1e-4;
+/// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
+/// about thin triangles ought not to depend on the order of elimination.
+const REFINED: f64 = 1e-7;
 /// More iterations than this say that 32 bits do not suffice.
 const MOST_ITERATIONS: usize = 16;
 /// So does a step longer than this. A step of conjugate gradients is at most `1 / l` long, `l` the least eigenvalue of the
@@ -205,7 +206,7 @@ impl System<'_> {
     pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>]) {
         let mut step = vec![0.0; 3 * self.region.free];
         for _ in 0..TANGENTIAL_STEPS {
-            self.evaluate(x);
+            self.evaluate_inner(x);
             self.step(&mut step, false);
             let change = self.edge_change(x, &step);
             advance(

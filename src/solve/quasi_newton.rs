@@ -118,7 +118,9 @@ fn run(
     let mut safeguard = true;
     let mut waited = 0;
     anderson.clear();
-    system.evaluate(x);
+    if !plan.response {
+        system.evaluate(x);
+    }
     system.rebuild(x, plan.response, |_| 0.0)?;
     loop {
         let norm = system.step(&mut step, true);

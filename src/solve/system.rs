@@ -174,6 +174,13 @@ impl<'a> System<'a> {
         }
     }
 
+    /// Evaluates only what a tangential step needs.
+    pub fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
+        let mut state = std::mem::take(&mut self.state);
+        self.equations().evaluate_inner(x, &mut state);
+        self.state = state;
+    }
+
     /// Takes new inner-fairness weights.
     pub fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
         self.weights = weights;
@@ -181,7 +188,8 @@ impl<'a> System<'a> {
         self.g.factor(&values).map_err(|_| Collapsed)
     }
 
-    /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal.
+    /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal. With `response` it evaluates at
+    /// `x` itself.
     pub fn rebuild(
         &mut self,
         x: &[Vector3<f64>],

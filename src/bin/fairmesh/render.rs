@@ -82,6 +82,7 @@ const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
 pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let options = options(args)?;
     let captions = captions(args)?;
+    let asked_range = args.range.as_deref().map(range).transpose()?;
     let output = Output::prepare(&args.output)?;
     let meshes = args
         .inputs
@@ -94,10 +95,7 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
         .collect::<Result<Vec<_>, Failure>>()?;
     let (curvatures, range) = if args.shade.contains(&Shade::Curvature) {
         let curvatures = curvatures(args, &meshes)?;
-        let range = match &args.range {
-            Some(text) => range(text)?,
-            None => usual_range(&curvatures, &focus),
-        };
+        let range = asked_range.unwrap_or_else(|| usual_range(&curvatures, &focus));
         (curvatures, range)
     } else {
         (vec![Vec::new(); meshes.len()], [0.0, 1.0])

@@ -1,0 +1,97 @@
+//! The inner residual (paper 7.3) of a group of vertices, and by itself where only tangential steps are taken.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::equations::{Equations, FreeCurvature, State};
+use super::groups::{Chunk, LANES, gather, split_lengths};
+use super::lanes::{Lanes, Vec3, dot, lane, minus, plus, scaled, vectorized};
+use super::normals::{cross_product_normal, max_normal};
+use super::spokes::{Spoke, measure};
+
+impl Equations<'_> {
+    /// The edges of a group's rings, measured. Returns the centres.
+    #[inline(always)]
+    pub(super) fn gather_ring(
+        &self,
+        x: &[Vector3<f64>],
+        group: usize,
+        ring: &mut [Spoke<LANES>],
+    ) -> Vec3<LANES> {
+        let groups = self.groups;
+        let q = gather(x, &groups.vertex[group]);
+        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[groups.slots(group)]) {
+            spoke.edge = gather(x, j);
+        }
+        for spoke in ring.iter_mut() {
+            spoke.edge = minus(&spoke.edge, &q);
+        }
+        measure(ring);
+        q
+    }
+
+    /// The inner residual of one group.
+    #[inline(always)]
+    pub(super) fn inner_residual(
+        &self,
+        slots: Range<usize>,
+        ring: &[Spoke<LANES>],
+        n: &Vec3<LANES>,
+    ) -> Vec3<LANES> {
+        let mut sum = [Lanes::zero(); 3];
+        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
+            match &self.weights.slots {
+                None => sum = plus(&sum, e),
+                Some(w) => sum = plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
+            }
+        }
+        minus(&sum, &scaled(n, dot(&sum, n)))
+    }
+
+    /// Normals and inner residual alone, into `state.normal` and `state.inner`; the rest of `state` stays.
+    pub fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
+        let chunks = &self.groups.chunks;
+        let lengths = || chunks.iter().map(|c| c.vertices.len());
+        let normal = split_lengths(&mut state.normal, lengths());
+        let inner = split_lengths(&mut state.inner, lengths());
+        normal
+            .into_par_iter()
+            .zip(inner)
+            .zip(chunks.par_iter())
+            .for_each(|((normal, inner), chunk)| {
+                vectorized(
+                    #[inline(always)]
+                    || self.inner_chunk(x, chunk, normal, inner),
+                );
+            });
+    }
+
+    /// One chunk of [`Self::evaluate_inner`], without the choice of instructions.
+    #[inline(always)]
+    fn inner_chunk(
+        &self,
+        x: &[Vector3<f64>],
+        chunk: &Chunk,
+        normal: &mut [Vector3<f64>],
+        inner: &mut [Vector3<f64>],
+    ) {
+        let mut ring = vec![Spoke::zero(); self.groups.largest_valence];
+        for group in chunk.groups.clone() {
+            let slots = self.groups.slots(group);
+            let ring = &mut ring[..slots.len()];
+            self.gather_ring(x, group, ring);
+            let n = match self.curvature {
+                FreeCurvature::Paper => cross_product_normal(ring),
+                FreeCurvature::GradientCorrected { .. } => max_normal(ring),
+            };
+            let residual = self.inner_residual(slots, ring, &n);
+            for (l, &i) in self.groups.vertex[group].iter().enumerate() {
+                let i = i as usize - chunk.vertices.start;
+                normal[i] = lane(&n, l);
+                inner[i] = lane(&residual, l);
+            }
+        }
+    }
+}

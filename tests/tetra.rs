@@ -1,0 +1,67 @@
+//! The tetra thing (paper Fig. 8): fixed curves inside a closed surface, and two sizes of one shape.
+#![cfg(feature = "shapes")]
+#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
+
+mod common;
+
+use common::fairing::*;
+use fairmesh::shapes::{Shape, tetra_thing, tetra_thing_coarse};
+use fairmesh::{BorderNormals, InnerFairness, Options, Selection, Solution, fair, mean_curvature};
+
+/// The coarse surface may leave the fine one by this much of the diagonal.
+const COARSE_TO_FINE: f64 = 1.2e-2;
+
+fn faired(shape: &Shape, inner: InnerFairness) -> Solution {
+    let normals = shape.border_normals();
+    let options = Options {
+        normals: BorderNormals::Given(&normals),
+        inner,
+        ..options(1e-8)
+    };
+    fair(
+        &shape.positions,
+        &shape.triangles,
+        Selection::Mask(&shape.free),
+        options,
+    )
+    .unwrap()
+}
+
+#[test]
+fn both_sizes_are_the_same_shape() {
+    let mut bars = Bars::default();
+    let (coarse, fine) = (tetra_thing_coarse(), tetra_thing());
+    for inner in [InnerFairness::Uniform, InnerFairness::Conformal] {
+        let (small, large) = (faired(&coarse, inner), faired(&fine, inner));
+        let apart = distances_to_mesh(&small.positions, &large.positions, &fine.triangles);
+        let apart = apart.max / large.report.diagonal;
+        let (few, many) = (small.report.iterations, large.report.iterations);
+        println!("{inner:?}: {apart:.2e} apart, {few} and {many} iterations");
+        bars.at_most(format!("{inner:?}"), apart, COARSE_TO_FINE);
+        for (n, solution) in [(500, &small), (13_308, &large)] {
+            bars.converged(format!("{inner:?} {n}"), solution);
+            // The extremes of a harmonic H are on the circles (paper 3).
+            let ([low, high], [least, most]) =
+                (solution.report.quality.h_inside, solution.report.quality.h_border);
+            bars.at_least(format!("{inner:?} {n}, least H"), low, least);
+            bars.at_most(format!("{inner:?} {n}, largest H"), high, most);
+        }
+    }
+    bars.finish();
+}
+
+/// What is shown of a surface is what was solved for: H of the whole mesh is the solver's at the free vertices.
+#[test]
+fn the_curvature_shown_is_the_curvature_solved_for() {
+    let mut bars = Bars::default();
+    let shape = tetra_thing_coarse();
+    let solution = faired(&shape, InnerFairness::Uniform);
+    let shown = mean_curvature(&solution.positions, &shape.triangles).unwrap();
+    let worst = solution
+        .mean_curvature
+        .iter()
+        .map(|&(v, h)| (h - shown[v as usize]).abs())
+        .fold(0.0, f64::max);
+    bars.at_most("difference", worst, 1e-9);
+    bars.finish();
+}
