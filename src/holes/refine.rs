@@ -404,3 +404,49 @@ impl<'a> Refiner<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quality::smallest_angle;
+
+    #[test]
+    fn a_square_gets_triangles_of_the_length_wanted() {
+        let x: Vec<_> = (0..40)
+            .map(|i| {
+                let s = f64::from(i % 10) / 10.0;
+                let [a, b] = [[s, 0.0], [1.0, s], [1.0 - s, 1.0], [0.0, 1.0 - s]][i as usize / 10];
+                Vector3::new(a, b, 0.0)
+            })
+            .collect();
+        // A fan of needles about a corner; the sides at that corner are fans about the far ends' neighbours.
+        let fan = (10..30).map(|i| [0, i, i + 1]);
+        let lower = (1..10).map(|i| [i, i + 1, 11]).filter(|t| t[1] <= 10);
+        let upper = (30..39).map(|i| [29, i, i + 1]);
+        let mut triangles: Vec<[u32; 3]> = fan.filter(|t| t[1] >= 11 && t[2] <= 29).collect();
+        triangles.push([0, 1, 11]);
+        triangles.extend(lower);
+        triangles.push([0, 29, 39]);
+        triangles.extend(upper);
+        let mut patch = Patch::new(x, triangles, 40);
+        patch.validate().unwrap();
+        patch.size.fill(0.1);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 1_000,
+        };
+        assert!(Refiner::new(&mut patch, fineness, &[]).run());
+        patch.validate().unwrap();
+        let inner = patch.x.len() - 40;
+        assert!((60..150).contains(&inner), "{inner}");
+        let (mut area, mut worst) = (0.0, f64::INFINITY);
+        for t in 0..patch.triangles.len() {
+            let cross = patch.cross(t);
+            assert!(cross.z > 0.0);
+            area += 0.5 * cross.z;
+            worst = smallest_angle(&patch.triangles[t].map(|v| patch.x[v as usize])).min(worst);
+        }
+        assert!((area - 1.0).abs() < 1e-12 && worst > 25.0, "{area} {worst}");
+    }
+}

@@ -274,3 +274,81 @@ impl<'a> Ears<'a> {
             .unzip()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rim(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
+        let x: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
+        let normals = vec![Vector3::zeros(); x.len()];
+        Rim {
+            x: &x,
+            normals: &normals,
+            taken,
+        }
+        .triangulate()
+    }
+
+    fn signed_area(x: &[[f64; 3]], t: &[u32; 3]) -> f64 {
+        let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
+        0.5 * (b - a).cross(&(c - a)).z
+    }
+
+    #[test]
+    fn a_polygon_with_a_notch_is_triangulated_without_folds() {
+        let x = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]].map(|[x, y]| [x, y, 0.0]);
+        let triangles = rim(&x, &[]).unwrap();
+        let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
+        assert!(areas.iter().all(|&a| a > 0.0));
+        assert!((areas.iter().sum::<f64>() - 2.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn edges_that_are_there_already_are_not_made_again() {
+        let x = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        let has = |t: &[[u32; 3]], v| t.iter().filter(|t| t.contains(&v)).count() == 2;
+        assert!(has(&rim(&x, &[(0, 2)]).unwrap(), 1));
+        assert!(has(&rim(&x, &[(1, 3)]).unwrap(), 0));
+        assert_eq!(rim(&x, &[(0, 2), (1, 3)]), None);
+    }
+
+    #[test]
+    fn the_bend_counts_before_the_area() {
+        // The diagonal of a folded square that keeps the worst angle small is the ridge's own.
+        let x = [[0., 0., 0.], [1., 0., 1.], [0., 1., 0.], [-1., 0., 1.]];
+        let triangles = rim(&x, &[]).unwrap();
+        let bend = |t: &[[u32; 3]]| {
+            let normal = |t: &[u32; 3]| {
+                let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
+                (b - a).cross(&(c - a)).normalize()
+            };
+            normal(&t[0]).dot(&normal(&t[1]))
+        };
+        assert!(bend(&triangles) >= bend(&[[0, 1, 2], [0, 2, 3]]) - 1e-12);
+        assert!(bend(&triangles) >= bend(&[[0, 1, 3], [1, 2, 3]]) - 1e-12);
+    }
+
+    #[test]
+    fn a_long_loop_is_shortened_and_covered_once() {
+        let n = 1_000;
+        let x: Vec<[f64; 3]> = (0..n)
+            .map(|i| {
+                let a = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+                let r = 1.0 + 0.2 * (9.0 * a).sin() + if i % 2 == 0 { 0.003 } else { 0.0 };
+                [r * a.cos(), r * a.sin(), 0.0]
+            })
+            .collect();
+        let triangles = rim(&x, &[]).unwrap();
+        assert_eq!(triangles.len(), x.len() - 2);
+        let exact: f64 = (0..x.len())
+            .map(|i| {
+                let (p, q) = (x[i], x[(i + 1) % x.len()]);
+                0.5 * (p[0] * q[1] - p[1] * q[0])
+            })
+            .sum();
+        let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
+        assert!((areas.iter().sum::<f64>() - exact).abs() < 1e-9);
+        assert!(areas.iter().all(|&a| a > -1e-12));
+    }
+}
