@@ -187,7 +187,8 @@ impl<'a> Links<'a> {
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
             for &h in &border {
-                if !done[h as usize] && !(open && has_before[h as usize]) {
+                let is_inside = open && has_before[h as usize];
+                if !is_inside && !done[h as usize] {
                     self.walk(h, &mut done, &mut place, &mut found);
                 }
             }

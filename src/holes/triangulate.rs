@@ -184,9 +184,11 @@ struct Ears<'a> {
     normals: Vec<Vector3<f64>>,
     alive: Vec<bool>,
     left: usize,
-    /// Cost (bits of a number that is not negative), vertex, its neighbours then, whether its ball was looked at.
-    queue: BinaryHeap<Reverse<(u64, u32, u32, u32, bool)>>,
+    queue: BinaryHeap<Reverse<Ear>>,
 }
+
+/// Cost (bits of a number that is not negative), vertex, its neighbours then, whether its ball was looked at.
+type Ear = (u64, u32, u32, u32, bool);
 
 impl<'a> Ears<'a> {
     fn new(rim: &'a Rim<'a>) -> Self {
