@@ -2,23 +2,23 @@
 
 mod frame;
 mod normals;
+mod solvers;
 
 use std::ops::ControlFlow;
 use std::sync::mpsc;
 use std::time::Instant;
 
-use crate::discrete::curvature::TILT_RIDGE;
-use crate::discrete::equations::FreeCurvature;
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 pub use crate::discrete::target::Target;
 use crate::error::Error;
 pub use crate::mesh::region::Selection;
 use crate::mesh::{Region, Rings};
+use crate::paper::{LevelReport, PaperOptions, Problem};
 use crate::quality::{Quality, Surface};
+use crate::solve::Ending;
 use crate::solve::control::Callback;
 use crate::solve::globalize::diagonal;
-use crate::solve::{Control, Ending, System, solve};
 use frame::Frame;
 use normals::border_normals;
 pub use normals::{BorderNormals, InteriorNormals};
@@ -45,6 +45,17 @@ pub enum Discretization {
     Paper,
 }
 
+/// How the equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Solver {
+    /// Quasi-Newton steps on both equations together.
+    #[default]
+    Fast,
+    /// The paper's own scheme (7): slow, kept as a yardstick. Always with [`Discretization::Paper`]; `tolerance` and
+    /// `max_iterations` of [`Options`] have no part in it.
+    Paper(PaperOptions),
+}
+
 /// What is told how far a run is; `Break` stops it.
 pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 
@@ -60,6 +71,8 @@ pub struct Options<'a> {
     pub inner: InnerFairness,
     /// Discretization. Default: second order.
     pub discretization: Discretization,
+    /// Solver. Default: the fast one.
+    pub solver: Solver,
     /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
     /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
     pub tolerance: f64,
@@ -79,6 +92,7 @@ impl Default for Options<'_> {
             target: Target::default(),
             inner: InnerFairness::default(),
             discretization: Discretization::default(),
+            solver: Solver::default(),
             tolerance: 1e-8,
             max_iterations: 500,
             threads: 0,
@@ -192,6 +206,8 @@ pub struct Report {
     pub seconds: Seconds,
     /// Soundness of the result.
     pub quality: Quality,
+    /// The levels of [`Solver::Paper`] from the base to the given mesh; empty for the fast solver.
+    pub levels: Vec<LevelReport>,
     /// Number of free vertices.
     pub free_vertices: usize,
     /// The region's bounding-box diagonal, in the unit of the positions.
@@ -251,6 +267,7 @@ pub fn fair(
         target: options.target,
         inner: options.inner,
         discretization: options.discretization,
+        solver: options.solver,
         tolerance: options.tolerance,
         max_iterations: options.max_iterations,
     };
@@ -270,6 +287,7 @@ struct Request<'a> {
     target: Target,
     inner: InnerFairness,
     discretization: Discretization,
+    solver: Solver,
     tolerance: f64,
     max_iterations: usize,
 }
@@ -333,7 +351,10 @@ pub(crate) fn check(options: &Options<'_>) -> Result<(), Error> {
             range: "at least 1",
         });
     }
-    Ok(())
+    match &options.solver {
+        Solver::Fast => Ok(()),
+        Solver::Paper(options) => solvers::check(options),
+    }
 }
 
 fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Result<Solution, Error> {
@@ -352,48 +373,56 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         InnerFairness::Convex => FairnessWeights::convex(&groups, &x),
     };
     let fallback_weights = weights.clamped;
-    let curvature = match request.discretization {
-        Discretization::SecondOrder => FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
-        Discretization::Paper => FreeCurvature::Paper,
-    };
     seconds.setup = clock.elapsed().as_secs_f64();
-    let mut control = Control::new(request.tolerance, request.max_iterations, progress);
-    let mut system = System::new(&region, &rings, &groups, &x, border_normals, weights, curvature);
-    system.passing = passing;
-    system.right_hand_side = request.target.right_hand_side(frame.scale);
-    let solved = solve(&mut system, &mut control).map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    let problem = Problem {
+        region: &region,
+        rings: &rings,
+        groups: &groups,
+        input: &x,
+        border_normals: &border_normals,
+        passing: &passing,
+        weights: &weights,
+        weigh: match request.inner {
+            InnerFairness::Uniform => None,
+            InnerFairness::Conformal => Some(FairnessWeights::conformal),
+            InnerFairness::Convex => Some(FairnessWeights::convex),
+        },
+        right_hand_side: request.target.right_hand_side(frame.scale),
+    };
+    let faired = match request.solver {
+        Solver::Fast => solvers::fast(&problem, request, progress),
+        Solver::Paper(options) => solvers::paper(&problem, &options, progress),
+    }
+    .map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    let solved = &faired.solved;
     seconds.start = solved.start_seconds;
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
-    system.evaluate(&solved.x);
     let surface = Surface {
         region: &region,
         x: &solved.x,
-        normals: &system.state.corrected,
-        border_normals: &system.border_normals,
-        h: &system.state.h,
+        normals: &faired.state.corrected,
+        border_normals: &faired.border_normals,
+        h: &faired.state.h,
     };
     let mut quality = surface.quality();
     for h in quality.h_inside.iter_mut().chain(&mut quality.h_border) {
         *h /= frame.scale;
     }
-    let (defect, _) = system.equations().defect(&system.state);
     let mut positions = request.positions.to_vec();
     for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
         positions[v as usize] = frame.leave(p);
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
     let border_normals = border
-        .zip(&system.border_normals)
+        .zip(&faired.border_normals)
         .map(|(&v, n)| (v, (*n).into()))
         .collect();
     let inside = |values: &[f64], unit: f64| -> Vec<(u32, f64)> {
         let ids = region.vertex_ids[..region.free].iter();
         ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
     };
-    let mean_curvature = inside(&system.state.h, frame.scale);
-    let gaussian_curvature = inside(&system.state.k, frame.scale * frame.scale);
+    let mean_curvature = inside(&faired.state.h, frame.scale);
+    let gaussian_curvature = inside(&faired.state.k, frame.scale * frame.scale);
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
     let suspicious_normals = surface.suspicious_normals(&rings, &x);
@@ -411,6 +440,9 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
                     reason: "border normals point against the surface beside them: probably flipped".to_owned(),
                 }
             }
+            Ending::Converged if solved.poor.is_empty() && faired.rounding => Outcome::ConvergedLoosely {
+                reason: "max |Delta_B H| is as small as the rounding of positions allows, but above its limit".to_owned(),
+            },
             Ending::Converged if solved.poor.is_empty() => Outcome::Converged,
             Ending::FirstOrder if solved.poor.is_empty() => Outcome::ConvergedLoosely {
                 reason: "the surface holds with the first-order curvature alone".to_owned(),
@@ -418,7 +450,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
             Ending::Converged | Ending::FirstOrder => Outcome::ConvergedPoorTriangles {
                 triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
             },
-            Ending::Stopped if control.cancelled => Outcome::Cancelled,
+            Ending::Stopped if faired.cancelled => Outcome::Cancelled,
             Ending::Stopped => Outcome::IterationLimit,
             Ending::Partly(reached, farthest) => Outcome::NormalsNotReachable {
                 reached: *reached,
@@ -433,11 +465,12 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
             },
             Ending::Failed => Outcome::NotConverged,
         },
-        iterations: control.iterations,
-        defect: defect * system.diagonal,
+        iterations: faired.iterations,
+        defect: faired.defect,
         step: solved.step,
         seconds,
         quality,
+        levels: faired.levels,
         free_vertices: region.free,
         diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,

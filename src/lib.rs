@@ -15,6 +15,7 @@ pub mod fairing;
 pub mod holes;
 pub mod linear;
 pub mod mesh;
+pub mod paper;
 pub mod quality;
 #[cfg(feature = "shapes")]
 pub mod shapes;
@@ -24,12 +25,13 @@ pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
-    Seconds, Selection, Solution, Target, Watcher, fair,
+    Seconds, Selection, Solution, Solver, Target, Watcher, fair,
 };
 pub use holes::{
     BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
     Parents, RemeshOptions, Remeshed, border_loops, fill_holes, remesh_region,
 };
+pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
 
 /// The example of README.md, run as a test.

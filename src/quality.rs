@@ -8,6 +8,11 @@ use crate::mesh::{Region, Rings};
 /// An angle below this makes a triangle a needle, in degrees.
 pub const NEEDLE: f64 = 1.0;
 
+/// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
+const STRAINED_DEGREES: f64 = 15.0;
+/// See [`STRAINED_DEGREES`].
+const STRAINED_RATIO: f64 = 8.0;
+
 /// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Quality {
@@ -127,6 +132,25 @@ impl Surface<'_> {
         }
         quality.normal_deviation_rms = (squares / self.region.border.max(1) as f64).sqrt();
         quality
+    }
+
+    /// Region triangles (local numbers) that are flipped or have an angle below `degrees`.
+    pub fn poor(&self, degrees: f64) -> Vec<u32> {
+        let mut poor = Vec::new();
+        self.triangles(|t, flipped, angle| {
+            if flipped || angle < degrees {
+                poor.push(t as u32);
+            }
+        });
+        poor
+    }
+
+    /// Whether single border vertices deviate from their normals far more than the rest.
+    pub fn is_strained(&self) -> bool {
+        let deviations = self.normal_deviations();
+        let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
+        let worst = deviations.iter().copied().fold(0.0, f64::max);
+        worst > STRAINED_DEGREES && worst > STRAINED_RATIO * mean.sqrt()
     }
 
     /// Border vertices (the caller's numbers) whose normal points against the triangles outside, as they came in `input`,

@@ -285,6 +285,40 @@ fn too_few_iterations_exit_with_3_and_write() {
 }
 
 #[test]
+fn the_papers_scheme_takes_its_flags_and_tells_its_levels() {
+    let directory = prepared("paper");
+    let file = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+    let flags = [
+        "--solver",
+        "paper",
+        "--levels",
+        "1",
+        "--damping",
+        "0.8",
+        "--cg",
+        "20",
+        "--defect",
+        "1e-5",
+    ];
+    let json = ["--json", "report.json"];
+    let (out, _) = expect(&directory, &[&file[..], &flags, &json].concat(), 0);
+    assert!(out.contains("levels:"), "{out}");
+    let json = fs::read_to_string(directory.join("report.json")).unwrap();
+    assert!(json.contains("\"updates\""), "{json}");
+    let (_, err) = expect(&directory, &[&file[..], &["--levels", "2"]].concat(), 2);
+    assert!(err.contains("--levels is for --solver paper only"), "{err}");
+    let (_, err) = expect(
+        &directory,
+        &[&file[..], &["--solver", "paper", "--damping", "2"]].concat(),
+        2,
+    );
+    assert!(err.contains("damping"), "{err}");
+    let few = ["--solver", "paper", "--max-iterations", "1"];
+    let (out, _) = expect(&directory, &[&file[..], &few].concat(), 3);
+    assert!(out.starts_with("stopped at the iteration limit"), "{out}");
+}
+
+#[test]
 fn threads_do_not_change_a_byte() {
     let directory = prepared("threads");
     for threads in ["1", "3"] {

@@ -333,6 +333,29 @@ pub fn moreton_sequin<const L: usize>(
     fit.curvature()
 }
 
+/// The same, and `-dH/dt` under a motion of the vertex along `n`, samples and every `|e|` held (paper 7.2).
+#[inline(always)]
+pub fn moreton_sequin_with_response<const L: usize>(
+    n: &Vec3<L>,
+    samples: impl Iterator<Item = Vec3<L>>,
+) -> (Lanes<L>, Lanes<L>, Lanes<L>) {
+    let frame = Frame::new(*n);
+    let mut fit = NormalEquations::<L, 3>::new();
+    let mut moved = [Lanes::zero(); 3];
+    for e in samples {
+        let inverse_square = inverse_square(dot(&e, &e));
+        let ([one, a, b, ..], kappa) = frame.sample_at(&e, inverse_square);
+        fit.add(&[one, a, b], kappa, Lanes::splat(1.0));
+        for (sum, phi) in moved.iter_mut().zip([one, a, b]) {
+            *sum += phi * inverse_square * 2.0;
+        }
+    }
+    let factor = fit.cholesky(&[0.0, RIDGE, RIDGE]);
+    let y = back_substitute(&factor, fit.right);
+    let gauss = y[0] * y[0] - y[1] * y[1] - y[2] * y[2];
+    (y[0], gauss, back_substitute(&factor, moved)[0])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

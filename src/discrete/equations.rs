@@ -171,7 +171,7 @@ impl Equations<'_> {
         self.border_normals_at(x, state);
         let paper = self.curvature == FreeCurvature::Paper;
         if paper {
-            self.paper_curvature(x, state);
+            self.paper_curvature::<RESPONSE>(x, state);
         }
         let free = self.free();
         let (_, border) = state.h.split_at_mut(free);
@@ -283,7 +283,8 @@ impl Equations<'_> {
             }
         };
         let inner = self.inner_residual(slots, ring, &n);
-        for (l, &i) in vertex.iter().enumerate() {
+        // Backwards: a group that is not full repeats its last vertex, and only the first of these lanes has its weights.
+        for (l, &i) in vertex.iter().enumerate().rev() {
             let i = i as usize - first_vertex;
             out.normal[i] = lane(&n, l);
             out.corrected[i] = lane(&c.normal, l);
@@ -340,6 +341,7 @@ impl Equations<'_> {
     /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
     /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
     /// response, and even a sphere is then an unstable solution of the equations.
+    /// The paper has no flaps there (7.5), and its discretization none either.
     pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
@@ -380,6 +382,9 @@ impl Equations<'_> {
                 &spiral_sample(&ends[0], &ends[1], &normals[0], &normals[1]),
                 weight,
             );
+        }
+        if self.curvature == FreeCurvature::Paper {
+            return fit.over_lanes();
         }
         let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
         let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
@@ -484,6 +489,39 @@ mod tests {
                     plain.to_bits()
                 );
             }
+        }
+    }
+
+    #[test]
+    fn a_group_that_is_not_full_keeps_the_weights_of_its_last_vertex() {
+        let shape = sphere_cap(60.0, 60, Sampling::Irregular { seed: 7 }, 0);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let x = region.positions(&shape.noise(3, 0.2));
+        let rings = Rings::new(&region);
+        let groups = Groups::new(&rings);
+        let weights = FairnessWeights::conformal(&groups, &x);
+        let equations = Equations {
+            rings: &rings,
+            groups: &groups,
+            border_normals: &vec![Vector3::z(); region.border],
+            passing: &[],
+            weights: &weights,
+            curvature: FreeCurvature::Paper,
+            right_hand_side: RightHandSide::default(),
+        };
+        let mut state = State::new(&groups, region.border);
+        equations.evaluate(&x, &mut state);
+        for i in 0..region.free {
+            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let ring = rings.ring(i).iter().enumerate();
+            let sum: Vector3<f64> = ring
+                .map(|(k, &j)| (x[j as usize] - x[i]) * weights.at(first + k, lane))
+                .sum();
+            let n = state.normal[i];
+            assert!(
+                (sum - n * sum.dot(&n) - state.inner[i]).norm() < 1e-13,
+                "vertex {i}"
+            );
         }
     }
 }

@@ -73,19 +73,8 @@ impl FairnessWeights {
             .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
         let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
         let valence = ring_length(groups, first);
-        let ring = |k: usize| &input[groups.neighbour[first + k % valence][lane] as usize];
-        let q = &input[i];
-        let mut clamped = false;
-        let mut clamp = |c: f64| {
-            let inside = c.clamp(COTANGENT_RANGE[0], COTANGENT_RANGE[1]);
-            clamped |= c.is_nan() || c.abs() >= 1e6;
-            if c.is_nan() { COTANGENT_RANGE[0] } else { inside }
-        };
-        for k in 0..valence {
-            let (before, here, after) = (ring(k + valence - 1), ring(k), ring(k + 1));
-            slots[first + k][lane] = clamp(cotangent(before, q, here)) + clamp(cotangent(after, here, q));
-        }
-        clamped
+        let ring = |k: usize| &input[groups.neighbour[first + k][lane] as usize];
+        clamped_cotangents(&input[i], valence, ring, |k, w| slots[first + k][lane] = w)
     }
 
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
@@ -140,6 +129,34 @@ impl FairnessWeights {
     pub fn at(&self, slot: usize, lane: usize) -> f64 {
         self.slots.as_ref().map_or(1.0, |s| s[slot][lane])
     }
+}
+
+/// Hands `cot alpha_j + cot beta_j`, clamped, to `set` for each of the `valence` neighbours of a closed ring. Returns
+/// whether an angle was too close to 0 or 180 degrees; see [`FairnessWeights::set_conformal`].
+pub fn clamped_cotangents<'x>(
+    q: &Vector3<f64>,
+    valence: usize,
+    ring: impl Fn(usize) -> &'x Vector3<f64>,
+    mut set: impl FnMut(usize, f64),
+) -> bool {
+    let mut clamped = false;
+    let mut clamp = |c: f64| {
+        let inside = c.clamp(COTANGENT_RANGE[0], COTANGENT_RANGE[1]);
+        clamped |= c.is_nan() || c.abs() >= 1e6;
+        if c.is_nan() { COTANGENT_RANGE[0] } else { inside }
+    };
+    for k in 0..valence {
+        let (before, here, after) = (
+            ring((k + valence - 1) % valence),
+            ring(k),
+            ring((k + 1) % valence),
+        );
+        set(
+            k,
+            clamp(cotangent(before, q, here)) + clamp(cotangent(after, here, q)),
+        );
+    }
+    clamped
 }
 
 /// The valence of the group whose first slot is `first`.

@@ -219,6 +219,7 @@ impl Run<'_, '_> {
             target: self.options.fairing.target,
             inner: self.options.fairing.inner,
             discretization: self.options.fairing.discretization,
+            solver: self.options.fairing.solver,
             tolerance: self.options.fairing.tolerance,
             max_iterations: self.options.fairing.max_iterations,
             threads: self.options.fairing.threads,

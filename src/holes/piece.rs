@@ -16,7 +16,7 @@ use super::triangulate::Rim;
 use crate::error::Error;
 use crate::fairing::{
     BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
-    Target, fair,
+    Solver, Target, fair,
 };
 use crate::quality::smallest_angle;
 
@@ -95,6 +95,7 @@ pub(super) struct Task<'a> {
     pub(super) target: Target,
     pub(super) inner: InnerFairness,
     pub(super) discretization: Discretization,
+    pub(super) solver: Solver,
     pub(super) tolerance: f64,
     pub(super) max_iterations: usize,
     pub(super) threads: usize,
@@ -265,6 +266,7 @@ impl Task<'_> {
             target: self.target_here(),
             inner: self.inner,
             discretization: self.discretization,
+            solver: self.solver,
             tolerance,
             max_iterations,
             threads: self.threads,

@@ -1,10 +1,14 @@
 //! The region of a triangle mesh: half-edges, rings, and what is free, fixed and border.
 
+pub mod editable;
 pub mod halfedge;
+pub mod hierarchy;
 pub mod region;
 pub mod rings;
 
+pub use editable::EditableMesh;
 pub use halfedge::HalfEdges;
+pub use hierarchy::{ProgressiveMesh, Split, decimate, level_sizes};
 pub use region::{Region, Selection};
 pub use rings::Rings;
 

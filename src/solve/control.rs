@@ -45,9 +45,16 @@ impl<'a> Control<'a> {
         self.tell(0.3 + 0.69 * digits.clamp(0.0, 1.0), d, stage);
     }
 
+    /// Counts an iteration with step norm `d` of a solver that measures its progress itself.
+    pub fn update(&mut self, fraction: f64, d: f64, stage: &'static str) {
+        self.iterations += 1;
+        self.tell(fraction, d, stage);
+    }
+
     fn tell(&mut self, fraction: f64, d: f64, stage: &'static str) {
         self.fraction = self.fraction.max(fraction);
-        if let Some(callback) = &mut self.callback {
+        // Who has asked to stop is not asked again.
+        if let (false, Some(callback)) = (self.cancelled, &mut self.callback) {
             self.cancelled |= callback(self.fraction, self.iterations, d, stage).is_break();
         }
     }

@@ -2,6 +2,8 @@
 //! equations, but no smooth one does.
 
 use super::system::System;
+use crate::discrete::equations::State;
+use crate::discrete::target::RightHandSide;
 
 /// The largest `|H|` inside, against the border's.
 const OVERSHOOT: f64 = 1.05;
@@ -12,7 +14,34 @@ const OVERSHOOT_FLOOR: f64 = 0.1;
 const TOTAL_CURVATURE: f64 = 4.0;
 
 impl System<'_> {
-    /// Whether `H` inside, at the last evaluation, exceeds what the equation allows, and the discretization besides.
+    /// [`Judged::overshoots`] at the last evaluation.
+    pub fn overshoots(&self) -> bool {
+        let judged = Judged {
+            state: &self.state,
+            right_hand_side: self.right_hand_side,
+            diagonal: self.diagonal,
+        };
+        judged.overshoots()
+    }
+}
+
+/// A surface and the equation that it should satisfy.
+#[derive(Debug, Clone, Copy)]
+pub struct Judged<'a> {
+    /// Evaluated at the surface.
+    pub state: &'a State,
+    /// What `Delta_B H` should be.
+    pub right_hand_side: RightHandSide,
+    /// The region's diagonal.
+    pub diagonal: f64,
+}
+
+impl Judged<'_> {
+    fn free(&self) -> usize {
+        self.state.k.len()
+    }
+
+    /// Whether `H` inside exceeds what the equation allows, and the discretization besides.
     pub fn overshoots(&self) -> bool {
         let right = &self.right_hand_side;
         if right.energy != 0.0 {
@@ -53,7 +82,7 @@ impl System<'_> {
     /// Surfaces of minimal energy obey no maximum principle: a strip bent round is curved most in its middle. But where a
     /// single 1-disk holds much of the energy, the surface is none that the mesh can tell.
     fn is_unresolved(&self) -> bool {
-        let state = &self.state;
+        let state = self.state;
         (0..self.free()).any(|i| {
             let h = state.h[i];
             state.area[i] * (4.0 * h * h - 2.0 * state.k[i]) > TOTAL_CURVATURE

@@ -30,11 +30,6 @@ const PLAIN_GUARD: f64 = 5.0;
 /// Plain curvature only prepares: it goes no further than this.
 const PLAIN_TOLERANCE: f64 = 1e-4;
 
-/// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
-const STRAINED_DEGREES: f64 = 15.0;
-/// See [`STRAINED_DEGREES`].
-const STRAINED_RATIO: f64 = 8.0;
-
 /// How the solve ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
@@ -321,7 +316,7 @@ pub fn iterated(
 fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) -> Candidate {
     system.evaluate(&x);
     let poor = system.poor(&x, crate::quality::NEEDLE);
-    let doubtful = system.overshoots() || system.is_strained(&x);
+    let doubtful = system.overshoots() || system.surface(&x).is_strained();
     Candidate {
         x,
         end,
@@ -383,35 +378,20 @@ impl System<'_> {
         Ok(x)
     }
 
-    /// Whether single border vertices deviate from their normals far more than the rest.
-    fn is_strained(&self, x: &[Vector3<f64>]) -> bool {
-        let deviations = self.surface(x).normal_deviations();
-        let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
-        let worst = deviations.iter().copied().fold(0.0, f64::max);
-        worst > STRAINED_DEGREES && worst > STRAINED_RATIO * mean.sqrt()
-    }
-
     fn surface<'s>(&'s self, x: &'s [Vector3<f64>]) -> Surface<'s> {
         Surface {
             region: self.region,
             x,
             normals: &self.state.corrected,
             border_normals: &self.border_normals,
-            h: &[],
+            h: &self.state.h,
         }
     }
 
     /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated
     /// last.
     pub fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
-        let surface = self.surface(x);
-        let mut poor = Vec::new();
-        surface.triangles(|t, flipped, angle| {
-            if flipped || angle < degrees {
-                poor.push(t as u32);
-            }
-        });
-        poor
+        self.surface(x).poor(degrees)
     }
 }
 

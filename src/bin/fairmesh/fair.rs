@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use fairmesh::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
-    Solution, Target,
+    Solution, Solver, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -18,6 +18,7 @@ use crate::output::Output;
 use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, Selected, Ways};
+use crate::solver::SolverArgs;
 
 /// How vertices are distributed within the surface.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -122,6 +123,8 @@ pub struct FairArgs {
     /// holds vertices and triangles and nothing else
     #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
     remesh: bool,
+    #[command(flatten)]
+    solver: SolverArgs,
     /// Stop when the vertices move less than this part of the region's
     /// diagonal, between 0 and 1 [default: 1e-8]
     #[arg(long, value_name = "X", help_heading = "Solver", verbatim_doc_comment)]
@@ -188,6 +191,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         .as_deref()
         .map(|path| selection::border_normals(path, vertex_count))
         .transpose()?;
+    let solver = args.solver.solver(args.max_iterations)?;
     let output = Output::prepare(&args.output)?;
     let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let mut times = Times {
@@ -200,7 +204,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let solving = Instant::now();
     let region = Region::selected(&mesh, &selected, given);
     let remeshed = if args.remesh {
-        Some(remesh::remesh(args, &mesh.geometry, &region).map_err(refused)?)
+        Some(remesh::remesh(args, solver, &mesh.geometry, &region).map_err(refused)?)
     } else {
         None
     };
@@ -208,7 +212,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         Some((geometry, region)) => (geometry, region),
         None => (&mesh.geometry, &region),
     };
-    let solution = solve(args, geometry, region, args.tolerance).map_err(refused)?;
+    let solution = solve(args, solver, geometry, region, args.tolerance).map_err(refused)?;
     times.solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
@@ -290,6 +294,7 @@ impl Region {
 /// The library's call.
 pub fn solve(
     args: &FairArgs,
+    solver: Solver,
     geometry: &Geometry,
     region: &Region,
     tolerance: Option<f64>,
@@ -318,6 +323,7 @@ pub fn solve(
             Scheme::SecondOrder => Discretization::SecondOrder,
             Scheme::Paper => Discretization::Paper,
         },
+        solver,
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,

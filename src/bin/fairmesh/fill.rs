@@ -95,7 +95,7 @@ pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
     }
     crate::say(&text);
     if let Some(json) = json {
-        let all: Vec<Value> = loops.iter().map(|border| described(border)).collect();
+        let all: Vec<Value> = loops.iter().map(described).collect();
         json.write(format!("{:#}\n", Value::from(all)).as_bytes())?;
     }
     Ok(true)

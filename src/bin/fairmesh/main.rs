@@ -16,6 +16,7 @@ mod remesh;
 mod render;
 mod report;
 mod selection;
+mod solver;
 mod text;
 
 use std::io::Write;
@@ -85,8 +86,8 @@ const AFTER_HELP: &str = "Examples:
 Lists (--free, --faces): one number per line; blank lines and what follows a # are ignored. Normals (--normals):
 'vertex nx ny nz' per line, of any length but zero, pointing to the side that the faces turn to.
 
-The report (--json) has the keys outcome, reason, advice, iterations, defect (of Delta_B H = 0, without
-unit), step, seconds, quality, free_vertices, diagonal, linear_surface, suspicious_normals,
+The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
+(of Delta_B H = 0, without unit), step, seconds, quality, free_vertices, diagonal, linear_surface, suspicious_normals,
 unreachable_normals, reached, fallback_weights and stale_normals (vertices whose normals in the file
 could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, border normals), 'start', 'iterate' and 'quality' are parts of it;

@@ -1,6 +1,6 @@
 //! `fairmesh fair --remesh`: the region is triangulated anew where it will lie.
 
-use fairmesh::{RemeshOptions, remesh_region};
+use fairmesh::{RemeshOptions, Solver, remesh_region};
 
 use crate::fair::{FairArgs, Region, solve};
 use crate::formats::{Geometry, Kind};
@@ -11,10 +11,11 @@ const TOLERANCE: f64 = 1e-3;
 /// The new mesh and the region in it.
 pub fn remesh(
     args: &FairArgs,
+    solver: Solver,
     geometry: &Geometry,
     region: &Region,
 ) -> Result<(Geometry, Region), fairmesh::Error> {
-    let rough = solve(args, geometry, region, Some(TOLERANCE))?;
+    let rough = solve(args, solver, geometry, region, Some(TOLERANCE))?;
     let positions = if rough.report.linear_surface {
         &geometry.positions
     } else {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use fairmesh::{Outcome, Report, Target};
+use fairmesh::{LevelReport, Outcome, Report, Target};
 use serde_json::{Map, Value, json};
 
 use crate::explain;
@@ -71,6 +71,9 @@ impl Summary<'_> {
                 scientific(report.step)
             ),
         );
+        if !report.levels.is_empty() {
+            row("levels", levels(&report.levels));
+        }
         if report.target != Target::Harmonic {
             row("target", target_name(report.target));
         }
@@ -164,6 +167,8 @@ impl Summary<'_> {
         );
         add("target", target_name(report.target).into());
         add("iterations", report.iterations.into());
+        let levels = report.levels.iter().map(level);
+        add("levels", levels.collect::<Vec<_>>().into());
         add("defect", report.defect.into());
         add("step", report.step.into());
         add("seconds", self.seconds());
@@ -211,6 +216,24 @@ impl Summary<'_> {
             "normal_deviation_rms": quality.normal_deviation_rms,
         })
     }
+}
+
+/// A level of the paper's scheme.
+fn level(level: &LevelReport) -> Value {
+    json!({
+        "vertices": level.vertices,
+        "triangles": level.triangles,
+        "updates": level.updates,
+        "defect": level.defect,
+    })
+}
+
+/// Vertices and updates of all levels.
+fn levels(levels: &[LevelReport]) -> String {
+    let told = levels
+        .iter()
+        .map(|l| format!("{} vertices ({} updates)", l.vertices, l.updates));
+    told.collect::<Vec<_>>().join(", ")
 }
 
 /// Two significant digits, for figures of which the order of magnitude counts.
@@ -287,6 +310,7 @@ mod tests {
                 h_inside: [f64::NAN, 1.0],
                 ..Quality::default()
             },
+            levels: Vec::new(),
             free_vertices: 1,
             diagonal: 2.0,
             linear_surface: true,

@@ -1,0 +1,123 @@
+//! One call for each solver, and what both give back.
+
+use nalgebra::Vector3;
+
+use super::{Discretization, Request};
+use crate::discrete::curvature::TILT_RIDGE;
+use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::error::Error;
+use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
+use crate::solve::control::Callback;
+use crate::solve::system::Collapsed;
+use crate::solve::{Control, Solved, System};
+
+/// The surface with everything that is reported of it.
+pub(super) struct Faired {
+    pub(super) solved: Solved,
+    /// Evaluated at the surface.
+    pub(super) state: State,
+    /// Prescribed, or the surface's own where it passes a fixed vertex.
+    pub(super) border_normals: Vec<Vector3<f64>>,
+    /// Of the outer equation, without unit.
+    pub(super) defect: f64,
+    pub(super) iterations: usize,
+    pub(super) cancelled: bool,
+    pub(super) levels: Vec<LevelReport>,
+    /// The limit set on `Delta_B H` lies below what rounding shows.
+    pub(super) rounding: bool,
+}
+
+/// The default solver.
+pub(super) fn fast<'a>(
+    problem: &Problem<'_>,
+    request: &Request<'_>,
+    progress: Option<&'a mut Callback<'a>>,
+) -> Result<Faired, Collapsed> {
+    let curvature = match request.discretization {
+        Discretization::SecondOrder => FreeCurvature::GradientCorrected {
+            tilt_ridge: TILT_RIDGE,
+        },
+        Discretization::Paper => FreeCurvature::Paper,
+    };
+    let mut control = Control::new(request.tolerance, request.max_iterations, progress);
+    let mut system = System::new(
+        problem.region,
+        problem.rings,
+        problem.groups,
+        problem.input,
+        problem.border_normals.to_vec(),
+        problem.weights.clone(),
+        curvature,
+    );
+    system.passing = problem.passing.to_vec();
+    system.right_hand_side = problem.right_hand_side;
+    let solved = crate::solve::solve(&mut system, &mut control)?;
+    system.evaluate(&solved.x);
+    let (defect, _) = system.equations().defect(&system.state);
+    Ok(Faired {
+        solved,
+        defect: defect * system.diagonal,
+        state: system.state,
+        border_normals: system.border_normals,
+        iterations: control.iterations,
+        cancelled: control.cancelled,
+        levels: Vec::new(),
+        rounding: false,
+    })
+}
+
+/// The paper's own scheme.
+pub(super) fn paper<'a>(
+    problem: &Problem<'_>,
+    options: &PaperOptions,
+    progress: Option<&'a mut Callback<'a>>,
+) -> Result<Faired, Collapsed> {
+    let mut control = Control::new(options.defect, options.max_updates, progress);
+    let found = paper::solve(problem, options, &mut control)?;
+    let equations = Equations {
+        rings: problem.rings,
+        groups: problem.groups,
+        border_normals: problem.border_normals,
+        passing: problem.passing,
+        weights: problem.weights,
+        curvature: FreeCurvature::Paper,
+        right_hand_side: problem.right_hand_side,
+    };
+    let mut state = State::new(problem.groups, problem.region.border);
+    equations.evaluate(&found.solved.x, &mut state);
+    let (defect, _) = equations.defect(&state);
+    Ok(Faired {
+        solved: found.solved,
+        border_normals: state.corrected[problem.region.free..].to_vec(),
+        state,
+        defect: defect * found.diagonal,
+        iterations: control.iterations,
+        cancelled: control.cancelled,
+        levels: found.levels,
+        rounding: found.rounding,
+    })
+}
+
+/// Refuses options out of range.
+pub(super) fn check(options: &PaperOptions) -> Result<(), Error> {
+    let refuse = |name, value, range| Err(Error::BadOption { name, value, range });
+    let (Estimate::Alternating { iterations: n }
+    | Estimate::GaussSeidel { sweeps: n }
+    | Estimate::ConjugateGradients { iterations: n }) = options.estimate;
+    if n == 0 {
+        return refuse("estimate", 0.0, "at least 1 iteration");
+    }
+    if !(options.damping > 0.0 && options.damping <= 1.0) {
+        return refuse("damping", options.damping, "greater than 0 and at most 1");
+    }
+    if options.defect.is_nan() || options.defect <= 0.0 {
+        return refuse("defect", options.defect, "greater than 0");
+    }
+    if options.laplacian.is_nan() || options.laplacian <= 0.0 {
+        return refuse("laplacian", options.laplacian, "greater than 0");
+    }
+    if options.max_updates == 0 {
+        return refuse("max_updates", 0.0, "at least 1");
+    }
+    Ok(())
+}

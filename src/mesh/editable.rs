@@ -1,0 +1,293 @@
+//! A half-edge mesh whose connectivity changes: half-edge collapses and, in reverse order, the vertex splits that undo
+//! them (H. Hoppe, "Progressive meshes", SIGGRAPH 1996).
+
+use super::halfedge::{next, previous};
+use super::{NONE, Region};
+
+/// The triangles of a region and of its outside ring. Half-edge `3t + k` runs from corner `k` of triangle `t` to corner
+/// `k + 1`, as in [`super::HalfEdges`]. A collapse takes two triangles away, whose entries stay as they were: that is all a
+/// split needs to know.
+#[derive(Debug, Clone)]
+pub struct EditableMesh {
+    triangles: Vec<[u32; 3]>,
+    alive: Vec<bool>,
+    opposite: Vec<u32>,
+    /// Per free and border vertex a half-edge that leaves it: the first of an open fan.
+    spoke: Vec<u32>,
+    free: usize,
+    region_triangles: usize,
+}
+
+/// Fewest triangles around a vertex with a closed ring after a collapse.
+const FEWEST_CLOSED: usize = 3;
+/// Fewest triangles of the region at a vertex on its border after a collapse: one fan of them fits a curvature (paper 6.1).
+const FEWEST_OPEN: usize = 2;
+/// Most triangles around the vertex that stays.
+const MOST: usize = 14;
+
+impl EditableMesh {
+    /// The region with all its triangles.
+    pub fn new(region: &Region) -> Self {
+        let half_edges = &region.half_edges;
+        let spoke = (0..region.region_vertices()).map(|v| half_edges.spokes(v)[0]);
+        Self {
+            triangles: half_edges.triangles.clone(),
+            alive: vec![true; half_edges.triangles.len()],
+            opposite: half_edges.opposite.clone(),
+            spoke: spoke.collect(),
+            free: region.free,
+            region_triangles: half_edges.region_triangles,
+        }
+    }
+
+    /// The vertex that `h` starts from.
+    #[inline]
+    pub fn origin(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][h as usize % 3]
+    }
+
+    /// The vertex that `h` runs to.
+    #[inline]
+    pub fn target(&self, h: u32) -> u32 {
+        self.origin(next(h))
+    }
+
+    /// The vertex of `h`'s triangle that is not on `h`.
+    #[inline]
+    pub fn apex(&self, h: u32) -> u32 {
+        self.origin(previous(h))
+    }
+
+    /// Whether `h` lies in a triangle of the region.
+    #[inline]
+    pub fn in_region(&self, h: u32) -> bool {
+        (h as usize) < 3 * self.region_triangles
+    }
+
+    /// Whether a vertex is free.
+    #[inline]
+    pub fn is_free(&self, v: u32) -> bool {
+        (v as usize) < self.free
+    }
+
+    /// The triangles that are there, by number.
+    pub fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
+        let pairs = self.triangles.iter().zip(&self.alive).enumerate();
+        pairs
+            .filter(|(_, (_, alive))| **alive)
+            .map(|(t, (corners, _))| (t, *corners))
+    }
+
+    /// The outgoing half-edges of a free or border vertex that is there, counter-clockwise, one per triangle.
+    pub fn spokes(&self, v: u32) -> impl Iterator<Item = u32> {
+        let first = self.spoke[v as usize];
+        let following = move |&h: &u32| {
+            let o = self.opposite[previous(h) as usize];
+            (o != NONE && o != first).then_some(o)
+        };
+        std::iter::successors(Some(first), following)
+    }
+
+    /// The same, from the triangles of the region.
+    pub fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
+        self.spokes(v).filter(|&h| self.in_region(h))
+    }
+
+    fn is_closed(&self, v: u32) -> bool {
+        let first = self.spoke[v as usize];
+        self.opposite[first as usize] != NONE && self.spokes(v).all(|h| self.in_region(h))
+    }
+
+    fn are_neighbours(&self, u: u32, w: u32) -> bool {
+        self.spokes(u).any(|h| self.target(h) == w || self.apex(h) == w)
+    }
+
+    /// Whether the origin of `h` may be moved into its target: it is free, the mesh stays a 2-manifold, every triangle of
+    /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
+    pub fn can_collapse(&self, h: u32) -> bool {
+        let (u, v) = (self.origin(h), self.target(h));
+        if !self.is_free(u) {
+            return false;
+        }
+        let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
+        if l == r {
+            return false;
+        }
+        // The vertices beside both are those of the two triangles (the link condition; u is never on the border).
+        let beside_both = |w: u32| w != u && w != l && w != r && self.are_neighbours(u, w);
+        if self
+            .spokes(v)
+            .any(|g| beside_both(self.target(g)) || beside_both(self.apex(g)))
+        {
+            return false;
+        }
+        let valence = self.spokes(u).count();
+        if valence == 3 {
+            let across = self
+                .spokes(u)
+                .map(next)
+                .find(|&g| self.target(g) == r && self.origin(g) == l);
+            if across.is_some_and(|g| {
+                self.opposite[g as usize] != NONE && self.apex(self.opposite[g as usize]) == v
+            }) {
+                return false;
+            }
+        }
+        let enough = |w: u32, after: usize| {
+            after
+                >= if self.is_closed(w) {
+                    FEWEST_CLOSED
+                } else {
+                    FEWEST_OPEN
+                }
+                && after <= MOST
+        };
+        let count = |w: u32| self.region_spokes(w).count();
+        if !(enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)) {
+            return false;
+        }
+        let moved = self
+            .spokes(u)
+            .filter(|&g| self.target(g) != v && self.apex(g) != v);
+        let mut fixed = moved.filter(|&g| !self.is_free(self.target(g)) && !self.is_free(self.apex(g)));
+        self.is_free(v) || fixed.next().is_none()
+    }
+
+    /// Moves the origin of `h` into its target. [`Self::can_collapse`] must hold.
+    pub fn collapse(&mut self, h: u32) {
+        let v = self.target(h);
+        let Around { o, a, b, c, d } = self.around(h);
+        self.rename(b, c, v);
+        self.link(a, b);
+        self.link(c, d);
+        self.alive[h as usize / 3] = false;
+        self.alive[o as usize / 3] = false;
+        let (l, r) = (self.apex(h), self.apex(o));
+        self.set_spoke(v, b);
+        self.set_spoke(l, next(b));
+        self.set_spoke(r, c);
+    }
+
+    /// Undoes the last collapse, which was that of `h`; further ones in reverse order.
+    pub fn split(&mut self, h: u32) {
+        let Around { o, a, b, c, d } = self.around(h);
+        let u = self.origin(h);
+        self.rename(b, c, u);
+        self.link(a, next(h));
+        self.link(b, previous(h));
+        self.link(c, next(o));
+        self.link(d, previous(o));
+        self.alive[h as usize / 3] = true;
+        self.alive[o as usize / 3] = true;
+        let (v, l, r) = (self.target(h), self.apex(h), self.apex(o));
+        self.set_spoke(u, h);
+        self.set_spoke(v, next(h));
+        self.set_spoke(l, previous(h));
+        self.set_spoke(r, previous(o));
+    }
+
+    fn around(&self, h: u32) -> Around {
+        let o = self.opposite[h as usize];
+        let across = |g: u32| self.opposite[g as usize];
+        Around {
+            o,
+            a: across(next(h)),
+            b: across(previous(h)),
+            c: across(next(o)),
+            d: across(previous(o)),
+        }
+    }
+
+    /// Gives the triangles between `b`, whose origin they share, and `c` on the far side another vertex there.
+    fn rename(&mut self, b: u32, c: u32, vertex: u32) {
+        let mut g = b;
+        loop {
+            self.triangles[g as usize / 3][g as usize % 3] = vertex;
+            if previous(g) == c {
+                break;
+            }
+            g = self.opposite[previous(g) as usize];
+        }
+    }
+
+    fn link(&mut self, a: u32, b: u32) {
+        for (from, to) in [(a, b), (b, a)] {
+            if from != NONE {
+                self.opposite[from as usize] = to;
+            }
+        }
+    }
+
+    /// Lets the fan of `v` begin at `h`, or where an open fan that `h` belongs to begins.
+    fn set_spoke(&mut self, v: u32, h: u32) {
+        let mut g = h;
+        while self.opposite[g as usize] != NONE {
+            g = next(self.opposite[g as usize]);
+            if g == h {
+                break;
+            }
+        }
+        self.spoke[v as usize] = g;
+    }
+
+    /// Checks the invariants; for tests.
+    ///
+    /// # Errors
+    /// What is violated.
+    pub fn validate(&self) -> Result<(), String> {
+        let mut spokes = vec![0usize; self.spoke.len()];
+        for (t, corners) in self.triangles() {
+            for k in 0..3 {
+                let h = (3 * t + k) as u32;
+                let (u, o) = (corners[k], self.opposite[h as usize]);
+                if let Some(count) = spokes.get_mut(u as usize) {
+                    *count += 1;
+                }
+                if u == corners[(k + 1) % 3] {
+                    return Err(format!("triangle {t} names {u} twice"));
+                }
+                if o == NONE {
+                    continue;
+                }
+                if !self.alive[o as usize / 3] || self.opposite[o as usize] != h {
+                    return Err(format!("opposite of {h}"));
+                }
+                if self.origin(h) != self.target(o)
+                    || self.target(h) != self.origin(o)
+                    || self.apex(h) == self.apex(o)
+                {
+                    return Err(format!("sides of {h}"));
+                }
+            }
+            let is_fixed = corners.iter().all(|&v| !self.is_free(v));
+            if is_fixed == (t < self.region_triangles) {
+                return Err(format!("triangle {t} is on the wrong side"));
+            }
+        }
+        for (v, &count) in spokes.iter().enumerate().filter(|(_, count)| **count > 0) {
+            let fan: Vec<u32> = self.spokes(v as u32).take(count + 1).collect();
+            if fan.len() != count || fan.iter().any(|&h| self.origin(h) as usize != v) {
+                return Err(format!("fan of {v}"));
+            }
+            let mut targets: Vec<u32> = fan.iter().map(|&h| self.target(h)).collect();
+            targets.sort_unstable();
+            if targets.windows(2).any(|w| w[0] == w[1]) {
+                return Err(format!("two edges from {v} to one vertex"));
+            }
+            if self.is_free(v as u32) && self.opposite[fan[0] as usize] == NONE {
+                return Err(format!("free vertex {v} on the border"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Half-edges around `h = (u, v)` with the triangles `(u, v, l)` and, of its opposite `o`, `(v, u, r)`: across `(v, l)`,
+/// across `(l, u)`, across `(u, r)`, across `(r, v)`.
+struct Around {
+    o: u32,
+    a: u32,
+    b: u32,
+    c: u32,
+    d: u32,
+}

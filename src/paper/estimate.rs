@@ -1,0 +1,238 @@
+//! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
+//! values on the border, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
+
+use nalgebra::Vector3;
+
+use crate::discrete::equations::State;
+use crate::discrete::groups::Groups;
+use crate::discrete::target::RightHandSide;
+use crate::mesh::Rings;
+
+/// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
+pub const SMALLEST_DIAGONAL: f64 = 1e-6;
+
+/// `S` on one level, and room for the iterations.
+#[derive(Debug)]
+pub struct Dirichlet<'a> {
+    rings: &'a Rings,
+    groups: &'a Groups,
+    /// `w_ij`, ring after ring.
+    weight: Vec<f64>,
+    /// `S_ii`; zero where it is too small to divide by.
+    diagonal: Vec<f64>,
+    right_hand_side: RightHandSide,
+    /// What `S H` has to be, per free vertex, at the surface evaluated last: zero for `Delta_B H = 0` (7.5).
+    right: Vec<f64>,
+    residual: Vec<f64>,
+    direction: Vec<f64>,
+    image: Vec<f64>,
+}
+
+impl<'a> Dirichlet<'a> {
+    /// Room for the region of these rings.
+    pub fn new(rings: &'a Rings, groups: &'a Groups, right_hand_side: RightHandSide) -> Self {
+        let free = rings.free();
+        Self {
+            rings,
+            groups,
+            right_hand_side,
+            weight: vec![0.0; rings.neighbour.len()],
+            diagonal: vec![0.0; free],
+            right: vec![0.0; free],
+            residual: vec![0.0; free],
+            direction: vec![0.0; free],
+            image: vec![0.0; free],
+        }
+    }
+
+    /// Takes the weights of the surface that `state` was evaluated at.
+    pub fn refresh(&mut self, state: &State) {
+        let start = &self.rings.start;
+        for (i, &(first, lane)) in self.groups.place.iter().enumerate() {
+            let row = &mut self.weight[start[i] as usize..start[i + 1] as usize];
+            let slots = &state.weight[first as usize..first as usize + row.len()];
+            let (mut sum, mut absolute) = (0.0, 0.0);
+            for (w, slot) in row.iter_mut().zip(slots) {
+                *w = slot[lane as usize];
+                sum += *w;
+                absolute += w.abs();
+            }
+            self.diagonal[i] = if sum > SMALLEST_DIAGONAL * absolute {
+                sum
+            } else {
+                0.0
+            };
+            self.right[i] = -self.right_hand_side.load(state.h[i], state.k[i], state.area[i]);
+        }
+    }
+
+    fn row(&self, i: usize) -> impl Iterator<Item = (f64, usize)> {
+        let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
+        let row = self.weight[slots.clone()]
+            .iter()
+            .zip(&self.rings.neighbour[slots]);
+        row.map(|(&w, &j)| (w, j as usize))
+    }
+
+    /// By how much a Gauss-Seidel iteration at vertex `i` follows the curvature of neighbour `k` of its ring.
+    pub fn share(&self, i: usize, k: usize) -> f64 {
+        if self.diagonal[i] > 0.0 {
+            self.weight[self.rings.start[i] as usize + k] / self.diagonal[i]
+        } else {
+            0.0
+        }
+    }
+
+    /// One Gauss-Seidel iteration on `h` (free, border), vertex after vertex.
+    pub fn gauss_seidel(&self, h: &mut [f64]) {
+        for i in 0..self.diagonal.len() {
+            if self.diagonal[i] > 0.0 {
+                let sum: f64 = self.row(i).map(|(w, j)| w * h[j]).sum();
+                h[i] = (sum + self.right[i]) / self.diagonal[i];
+            }
+        }
+    }
+
+    /// `n` conjugate gradient iterations on `h` (free, border) with the diagonal as preconditioner.
+    pub fn conjugate_gradients(&mut self, h: &mut [f64], n: usize) {
+        let free = self.diagonal.len();
+        let mut residual = std::mem::take(&mut self.residual);
+        let mut direction = std::mem::take(&mut self.direction);
+        let mut image = std::mem::take(&mut self.image);
+        for i in 0..free {
+            let outer: f64 = self.row(i).map(|(w, j)| w * (h[i] - h[j])).sum();
+            residual[i] = self.right[i] - outer;
+            direction[i] = self.preconditioned(i, residual[i]);
+        }
+        let mut rho: f64 = (0..free).map(|i| residual[i] * direction[i]).sum();
+        for _ in 0..n {
+            let mut curvature = 0.0;
+            for i in 0..free {
+                let own = direction[i];
+                let other = |j: usize| if j < free { direction[j] } else { 0.0 };
+                image[i] = self.row(i).map(|(w, j)| w * (own - other(j))).sum();
+                curvature += own * image[i];
+            }
+            let alpha = rho / curvature;
+            // Solved, or rounding has taken over.
+            if !(rho > 0.0 && curvature > 0.0 && alpha.is_finite()) {
+                break;
+            }
+            let mut next = 0.0;
+            for i in 0..free {
+                h[i] += alpha * direction[i];
+                residual[i] -= alpha * image[i];
+                next += residual[i] * self.preconditioned(i, residual[i]);
+            }
+            let beta = next / rho;
+            for i in 0..free {
+                direction[i] = self.preconditioned(i, residual[i]) + beta * direction[i];
+            }
+            rho = next;
+        }
+        (self.residual, self.direction, self.image) = (residual, direction, image);
+    }
+
+    fn preconditioned(&self, i: usize, r: f64) -> f64 {
+        if self.diagonal[i] > 0.0 {
+            r / self.diagonal[i]
+        } else {
+            0.0
+        }
+    }
+
+    /// How far the surface of `state` is from the equation.
+    pub fn measure(&self, x: &[Vector3<f64>], state: &State, diagonal: f64) -> Residual {
+        let reach = x.iter().fold(0.0f64, |m, p| m.max(p.amax()));
+        let mut worst = Residual::default();
+        for i in 0..self.diagonal.len() {
+            let outer = state.outer[i].abs();
+            let (mut absolute, mut shortest) = (0.0, f64::INFINITY);
+            for (w, j) in self.row(i) {
+                absolute += w.abs();
+                shortest = shortest.min((x[j] - x[i]).norm_squared());
+            }
+            let scale = 1.5 / state.area[i].max(f64::MIN_POSITIVE);
+            // A curvature is a second difference of positions that are known to half a unit in the last place.
+            let noise = f64::EPSILON * reach / shortest.max(f64::MIN_POSITIVE) * absolute;
+            let defect = outer / absolute.max(f64::MIN_POSITIVE) * diagonal;
+            worst.defect = larger(worst.defect, defect);
+            worst.laplacian = larger(worst.laplacian, outer * scale * diagonal.powi(3));
+            worst.rounding = worst.rounding.max(noise * scale * diagonal.powi(3));
+        }
+        worst
+    }
+}
+
+/// The maximum; what is not a number stays.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+/// How far a surface is from the outer fairness equation; none of it has a unit.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Residual {
+    /// `max_i |sum_j w_ij (H_i - H_j)| / sum_j |w_ij|`, times the diagonal.
+    pub defect: f64,
+    /// `max_i |Delta_B H_i|`, times the diagonal to the third power.
+    pub laplacian: f64,
+    /// Of that, what the rounding of the positions alone may make.
+    pub rounding: f64,
+}
+
+#[cfg(all(test, feature = "shapes"))]
+mod tests {
+    use super::*;
+    use crate::discrete::equations::{Equations, FreeCurvature};
+    use crate::discrete::inner_fairness::FairnessWeights;
+    use crate::mesh::{Region, Selection};
+    use crate::shapes::{Sampling, sphere_cap};
+
+    #[test]
+    fn linear_functions_on_a_plane_are_harmonic_for_both_estimates() {
+        let shape = sphere_cap(60.0, 300, Sampling::Irregular { seed: 3 }, 0);
+        let flat: Vec<[f64; 3]> = shape.positions.iter().map(|p| [p[0], p[1], 0.0]).collect();
+        let region = Region::new(&flat, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let (x, rings) = (region.positions(&flat), Rings::new(&region));
+        let groups = Groups::new(&rings);
+        let border_normals = vec![Vector3::z(); region.border];
+        let equations = Equations {
+            rings: &rings,
+            groups: &groups,
+            border_normals: &border_normals,
+            passing: &[],
+            weights: &FairnessWeights::uniform(),
+            curvature: FreeCurvature::Paper,
+            right_hand_side: RightHandSide::default(),
+        };
+        let mut state = State::new(&groups, region.border);
+        equations.evaluate(&x, &mut state);
+        let mut dirichlet = Dirichlet::new(&rings, &groups, RightHandSide::default());
+        dirichlet.refresh(&state);
+        let exact: Vec<f64> = x[..region.region_vertices()]
+            .iter()
+            .map(|p| 1.0 + 2.0 * p.x - p.y)
+            .collect();
+        let off = |h: &[f64]| {
+            h.iter()
+                .zip(&exact)
+                .fold(0.0f64, |m, (a, b)| m.max((a - b).abs()))
+        };
+        let mut start = exact.clone();
+        start[..region.free].fill(0.0);
+
+        let mut h = start.clone();
+        dirichlet.conjugate_gradients(&mut h, 200);
+        assert!(off(&h) < 1e-10, "conjugate gradients: {}", off(&h));
+        dirichlet.gauss_seidel(&mut h);
+        assert!(off(&h) < 1e-10, "and they stay: {}", off(&h));
+
+        let mut h = start;
+        (0..2_000).for_each(|_| dirichlet.gauss_seidel(&mut h));
+        assert!(off(&h) < 1e-10, "Gauss-Seidel: {}", off(&h));
+    }
+}

@@ -1,0 +1,253 @@
+//! One level: estimate, update, estimate, update (paper 7.1, Figure 6), until the outer fairness equation holds.
+
+use nalgebra::Vector3;
+
+use super::estimate::{Dirichlet, Residual};
+use super::local::Answer;
+use super::multigrid::Problem;
+use super::vertex::Ring;
+use super::{Estimate, PaperOptions};
+use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::discrete::groups::Groups;
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::mesh::Rings;
+use crate::solve::Control;
+
+/// What the iteration has to reach on a level.
+#[derive(Debug, Clone, Copy)]
+pub struct Goal {
+    /// Harmonic defect.
+    pub defect: f64,
+    /// `|Delta_B H|` without unit.
+    pub laplacian: f64,
+    /// Updates on this level at most.
+    pub updates: usize,
+}
+
+/// How it ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// The goal is met.
+    Met,
+    /// Met as far as the rounding of positions lets one see.
+    Rounding,
+    /// The level's share of updates is used up.
+    Spent,
+    /// The run's limit, or cancelled.
+    Stopped,
+    /// The surface has left the numbers.
+    Diverged,
+}
+
+/// What came of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Ended {
+    /// How.
+    pub end: End,
+    /// Of the surface returned.
+    pub residual: Residual,
+    /// Updates made.
+    pub updates: usize,
+    /// Root mean square of the last update's normal and tangential steps together, in diagonals.
+    pub step: f64,
+}
+
+/// One level of the hierarchy with room for the iteration.
+pub struct Level<'a> {
+    rings: &'a Rings,
+    problem: Problem<'a>,
+    /// `lambda_ij`, ring after ring; empty where all are one.
+    lambda: Vec<f64>,
+    pub(super) state: State,
+    dirichlet: Dirichlet<'a>,
+    /// Unit normals of free and border vertices, the newest.
+    normal: Vec<Vector3<f64>>,
+    /// Estimated mean curvature, free and border.
+    h: Vec<f64>,
+    /// `s` of each free vertex.
+    damping: Vec<f64>,
+    answer: Answer,
+}
+
+impl<'a> Level<'a> {
+    /// Room for the region of a problem.
+    pub fn new(problem: &Problem<'a>) -> Self {
+        let (rings, groups, weights) = (problem.rings, problem.groups, problem.weights);
+        let free = rings.free();
+        let mut normal = vec![Vector3::zeros(); free];
+        normal.extend_from_slice(problem.border_normals);
+        Self {
+            rings,
+            problem: *problem,
+            lambda: in_rings(rings, groups, weights),
+            state: State::new(groups, problem.border_normals.len()),
+            dirichlet: Dirichlet::new(rings, groups, problem.right_hand_side),
+            h: vec![0.0; normal.len()],
+            damping: vec![1.0; free],
+            answer: Answer::default(),
+            normal,
+        }
+    }
+
+    /// Iterates from `x` (free, border) until the goal is met. `x` becomes the surface of smallest defect on the way;
+    /// the last one, where the goal is met. Progress is told after every update.
+    pub fn iterate(
+        &mut self,
+        x: &mut [Vector3<f64>],
+        options: &PaperOptions,
+        (goal, diagonal): (Goal, f64),
+        control: &mut Control<'_>,
+        tell: &mut dyn FnMut(&mut Control<'_>, f64, &Residual),
+    ) -> Ended {
+        let mut best = (
+            x.to_vec(),
+            Residual {
+                defect: f64::INFINITY,
+                ..Residual::default()
+            },
+        );
+        let mut ended = Ended {
+            end: End::Spent,
+            residual: Residual::default(),
+            updates: 0,
+            step: f64::NAN,
+        };
+        let mut next_measure = 0;
+        loop {
+            self.evaluate(x);
+            self.dirichlet.refresh(&self.state);
+            ended.residual = self.dirichlet.measure(x, &self.state, diagonal);
+            let Residual {
+                defect,
+                laplacian,
+                rounding,
+            } = ended.residual;
+            if !(defect.is_finite() && laplacian.is_finite()) {
+                ended.end = End::Diverged;
+                break;
+            }
+            if defect <= goal.defect && laplacian <= goal.laplacian.max(rounding) {
+                ended.end = if laplacian <= goal.laplacian {
+                    End::Met
+                } else {
+                    End::Rounding
+                };
+                return ended;
+            }
+            if defect < best.1.defect {
+                best.0.copy_from_slice(x);
+                best.1 = ended.residual;
+            }
+            if control.exhausted() {
+                ended.end = End::Stopped;
+                break;
+            }
+            if ended.updates == goal.updates {
+                break;
+            }
+            self.estimate(options.estimate, ended.updates);
+            if ended.updates == next_measure {
+                self.measure_answers(x, options.damping);
+                next_measure = (2 * next_measure).max(FIRST_MEASURE);
+            }
+            ended.step = self.update(x) / diagonal;
+            ended.updates += 1;
+            tell(control, ended.step, &ended.residual);
+        }
+        x.copy_from_slice(&best.0);
+        ended.residual = best.1;
+        ended
+    }
+
+    /// Evaluates both equations at `x`.
+    pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
+        let equations = Equations {
+            rings: self.rings,
+            groups: self.problem.groups,
+            border_normals: self.problem.border_normals,
+            passing: self.problem.passing,
+            weights: self.problem.weights,
+            curvature: FreeCurvature::Paper,
+            right_hand_side: self.problem.right_hand_side,
+        };
+        equations.evaluate(x, &mut self.state);
+    }
+
+    /// The estimate for update number `count`, in `h`.
+    fn estimate(&mut self, estimate: Estimate, count: usize) {
+        self.h.copy_from_slice(&self.state.h);
+        match estimate {
+            Estimate::Alternating { .. } if count.is_multiple_of(2) => {
+                self.dirichlet.gauss_seidel(&mut self.h)
+            }
+            Estimate::Alternating { iterations } | Estimate::ConjugateGradients { iterations } => {
+                self.dirichlet.conjugate_gradients(&mut self.h, iterations);
+            }
+            Estimate::GaussSeidel { sweeps } => {
+                (0..sweeps).for_each(|_| self.dirichlet.gauss_seidel(&mut self.h));
+            }
+        }
+    }
+
+    /// Sets every vertex's `s`: `damping`, or less where the estimate at a vertex answers to its own steps more than its
+    /// curvature does. That is the case beside border vertices with short edges, whose one-sided `H` is what the estimate
+    /// is made from: the "rare constellations" of 7.5 in which a vertex alternates between two positions.
+    fn measure_answers(&mut self, x: &mut [Vector3<f64>], damping: f64) {
+        let free = self.rings.free();
+        self.normal.copy_from_slice(&self.state.corrected);
+        for i in 0..free {
+            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
+            let ring = Ring {
+                neighbour: &self.rings.neighbour[slots],
+                lambda: &[],
+            };
+            let own = ring.slope(i, x, &self.normal);
+            let mut others = 0.0;
+            let at = (&mut *x, &mut self.normal[..], &self.state.h[..]);
+            self.answer.of_neighbours(self.rings, i as u32, at, |k, slope| {
+                others += self.dirichlet.share(i, k) * slope;
+            });
+            let answer = 1.0 + others / own;
+            self.damping[i] = damping.min(LARGEST_ANSWER / answer.max(f64::MIN_POSITIVE));
+        }
+    }
+
+    /// Updates all free vertices, one after the other, each with the newest positions of its neighbours. Returns the
+    /// root mean square step.
+    fn update(&mut self, x: &mut [Vector3<f64>]) -> f64 {
+        let free = self.rings.free();
+        self.normal.copy_from_slice(&self.state.corrected);
+        let mut squares = 0.0;
+        for i in 0..free {
+            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
+            let ring = Ring {
+                neighbour: &self.rings.neighbour[slots.clone()],
+                lambda: self.lambda.get(slots).unwrap_or(&[]),
+            };
+            let update = ring.update(i, x, &self.normal, self.h[i], self.damping[i]);
+            x[i] = update.position;
+            self.normal[i] = update.normal;
+            squares += update.normal_step.powi(2) + update.tangential_step.powi(2);
+        }
+        (squares / free as f64).sqrt()
+    }
+}
+
+/// The normal step of a vertex times the answer of estimate and curvature to it is at most this. From 2 on it would
+/// alternate between two positions; a regular mesh has 0.9 times 1.2.
+const LARGEST_ANSWER: f64 = 1.25;
+/// The answers are measured before the first update and after this many, then after twice as many, and so on.
+const FIRST_MEASURE: usize = 8;
+
+/// The weights, ring after ring.
+fn in_rings(rings: &Rings, groups: &Groups, weights: &FairnessWeights) -> Vec<f64> {
+    let mut lambda = Vec::new();
+    if weights.slots.is_some() {
+        lambda.reserve(rings.neighbour.len());
+        for (i, &(first, lane)) in groups.place.iter().enumerate() {
+            let valence = rings.ring(i).len();
+            lambda.extend((0..valence).map(|k| weights.at(first as usize + k, lane as usize)));
+        }
+    }
+    lambda
+}

@@ -1,0 +1,90 @@
+//! The paper's own scheme, whole: the default solver's yardstick.
+//!
+//! [`estimate`] and [`vertex`] are the two second-order problems of 7.1, one after the other in [`iteration`];
+//! [`multigrid`] is Figure 6 around them, on the levels of [`crate::mesh::hierarchy`].
+
+pub mod estimate;
+pub mod iteration;
+pub mod local;
+pub mod multigrid;
+pub mod prolongation;
+pub mod vertex;
+
+pub use multigrid::{Found, Problem, solve};
+
+/// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Estimate {
+    /// As the paper does: by turns one Gauss-Seidel iteration and this many conjugate gradient iterations.
+    Alternating {
+        /// `n` of the conjugate gradients; at least 1.
+        iterations: usize,
+    },
+    /// Gauss-Seidel before every update.
+    GaussSeidel {
+        /// Iterations; at least 1.
+        sweeps: usize,
+    },
+    /// Conjugate gradients with diagonal preconditioner before every update.
+    ConjugateGradients {
+        /// Iterations; at least 1.
+        iterations: usize,
+    },
+}
+
+impl Default for Estimate {
+    fn default() -> Self {
+        Self::Alternating { iterations: 10 }
+    }
+}
+
+/// What the paper leaves to its user. It takes the paper's discretization and no other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperOptions {
+    /// The estimate of `H` (7.1). Default: alternating, 10 conjugate gradient iterations.
+    pub estimate: Estimate,
+    /// `s` of 7.5: the part of each normal step that is taken; the tangential step is taken whole. Default 0.9.
+    /// Greater than 0, at most 1.
+    pub damping: f64,
+    /// Levels of the hierarchy (7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each
+    /// level about four times as large as the one before.
+    pub levels: usize,
+    /// Vertices of the base mesh, border included. Default 0: two and a half times the border. The base has more
+    /// where no further collapse is allowed.
+    pub base: usize,
+    /// Stop when the harmonic defect (see [`Report::defect`](crate::Report::defect)) is at most this. Default 1e-6.
+    /// Greater than 0.
+    pub defect: f64,
+    /// And when `max_i |Delta_B H_i|`, times the region's diagonal to the third power, is at most this; below what the
+    /// rounding of the positions makes of it, that counts, and the outcome says so. Default: infinite.
+    pub laplacian: f64,
+    /// At most this many updates of the mesh on all levels together. Default 20,000. At least 1.
+    pub max_updates: usize,
+}
+
+impl Default for PaperOptions {
+    fn default() -> Self {
+        Self {
+            estimate: Estimate::default(),
+            damping: 0.9,
+            levels: 0,
+            base: 0,
+            defect: 1e-6,
+            laplacian: f64::INFINITY,
+            max_updates: 20_000,
+        }
+    }
+}
+
+/// What was done on one level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelReport {
+    /// Vertices of the region on this level: free and border.
+    pub vertices: usize,
+    /// Triangles of the region on this level.
+    pub triangles: usize,
+    /// Updates of the mesh.
+    pub updates: usize,
+    /// The harmonic defect at the end.
+    pub defect: f64,
+}
