@@ -341,7 +341,15 @@ mod tests {
                 [r * a.cos(), r * a.sin(), 0.0]
             })
             .collect();
-        let triangles = rim(&x, &[]).unwrap();
+        // Without the mesh's normals nothing would tell an ear from a notch.
+        let at: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
+        let normals = vec![Vector3::z(); n as usize];
+        let loop_in_plane = Rim {
+            x: &at,
+            normals: &normals,
+            taken: &[],
+        };
+        let triangles = loop_in_plane.triangulate().unwrap();
         assert_eq!(triangles.len(), x.len() - 2);
         let exact: f64 = (0..x.len())
             .map(|i| {
