@@ -326,7 +326,8 @@ fn relay<T: Send>(
     })
 }
 
-fn check(options: &Options<'_>) -> Result<(), Error> {
+/// Checks the ranges.
+pub(crate) fn check(options: &Options<'_>) -> Result<(), Error> {
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         return Err(Error::BadOption {
             name: "tolerance",

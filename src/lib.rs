@@ -12,6 +12,7 @@
 pub mod discrete;
 pub mod error;
 pub mod fairing;
+pub mod holes;
 pub mod linear;
 pub mod mesh;
 pub mod paper;
@@ -25,6 +26,10 @@ pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
     Seconds, Selection, Solution, Solver, Target, Watcher, fair,
+};
+pub use holes::{
+    BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
+    Parents, RemeshOptions, Remeshed, border_loops, fill_holes, remesh_region,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

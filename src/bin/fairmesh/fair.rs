@@ -13,8 +13,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::{self, Format, Kind, MeshFile};
+use crate::formats::{self, Format, Geometry, Kind, MeshFile};
 use crate::output::Output;
+use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, Selected, Ways};
 use crate::solver::SolverArgs;
@@ -117,6 +118,11 @@ pub struct FairArgs {
         help_heading = "Surface"
     )]
     discretization: Scheme,
+    /// Triangulates the region anew before, with edges as long as those
+    /// around it: for features whose vertices would crowd. The output then
+    /// holds vertices and triangles and nothing else
+    #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
+    remesh: bool,
     #[command(flatten)]
     solver: SolverArgs,
     /// Stop when the vertices move less than this part of the region's
@@ -187,24 +193,41 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         .transpose()?;
     let solver = args.solver.solver(args.max_iterations)?;
     let output = Output::prepare(&args.output)?;
-    let json = prepare_json(args)?;
+    let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let mut times = Times {
         read: start.elapsed().as_secs_f64(),
         ..Times::default()
     };
 
+    let refused =
+        |error: fairmesh::Error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh)));
     let solving = Instant::now();
-    let solution = solve(args, solver, &mesh, &selected, given.as_deref())
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
+    let region = Region::selected(&mesh, &selected, given);
+    let remeshed = if args.remesh {
+        Some(remesh::remesh(args, solver, &mesh.geometry, &region).map_err(refused)?)
+    } else {
+        None
+    };
+    let (geometry, region) = match &remeshed {
+        Some((geometry, region)) => (geometry, region),
+        None => (&mesh.geometry, &region),
+    };
+    let solution = solve(args, solver, geometry, region, args.tolerance).map_err(refused)?;
     times.solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
-    let stale_normals = write(&mesh, format, &solution, &output)?;
+    let stale_normals = if args.remesh {
+        let triangles: Vec<Vec<u32>> = geometry.triangles.iter().map(|t| t.to_vec()).collect();
+        output.write(&formats::plain(format, &solution.positions, &triangles))?;
+        0
+    } else {
+        write(&mesh, format, &solution, &output)?
+    };
     times.write = writing.elapsed().as_secs_f64();
     times.total = start.elapsed().as_secs_f64();
     let summary = Summary {
         report: &solution.report,
-        geometry: &mesh.geometry,
+        geometry,
         times,
         stale_normals,
     };
@@ -217,10 +240,10 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     Ok(solution.report.outcome == Outcome::Converged)
 }
 
-fn prepare_json(args: &FairArgs) -> Result<Option<Output>, Failure> {
-    let Some(path) = &args.json else { return Ok(None) };
-    let others = [&args.output, &args.input];
-    if others.into_iter().any(|other| same_file(path, other)) {
+/// Where the report as JSON goes: not over these files.
+pub fn prepare_json(json: Option<&Path>, others: &[&Path]) -> Result<Option<Output>, Failure> {
+    let Some(path) = json else { return Ok(None) };
+    if others.iter().any(|other| same_file(path, other)) {
         return Err(Failure::new(format!(
             "{}: --json would overwrite the mesh; name another file",
             path.display()
@@ -238,28 +261,49 @@ fn same_file(a: &Path, b: &Path) -> bool {
     resolved(a) == resolved(b)
 }
 
+/// What may move, and the normals given, in the numbers of a mesh of triangles.
+pub struct Region {
+    pub kind: Kind,
+    /// Vertices or triangles.
+    pub elements: Vec<u32>,
+    pub normals: Option<Vec<(u32, [f64; 3])>>,
+}
+
+impl Region {
+    fn selected(mesh: &MeshFile, selected: &Selected, normals: Option<Vec<(u32, [f64; 3])>>) -> Self {
+        let elements = match selected.kind {
+            Kind::Vertex => selected.elements.clone(),
+            Kind::Face => triangles_of(mesh, &selected.elements),
+        };
+        Self {
+            kind: selected.kind,
+            elements,
+            normals,
+        }
+    }
+
+    /// As the library wants it.
+    pub fn selection(&self) -> Selection<'_> {
+        match self.kind {
+            Kind::Vertex => Selection::Vertices(&self.elements),
+            Kind::Face => Selection::Faces(&self.elements),
+        }
+    }
+}
+
 /// The library's call.
-fn solve(
+pub fn solve(
     args: &FairArgs,
     solver: Solver,
-    mesh: &MeshFile,
-    selected: &Selected,
-    given: Option<&[(u32, [f64; 3])]>,
+    geometry: &Geometry,
+    region: &Region,
+    tolerance: Option<f64>,
 ) -> Result<Solution, fairmesh::Error> {
-    let geometry = &mesh.geometry;
-    let triangles: Vec<u32>;
-    let selection = match selected.kind {
-        Kind::Vertex => Selection::Vertices(&selected.elements),
-        Kind::Face => {
-            triangles = triangles_of(mesh, &selected.elements);
-            Selection::Faces(&triangles)
-        }
-    };
     let mut bar = Bar::new(args.quiet);
     let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = Options::default();
     let options = Options {
-        normals: match given {
+        normals: match region.normals.as_deref() {
             Some(given) => BorderNormals::Given(given),
             None if args.average_normals => BorderNormals::Averaged,
             None => BorderNormals::Fitted,
@@ -280,13 +324,18 @@ fn solve(
             Scheme::Paper => Discretization::Paper,
         },
         solver,
-        tolerance: args.tolerance.unwrap_or(defaults.tolerance),
+        tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
         progress: Some(&mut progress),
     };
-    let solution = fairmesh::fair(&geometry.positions, &geometry.triangles, selection, options);
-    bar.0.finish_and_clear();
+    let solution = fairmesh::fair(
+        &geometry.positions,
+        &geometry.triangles,
+        region.selection(),
+        options,
+    );
+    bar.finish();
     solution
 }
 
@@ -319,13 +368,14 @@ fn write(mesh: &MeshFile, format: Format, solution: &Solution, output: &Output) 
 }
 
 /// The progress bar; it shows itself on a terminal only.
-struct Bar(ProgressBar);
+pub struct Bar(ProgressBar);
 
 impl Bar {
     /// Steps of the bar.
     const LENGTH: u64 = 1000;
 
-    fn new(quiet: bool) -> Self {
+    /// A bar from 0 to 1; nothing is shown if `quiet`.
+    pub fn new(quiet: bool) -> Self {
         let target = if quiet {
             ProgressDrawTarget::hidden()
         } else {
@@ -339,7 +389,13 @@ impl Bar {
         Self(bar)
     }
 
-    fn show(&mut self, progress: &Progress) -> ControlFlow<()> {
+    /// Takes it away.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+
+    /// Shows how far the run is.
+    pub fn show(&mut self, progress: &Progress) -> ControlFlow<()> {
         self.0
             .set_position((progress.fraction.clamp(0.0, 1.0) * Self::LENGTH as f64) as u64);
         self.0

@@ -10,6 +10,8 @@ mod tests;
 
 use std::path::Path;
 
+use fairmesh::Parents;
+
 use crate::failure::{Failure, Malformed};
 use crate::formats::patches::Patches;
 use crate::normals;
@@ -56,6 +58,16 @@ pub struct Geometry {
 }
 
 impl Geometry {
+    /// Of triangles alone.
+    pub fn of_triangles(positions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        Self {
+            positions,
+            polygon_count: triangles.len(),
+            triangles,
+            ..Self::default()
+        }
+    }
+
     /// Adds a polygon found at byte `at`. Fewer than three corners: a polygon without triangles.
     fn push_polygon(&mut self, corners: &[u32], at: usize) {
         if corners.len() != 3 && self.polygon_of.is_empty() {
@@ -143,6 +155,23 @@ pub struct Change<'a> {
     pub normals: &'a [(u32, [f64; 3])],
 }
 
+/// A mesh with vertices and triangles added behind a file's own.
+pub struct Added<'a> {
+    /// All positions, the file's first.
+    pub positions: &'a [[f64; 3]],
+    /// All triangles, the file's first.
+    pub triangles: &'a [[u32; 3]],
+    /// Where each new vertex comes from.
+    pub parents: &'a [Parents],
+}
+
+impl Added<'_> {
+    /// How many vertices are the file's.
+    pub fn old_vertices(&self) -> usize {
+        self.positions.len() - self.parents.len()
+    }
+}
+
 /// Where the numbers are in the file's bytes.
 enum Layout {
     Ply(ply::Ply),
@@ -208,6 +237,25 @@ impl MeshFile {
         match &self.layout {
             Layout::Ply(layout) => layout.selected(&self.bytes, kind, name),
             _ => None,
+        }
+    }
+
+    /// The mesh with what was added, in this format. PLY and OBJ of the same format: the file as it is, with rows added;
+    /// otherwise the vertices and faces and nothing else.
+    pub fn with_added(&self, format: Format, added: &Added<'_>) -> Vec<u8> {
+        let new = &added.triangles[self.geometry.triangles.len()..];
+        match &self.layout {
+            Layout::Ply(layout) if format == Format::Ply => {
+                let mut patches = Patches::default();
+                layout.grow(&self.bytes, added, new, &mut patches);
+                patches.apply(&self.bytes)
+            }
+            Layout::Obj(_) if format == Format::Obj => obj::grown(&self.bytes, added, new),
+            _ => {
+                let mut polygons = self.geometry.polygons();
+                polygons.extend(new.iter().map(|t| t.to_vec()));
+                plain(format, added.positions, &polygons)
+            }
         }
     }
 

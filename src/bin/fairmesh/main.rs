@@ -6,11 +6,13 @@ mod demo;
 mod explain;
 mod failure;
 mod fair;
+mod fill;
 mod formats;
 mod generate;
 mod normals;
 mod output;
 mod picture;
+mod remesh;
 mod render;
 mod report;
 mod selection;
@@ -40,6 +42,11 @@ enum Command {
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
     Render(render::RenderArgs),
+    /// Lists the border loops of a mesh file
+    Holes(fill::HolesArgs),
+    /// Fills the holes of a mesh file: triangulates, refines and fairs them
+    #[command(after_help = AFTER_FILL)]
+    Fill(fill::FillArgs),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
@@ -89,11 +96,23 @@ the result; 'setup' (connectivity, border normals), 'start', 'iterate' and 'qual
 Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
 sound, the best surface is written.";
 
+const AFTER_FILL: &str = "\
+The new vertices and faces come behind the file's own, which stay as they are, byte for byte, in PLY and OBJ; OFF, STL and
+other formats than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and
+texture coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
+
+Loops that enclose the mesh instead of a gap (the outline of an open sheet) stay open unless named by --loop.
+
+Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
+hole is left open or its surface is not fair: the report says which and why.";
+
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::Holes(args) => fill::list(&args),
+        Command::Fill(args) => fill::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
     match result {

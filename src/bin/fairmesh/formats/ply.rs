@@ -1,5 +1,6 @@
 //! PLY, ASCII and binary of either byte order, with any elements and properties.
 
+mod grow;
 mod header;
 mod rows;
 

@@ -1,0 +1,180 @@
+//! New rows at the end of a PLY file's vertices and faces.
+
+use super::header::{Encoding, PropertyKind, Scalar};
+use super::rows::{Field, Rows};
+use super::{Ply, Table, rows};
+use crate::formats::Added;
+use crate::formats::patches::Patches;
+use crate::normals;
+use crate::text;
+
+/// Properties of vertices that may be averaged. Others are zero at new vertices.
+const AVERAGED: [&str; 21] = [
+    "red",
+    "green",
+    "blue",
+    "alpha",
+    "diffuse_red",
+    "diffuse_green",
+    "diffuse_blue",
+    "r",
+    "g",
+    "b",
+    "a",
+    "quality",
+    "confidence",
+    "intensity",
+    "u",
+    "v",
+    "s",
+    "t",
+    "texture_u",
+    "texture_v",
+    "radius",
+];
+
+impl Ply {
+    /// Rows for what was added; the file's own rows stay as they are.
+    pub fn grow(&self, bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]], patches: &mut Patches) {
+        let old_vertices = added.old_vertices();
+        let mut new = Vec::new();
+        let normals = match self.normal {
+            Some(_) => normals::all(added.positions, added.triangles),
+            None => Vec::new(),
+        };
+        for (i, parents) in added.parents.iter().enumerate() {
+            let v = old_vertices + i;
+            let values = self.averaged(bytes, parents.vertices, parents.weights);
+            self.push_row(&mut new, &self.vertex, |property| {
+                if let Some(axis) = self.position.iter().position(|&p| p == property) {
+                    return added.positions[v][axis];
+                }
+                let normal = self
+                    .normal
+                    .and_then(|columns| columns.iter().position(|&p| p == property));
+                normal.map_or(values[property], |axis| normals[v][axis])
+            });
+        }
+        self.insert(bytes, &self.vertex, added.parents.len(), new, patches);
+        let mut new = Vec::new();
+        for corners in faces {
+            self.push_face(&mut new, corners);
+        }
+        self.insert(bytes, &self.face, faces.len(), new, patches);
+    }
+
+    /// The values of every property, weighted over three vertices; zero where that means nothing.
+    fn averaged(&self, bytes: &[u8], vertices: [u32; 3], weights: [f64; 3]) -> Vec<f64> {
+        let element = &self.vertex.element;
+        let rows = Rows {
+            bytes,
+            encoding: self.encoding,
+            element,
+        };
+        let mut values = vec![0.0; element.properties.len()];
+        for (v, w) in vertices.into_iter().zip(weights).filter(|(_, w)| *w > 0.0) {
+            // The same walk succeeded when the file was read.
+            let _ = rows.walk(self.vertex.rows[v as usize], &mut |property, field: Field| {
+                let described = &element.properties[property];
+                let name = described.name.as_str();
+                let is_averaged = AVERAGED.contains(&name) || name.starts_with("scalar_");
+                if is_averaged && let PropertyKind::Scalar(_) = described.kind {
+                    values[property] += w * rows.scalar(property, &field)?;
+                }
+                Ok(())
+            });
+        }
+        values
+    }
+
+    fn push_row(&self, out: &mut Vec<u8>, table: &Table, value: impl Fn(usize) -> f64) {
+        for (property, described) in table.element.properties.iter().enumerate() {
+            match described.kind {
+                PropertyKind::Scalar(scalar) => self.push(out, scalar, value(property)),
+                PropertyKind::List { count, .. } => self.push(out, count, 0.0),
+            }
+        }
+        self.end_row(out);
+    }
+
+    fn push_face(&self, out: &mut Vec<u8>, corners: &[u32; 3]) {
+        let element = &self.face.element;
+        let wanted = element
+            .property("vertex_indices")
+            .or_else(|| element.property("vertex_index"));
+        for (property, described) in element.properties.iter().enumerate() {
+            match described.kind {
+                PropertyKind::Scalar(scalar) => self.push(out, scalar, 0.0),
+                PropertyKind::List { count, item } if Some(property) == wanted => {
+                    self.push(out, count, 3.0);
+                    corners.iter().for_each(|&v| self.push(out, item, f64::from(v)));
+                }
+                PropertyKind::List { count, .. } => self.push(out, count, 0.0),
+            }
+        }
+        self.end_row(out);
+    }
+
+    fn push(&self, out: &mut Vec<u8>, scalar: Scalar, value: f64) {
+        if scalar.is_integer() {
+            out.extend(integer(self.encoding, scalar, value));
+        } else {
+            out.extend(rows::encode(self.encoding, scalar, value));
+        }
+        if self.encoding == Encoding::Ascii {
+            out.push(b' ');
+        }
+    }
+
+    fn end_row(&self, out: &mut Vec<u8>) {
+        if self.encoding == Encoding::Ascii {
+            out.pop();
+            out.push(b'\n');
+        }
+    }
+
+    /// Puts rows behind the table's last one and corrects the count in the header.
+    fn insert(&self, bytes: &[u8], table: &Table, count: usize, mut new: Vec<u8>, patches: &mut Patches) {
+        let Some(&last) = table.rows.last() else { return };
+        if count == 0 {
+            return;
+        }
+        let rows = Rows {
+            bytes,
+            encoding: self.encoding,
+            element: &table.element,
+        };
+        let Ok(end) = rows.walk(last, &mut |_, _| Ok(())) else {
+            return;
+        };
+        if self.encoding == Encoding::Ascii && bytes.get(end - 1) != Some(&b'\n') {
+            new.insert(0, b'\n');
+        }
+        patches.replace(end..end, &new);
+        let (line, _) = text::line(bytes, table.element.at);
+        if let Some(word) = text::words(bytes, line).nth(2) {
+            patches.replace(word, (table.rows.len() + count).to_string().as_bytes());
+        }
+    }
+}
+
+/// A whole number as the file writes it: rounded and moved into the type's range.
+fn integer(encoding: Encoding, scalar: Scalar, value: f64) -> Vec<u8> {
+    let value = value.round();
+    let mut bytes = match scalar {
+        Scalar::I8 => (value as i8).to_le_bytes().to_vec(),
+        Scalar::U8 => (value as u8).to_le_bytes().to_vec(),
+        Scalar::I16 => (value as i16).to_le_bytes().to_vec(),
+        Scalar::U16 => (value as u16).to_le_bytes().to_vec(),
+        Scalar::I32 => (value as i32).to_le_bytes().to_vec(),
+        _ => (value as u32).to_le_bytes().to_vec(),
+    };
+    match encoding {
+        Encoding::Ascii => (value as i64).to_string().into_bytes(),
+        Encoding::Little => bytes,
+        Encoding::Big => {
+            bytes.reverse();
+            bytes
+        }
+    }
+}

@@ -1,0 +1,318 @@
+//! The public entry: all holes of a mesh, one after the other.
+
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use super::loops::{BorderLoop, Links, LoopKind};
+use super::outcome::{LoopReport, OpenReason, renumber};
+use super::parents::Parents;
+use super::piece::{Piece, Task};
+use super::surroundings::Surroundings;
+use crate::error::Error;
+use crate::fairing::{self, Options, Progress};
+use crate::mesh::NONE;
+
+/// Which loops are filled.
+#[derive(Debug, Clone, Copy)]
+pub enum Loops<'a> {
+    /// All holes of at most this many edges; outer borders stay open.
+    UpTo(usize),
+    /// These, by their numbers in [`border_loops`](super::border_loops), outer borders included.
+    Chosen(&'a [usize]),
+}
+
+/// What is asked. `FillOptions::default()` is right for most uses.
+pub struct FillOptions<'a> {
+    /// Which loops. Default: all holes of whatever size.
+    pub loops: Loops<'a>,
+    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
+    /// long as those of the mesh beside the rim; at twice that, half as long. Between 0.1 and 10.
+    pub density: f64,
+    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their rims.
+    /// Smaller loops are served first. Default 200,000.
+    pub max_new_vertices: usize,
+    /// Whether the patches are faired. Default: yes.
+    pub fair: bool,
+    /// For the fairing. Normals are those of the rim, by default fitted to the surroundings. `progress` is told about the
+    /// whole call, with the fraction of all loops.
+    pub fairing: Options<'a>,
+}
+
+impl Default for FillOptions<'_> {
+    fn default() -> Self {
+        Self {
+            loops: Loops::UpTo(usize::MAX),
+            density: std::f64::consts::SQRT_2,
+            max_new_vertices: 200_000,
+            fair: true,
+            fairing: Options::default(),
+        }
+    }
+}
+
+/// The filled mesh.
+#[derive(Debug, Clone)]
+pub struct Filled {
+    /// The positions given, then the new ones.
+    pub positions: Vec<[f64; 3]>,
+    /// The triangles given, then the new ones.
+    pub triangles: Vec<[u32; 3]>,
+    /// Per new vertex where it comes from.
+    pub parents: Vec<Parents>,
+    /// Per loop of the mesh (or per loop chosen) what became of it.
+    pub loops: Vec<LoopReport>,
+}
+
+/// Fills holes of a triangle mesh: triangulates, refines and fairs each. `positions` is #V by 3, `triangles` #T by 3,
+/// counter-clockwise seen from the side that normals point to.
+///
+/// Original vertices and triangles keep their numbers and bits. A loop that cannot be filled, or not well, says so in its
+/// report and does not affect the others.
+///
+/// # Errors
+/// [`Error::BadOption`], [`Error::IndexOutOfRange`], [`Error::TooLarge`], [`Error::SelectionOutOfRange`] for a loop
+/// that does not exist.
+pub fn fill_holes(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: FillOptions<'_>,
+) -> Result<Filled, Error> {
+    check(&options)?;
+    let links = Links::new(positions.len(), triangles)?;
+    let loops = links.loops(positions);
+    let (numbers, named) = choose(&options, loops.len())?;
+    let mut order: Vec<usize> = (0..numbers.len()).collect();
+    order.sort_by_key(|&i| loops[numbers[i]].vertices.len());
+    let total: usize = numbers.iter().map(|&l| loops[l].vertices.len()).sum();
+    let mut run = Run {
+        positions,
+        links: &links,
+        place: vec![NONE; triangles.len()],
+        made: HashSet::new(),
+        left: options.max_new_vertices,
+        options,
+        named,
+        done: 0.0,
+        total: total as f64,
+        cancelled: false,
+    };
+    let mut pieces: Vec<Option<(Piece, f64)>> = numbers.iter().map(|_| None).collect();
+    for i in order {
+        let clock = Instant::now();
+        let border = &loops[numbers[i]];
+        let piece = run.fill(border);
+        run.done += border.vertices.len() as f64;
+        pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
+    }
+    let mut filled = Filled {
+        positions: positions.to_vec(),
+        triangles: triangles.to_vec(),
+        parents: Vec::new(),
+        loops: Vec::with_capacity(numbers.len()),
+    };
+    for (index, (piece, seconds)) in numbers.into_iter().zip(pieces.into_iter().flatten()) {
+        let edges = loops[index].vertices.len();
+        filled.append(piece, index, edges, seconds);
+    }
+    Ok(filled)
+}
+
+fn check(options: &FillOptions<'_>) -> Result<(), Error> {
+    check_density(options.density)?;
+    fairing::check(&options.fairing)
+}
+
+pub(super) fn check_density(density: f64) -> Result<(), Error> {
+    if (0.1..=10.0).contains(&density) {
+        return Ok(());
+    }
+    Err(Error::BadOption {
+        name: "density",
+        value: density,
+        range: "between 0.1 and 10",
+    })
+}
+
+/// The loops to be looked at, ascending, and whether they were named.
+fn choose(options: &FillOptions<'_>, count: usize) -> Result<(Vec<usize>, bool), Error> {
+    match options.loops {
+        Loops::UpTo(_) => Ok(((0..count).collect(), false)),
+        Loops::Chosen(list) => {
+            if let Some(&index) = list.iter().find(|&&l| l >= count) {
+                return Err(Error::SelectionOutOfRange { index, count });
+            }
+            let mut list = list.to_vec();
+            list.sort_unstable();
+            list.dedup();
+            Ok((list, true))
+        }
+    }
+}
+
+struct Run<'m, 'o> {
+    positions: &'m [[f64; 3]],
+    links: &'m Links<'m>,
+    /// Scratch of [`Surroundings`].
+    place: Vec<u32>,
+    /// Edges between original vertices that earlier patches made.
+    made: HashSet<(u32, u32)>,
+    /// New vertices that may still be made.
+    left: usize,
+    options: FillOptions<'o>,
+    named: bool,
+    /// Edges of loops done, and of all.
+    done: f64,
+    total: f64,
+    cancelled: bool,
+}
+
+impl Run<'_, '_> {
+    /// What speaks against filling a loop, known before the work.
+    fn objection(&self, border: &BorderLoop) -> Option<OpenReason> {
+        if let LoopKind::NonManifold { a, b } = border.kind {
+            return Some(OpenReason::NonManifold { a, b });
+        }
+        if self.cancelled {
+            return Some(OpenReason::Cancelled);
+        }
+        if let Loops::UpTo(most) = self.options.loops
+            && border.vertices.len() > most
+        {
+            return Some(OpenReason::TooManyEdges);
+        }
+        (border.kind == LoopKind::OuterBorder && !self.named).then_some(OpenReason::OuterBorder)
+    }
+
+    fn fill(&mut self, border: &BorderLoop) -> Piece {
+        if let Some(reason) = self.objection(border) {
+            return Piece::open(reason);
+        }
+        let mut surroundings = Surroundings::new(self.links, self.positions, border, &mut self.place);
+        if let Some(vertex) = surroundings.first_unusable() {
+            return Piece::open(OpenReason::NotFinite { vertex });
+        }
+        if !border.touching.is_empty() {
+            self.add_made(&mut surroundings);
+        }
+        let (done, total) = (self.done / self.total, border.vertices.len() as f64 / self.total);
+        let watcher = &mut self.options.fairing.progress;
+        let mut cancelled = false;
+        let mut tell = |progress: &Progress| {
+            let Some(watcher) = watcher else {
+                return ControlFlow::Continue(());
+            };
+            let fraction = done + total * progress.fraction;
+            let answer = watcher(&Progress {
+                fraction,
+                ..*progress
+            });
+            cancelled |= answer.is_break();
+            answer
+        };
+        let task = Task {
+            surroundings: &surroundings,
+            factor: std::f64::consts::SQRT_2 / self.options.density,
+            most: self.left,
+            fair: self.options.fair,
+            normals: self.options.fairing.normals,
+            target: self.options.fairing.target,
+            inner: self.options.fairing.inner,
+            discretization: self.options.fairing.discretization,
+            solver: self.options.fairing.solver,
+            tolerance: self.options.fairing.tolerance,
+            max_iterations: self.options.fairing.max_iterations,
+            threads: self.options.fairing.threads,
+        };
+        let piece = task.run(&mut tell);
+        self.cancelled = cancelled;
+        if cancelled {
+            return Piece::open(OpenReason::Cancelled);
+        }
+        self.left -= piece.positions.len();
+        let rim = border.vertices.len() as u32;
+        for t in &piece.triangles {
+            for k in 0..3 {
+                let (a, b) = (t[k], t[(k + 1) % 3]);
+                if a < rim && b < rim {
+                    self.made
+                        .insert(edge(border.vertices[a as usize], border.vertices[b as usize]));
+                }
+            }
+        }
+        piece
+    }
+
+    /// Edges that patches on touching loops have made are taken, too.
+    fn add_made(&self, surroundings: &mut Surroundings) {
+        let rim = surroundings.rim as u32;
+        let touching = |v: &u32| self.made.iter().any(|e| e.0 == *v || e.1 == *v);
+        let common: Vec<u32> = (0..rim)
+            .filter(|&i| touching(&surroundings.ids[i as usize]))
+            .collect();
+        for (k, &i) in common.iter().enumerate() {
+            for &j in &common[k + 1..] {
+                let (a, b) = (surroundings.ids[i as usize], surroundings.ids[j as usize]);
+                if self.made.contains(&edge(a, b)) {
+                    surroundings.taken.push((i, j));
+                }
+            }
+        }
+        surroundings.taken.sort_unstable();
+        surroundings.taken.dedup();
+    }
+}
+
+fn edge(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
+
+impl Filled {
+    /// Appends a piece and its report.
+    fn append(&mut self, piece: Piece, index: usize, edges: usize, seconds: f64) {
+        let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
+        let rim = piece.rim.len() as u32;
+        let number = |v: u32| {
+            if v < rim {
+                piece.rim[v as usize]
+            } else {
+                vertex + (v - rim)
+            }
+        };
+        self.positions.extend(&piece.positions);
+        self.triangles
+            .extend(piece.triangles.iter().map(|t| t.map(number)));
+        self.parents.extend(&piece.parents);
+        let mut fairing = piece.fairing;
+        if let Some(report) = &mut fairing {
+            let (known, known_triangles) = (&piece.known, &piece.known_triangles);
+            renumber(
+                report,
+                |v| {
+                    let known_count = known.len() as u32;
+                    known
+                        .get(v as usize)
+                        .copied()
+                        .unwrap_or_else(|| vertex + v - known_count)
+                },
+                |t| {
+                    let known_count = known_triangles.len() as u32;
+                    let known = known_triangles.get(t as usize).copied();
+                    known.unwrap_or_else(|| triangle + t - known_count)
+                },
+            );
+        }
+        self.loops.push(LoopReport {
+            index,
+            edges,
+            outcome: piece.outcome,
+            vertices: vertex..self.positions.len() as u32,
+            triangles: triangle..self.triangles.len() as u32,
+            fairing,
+            worst_angle: piece.worst_angle,
+            outside: piece.outside.iter().map(|&i| vertex + i).collect(),
+            coarsened: piece.coarsened,
+            seconds,
+        });
+    }
+}

@@ -1,0 +1,334 @@
+//! Border loops of a whole mesh, found on half-edges.
+//!
+//! Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next. An edge with one triangle is border. Flaws
+//! elsewhere (edges with three triangles, triangles that name a vertex twice, vertices of several fans) do not matter:
+//! a walk along the border only crosses edges with exactly two triangles that run through it in opposite directions.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Vector3;
+
+use crate::error::Error;
+use crate::mesh::halfedge::{next, previous};
+
+/// No half-edge on the other side: the border.
+pub(super) const BORDER: u32 = u32::MAX;
+/// Three triangles or more at the edge, or two in the same direction.
+const NON_MANIFOLD: u32 = u32::MAX - 1;
+/// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
+const OUTER_TURN: f64 = 0.75 * PI;
+
+/// What kind of gap a loop is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LoopKind {
+    /// A gap in the surface.
+    Hole,
+    /// The loop encloses the mesh rather than a gap, like the outline of an open sheet: a smooth surface over it would
+    /// have to turn back by more than 135 degrees. Filled only if it is named.
+    OuterBorder,
+    /// The walk along the border met an edge that has three triangles or more, or two that run through it in the same
+    /// direction. Never filled.
+    NonManifold {
+        /// One end of that edge, the smaller index.
+        a: u32,
+        /// The other end.
+        b: u32,
+    },
+}
+
+/// A closed run of border edges that visits no vertex twice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BorderLoop {
+    /// The vertices in the direction in which triangles that fill the loop run through it. Of a loop that is
+    /// `NonManifold`, the part between the bad edges.
+    pub vertices: Vec<u32>,
+    /// Sum of the edge lengths.
+    pub length: f64,
+    /// The length of the vector area: the area of the flat surface over a plane loop, a lower bound otherwise.
+    pub area: f64,
+    /// The mean angle in degrees by which a smooth surface over the loop has to turn back towards it: 0 for a hole in a
+    /// plane, 90 for the end of a tube, 180 for the outline of a plane sheet. By Gauss and Bonnet the surface has the
+    /// total curvature `2 pi (1 - cos turn)`.
+    pub turn: f64,
+    /// Vertices that belong to another loop, too (bow-ties).
+    pub touching: Vec<u32>,
+    /// What kind of gap it is.
+    pub kind: LoopKind,
+    /// The mesh's half-edge at each edge from a vertex to the next; it runs the other way.
+    pub(super) half_edges: Vec<u32>,
+}
+
+/// The border loops of a mesh, in the order of their first half-edge. `positions` is #V by 3, `triangles` #T by 3.
+///
+/// At a vertex where several gaps meet, each gap is a loop of its own.
+///
+/// # Errors
+/// [`Error::IndexOutOfRange`], [`Error::TooLarge`].
+pub fn border_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BorderLoop>, Error> {
+    let links = Links::new(positions.len(), triangles)?;
+    Ok(links.loops(positions))
+}
+
+/// Which half-edges lie side by side, and the triangles at each vertex.
+pub(super) struct Links<'a> {
+    pub(super) triangles: &'a [[u32; 3]],
+    /// The half-edge across, [`BORDER`], or more than one.
+    opposite: Vec<u32>,
+    /// Half-edges that start at vertex v: `out[start[v]..start[v + 1]]`, ascending.
+    start: Vec<u32>,
+    out: Vec<u32>,
+}
+
+impl<'a> Links<'a> {
+    pub(super) fn new(vertices: usize, triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
+        check(vertices, triangles)?;
+        let mut start = vec![0u32; vertices + 1];
+        triangles
+            .iter()
+            .flatten()
+            .for_each(|&v| start[v as usize + 1] += 1);
+        for v in 0..vertices {
+            start[v + 1] += start[v];
+        }
+        let mut fill = start.clone();
+        let mut out = vec![0; 3 * triangles.len()];
+        for (h, &v) in triangles.iter().flatten().enumerate() {
+            out[fill[v as usize] as usize] = h as u32;
+            fill[v as usize] += 1;
+        }
+        let mut links = Self {
+            triangles,
+            opposite: vec![BORDER; 3 * triangles.len()],
+            start,
+            out,
+        };
+        links.pair();
+        Ok(links)
+    }
+
+    /// Pairs half-edges: per vertex the edges to larger numbers, in both directions, sorted.
+    fn pair(&mut self) {
+        let mut edges: Vec<(u32, u32)> = Vec::new();
+        for v in 0..self.start.len() as u32 - 1 {
+            edges.clear();
+            for i in self.start[v as usize]..self.start[v as usize + 1] {
+                let h = self.out[i as usize];
+                if repeats(&self.triangles[h as usize / 3]) {
+                    self.opposite[h as usize] = NON_MANIFOLD;
+                    continue;
+                }
+                for (other, half_edge) in [(self.origin(next(h)), h), (self.origin(previous(h)), previous(h))]
+                {
+                    if other > v {
+                        edges.push((other, half_edge));
+                    }
+                }
+            }
+            edges.sort_unstable();
+            for same in edges.chunk_by(|a, b| a.0 == b.0) {
+                match *same {
+                    [_] => {}
+                    [(_, g), (_, h)] if (self.origin(g) == v) != (self.origin(h) == v) => {
+                        self.opposite[g as usize] = h;
+                        self.opposite[h as usize] = g;
+                    }
+                    _ => same
+                        .iter()
+                        .for_each(|&(_, h)| self.opposite[h as usize] = NON_MANIFOLD),
+                }
+            }
+        }
+    }
+
+    /// The half-edges that start at a vertex.
+    pub(super) fn at(&self, v: u32) -> &[u32] {
+        &self.out[self.start[v as usize] as usize..self.start[v as usize + 1] as usize]
+    }
+
+    #[inline]
+    pub(super) fn origin(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][h as usize % 3]
+    }
+
+    /// The half-edge across an edge with two consistent triangles.
+    #[inline]
+    pub(super) fn across(&self, h: u32) -> Option<u32> {
+        Some(self.opposite[h as usize]).filter(|&o| o < NON_MANIFOLD)
+    }
+
+    /// The border half-edge after `h` along the gap: around `h`'s origin, through its fan. `Err`: a bad edge. `visit` sees
+    /// the half-edges of the fan that end at the origin.
+    pub(super) fn follow(&self, h: u32, mut visit: impl FnMut(u32)) -> Result<u32, u32> {
+        let mut g = previous(h);
+        loop {
+            visit(g);
+            match self.opposite[g as usize] {
+                BORDER => return Ok(g),
+                NON_MANIFOLD => return Err(g),
+                o => g = previous(o),
+            }
+        }
+    }
+
+    pub(super) fn loops(&self, positions: &[[f64; 3]]) -> Vec<BorderLoop> {
+        let border: Vec<u32> = (0..self.opposite.len() as u32)
+            .filter(|&h| self.opposite[h as usize] == BORDER)
+            .collect();
+        let mut has_before = vec![false; self.opposite.len()];
+        for &h in &border {
+            if let Ok(g) = self.follow(h, |_| {}) {
+                has_before[g as usize] = true;
+            }
+        }
+        let mut done = vec![false; self.opposite.len()];
+        let mut place = vec![BORDER; self.start.len()];
+        let mut found = Vec::new();
+        // Runs that end at bad edges first, from their beginnings; then the closed ones.
+        for open in [true, false] {
+            for &h in &border {
+                let is_inside = open && has_before[h as usize];
+                if !is_inside && !done[h as usize] {
+                    self.walk(h, &mut done, &mut place, &mut found);
+                }
+            }
+        }
+        found.sort_by_key(|(run, _): &(Vec<u32>, _)| run.iter().copied().min());
+        let mut visits = vec![0u8; self.start.len()];
+        for &h in found.iter().flat_map(|(run, _)| run) {
+            let v = self.origin(next(h)) as usize;
+            visits[v] = visits[v].saturating_add(1);
+        }
+        found
+            .into_iter()
+            .map(|(run, bad)| self.measure(run, bad, positions, &visits))
+            .collect()
+    }
+
+    /// Walks from a border half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
+    /// in between is a loop of its own.
+    fn walk(
+        &self,
+        first: u32,
+        done: &mut [bool],
+        place: &mut [u32],
+        found: &mut Vec<(Vec<u32>, Option<u32>)>,
+    ) {
+        let mut run: Vec<u32> = Vec::new();
+        let mut h = first;
+        let bad = loop {
+            done[h as usize] = true;
+            // The gap runs from h's target to its origin.
+            let v = self.origin(next(h)) as usize;
+            if place[v] != BORDER {
+                let inner = run.split_off(place[v] as usize);
+                inner
+                    .iter()
+                    .for_each(|&g| place[self.origin(next(g)) as usize] = BORDER);
+                found.push((inner, None));
+            }
+            place[v] = run.len() as u32;
+            run.push(h);
+            match self.follow(h, |_| {}) {
+                Ok(g) if g == first => break None,
+                Ok(g) => h = g,
+                Err(g) => break Some(g),
+            }
+        };
+        run.iter()
+            .for_each(|&g| place[self.origin(next(g)) as usize] = BORDER);
+        found.push((run, bad));
+    }
+
+    fn measure(&self, run: Vec<u32>, bad: Option<u32>, positions: &[[f64; 3]], visits: &[u8]) -> BorderLoop {
+        let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
+        let n = vertices.len();
+        let at = |v: u32| Vector3::from(positions[v as usize]);
+        let origin = at(vertices[0]);
+        let (mut length, mut area) = (0.0, Vector3::zeros());
+        for i in 0..n {
+            let (p, q) = (at(vertices[i]) - origin, at(self.origin(run[i])) - origin);
+            length += (q - p).norm();
+            area += 0.5 * p.cross(&q);
+        }
+        // Sum of the exterior angles seen from the mesh.
+        let turning: f64 = (0..n)
+            .map(|i| PI - self.angle(run[i], run[(i + 1) % n], positions))
+            .sum();
+        let turn = (-turning / TAU).clamp(-1.0, 1.0).acos();
+        let kind = match bad {
+            Some(g) => {
+                let (a, b) = (self.origin(g), self.origin(next(g)));
+                LoopKind::NonManifold {
+                    a: a.min(b),
+                    b: a.max(b),
+                }
+            }
+            None if turn > OUTER_TURN => LoopKind::OuterBorder,
+            None => LoopKind::Hole,
+        };
+        let touching = vertices
+            .iter()
+            .copied()
+            .filter(|&v| visits[v as usize] > 1)
+            .collect();
+        BorderLoop {
+            vertices,
+            length,
+            area: area.norm(),
+            turn: turn.to_degrees(),
+            touching,
+            kind,
+            half_edges: run,
+        }
+    }
+
+    /// The angle of the mesh at `h`'s origin between the border half-edges `h` and `after`. Where the loop leaves `h`'s fan
+    /// (a bow-tie), what the gap leaves of a full turn.
+    fn angle(&self, h: u32, after: u32, positions: &[[f64; 3]]) -> f64 {
+        let at = |v: u32| Vector3::from(positions[v as usize]);
+        let v = at(self.origin(h));
+        let between = |a: u32, b: u32| {
+            let (a, b) = (at(a) - v, at(b) - v);
+            a.cross(&b).norm().atan2(a.dot(&b))
+        };
+        let mut sum = 0.0;
+        let last = self.follow(h, |g| sum += between(self.origin(g), self.origin(previous(g))));
+        if last == Ok(after) {
+            sum
+        } else {
+            TAU - between(self.origin(next(h)), self.origin(after))
+        }
+    }
+}
+
+fn repeats([a, b, c]: &[u32; 3]) -> bool {
+    a == b || b == c || c == a
+}
+
+fn check(vertices: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
+    if vertices > NON_MANIFOLD as usize {
+        return Err(Error::TooLarge {
+            what: "vertices",
+            count: vertices,
+        });
+    }
+    if triangles.len() > NON_MANIFOLD as usize / 3 {
+        return Err(Error::TooLarge {
+            what: "triangles",
+            count: triangles.len(),
+        });
+    }
+    let wrong = triangles
+        .iter()
+        .enumerate()
+        .find_map(|(t, tri)| tri.iter().find(|&&v| v as usize >= vertices).map(|&v| (t, v)));
+    match wrong {
+        Some((triangle, index)) => Err(Error::IndexOutOfRange {
+            triangle,
+            index,
+            vertex_count: vertices,
+        }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,18 @@
+//! Holes: border loops, their triangulation, refinement and fairing in one call.
+
+mod fill;
+mod loops;
+mod outcome;
+mod parents;
+mod patch;
+mod piece;
+mod refine;
+mod remesh;
+mod surroundings;
+mod triangulate;
+
+pub use fill::{FillOptions, Filled, Loops, fill_holes};
+pub use loops::{BorderLoop, LoopKind, border_loops};
+pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
+pub use parents::Parents;
+pub use remesh::{RemeshOptions, Remeshed, remesh_region};

@@ -1,0 +1,79 @@
+//! Where a new vertex comes from, so that colours and the like can be interpolated.
+
+use nalgebra::Vector3;
+
+use super::patch::Patch;
+
+/// Original vertices of the rim and their weights, which sum to one and are not negative. Unused entries repeat a
+/// vertex with weight 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parents {
+    /// Vertices of the mesh.
+    pub vertices: [u32; 3],
+    /// Their weights.
+    pub weights: [f64; 3],
+}
+
+/// The barycentric coordinates of the vertices' origins in the triangles (`corners`) that the patch was made from: each
+/// vertex walks from its hint to the nearest triangle. `ids` turns corners into the mesh's numbers.
+pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents> {
+    (patch.fixed..patch.x.len())
+        .map(|v| {
+            let p = patch.origin[v];
+            let mut t = patch.hint[v];
+            let (mut best, mut weights) = nearest(coarse, t, &p);
+            loop {
+                let mut next = t;
+                for k in 0..3 {
+                    let o = coarse.across(3 * t + k);
+                    if o == crate::mesh::NONE {
+                        continue;
+                    }
+                    let (distance, w) = nearest(coarse, o / 3, &p);
+                    if distance < best {
+                        (best, weights, next) = (distance, w, o / 3);
+                    }
+                }
+                if next == t {
+                    break;
+                }
+                t = next;
+            }
+            Parents {
+                vertices: coarse.triangles[t as usize].map(|c| ids[c as usize]),
+                weights,
+            }
+        })
+        .collect()
+}
+
+/// Squared distance of a point to a triangle and the barycentric coordinates of the nearest point.
+fn nearest(patch: &Patch, t: u32, p: &Vector3<f64>) -> (f64, [f64; 3]) {
+    let x = patch.triangles[t as usize].map(|v| patch.x[v as usize]);
+    let cross = (x[1] - x[0]).cross(&(x[2] - x[0]));
+    let square = cross.norm_squared();
+    let part = |k: usize| {
+        let (a, b) = (x[(k + 1) % 3], x[(k + 2) % 3]);
+        (b - a).cross(&(p - a)).dot(&cross) / square
+    };
+    let inside = [part(0), part(1), part(2)];
+    if square > 0.0 && inside.iter().all(|&w| w >= 0.0) {
+        let sum: f64 = inside.iter().sum();
+        let distance = (p - x[0]).dot(&cross).powi(2) / square;
+        return (distance, inside.map(|w| w / sum));
+    }
+    let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
+    for k in 0..3 {
+        let (i, j) = (k, (k + 1) % 3);
+        let e = x[j] - x[i];
+        let s = (e.dot(&(p - x[i])) / e.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let distance = (x[i] + e * s - p).norm_squared();
+        if distance < best.0 {
+            let mut weights = [0.0; 3];
+            weights[i] = 1.0 - s;
+            weights[j] = s;
+            best = (distance, weights);
+        }
+    }
+    best
+}

@@ -1,0 +1,372 @@
+//! A triangulated disc (or any orientable surface with border) that can be changed: splits, flips, collapses.
+//!
+//! Half-edge `3 t + k` runs from corner `k` of triangle `t` to corner `k + 1`. Vertices below `fixed` stay, and so do the
+//! edges without a triangle on the other side.
+
+use nalgebra::Vector3;
+
+use crate::mesh::NONE;
+use crate::mesh::halfedge::{next, previous};
+
+/// The surface and, per vertex, where it is and what belongs to it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Patch {
+    /// Positions.
+    pub(super) x: Vec<Vector3<f64>>,
+    /// Where the vertex lies on the surface that the patch was made from.
+    pub(super) origin: Vec<Vector3<f64>>,
+    /// A triangle of that surface near there.
+    pub(super) hint: Vec<u32>,
+    /// The mesh's number of a vertex that was there, [`NONE`] of a new one; only where it matters.
+    pub(super) old: Vec<u32>,
+    /// The edge length of the surroundings, interpolated.
+    pub(super) size: Vec<f64>,
+    /// An upper bound of the edge length beside short edges of the rim.
+    pub(super) limit: Vec<f64>,
+    /// Distance to the rim along edges.
+    pub(super) depth: Vec<f64>,
+    /// Corners; [`NONE`] where a triangle was removed.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The half-edge across, or [`NONE`].
+    opposite: Vec<u32>,
+    /// A half-edge that starts at the vertex, [`NONE`] at removed vertices.
+    out: Vec<u32>,
+    /// Vertices below this number are the rim.
+    pub(super) fixed: usize,
+}
+
+impl Patch {
+    /// The patch of these triangles; all vertices below `fixed` are the rim. Sizes are left at zero.
+    pub(super) fn new(x: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, fixed: usize) -> Self {
+        let mut patch = Self {
+            origin: x.clone(),
+            hint: vec![0; x.len()],
+            old: vec![NONE; x.len()],
+            size: vec![0.0; x.len()],
+            limit: vec![f64::INFINITY; x.len()],
+            depth: vec![0.0; x.len()],
+            opposite: vec![NONE; 3 * triangles.len()],
+            out: vec![NONE; x.len()],
+            x,
+            triangles,
+            fixed,
+        };
+        let mut edges: Vec<(u32, u32, u32)> = (0..patch.opposite.len() as u32)
+            .map(|h| {
+                let (a, b) = (patch.from(h), patch.to(h));
+                (a.min(b), a.max(b), h)
+            })
+            .collect();
+        edges.sort_unstable();
+        for pair in edges.windows(2) {
+            if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
+                patch.link(pair[0].2, pair[1].2);
+            }
+        }
+        for h in 0..patch.opposite.len() as u32 {
+            let v = patch.from(h) as usize;
+            patch.out[v] = h;
+            patch.hint[v] = h / 3;
+        }
+        patch
+    }
+
+    #[inline]
+    pub(super) fn from(&self, h: u32) -> u32 {
+        self.triangles[h as usize / 3][h as usize % 3]
+    }
+
+    #[inline]
+    pub(super) fn to(&self, h: u32) -> u32 {
+        self.from(next(h))
+    }
+
+    #[inline]
+    pub(super) fn across(&self, h: u32) -> u32 {
+        self.opposite[h as usize]
+    }
+
+    #[inline]
+    pub(super) fn is_alive(&self, v: u32) -> bool {
+        self.out[v as usize] != NONE
+    }
+
+    #[inline]
+    pub(super) fn is_rim(&self, v: u32) -> bool {
+        (v as usize) < self.fixed
+    }
+
+    fn link(&mut self, g: u32, h: u32) {
+        if g != NONE {
+            self.opposite[g as usize] = h;
+        }
+        if h != NONE {
+            self.opposite[h as usize] = g;
+        }
+    }
+
+    /// How many half-edges there are, removed ones included.
+    pub(super) fn half_edges(&self) -> u32 {
+        self.opposite.len() as u32
+    }
+
+    /// Length of an edge.
+    #[inline]
+    pub(super) fn length(&self, h: u32) -> f64 {
+        (self.x[self.to(h) as usize] - self.x[self.from(h) as usize]).norm()
+    }
+
+    /// The half-edges that start at a vertex, counter-clockwise; at a rim vertex from the border on.
+    pub(super) fn spokes(&self, v: u32, spokes: &mut Vec<u32>) {
+        spokes.clear();
+        let mut first = self.out[v as usize];
+        if first == NONE {
+            return;
+        }
+        let start = first;
+        // Clockwise to the border, if there is one.
+        while self.across(first) != NONE {
+            first = next(self.across(first));
+            if first == start {
+                break;
+            }
+        }
+        let mut h = first;
+        loop {
+            spokes.push(h);
+            h = self.across(previous(h));
+            if h == NONE || h == first {
+                return;
+            }
+        }
+    }
+
+    /// The neighbours of a vertex, counter-clockwise.
+    pub(super) fn ring(&self, v: u32, spokes: &mut Vec<u32>, ring: &mut Vec<u32>) {
+        self.spokes(v, spokes);
+        ring.clear();
+        ring.extend(spokes.iter().map(|&h| self.to(h)));
+        if let Some(&last) = spokes.last()
+            && self.across(previous(last)) == NONE
+        {
+            ring.push(self.from(previous(last)));
+        }
+    }
+
+    /// Cross product of a triangle's sides.
+    #[inline]
+    pub(super) fn cross(&self, t: usize) -> Vector3<f64> {
+        let [a, b, c] = self.triangles[t].map(|v| self.x[v as usize]);
+        (b - a).cross(&(c - a))
+    }
+
+    fn set(&mut self, t: u32, corners: [u32; 3]) {
+        self.triangles[t as usize] = corners;
+        for (k, &v) in (0..).zip(&corners) {
+            self.out[v as usize] = 3 * t + k;
+        }
+    }
+
+    /// Splits an edge inside the patch in its middle; the new vertex.
+    pub(super) fn split(&mut self, h: u32) -> u32 {
+        let o = self.across(h);
+        let (a, b) = (self.from(h), self.to(h));
+        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
+        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
+        let m = self.middle(a, b);
+        let (t0, t1, t2) = (h / 3, o / 3, self.triangles.len() as u32);
+        let t3 = t2 + 1;
+        self.triangles.extend([[NONE; 3]; 2]);
+        self.opposite.extend([NONE; 6]);
+        self.set(t0, [a, m, c]);
+        self.set(t2, [m, b, c]);
+        self.set(t1, [b, m, d]);
+        self.set(t3, [m, a, d]);
+        self.link(3 * t0, 3 * t3);
+        self.link(3 * t0 + 1, 3 * t2 + 2);
+        self.link(3 * t0 + 2, ca);
+        self.link(3 * t2, 3 * t1);
+        self.link(3 * t2 + 1, bc);
+        self.link(3 * t1 + 1, 3 * t3 + 2);
+        self.link(3 * t1 + 2, db);
+        self.link(3 * t3 + 1, ad);
+        m
+    }
+
+    fn middle(&mut self, a: u32, b: u32) -> u32 {
+        let (i, j) = (a as usize, b as usize);
+        let half = 0.5 * (self.x[j] - self.x[i]).norm();
+        self.x.push((self.x[i] + self.x[j]) * 0.5);
+        self.origin.push((self.origin[i] + self.origin[j]) * 0.5);
+        self.hint.push(self.hint[if i < self.fixed { j } else { i }]);
+        self.size.push(0.5 * (self.size[i] + self.size[j]));
+        self.depth.push(self.depth[i].min(self.depth[j]) + half);
+        let limit = self.limit[i].min(self.limit[j]) + super::refine::GRADE * half;
+        self.limit.push(limit);
+        self.old.push(NONE);
+        self.out.push(NONE);
+        self.x.len() as u32 - 1
+    }
+
+    /// Turns an edge inside the patch to the other two corners of its triangles.
+    pub(super) fn flip(&mut self, h: u32) {
+        let o = self.across(h);
+        let (a, b) = (self.from(h), self.to(h));
+        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
+        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
+        let (t0, t1) = (h / 3, o / 3);
+        self.set(t0, [c, a, d]);
+        self.set(t1, [d, b, c]);
+        self.link(3 * t0, ca);
+        self.link(3 * t0 + 1, ad);
+        self.link(3 * t0 + 2, 3 * t1 + 2);
+        self.link(3 * t1, db);
+        self.link(3 * t1 + 1, bc);
+    }
+
+    /// Whether two vertices have an edge in the patch, without scratch.
+    pub(super) fn are_neighbours(&self, a: u32, b: u32) -> bool {
+        self.are_joined(a, b, &mut Vec::new())
+    }
+
+    /// Whether two vertices have an edge in the patch.
+    pub(super) fn are_joined(&self, a: u32, b: u32, spokes: &mut Vec<u32>) -> bool {
+        self.spokes(a, spokes);
+        spokes
+            .iter()
+            .any(|&h| self.to(h) == b || self.from(previous(h)) == b)
+    }
+
+    /// Moves the inner vertex that `h` starts at onto its other end, if the patch stays a manifold with valences of at
+    /// least 3 and no triangle turns over. `spokes` and `ring` are scratch.
+    pub(super) fn collapse(&mut self, h: u32, spokes: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
+        let (a, b, o) = (self.from(h), self.to(h), self.across(h));
+        if self.is_rim(a) || o == NONE {
+            return false;
+        }
+        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
+        self.ring(b, spokes, ring);
+        self.spokes(a, spokes);
+        let common = spokes.iter().filter(|&&g| ring.contains(&self.to(g))).count();
+        if common != 2 || spokes.len() < 4 {
+            return false;
+        }
+        for v in [c, d] {
+            self.spokes(v, ring);
+            if ring.len() < 4 && !self.is_rim(v) || ring.len() < 2 {
+                return false;
+            }
+        }
+        let target = self.x[b as usize];
+        for &g in &*spokes {
+            let (p, q) = (self.to(g), self.from(previous(g)));
+            if p == b || q == b {
+                continue;
+            }
+            let old = self.cross(g as usize / 3);
+            let (p, q) = (self.x[p as usize] - target, self.x[q as usize] - target);
+            let new = p.cross(&q);
+            // More than 60 degrees is as good as over; and no new needles.
+            let longest = p.norm_squared().max(q.norm_squared()).max((p - q).norm_squared());
+            if old.dot(&new) < 0.5 * old.norm() * new.norm() || new.norm() < 0.2 * longest {
+                return false;
+            }
+        }
+        let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
+        for &g in &*spokes {
+            self.triangles[g as usize / 3][g as usize % 3] = b;
+        }
+        for t in [h / 3, o / 3] {
+            self.triangles[t as usize] = [NONE; 3];
+            (0..3).for_each(|k| self.opposite[(3 * t + k) as usize] = NONE);
+        }
+        self.link(bc, ca);
+        self.link(ad, db);
+        self.out[a as usize] = NONE;
+        // Every triangle kept around b, c and d can tell a half-edge.
+        for g in [bc, ca, ad, db] {
+            if g != NONE {
+                let (from, to) = (self.from(g), self.to(g));
+                self.out[from as usize] = g;
+                self.out[to as usize] = next(g);
+            }
+        }
+        true
+    }
+
+    /// Drops removed vertices and triangles; the rim keeps its numbers.
+    pub(super) fn compact(&mut self) {
+        if self.out.iter().all(|&h| h != NONE) && self.triangles.iter().all(|t| t[0] != NONE) {
+            return;
+        }
+        let keep: Vec<bool> = (0..self.x.len())
+            .map(|v| v < self.fixed || self.out[v] != NONE)
+            .collect();
+        let mut number = vec![NONE; keep.len()];
+        let mut count = 0;
+        for v in 0..keep.len() {
+            if keep[v] {
+                number[v] = count;
+                count += 1;
+            }
+        }
+        fn filter<T: Copy>(values: &mut Vec<T>, keep: &[bool]) {
+            let mut at = keep.iter();
+            values.retain(|_| *at.next().unwrap_or(&false));
+        }
+        filter(&mut self.x, &keep);
+        filter(&mut self.origin, &keep);
+        filter(&mut self.hint, &keep);
+        filter(&mut self.old, &keep);
+        filter(&mut self.size, &keep);
+        filter(&mut self.limit, &keep);
+        filter(&mut self.depth, &keep);
+        self.triangles.retain(|t| t[0] != NONE);
+        self.triangles
+            .iter_mut()
+            .flatten()
+            .for_each(|v| *v = number[*v as usize]);
+        let fresh = Self::new(
+            std::mem::take(&mut self.x),
+            std::mem::take(&mut self.triangles),
+            self.fixed,
+        );
+        self.x = fresh.x;
+        self.triangles = fresh.triangles;
+        self.opposite = fresh.opposite;
+        self.out = fresh.out;
+    }
+}
+
+#[cfg(test)]
+impl Patch {
+    /// Checks the invariants; for tests.
+    pub(super) fn validate(&self) -> Result<(), String> {
+        let mut edges = Vec::new();
+        for h in 0..self.half_edges() {
+            if self.triangles[h as usize / 3][0] == NONE {
+                continue;
+            }
+            let o = self.across(h);
+            let (a, b) = (self.from(h), self.to(h));
+            edges.push((a, b));
+            if o != NONE && (self.across(o) != h || self.from(o) != b || self.to(o) != a) {
+                return Err(format!("half-edge {h} ({a}, {b}) does not match {o}"));
+            }
+            if o == NONE && !(self.is_rim(a) && self.is_rim(b)) {
+                return Err(format!("edge ({a}, {b}) is open"));
+            }
+        }
+        edges.sort_unstable();
+        if let Some(w) = edges.windows(2).find(|w| w[0] == w[1]) {
+            return Err(format!("edge {:?} twice", w[0]));
+        }
+        for v in 0..self.x.len() {
+            let h = self.out[v];
+            if h != NONE && (self.triangles[h as usize / 3][0] == NONE || self.from(h) != v as u32) {
+                return Err(format!("vertex {v} has a wrong half-edge"));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,420 @@
+//! One loop: from its triangulation to the faired patch.
+//!
+//! The triangulation of a large hole is far from the surface that it becomes, and edges of the right length there would be
+//! too long on it. So a coarse patch is faired first, loosely, and the fine one is refined on that.
+
+use std::ops::ControlFlow;
+
+use nalgebra::Vector3;
+
+use super::outcome::{FillOutcome, FlatReason, OpenReason};
+use super::parents::{Parents, parents};
+use super::patch::Patch;
+use super::refine::{Fineness, Refiner};
+use super::surroundings::{Surroundings, bounds};
+use super::triangulate::Rim;
+use crate::error::Error;
+use crate::fairing::{
+    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
+    Solver, Target, fair,
+};
+use crate::quality::smallest_angle;
+
+/// The coarse patch's edges grow by this much per unit of distance from the rim.
+const COARSE_GROWTH: f64 = 0.5;
+/// How well the coarse patch is faired.
+const COARSE_TOLERANCE: f64 = 1e-3;
+const COARSE_ITERATIONS: usize = 60;
+/// What of the progress the coarse patch is.
+const COARSE_SHARE: f64 = 0.2;
+/// First growth when the vertices do not suffice, and the last.
+const FIRST_GROWTH: f64 = 0.02;
+const LAST_GROWTH: f64 = 3.0;
+/// On short edges of the rim, edges may be this much longer than those: triangles keep 15 degrees.
+pub(super) const BESIDE_SHORT: f64 = 1.5;
+/// A patch may leave the rim's bounding box by this much of its diagonal without being named.
+const ROOM: f64 = 0.25;
+
+/// A patch whose smallest angle (degrees) is below this is refined and faired again, so often at most.
+const ENOUGH: f64 = 15.0;
+const AGAIN: usize = 2;
+
+/// No fair surface was found.
+fn is_failed(report: &Report) -> bool {
+    !matches!(
+        report.outcome,
+        Outcome::Converged | Outcome::ConvergedPoorTriangles { .. } | Outcome::ConvergedLoosely { .. }
+    )
+}
+
+/// A filled loop in numbers of its own: the rim's vertices, then the new ones.
+pub(super) struct Piece {
+    pub(super) outcome: FillOutcome,
+    /// The mesh's numbers of the rim's vertices.
+    pub(super) rim: Vec<u32>,
+    /// New vertices, in the caller's units.
+    pub(super) positions: Vec<[f64; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) parents: Vec<Parents>,
+    /// In the numbers of the mesh that was faired: `known` vertices and triangles, then the new ones.
+    pub(super) fairing: Option<Report>,
+    pub(super) known: Vec<u32>,
+    pub(super) known_triangles: Vec<u32>,
+    pub(super) worst_angle: f64,
+    /// New vertices (from 0) that the loop's box does not hold.
+    pub(super) outside: Vec<u32>,
+    pub(super) coarsened: bool,
+}
+
+impl Piece {
+    pub(super) fn open(reason: OpenReason) -> Self {
+        Self {
+            outcome: FillOutcome::LeftOpen(reason),
+            rim: Vec::new(),
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            parents: Vec::new(),
+            fairing: None,
+            known: Vec::new(),
+            known_triangles: Vec::new(),
+            worst_angle: 0.0,
+            outside: Vec::new(),
+            coarsened: false,
+        }
+    }
+}
+
+/// What is to be done with a loop.
+pub(super) struct Task<'a> {
+    pub(super) surroundings: &'a Surroundings,
+    /// Wanted edge length over that of the surroundings.
+    pub(super) factor: f64,
+    pub(super) most: usize,
+    pub(super) fair: bool,
+    pub(super) normals: BorderNormals<'a>,
+    pub(super) target: Target,
+    pub(super) inner: InnerFairness,
+    pub(super) discretization: Discretization,
+    pub(super) solver: Solver,
+    pub(super) tolerance: f64,
+    pub(super) max_iterations: usize,
+    pub(super) threads: usize,
+}
+
+type Tell<'t> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 't;
+
+impl Task<'_> {
+    pub(super) fn run(&self, tell: &mut Tell<'_>) -> Piece {
+        let Some(coarse) = self.triangulate() else {
+            return Piece::open(OpenReason::NoTriangulation);
+        };
+        let mut patch = coarse.clone();
+        if !self.fair {
+            let coarsened = !self.refine(&mut patch);
+            let reason = FlatReason::NotAsked;
+            return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
+        }
+        self.shape(&mut patch, tell);
+        let coarsened = !self.refine(&mut patch);
+        if patch.x.len() == patch.fixed {
+            let reason = FlatReason::NoInnerVertex;
+            return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
+        }
+        let mut last = |p: &Progress| {
+            tell(&Progress {
+                fraction: COARSE_SHARE + (1.0 - COARSE_SHARE) * p.fraction,
+                ..*p
+            })
+        };
+        let mut best = match self.faired(&patch, self.tolerance, self.max_iterations, &mut last) {
+            Ok(solution) => (patch, solution),
+            Err(error) => return self.flat(&coarse, FlatReason::Refused(self.in_mesh(error)), None),
+        };
+        for _ in 0..AGAIN {
+            if best.1.report.quality.worst_angle >= ENOUGH {
+                break;
+            }
+            let Some(better) = self.again(&best.0, &best.1, &mut last) else {
+                break;
+            };
+            best = better;
+        }
+        self.judge(&coarse, best.0, best.1, coarsened)
+    }
+
+    /// Refines a faired patch where it lies now, and fairs it again; None if its worst angle is no better.
+    fn again(&self, patch: &Patch, solution: &Solution, tell: &mut Tell<'_>) -> Option<(Patch, Solution)> {
+        let inner = self.inner(solution);
+        if is_failed(&solution.report) || !self.outside(&inner).is_empty() {
+            return None;
+        }
+        let mut patch = patch.clone();
+        patch.x[patch.fixed..].copy_from_slice(&inner);
+        self.refine(&mut patch);
+        let again = self
+            .faired(&patch, self.tolerance, self.max_iterations, tell)
+            .ok()?;
+        let better = again.report.quality.worst_angle > solution.report.quality.worst_angle;
+        (better && !is_failed(&again.report)).then_some((patch, again))
+    }
+
+    /// The triangulated loop with the sizes of its surroundings.
+    fn triangulate(&self) -> Option<Patch> {
+        let around = self.surroundings;
+        let n = around.rim;
+        let rim = Rim {
+            x: &around.x[..n],
+            normals: &around.normals,
+            taken: &around.taken,
+        };
+        let triangles = rim.triangulate()?;
+        let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
+        if n == 3 && around.triangles.iter().any(is_there) {
+            return None;
+        }
+        let mut patch = Patch::new(around.x[..n].to_vec(), triangles, n);
+        let (size, shorter) = around.sizes();
+        patch.size = size;
+        patch.limit = shorter.iter().map(|s| BESIDE_SHORT * s).collect();
+        Some(patch)
+    }
+
+    /// Moves a patch near to the surface it will become: coarse, and faired loosely.
+    fn shape(&self, patch: &mut Patch, tell: &mut Tell<'_>) {
+        let fineness = Fineness {
+            factor: self.factor,
+            growth: COARSE_GROWTH,
+            most: self.most,
+        };
+        let mut shaped = patch.clone();
+        Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
+        if shaped.x.len() == shaped.fixed {
+            return;
+        }
+        let mut first = |p: &Progress| {
+            tell(&Progress {
+                fraction: COARSE_SHARE * p.fraction,
+                ..*p
+            })
+        };
+        let solution = self.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
+        if let Ok(solution) = solution {
+            let inner = self.inner(&solution);
+            if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
+                shaped.x[shaped.fixed..].copy_from_slice(&inner);
+                *patch = shaped;
+            }
+        }
+    }
+
+    /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not.
+    fn refine(&self, patch: &mut Patch) -> bool {
+        let mut growth = 0.0;
+        loop {
+            let fineness = Fineness {
+                factor: self.factor,
+                growth,
+                most: self.most,
+            };
+            let mut refined = patch.clone();
+            let mut refiner = Refiner::new(&mut refined, fineness, &self.surroundings.taken);
+            let is_last = growth > LAST_GROWTH;
+            let enough = if is_last {
+                refiner.run_to_end()
+            } else {
+                refiner.run()
+            };
+            if enough || is_last {
+                *patch = refined;
+                return growth == 0.0;
+            }
+            growth = if growth == 0.0 { FIRST_GROWTH } else { 2.0 * growth };
+        }
+    }
+
+    /// The surroundings with the patch in them, faired.
+    fn faired(
+        &self,
+        patch: &Patch,
+        tolerance: f64,
+        max_iterations: usize,
+        tell: &mut Tell<'_>,
+    ) -> Result<Solution, Error> {
+        let around = self.surroundings;
+        let (n, known) = (around.rim as u32, around.x.len() as u32);
+        let inner = patch.x[patch.fixed..].iter();
+        let positions: Vec<[f64; 3]> = around.x.iter().chain(inner).map(|&p| p.into()).collect();
+        let number = |v: u32| if v < n { v } else { known + (v - n) };
+        let mut triangles = around.triangles.clone();
+        triangles.extend(patch.triangles.iter().map(|t| t.map(number)));
+        let free: Vec<u32> = (known..positions.len() as u32).collect();
+        let mut given = Vec::new();
+        if let BorderNormals::Given(list) = self.normals {
+            let mut list: Vec<(u32, [f64; 3])> = list.to_vec();
+            list.sort_by_key(|entry| entry.0);
+            for (v, id) in (0..).zip(&around.ids[..around.rim]) {
+                if let Ok(at) = list.binary_search_by_key(id, |entry| entry.0) {
+                    given.push((v, list[at].1));
+                }
+            }
+        }
+        let options = Options {
+            normals: match self.normals {
+                BorderNormals::Given(_) => BorderNormals::Given(&given),
+                other => other,
+            },
+            target: self.target_here(),
+            inner: self.inner,
+            discretization: self.discretization,
+            solver: self.solver,
+            tolerance,
+            max_iterations,
+            threads: self.threads,
+            progress: Some(tell),
+            ..Options::default()
+        };
+        fair(&positions, &triangles, Selection::Vertices(&free), options)
+    }
+
+    /// The right-hand side in the units of the frame: a constant is an inverse cube of lengths.
+    fn target_here(&self) -> Target {
+        match self.target {
+            Target::Constant(c) => Target::Constant(c * self.surroundings.scale().powi(3)),
+            other => other,
+        }
+    }
+
+    /// The new vertices of a solution.
+    fn inner(&self, solution: &Solution) -> Vec<Vector3<f64>> {
+        let known = self.surroundings.x.len();
+        solution.positions[known..]
+            .iter()
+            .map(|&p| Vector3::from(p))
+            .collect()
+    }
+
+    /// Which vertices the loop's box, grown by [`ROOM`], does not hold.
+    fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
+        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.rim]);
+        let room = Vector3::repeat(ROOM * (high - low).norm());
+        let (low, high) = (low - room, high + room);
+        let is_inside = |p: &Vector3<f64>| (0..3).all(|k| p[k] >= low[k] && p[k] <= high[k]);
+        (0..)
+            .zip(inner)
+            .filter(|(_, p)| !is_inside(p))
+            .map(|(i, _)| i)
+            .collect()
+    }
+
+    /// Keeps the faired patch, unless it is neither fair nor sound.
+    fn judge(&self, coarse: &Patch, mut patch: Patch, solution: Solution, coarsened: bool) -> Piece {
+        let inner = self.inner(&solution);
+        let report = solution.report;
+        let outcome = match report.outcome {
+            Outcome::Converged
+            | Outcome::ConvergedPoorTriangles { .. }
+            | Outcome::ConvergedLoosely { .. } => FillOutcome::Faired,
+            _ => FillOutcome::Linear,
+        };
+        let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
+        if report.outcome != Outcome::Converged && is_wild {
+            return self.flat(coarse, FlatReason::Unsound, Some(report));
+        }
+        patch.x[patch.fixed..].copy_from_slice(&inner);
+        self.piece(coarse, patch, outcome, Some(report), coarsened)
+    }
+
+    /// The triangulation, refined.
+    fn flat(&self, coarse: &Patch, reason: FlatReason, report: Option<Report>) -> Piece {
+        let mut patch = coarse.clone();
+        let coarsened = !self.refine(&mut patch);
+        let mut piece = self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
+        // Its numbers are those of another patch.
+        piece.fairing = report.map(|mut report| {
+            report.quality.flipped.clear();
+            report.quality.needles.clear();
+            report.quality.worst_triangle = self.surroundings.triangles.len();
+            report
+        });
+        piece
+    }
+
+    fn piece(
+        &self,
+        coarse: &Patch,
+        patch: Patch,
+        outcome: FillOutcome,
+        fairing: Option<Report>,
+        coarsened: bool,
+    ) -> Piece {
+        let around = self.surroundings;
+        let corners = |t: &[u32; 3]| t.map(|v| patch.x[v as usize]);
+        let angles = patch.triangles.iter().map(|t| smallest_angle(&corners(t)));
+        Piece {
+            outcome,
+            rim: around.ids[..around.rim].to_vec(),
+            positions: patch.x[patch.fixed..].iter().map(|p| around.leave(p)).collect(),
+            parents: parents(&patch, coarse, &around.ids),
+            fairing: fairing.map(|report| self.in_units(report)),
+            known: around.ids.clone(),
+            known_triangles: around.triangle_ids.clone(),
+            worst_angle: angles.fold(f64::INFINITY, f64::min),
+            outside: self.outside(&patch.x[patch.fixed..]),
+            coarsened,
+            triangles: patch.triangles,
+        }
+    }
+
+    /// An error with the mesh's numbers.
+    fn in_mesh(&self, mut error: Error) -> Error {
+        let around = self.surroundings;
+        let number = |ids: &[u32], i: &mut usize| {
+            if let Some(&id) = ids.get(*i) {
+                *i = id as usize;
+            }
+        };
+        let vertex = |v: &mut usize| number(&around.ids, v);
+        let face = |t: &mut usize| number(&around.triangle_ids, t);
+        match &mut error {
+            Error::NotFinite { vertex: v }
+            | Error::NonManifoldVertex { vertex: v }
+            | Error::BadNormal { vertex: v }
+            | Error::NoNormal { vertex: v } => vertex(v),
+            Error::NonManifoldEdge { a, b, triangle } => {
+                vertex(a);
+                vertex(b);
+                face(triangle);
+            }
+            Error::InconsistentOrientation {
+                a,
+                b,
+                triangle,
+                other,
+            } => {
+                vertex(a);
+                vertex(b);
+                face(triangle);
+                face(other);
+            }
+            Error::DuplicateTriangle { triangle, other } => {
+                face(triangle);
+                face(other);
+            }
+            _ => {}
+        }
+        error
+    }
+
+    /// A report in the caller's units.
+    fn in_units(&self, mut report: Report) -> Report {
+        let scale = self.surroundings.scale();
+        report.diagonal *= scale;
+        let quality = &mut report.quality;
+        quality
+            .h_inside
+            .iter_mut()
+            .chain(&mut quality.h_border)
+            .for_each(|h| *h /= scale);
+        report
+    }
+}

@@ -1,0 +1,452 @@
+//! Refinement of a patch to the edge lengths of its surroundings.
+//!
+//! Longest edges (against the length wanted there) are split in their middles first, and after every split edges are
+//! flipped towards Delaunay, so that vertices never crowd. Then rounds of splits, collapses, flips and tangential steps even
+//! the vertices out (as in Botsch and Kobbelt 2004). Rim vertices and rim edges stay.
+
+use std::collections::BinaryHeap;
+
+use nalgebra::Vector3;
+
+use super::patch::Patch;
+use crate::mesh::NONE;
+use crate::mesh::halfedge::{next, previous};
+
+/// The length wanted grows at most by this much per unit of length away from a short rim edge.
+pub(super) const GRADE: f64 = 0.5;
+/// Edges longer than this many wanted lengths are split.
+const LONG: f64 = 1.35;
+/// Edges shorter than this many are collapsed.
+const SHORT: f64 = 0.62;
+/// Rounds of splits, collapses, flips and steps.
+const ROUNDS: usize = 5;
+/// Tangential steps per round.
+const STEPS: usize = 2;
+/// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
+const MOST_FLIPS: usize = 40;
+/// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
+const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// How fine a patch shall be.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fineness {
+    /// Wanted edge length over that of the surroundings.
+    pub(super) factor: f64,
+    /// How much the wanted length grows per unit of distance from the rim.
+    pub(super) growth: f64,
+    /// No more inner vertices than this.
+    pub(super) most: usize,
+}
+
+/// Edges between rim vertices that may not be made: pairs (smaller, larger), sorted.
+pub(super) type Taken<'a> = &'a [(u32, u32)];
+
+/// A patch being refined.
+pub(super) struct Refiner<'a> {
+    pub(super) patch: &'a mut Patch,
+    pub(super) fineness: Fineness,
+    pub(super) taken: Taken<'a>,
+    spokes: Vec<u32>,
+    ring: Vec<u32>,
+    stack: Vec<u32>,
+    crosses: Vec<Vector3<f64>>,
+}
+
+impl<'a> Refiner<'a> {
+    pub(super) fn new(patch: &'a mut Patch, fineness: Fineness, taken: Taken<'a>) -> Self {
+        Self {
+            patch,
+            fineness,
+            taken,
+            spokes: Vec::new(),
+            ring: Vec::new(),
+            stack: Vec::new(),
+            crosses: Vec::new(),
+        }
+    }
+
+    /// Splits, evens out, and drops what was removed. False, and not finished: the vertices did not suffice.
+    pub(super) fn run(&mut self) -> bool {
+        self.flip_all();
+        if !self.split_long() {
+            return false;
+        }
+        self.even_out()
+    }
+
+    /// The same, and finished with the vertices there are.
+    pub(super) fn run_to_end(&mut self) -> bool {
+        self.flip_all();
+        let enough = self.split_long();
+        self.even_out() && enough
+    }
+
+    fn even_out(&mut self) -> bool {
+        let mut enough = true;
+        for _ in 0..ROUNDS {
+            self.collapse_short();
+            self.clear_rim();
+            self.flip_all();
+            self.smooth_sizes();
+            for _ in 0..STEPS {
+                self.relax();
+            }
+            self.flip_all();
+            enough &= self.split_long();
+        }
+        self.relax();
+        self.clear_rim();
+        self.flip_all();
+        self.patch.compact();
+        enough
+    }
+
+    /// The wanted edge length at a vertex.
+    fn wanted(&self, v: u32) -> f64 {
+        let (v, f) = (v as usize, &self.fineness);
+        (f.factor * self.patch.size[v] + f.growth * self.patch.depth[v]).min(self.patch.limit[v])
+    }
+
+    /// Length over the wanted one.
+    fn ratio(&self, h: u32) -> f64 {
+        let (a, b) = (self.patch.from(h), self.patch.to(h));
+        let mut wanted = 0.5 * (self.wanted(a) + self.wanted(b));
+        if self.patch.is_rim(a) && self.patch.is_rim(b) {
+            // An edge across the hole holds the surface in its middle: rather none.
+            wanted *= 0.8;
+        }
+        let ratio = self.patch.length(h) / wanted;
+        if ratio.is_finite() { ratio } else { 0.0 }
+    }
+
+    fn is_inner(&self, h: u32) -> bool {
+        self.patch.triangles[h as usize / 3][0] != NONE && self.patch.across(h) != NONE
+    }
+
+    fn split_long(&mut self) -> bool {
+        let mut queue: BinaryHeap<(u64, u32, u32, u32)> = BinaryHeap::new();
+        let push = |this: &Self, queue: &mut BinaryHeap<_>, h: u32| {
+            if this.is_inner(h) {
+                let ratio = this.ratio(h);
+                if ratio > LONG {
+                    queue.push((ratio.to_bits(), h, this.patch.from(h), this.patch.to(h)));
+                }
+            }
+        };
+        for h in 0..self.patch.half_edges() {
+            if self.is_inner(h) && self.patch.from(h) < self.patch.to(h) {
+                push(self, &mut queue, h);
+            }
+        }
+        let mut inner = (self.patch.fixed as u32..self.patch.x.len() as u32)
+            .filter(|&v| self.patch.is_alive(v))
+            .count();
+        while let Some((_, h, a, b)) = queue.pop() {
+            if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
+                continue;
+            }
+            if self.would_encroach(h) {
+                continue;
+            }
+            if inner >= self.fineness.most {
+                return false;
+            }
+            inner += 1;
+            let m = self.patch.split(h);
+            let mut stack = std::mem::take(&mut self.stack);
+            self.patch.spokes(m, &mut self.spokes);
+            stack.extend(self.spokes.iter().map(|&g| next(g)));
+            let mut changed = self.spokes.clone();
+            let mut left = MOST_FLIPS;
+            while let Some(g) = stack.pop() {
+                if left > 0 && self.should_flip(g) {
+                    left -= 1;
+                    let o = self.patch.across(g);
+                    self.patch.flip(g);
+                    let (t0, t1) = (g / 3, o / 3);
+                    stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+                    changed.push(3 * t0 + 2);
+                }
+            }
+            self.stack = stack;
+            self.patch.spokes(m, &mut self.spokes);
+            changed.extend(&self.spokes);
+            for g in changed {
+                push(self, &mut queue, g);
+            }
+        }
+        true
+    }
+
+    /// Whether the middle of an edge would see a rim edge beside it under a wide angle. Rim edges cannot be split, so
+    /// vertices would gather along one that is longer than what is wanted there.
+    fn would_encroach(&self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
+        let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
+        [next(h), previous(h), next(o), previous(o)]
+            .into_iter()
+            .any(|g| self.patch.across(g) == NONE && self.is_wide(&m, g))
+    }
+
+    /// Whether a point sees an edge under more than 120 degrees.
+    fn is_wide(&self, m: &Vector3<f64>, h: u32) -> bool {
+        let p = self.patch.x[self.patch.from(h) as usize] - m;
+        let q = self.patch.x[self.patch.to(h) as usize] - m;
+        p.dot(&q) < -0.5 * p.norm() * q.norm()
+    }
+
+    /// Inner vertices that lie too near to a rim edge go to its nearer end.
+    fn clear_rim(&mut self) {
+        for h in 0..self.patch.half_edges() {
+            if self.patch.triangles[h as usize / 3][0] == NONE || self.patch.across(h) != NONE {
+                continue;
+            }
+            let v = self.patch.from(previous(h));
+            if self.patch.is_rim(v) || !self.is_wide(&self.patch.x[v as usize], h) {
+                continue;
+            }
+            let to_start = previous(h);
+            let to_end = self.patch.across(next(h));
+            let nearer = self.patch.length(to_start) < self.patch.length(next(h));
+            let order = if nearer {
+                [to_start, to_end]
+            } else {
+                [to_end, to_start]
+            };
+            for g in order {
+                let end = if g == NONE { v } else { self.patch.to(g) };
+                if g != NONE && self.makes_nothing_taken(v, end) && self.collapse(g) {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn collapse(&mut self, h: u32) -> bool {
+        let (mut spokes, mut ring) = (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
+        let done = self.patch.collapse(h, &mut spokes, &mut ring);
+        (self.spokes, self.ring) = (spokes, ring);
+        done
+    }
+
+    /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
+    fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
+        self.patch.ring(a, &mut self.spokes, &mut self.ring);
+        !self.patch.is_rim(b)
+            || self.ring.iter().all(|&v| {
+                let rim_edge = v != b && self.patch.is_rim(v);
+                !rim_edge
+                    || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
+                    || self.patch.are_neighbours(v, b)
+            })
+    }
+
+    /// Whether an edge violates Delaunay (the angles opposite to it sum up to more than 180 degrees) and its flip makes
+    /// neither a fold nor an edge that is there already.
+    fn should_flip(&mut self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE || self.patch.triangles[h as usize / 3][0] == NONE {
+            return false;
+        }
+        let [a, b] = [self.patch.from(h), self.patch.to(h)];
+        let [c, d] = [self.patch.from(previous(h)), self.patch.from(previous(o))];
+        let [p, q, r, s] = [a, b, c, d].map(|v| self.patch.x[v as usize]);
+        let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
+        // cot + cot < 0, without division: both cross products are lengths.
+        let (l0, l1) = (old0.norm(), old1.norm());
+        let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
+        let excess = dot0 * l1 + dot1 * l0;
+        if excess >= -1e-10 * (dot0.abs() * l1 + dot1.abs() * l0) && l0 > 0.0 && l1 > 0.0 {
+            return false;
+        }
+        let (new0, new1) = ((p - r).cross(&(s - r)), (q - s).cross(&(r - s)));
+        let (m0, m1) = (new0.norm(), new1.norm());
+        let long = (r - s).norm_squared();
+        if m0 <= 1e-9 * long || m1 <= 1e-9 * long {
+            return false;
+        }
+        let bend = new0.dot(&new1) / (m0 * m1);
+        if l0 > 0.0 && l1 > 0.0 {
+            let before = old0.dot(&old1) / (l0 * l1);
+            let side = old0 / l0 + old1 / l1;
+            if bend < BEND && bend < before || new0.dot(&side) <= 0.0 || new1.dot(&side) <= 0.0 {
+                return false;
+            }
+        } else if bend < 0.0 {
+            return false;
+        }
+        // A rim vertex keeps a triangle, an inner one three.
+        for v in [a, b] {
+            self.patch.spokes(v, &mut self.spokes);
+            if self.spokes.len() < 2 || !self.patch.is_rim(v) && self.spokes.len() < 4 {
+                return false;
+            }
+        }
+        let rim_edge = self.patch.is_rim(c) && self.patch.is_rim(d);
+        let is_taken = rim_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
+        !is_taken && !self.patch.are_joined(c, d, &mut self.spokes)
+    }
+
+    /// Flips towards Delaunay until nothing changes, or often enough.
+    pub(super) fn flip_all(&mut self) {
+        let mut stack: Vec<u32> = (0..self.patch.half_edges())
+            .filter(|&h| self.is_inner(h) && self.patch.from(h) < self.patch.to(h))
+            .collect();
+        let mut left = MOST_FLIPS * self.patch.x.len();
+        while let Some(h) = stack.pop() {
+            if left > 0 && self.should_flip(h) {
+                left -= 1;
+                let o = self.patch.across(h);
+                self.patch.flip(h);
+                let (t0, t1) = (h / 3, o / 3);
+                stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+            }
+        }
+    }
+
+    fn collapse_short(&mut self) {
+        for h in 0..self.patch.half_edges() {
+            if !self.is_inner(h) {
+                continue;
+            }
+            let (a, b) = (self.patch.from(h), self.patch.to(h));
+            let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
+            let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
+            if self.patch.length(h) < short * wanted && self.stays_short(a, b) {
+                self.collapse(h);
+            }
+        }
+    }
+
+    /// Whether no edge would be long, or one that is taken, if inner vertex `a` moved to `b`.
+    fn stays_short(&mut self, a: u32, b: u32) -> bool {
+        if self.patch.is_rim(a) || !self.makes_nothing_taken(a, b) {
+            return false;
+        }
+        let target = self.patch.x[b as usize];
+        self.ring.iter().all(|&v| {
+            let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
+            (self.patch.x[v as usize] - target).norm() < LONG * wanted
+        })
+    }
+
+    /// Sizes of inner vertices become more harmonic; limits and depths are made anew from the neighbours'.
+    fn smooth_sizes(&mut self) {
+        self.settle_sizes(2);
+    }
+
+    /// The same, often.
+    pub(super) fn settle_sizes(&mut self, sweeps: usize) {
+        for _ in 0..sweeps {
+            for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
+                if !self.patch.is_alive(v) {
+                    continue;
+                }
+                self.patch.ring(v, &mut self.spokes, &mut self.ring);
+                let (mut size, mut limit, mut depth) = (0.0, f64::INFINITY, f64::INFINITY);
+                let x = self.patch.x[v as usize];
+                for &w in &self.ring {
+                    let w = w as usize;
+                    let length = (self.patch.x[w] - x).norm();
+                    size += self.patch.size[w];
+                    limit = limit.min(self.patch.limit[w] + GRADE * length);
+                    depth = depth.min(self.patch.depth[w] + length);
+                }
+                let v = v as usize;
+                self.patch.size[v] = size / self.ring.len() as f64;
+                self.patch.limit[v] = limit;
+                self.patch.depth[v] = depth;
+            }
+        }
+    }
+
+    /// One tangential step of every inner vertex to the centre of its neighbours, unless a triangle would turn over.
+    pub(super) fn relax(&mut self) {
+        for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
+            if !self.patch.is_alive(v) {
+                continue;
+            }
+            self.patch.ring(v, &mut self.spokes, &mut self.ring);
+            let i = v as usize;
+            let (mut centre, mut origin) = (Vector3::zeros(), Vector3::zeros());
+            for &w in &self.ring {
+                centre += self.patch.x[w as usize];
+                origin += self.patch.origin[w as usize];
+            }
+            let count = self.ring.len() as f64;
+            self.crosses.clear();
+            self.crosses
+                .extend(self.spokes.iter().map(|&h| self.patch.cross(h as usize / 3)));
+            let normal: Vector3<f64> = self.crosses.iter().sum();
+            let Some(normal) = normal.try_normalize(0.0) else {
+                continue;
+            };
+            let step = centre / count - self.patch.x[i];
+            let step = step - normal * normal.dot(&step);
+            if self.turns_over(&(self.patch.x[i] + step)) {
+                continue;
+            }
+            self.patch.x[i] += step;
+            self.patch.origin[i] = origin / count;
+        }
+    }
+
+    /// Whether a triangle of a vertex would turn by more than 60 degrees if the vertex moved to `x`; its neighbours are in
+    /// `ring`, the cross products of its triangles in `crosses`.
+    fn turns_over(&self, x: &Vector3<f64>) -> bool {
+        let count = self.ring.len();
+        let at = |k: usize| self.patch.x[self.ring[k % count] as usize] - x;
+        self.crosses.iter().enumerate().any(|(k, old)| {
+            let new = at(k).cross(&at(k + 1));
+            let dot = old.dot(&new);
+            dot <= 0.0 || dot * dot < 0.25 * old.norm_squared() * new.norm_squared()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quality::smallest_angle;
+
+    #[test]
+    fn a_square_gets_triangles_of_the_length_wanted() {
+        let x: Vec<_> = (0..40)
+            .map(|i| {
+                let s = f64::from(i % 10) / 10.0;
+                let [a, b] = [[s, 0.0], [1.0, s], [1.0 - s, 1.0], [0.0, 1.0 - s]][i as usize / 10];
+                Vector3::new(a, b, 0.0)
+            })
+            .collect();
+        // A fan of needles about a corner; the sides at that corner are fans about the far ends' neighbours.
+        let fan = (10..30).map(|i| [0, i, i + 1]);
+        let lower = (1..10).map(|i| [i, i + 1, 11]).filter(|t| t[1] <= 10);
+        let upper = (30..39).map(|i| [29, i, i + 1]);
+        let mut triangles: Vec<[u32; 3]> = fan.filter(|t| t[1] >= 11 && t[2] <= 29).collect();
+        triangles.push([0, 1, 11]);
+        triangles.extend(lower);
+        triangles.push([0, 29, 39]);
+        triangles.extend(upper);
+        let mut patch = Patch::new(x, triangles, 40);
+        patch.validate().unwrap();
+        patch.size.fill(0.1);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 1_000,
+        };
+        assert!(Refiner::new(&mut patch, fineness, &[]).run());
+        patch.validate().unwrap();
+        let inner = patch.x.len() - 40;
+        assert!((60..150).contains(&inner), "{inner}");
+        let (mut area, mut worst) = (0.0, f64::INFINITY);
+        for t in 0..patch.triangles.len() {
+            let cross = patch.cross(t);
+            assert!(cross.z > 0.0);
+            area += 0.5 * cross.z;
+            worst = smallest_angle(&patch.triangles[t].map(|v| patch.x[v as usize])).min(worst);
+        }
+        assert!((area - 1.0).abs() < 1e-12 && worst > 25.0, "{area} {worst}");
+    }
+}

@@ -1,0 +1,208 @@
+//! A new triangulation of an existing region, with the edge lengths of its surroundings.
+
+use super::parents::{Parents, parents};
+use super::patch::Patch;
+use super::piece::BESIDE_SHORT;
+use super::refine::{Fineness, Refiner};
+use crate::error::Error;
+use crate::mesh::{NONE, Region, Selection};
+
+/// Sweeps in which edge lengths spread from the border into the region.
+const SWEEPS: usize = 100;
+
+/// What is asked of [`remesh_region`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RemeshOptions {
+    /// How dense the vertices are, as in [`FillOptions`](super::FillOptions): at the default, the square root of 2, edges are
+    /// as long as those beside the region. Between 0.1 and 10.
+    pub density: f64,
+    /// At most this many vertices inside the region. Default 200,000.
+    pub max_vertices: usize,
+}
+
+impl Default for RemeshOptions {
+    fn default() -> Self {
+        Self {
+            density: std::f64::consts::SQRT_2,
+            max_vertices: 200_000,
+        }
+    }
+}
+
+/// The mesh with a new triangulation of the region.
+#[derive(Debug, Clone)]
+pub struct Remeshed {
+    /// The vertices that are left, in their order, then the new ones.
+    pub positions: Vec<[f64; 3]>,
+    /// The triangles outside the region, in their order, then the region's.
+    pub triangles: Vec<[u32; 3]>,
+    /// The free vertices of the region, in the new numbers.
+    pub free: Vec<u32>,
+    /// Per vertex that is left its number before; ascending.
+    pub kept_vertices: Vec<u32>,
+    /// Per triangle outside the region its number before; ascending.
+    pub kept_triangles: Vec<u32>,
+    /// Where the new vertices come from: vertices of the mesh given.
+    pub parents: Vec<Parents>,
+}
+
+/// Triangulates a region anew: splits, collapses and flips edges until their lengths are those of the surroundings and their
+/// angles are good. The surface stays where it is, up to the new edges; to be faired, it is best faired loosely
+/// before, so that a feature is flat when its vertices are thinned out. Fixed vertices, and edges between them that
+/// border the region, stay.
+///
+/// # Errors
+/// Those of [`fair`](crate::fair) for the region, and [`Error::BadOption`].
+pub fn remesh_region(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &RemeshOptions,
+) -> Result<Remeshed, Error> {
+    super::fill::check_density(options.density)?;
+    let region = Region::new(positions, triangles, selection)?;
+    let ids = ids(&region);
+    let coarse = patch(&region, positions, &ids);
+    let taken = taken(&region);
+    let fineness = Fineness {
+        factor: std::f64::consts::SQRT_2 / options.density,
+        growth: 0.0,
+        most: options.max_vertices,
+    };
+    let mut patch = coarse.clone();
+    let mut refiner = Refiner::new(&mut patch, fineness, &taken);
+    refiner.settle_sizes(SWEEPS);
+    refiner.run_to_end();
+    Ok(assemble(positions, triangles, &region, &coarse, &patch, &ids))
+}
+
+/// The mesh's numbers of the patch's vertices: border, then free.
+fn ids(region: &Region) -> Vec<u32> {
+    let (free, border) = region.vertex_ids[..region.region_vertices()].split_at(region.free);
+    border.iter().chain(free).copied().collect()
+}
+
+/// The region as a patch whose rim is the border, with the sizes outside.
+fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
+    let (free, border) = (region.free as u32, region.border as u32);
+    let number = |v: u32| if v < free { v + border } else { v - free };
+    let x: Vec<_> = ids.iter().map(|&v| positions[v as usize].into()).collect();
+    let triangles: Vec<[u32; 3]> = region.triangles().iter().map(|t| t.map(number)).collect();
+    let mut patch = Patch::new(x, triangles, border as usize);
+    patch.old.copy_from_slice(ids);
+    // Outside where there is an outside, else inside: sums of lengths and their counts.
+    let mut sums = vec![[(0.0f64, 0.0f64); 2]; border as usize];
+    let at = |v: u32| nalgebra::Vector3::from(positions[region.vertex_ids[v as usize] as usize]);
+    for (t, tri) in region.half_edges.triangles.iter().enumerate() {
+        let side = usize::from(t < region.half_edges.region_triangles);
+        for k in 0..3 {
+            let (a, b) = (tri[k], tri[(k + 1) % 3]);
+            let length = (at(a) - at(b)).norm();
+            for v in [a, b] {
+                if v >= free && v < free + border {
+                    let sum = &mut sums[(v - free) as usize][side];
+                    *sum = (sum.0 + length, sum.1 + 1.0);
+                }
+            }
+        }
+    }
+    let mut mean = 0.0;
+    for (v, [outside, inside]) in sums.into_iter().enumerate() {
+        let (sum, count) = if outside.1 > 0.0 { outside } else { inside };
+        patch.size[v] = sum / count.max(1.0);
+        mean += patch.size[v] / f64::from(border);
+    }
+    patch.size[border as usize..].fill(mean);
+    for h in 0..patch.half_edges() {
+        if patch.across(h) == NONE {
+            let limit = BESIDE_SHORT * patch.length(h);
+            for v in [patch.from(h), patch.to(h)] {
+                let of = &mut patch.limit[v as usize];
+                *of = of.min(limit);
+            }
+        }
+    }
+    patch
+}
+
+/// Edges between border vertices that the outside has.
+fn taken(region: &Region) -> Vec<(u32, u32)> {
+    let (free, end) = (region.free as u32, region.region_vertices() as u32);
+    let mut taken = Vec::new();
+    for tri in &region.half_edges.triangles[region.half_edges.region_triangles..] {
+        for k in 0..3 {
+            let (a, b) = (tri[k], tri[(k + 1) % 3]);
+            if a < end && b < end {
+                taken.push((a.min(b) - free, a.max(b) - free));
+            }
+        }
+    }
+    taken.sort_unstable();
+    taken.dedup();
+    taken
+}
+
+fn assemble(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    region: &Region,
+    coarse: &Patch,
+    patch: &Patch,
+    ids: &[u32],
+) -> Remeshed {
+    // Which vertices and triangles go: those of the region that the patch does not have any more.
+    let mut stays = vec![true; positions.len()];
+    region.vertex_ids[..region.free]
+        .iter()
+        .for_each(|&v| stays[v as usize] = false);
+    for &v in patch.old.iter().filter(|&&v| v != NONE) {
+        stays[v as usize] = true;
+    }
+    let mut keep = vec![true; triangles.len()];
+    region.half_edges.triangle_ids[..region.half_edges.region_triangles]
+        .iter()
+        .for_each(|&t| keep[t as usize] = false);
+    let kept_vertices: Vec<u32> = (0..positions.len() as u32)
+        .filter(|&v| stays[v as usize])
+        .collect();
+    let kept_triangles: Vec<u32> = (0..triangles.len() as u32)
+        .filter(|&t| keep[t as usize])
+        .collect();
+    let mut number = vec![NONE; positions.len()];
+    for (new, &v) in (0..).zip(&kept_vertices) {
+        number[v as usize] = new;
+    }
+    let mut out: Vec<[f64; 3]> = kept_vertices.iter().map(|&v| positions[v as usize]).collect();
+    let mut numbers = Vec::with_capacity(patch.x.len());
+    for (v, &old) in patch.old.iter().enumerate() {
+        if old == NONE {
+            numbers.push(out.len() as u32);
+            out.push(patch.x[v].into());
+        } else {
+            let new = number[old as usize];
+            numbers.push(new);
+            if v >= patch.fixed {
+                out[new as usize] = patch.x[v].into();
+            }
+        }
+    }
+    let outside = kept_triangles
+        .iter()
+        .map(|&t| triangles[t as usize].map(|v| number[v as usize]));
+    let inside = patch.triangles.iter().map(|t| t.map(|v| numbers[v as usize]));
+    let from = parents(patch, coarse, ids);
+    let new = patch.old[patch.fixed..]
+        .iter()
+        .zip(from)
+        .filter(|(old, _)| **old == NONE);
+    let mut free = numbers[patch.fixed..].to_vec();
+    free.sort_unstable();
+    Remeshed {
+        positions: out,
+        triangles: outside.chain(inside).collect(),
+        free,
+        kept_vertices,
+        kept_triangles,
+        parents: new.map(|(_, parents)| parents).collect(),
+    }
+}

@@ -1,0 +1,278 @@
+//! The piece of mesh around a loop, in numbers of its own: first the loop's vertices in their order, then the others.
+//!
+//! Vertices are told apart by fans and not by the mesh's numbers: corners are one vertex if a chain of sound edges between
+//! them says so. So a bow-tie beside the loop, or a flaw near it, does not reach the patch.
+
+use nalgebra::Vector3;
+
+use super::loops::{BorderLoop, Links};
+use crate::mesh::NONE;
+use crate::mesh::halfedge::{next, previous};
+
+/// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
+const LAYERS: usize = 6;
+
+/// See the module.
+pub(super) struct Surroundings {
+    /// The mesh's number of each vertex.
+    pub(super) ids: Vec<u32>,
+    /// Positions, in the frame.
+    pub(super) x: Vec<Vector3<f64>>,
+    /// Triangles in local numbers.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The mesh's number of each triangle.
+    pub(super) triangle_ids: Vec<u32>,
+    /// Vertices of the loop.
+    pub(super) rim: usize,
+    /// Unit normal of the mesh's triangle at each edge of the loop, zero if it has no area.
+    pub(super) normals: Vec<Vector3<f64>>,
+    /// Pairs of the loop's vertices that the mesh has an edge between: (smaller, larger), sorted.
+    pub(super) taken: Vec<(u32, u32)>,
+    /// The centre and the power of two by which positions were moved and divided.
+    centre: Vector3<f64>,
+    scale: f64,
+}
+
+impl Surroundings {
+    /// `place` is scratch as long as the mesh has triangles, all [`NONE`]; it is left so.
+    pub(super) fn new(
+        links: &Links<'_>,
+        positions: &[[f64; 3]],
+        border: &BorderLoop,
+        place: &mut [u32],
+    ) -> Self {
+        let triangle_ids = collect(links, border, place);
+        let mut corners = Corners::new(links, &triangle_ids, place);
+        let run = &border.half_edges;
+        let n = run.len();
+        for i in 0..n {
+            // Vertex i is where half-edge i ends and half-edge i - 1 begins.
+            corners.unite(
+                corners.of(next(run[i]), place),
+                corners.of(run[(i + n - 1) % n], place),
+            );
+        }
+        let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], Vec::new());
+        for (i, &h) in run.iter().enumerate() {
+            let root = corners.root(corners.of(h, place));
+            number[root as usize] = ((i + 1) % n) as u32;
+        }
+        ids.extend(&border.vertices);
+        let mut triangles = Vec::with_capacity(triangle_ids.len());
+        for (local, &t) in triangle_ids.iter().enumerate() {
+            let corner = |k: usize| {
+                let root = corners.root((3 * local + k) as u32) as usize;
+                if number[root] == NONE {
+                    number[root] = ids.len() as u32;
+                    ids.push(links.triangles[t as usize][k]);
+                }
+                number[root]
+            };
+            triangles.push([0, 1, 2].map(corner));
+        }
+        triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
+        let mut surroundings = Self {
+            x: ids
+                .iter()
+                .map(|&v| Vector3::from(positions[v as usize]))
+                .collect(),
+            ids,
+            triangles,
+            triangle_ids,
+            rim: n,
+            normals: Vec::with_capacity(n),
+            taken: taken(links, border),
+            centre: Vector3::zeros(),
+            scale: 1.0,
+        };
+        surroundings.enter();
+        surroundings.drop_infinite();
+        let at = |v: u32| surroundings.entered(positions[v as usize]);
+        surroundings.normals = run
+            .iter()
+            .map(|&h| {
+                let [a, b, c] = links.triangles[h as usize / 3].map(at);
+                let (e, f) = (b - a, c - a);
+                let cross = e.cross(&f);
+                let longest = e.norm_squared().max(f.norm_squared());
+                if cross.norm() > 1e-12 * longest {
+                    cross.normalize()
+                } else {
+                    Vector3::zeros()
+                }
+            })
+            .collect();
+        surroundings
+    }
+
+    /// Moves and scales, so that the loop lies around the origin with a diagonal of about one.
+    fn enter(&mut self) {
+        let (low, high) = bounds(&self.x[..self.rim]);
+        let diagonal = (high - low).norm();
+        self.centre = (low + high) * 0.5;
+        if diagonal > 0.0 && diagonal.is_finite() {
+            self.scale = diagonal.log2().round().exp2();
+        }
+        for p in &mut self.x {
+            *p = (*p - self.centre) / self.scale;
+        }
+    }
+
+    /// Triangles with a corner that is not finite are as good as missing.
+    fn drop_infinite(&mut self) {
+        let finite: Vec<bool> = self.x.iter().map(|p| p.iter().all(|c| c.is_finite())).collect();
+        let keep: Vec<bool> = self
+            .triangles
+            .iter()
+            .map(|t| t.iter().all(|&v| finite[v as usize]))
+            .collect();
+        let mut at = keep.iter();
+        self.triangles.retain(|_| *at.next().unwrap_or(&false));
+        let mut at = keep.iter();
+        self.triangle_ids.retain(|_| *at.next().unwrap_or(&false));
+    }
+
+    fn entered(&self, p: [f64; 3]) -> Vector3<f64> {
+        (Vector3::from(p) - self.centre) / self.scale
+    }
+
+    /// The position in the caller's units.
+    pub(super) fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
+        (p * self.scale + self.centre).into()
+    }
+
+    /// The caller's length of a length here.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// A vertex of the loop that is not finite; the first one if all lie in one point.
+    pub(super) fn first_unusable(&self) -> Option<u32> {
+        let wrong = |v: &usize| !self.x[*v].iter().all(|c| c.is_finite());
+        let flat = bounds(&self.x[..self.rim]);
+        let first = (flat.0 == flat.1).then_some(0);
+        (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
+    }
+
+    /// Per loop vertex the mean length of the mesh's edges there, and the length of its shorter edge on the loop.
+    pub(super) fn sizes(&self) -> (Vec<f64>, Vec<f64>) {
+        let mut sum = vec![(0.0, 0.0); self.rim];
+        for tri in &self.triangles {
+            for k in 0..3 {
+                let (a, b) = (tri[k] as usize, tri[(k + 1) % 3] as usize);
+                let length = (self.x[a] - self.x[b]).norm();
+                if !length.is_finite() {
+                    continue;
+                }
+                // An edge with two triangles counts twice, one of the rim once: so that both sides are alike.
+                for v in [a, b].into_iter().filter(|&v| v < self.rim) {
+                    sum[v].0 += length;
+                    sum[v].1 += 1.0;
+                }
+            }
+        }
+        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.rim]).norm();
+        let shorter = (0..self.rim)
+            .map(|i| edge(i).min(edge((i + self.rim - 1) % self.rim)))
+            .collect();
+        let mean = sum.iter().map(|&(s, n): &(f64, f64)| s / n.max(1.0)).collect();
+        (mean, shorter)
+    }
+}
+
+/// The box of some points: low and high corner.
+pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
+    let far = Vector3::repeat(f64::INFINITY);
+    x.iter()
+        .fold((far, -far), |(low, high), p| (low.inf(p), high.sup(p)))
+}
+
+/// The fans of the loop's vertices and some layers of triangles around them; `place` gets their local numbers.
+fn collect(links: &Links<'_>, border: &BorderLoop, place: &mut [u32]) -> Vec<u32> {
+    let mut found: Vec<u32> = Vec::new();
+    let mut add = |t: u32, found: &mut Vec<u32>| {
+        if place[t as usize] == NONE {
+            place[t as usize] = found.len() as u32;
+            found.push(t);
+        }
+    };
+    for &h in &border.half_edges {
+        add(h / 3, &mut found);
+        // The fans at both ends; at a bow-tie the next half-edge lies in another one.
+        let _ = links.follow(h, |g| add(g / 3, &mut found));
+    }
+    let mut from = 0;
+    for _ in 0..LAYERS {
+        let end = found.len();
+        for i in from..end {
+            for k in 0..3 {
+                if let Some(o) = links.across(3 * found[i] + k) {
+                    add(o / 3, &mut found);
+                }
+            }
+        }
+        from = end;
+    }
+    found
+}
+
+/// Corners that are one vertex.
+struct Corners {
+    parent: Vec<u32>,
+}
+
+impl Corners {
+    fn new(links: &Links<'_>, triangle_ids: &[u32], place: &[u32]) -> Self {
+        let mut corners = Self {
+            parent: (0..3 * triangle_ids.len() as u32).collect(),
+        };
+        for &t in triangle_ids {
+            for h in 3 * t..3 * t + 3 {
+                if let Some(o) = links.across(h).filter(|&o| place[o as usize / 3] != NONE) {
+                    corners.unite(corners.of(h, place), corners.of(next(o), place));
+                    corners.unite(corners.of(next(h), place), corners.of(o, place));
+                }
+            }
+        }
+        corners
+    }
+
+    /// The local corner that a half-edge of the mesh starts at.
+    fn of(&self, h: u32, place: &[u32]) -> u32 {
+        3 * place[h as usize / 3] + h % 3
+    }
+
+    fn root(&mut self, mut corner: u32) -> u32 {
+        while self.parent[corner as usize] != corner {
+            let up = self.parent[self.parent[corner as usize] as usize];
+            self.parent[corner as usize] = up;
+            corner = up;
+        }
+        corner
+    }
+
+    fn unite(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b) as usize] = a.min(b);
+    }
+}
+
+/// Pairs of the loop's vertices between which the mesh has an edge, sound or not.
+fn taken(links: &Links<'_>, border: &BorderLoop) -> Vec<(u32, u32)> {
+    let mut order: Vec<(u32, u32)> = border.vertices.iter().copied().zip(0..).collect();
+    order.sort_unstable();
+    let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
+    let mut pairs = Vec::new();
+    for (&v, i) in border.vertices.iter().zip(0u32..) {
+        for &h in links.at(v) {
+            for other in [next(h), previous(h)] {
+                if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {
+                    pairs.push((i.min(j), i.max(j)));
+                }
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
+}

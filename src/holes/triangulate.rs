@@ -1,0 +1,364 @@
+//! Triangulation of a loop in space without new vertices.
+//!
+//! Up to [`DYNAMIC`] edges: the least (worst dihedral angle, area) by dynamic programming over all triangulations (Barequet
+//! and Sharir 1995; Liepa 2003, section 3), where dihedral angles count against the mesh across the rim, too. That is
+//! cubic. A longer loop is first shortened by ears: the triangle over two consecutive edges with the shortest chord,
+//! if it bends little and the ball over its chord holds no other vertex of the loop, which makes the chord a Delaunay
+//! edge of what is left (a Gabriel edge). Ears that do not fulfil this come last. Time is then quadratic in the worst
+//! case with a small factor, memory linear.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use nalgebra::Vector3;
+
+/// Loops of up to this many edges are triangulated by dynamic programming alone.
+pub(super) const DYNAMIC: usize = 160;
+/// The cosine of the bend is told apart in so many steps; what bends equally is decided by area.
+const STEPS: f64 = 1e5;
+/// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
+const SHARP: f64 = 1.17;
+/// A flatter ear (height over chord) is nearly degenerate and comes later, too.
+const FLAT: f64 = 1e-6;
+/// How much later: factors on the chord's length.
+const LATER: f64 = 1e6;
+
+/// A loop in space.
+pub(super) struct Rim<'a> {
+    /// The vertices.
+    pub(super) x: &'a [Vector3<f64>],
+    /// The unit normal of the mesh's triangle at each edge from a vertex to the next, zero if it has none.
+    pub(super) normals: &'a [Vector3<f64>],
+    /// Pairs (smaller, larger) of vertices that have an edge already, sorted.
+    pub(super) taken: &'a [(u32, u32)],
+}
+
+impl Rim<'_> {
+    fn is_free(&self, a: u32, b: u32) -> bool {
+        self.taken.binary_search(&(a.min(b), a.max(b))).is_err()
+    }
+
+    /// The triangles, in numbers of the rim's vertices, or None if there is no triangulation without the edges taken.
+    pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
+        let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
+        let (polygon, normals) = if self.x.len() > DYNAMIC {
+            self.shorten(&mut triangles)?
+        } else {
+            ((0..self.x.len() as u32).collect(), self.normals.to_vec())
+        };
+        self.optimal(&polygon, &normals, &mut triangles)?;
+        Some(triangles)
+    }
+
+    fn normal(&self, a: u32, b: u32, c: u32) -> (Vector3<f64>, f64) {
+        let [a, b, c] = [a, b, c].map(|v| self.x[v as usize]);
+        let cross = (b - a).cross(&(c - a));
+        let twice = cross.norm();
+        // A triangle whose height is rounding has no direction.
+        let longest = (b - a).norm_squared().max((c - a).norm_squared());
+        if twice > 1e-12 * longest && twice > 0.0 {
+            (cross / twice, 0.5 * twice)
+        } else {
+            (Vector3::zeros(), 0.5 * twice)
+        }
+    }
+
+    /// Cuts ears until the dynamic programme can do the rest; the polygon left and the normals beyond its edges.
+    fn shorten(&self, triangles: &mut Vec<[u32; 3]>) -> Option<(Vec<u32>, Vec<Vector3<f64>>)> {
+        let mut ears = Ears::new(self);
+        while ears.left > DYNAMIC {
+            triangles.push(ears.cut()?);
+        }
+        Some(ears.rest())
+    }
+
+    /// The best triangulation of a polygon of these vertices.
+    fn optimal(&self, polygon: &[u32], rim: &[Vector3<f64>], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
+        let n = polygon.len();
+        if n < 3 {
+            return None;
+        }
+        let mut table = vec![Cell::default(); n * n];
+        for i in 0..n - 1 {
+            table[i * n + i + 1] = Cell {
+                worst: 0,
+                area: 0.0,
+                apex: 0,
+                normal: rim[i],
+            };
+        }
+        for span in 2..n {
+            for i in 0..n - span {
+                let k = i + span;
+                let closing = span == n - 1;
+                if !closing && !self.is_free(polygon[i], polygon[k]) {
+                    continue;
+                }
+                let mut best = Cell::default();
+                for m in i + 1..k {
+                    let (left, right) = (&table[i * n + m], &table[m * n + k]);
+                    let below = left.worst.max(right.worst);
+                    if below > best.worst || below == u32::MAX {
+                        continue;
+                    }
+                    let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
+                    let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
+                    if closing {
+                        bend = bend.max(bend_at(&normal, &rim[n - 1]));
+                    }
+                    let cell = Cell {
+                        worst: below.max((bend * STEPS) as u32),
+                        area: left.area + right.area + area,
+                        apex: m as u32,
+                        normal,
+                    };
+                    if (cell.worst, cell.area) < (best.worst, best.area) {
+                        best = cell;
+                    }
+                }
+                table[i * n + k] = best;
+            }
+        }
+        if table[n - 1].worst == u32::MAX {
+            return None;
+        }
+        let mut open = vec![(0, n - 1)];
+        while let Some((i, k)) = open.pop() {
+            if k > i + 1 {
+                let m = table[i * n + k].apex as usize;
+                triangles.push([polygon[i], polygon[m], polygon[k]]);
+                open.push((i, m));
+                open.push((m, k));
+            }
+        }
+        Some(())
+    }
+}
+
+/// The best triangulation between two vertices of a polygon: its worst bend in steps, its area, and the triangle at the
+/// chord.
+#[derive(Clone, Copy)]
+struct Cell {
+    worst: u32,
+    area: f64,
+    apex: u32,
+    normal: Vector3<f64>,
+}
+
+impl Default for Cell {
+    fn default() -> Self {
+        Self {
+            worst: u32::MAX,
+            area: f64::INFINITY,
+            apex: 0,
+            normal: Vector3::zeros(),
+        }
+    }
+}
+
+/// 1 - cosine of the angle between the normals of neighbours; 2 if the first has none, 0 if only the second has none.
+#[inline]
+fn bend(normal: &Vector3<f64>, other: &Vector3<f64>) -> f64 {
+    if *normal == Vector3::zeros() {
+        2.0
+    } else {
+        bend_at(normal, other)
+    }
+}
+
+#[inline]
+fn bend_at(normal: &Vector3<f64>, other: &Vector3<f64>) -> f64 {
+    if *other == Vector3::zeros() {
+        0.0
+    } else {
+        (1.0 - normal.dot(other)).max(0.0)
+    }
+}
+
+/// A loop that is being shortened.
+struct Ears<'a> {
+    rim: &'a Rim<'a>,
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    /// The normal beyond the edge to the next vertex.
+    normals: Vec<Vector3<f64>>,
+    alive: Vec<bool>,
+    left: usize,
+    queue: BinaryHeap<Reverse<Ear>>,
+}
+
+/// Cost (bits of a number that is not negative), vertex, its neighbours then, whether its ball was looked at.
+type Ear = (u64, u32, u32, u32, bool);
+
+impl<'a> Ears<'a> {
+    fn new(rim: &'a Rim<'a>) -> Self {
+        let n = rim.x.len() as u32;
+        let mut ears = Self {
+            rim,
+            next: (0..n).map(|i| (i + 1) % n).collect(),
+            prev: (0..n).map(|i| (i + n - 1) % n).collect(),
+            normals: rim.normals.to_vec(),
+            alive: vec![true; n as usize],
+            left: n as usize,
+            queue: BinaryHeap::new(),
+        };
+        (0..n).for_each(|v| ears.push(v));
+        ears
+    }
+
+    fn push(&mut self, v: u32) {
+        let (a, b) = (self.prev[v as usize], self.next[v as usize]);
+        if !self.rim.is_free(a, b) {
+            return;
+        }
+        let (normal, area) = self.rim.normal(a, v, b);
+        let chord = (self.rim.x[b as usize] - self.rim.x[a as usize]).norm();
+        let bend = bend(&normal, &self.normals[a as usize]).max(bend_at(&normal, &self.normals[v as usize]));
+        let mut cost = chord * (1.0 + bend);
+        if bend > SHARP {
+            cost *= LATER * LATER;
+        }
+        if 2.0 * area < FLAT * chord * chord {
+            cost *= LATER;
+        }
+        self.queue.push(Reverse((cost.to_bits(), v, a, b, false)));
+    }
+
+    fn cut(&mut self) -> Option<[u32; 3]> {
+        loop {
+            let Reverse((cost, v, a, b, looked)) = self.queue.pop()?;
+            let i = v as usize;
+            if !self.alive[i] || self.prev[i] != a || self.next[i] != b {
+                continue;
+            }
+            if !looked && self.is_crowded(v, a, b) {
+                let later = f64::from_bits(cost) * LATER;
+                self.queue.push(Reverse((later.to_bits(), v, a, b, true)));
+                continue;
+            }
+            self.alive[i] = false;
+            self.left -= 1;
+            self.next[a as usize] = b;
+            self.prev[b as usize] = a;
+            self.normals[a as usize] = self.rim.normal(a, v, b).0;
+            self.push(a);
+            self.push(b);
+            return Some([a, v, b]);
+        }
+    }
+
+    /// Whether the ball over the chord holds another vertex of what is left.
+    fn is_crowded(&self, v: u32, a: u32, b: u32) -> bool {
+        let (p, q) = (self.rim.x[a as usize], self.rim.x[b as usize]);
+        let mut w = self.next[b as usize];
+        while w != a {
+            let x = self.rim.x[w as usize];
+            if w != v && (p - x).dot(&(q - x)) < 0.0 {
+                return true;
+            }
+            w = self.next[w as usize];
+        }
+        false
+    }
+
+    fn rest(&self) -> (Vec<u32>, Vec<Vector3<f64>>) {
+        (0..self.next.len())
+            .scan(None, |at: &mut Option<u32>, _| {
+                let first = || self.alive.iter().position(|&alive| alive).unwrap_or(0) as u32;
+                let v = match *at {
+                    None => first(),
+                    Some(v) => self.next[v as usize],
+                };
+                *at = Some(v);
+                Some((v, self.normals[v as usize]))
+            })
+            .take(self.left)
+            .unzip()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rim(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
+        let x: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
+        let normals = vec![Vector3::zeros(); x.len()];
+        Rim {
+            x: &x,
+            normals: &normals,
+            taken,
+        }
+        .triangulate()
+    }
+
+    fn signed_area(x: &[[f64; 3]], t: &[u32; 3]) -> f64 {
+        let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
+        0.5 * (b - a).cross(&(c - a)).z
+    }
+
+    #[test]
+    fn a_polygon_with_a_notch_is_triangulated_without_folds() {
+        let x = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]].map(|[x, y]| [x, y, 0.0]);
+        let triangles = rim(&x, &[]).unwrap();
+        let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
+        assert!(areas.iter().all(|&a| a > 0.0));
+        assert!((areas.iter().sum::<f64>() - 2.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn edges_that_are_there_already_are_not_made_again() {
+        let x = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        let has = |t: &[[u32; 3]], v| t.iter().filter(|t| t.contains(&v)).count() == 2;
+        assert!(has(&rim(&x, &[(0, 2)]).unwrap(), 1));
+        assert!(has(&rim(&x, &[(1, 3)]).unwrap(), 0));
+        assert_eq!(rim(&x, &[(0, 2), (1, 3)]), None);
+    }
+
+    #[test]
+    fn the_bend_counts_before_the_area() {
+        // The diagonal of a folded square that keeps the worst angle small is the ridge's own.
+        let x = [[0., 0., 0.], [1., 0., 1.], [0., 1., 0.], [-1., 0., 1.]];
+        let triangles = rim(&x, &[]).unwrap();
+        let bend = |t: &[[u32; 3]]| {
+            let normal = |t: &[u32; 3]| {
+                let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
+                (b - a).cross(&(c - a)).normalize()
+            };
+            normal(&t[0]).dot(&normal(&t[1]))
+        };
+        assert!(bend(&triangles) >= bend(&[[0, 1, 2], [0, 2, 3]]) - 1e-12);
+        assert!(bend(&triangles) >= bend(&[[0, 1, 3], [1, 2, 3]]) - 1e-12);
+    }
+
+    #[test]
+    fn a_long_loop_is_shortened_and_covered_once() {
+        let n = 1_000;
+        let x: Vec<[f64; 3]> = (0..n)
+            .map(|i| {
+                let a = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+                let r = 1.0 + 0.2 * (9.0 * a).sin() + if i % 2 == 0 { 0.003 } else { 0.0 };
+                [r * a.cos(), r * a.sin(), 0.0]
+            })
+            .collect();
+        // Without the mesh's normals nothing would tell an ear from a notch.
+        let at: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
+        let normals = vec![Vector3::z(); n as usize];
+        let loop_in_plane = Rim {
+            x: &at,
+            normals: &normals,
+            taken: &[],
+        };
+        let triangles = loop_in_plane.triangulate().unwrap();
+        assert_eq!(triangles.len(), x.len() - 2);
+        let exact: f64 = (0..x.len())
+            .map(|i| {
+                let (p, q) = (x[i], x[(i + 1) % x.len()]);
+                0.5 * (p[0] * q[1] - p[1] * q[0])
+            })
+            .sum();
+        let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
+        assert!((areas.iter().sum::<f64>() - exact).abs() < 1e-9);
+        assert!(areas.iter().all(|&a| a > -1e-12));
+    }
+}
