@@ -97,7 +97,7 @@ fn check(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) {
     for report in &filled.loops {
         let after = filled.triangles[report.triangles.start as usize..report.triangles.end as usize].iter();
         let of_loop = |&v: &u32| (v as usize) < x.len() || report.vertices.contains(&v);
-        assert!(after.flatten().all(|v| of_loop(v)));
+        assert!(after.flatten().all(of_loop));
     }
 }
 

@@ -199,8 +199,7 @@ fn the_rule_of_the_input_is_there_on_request() {
 
 #[test]
 fn convex_weights_keep_spheres() {
-    // Not on 13,000 vertices yet: with triangles of 2 degrees in the input the iteration fails there.
-    for n in [1_000] {
+    for n in [1_000, 13_000] {
         let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
         let options = Options {
             inner: InnerFairness::Convex,
