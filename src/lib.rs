@@ -25,7 +25,7 @@ pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
-    Seconds, Selection, Solution, Solver, Target, Watcher, fair,
+    Seconds, Selection, Session, Solution, Solver, Target, Watcher, fair,
 };
 pub use holes::{
     BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
