@@ -9,6 +9,8 @@
 //!
 //! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
 
+#[cfg(feature = "capi")]
+pub mod capi;
 pub mod discrete;
 pub mod error;
 pub mod fairing;

@@ -401,7 +401,10 @@ impl Problem {
             fallback_weights: weights.clamped,
         };
         let first = measured(&system, &x, 0, f64::NAN);
-        desk.deliver(Ok(conclude(&given(target), first, seconds, self.clock)));
+        let mut first = conclude(&given(target), first, seconds, self.clock);
+        // Without the rounding of the frame.
+        first.positions.clone_from(&self.positions);
+        desk.deliver(Ok(first));
         // Whether x is a surface to start from.
         let (mut warm, mut ended) = (false, None::<Solution>);
         loop {
@@ -442,7 +445,11 @@ impl Problem {
                 };
                 let mut control = Control::new(self.tolerance, self.max_iterations, Some(&mut progress));
                 control.watch = Some(&mut watch);
-                let resumed = if warm { resume(&mut system, &x, &mut control) } else { None };
+                let resumed = if warm {
+                    resume(&mut system, &x, &mut control)
+                } else {
+                    None
+                };
                 let solved = match resumed {
                     Some(solved) => Ok(solved),
                     None => {
@@ -459,7 +466,10 @@ impl Problem {
                 if desk.closed.get() {
                     return;
                 }
-                warm = !matches!(solved.ending, Ending::Failed | Ending::Partly(..) | Ending::Loaded(..));
+                warm = !matches!(
+                    solved.ending,
+                    Ending::Failed | Ending::Partly(..) | Ending::Loaded(..)
+                );
                 x.clone_from(&solved.x);
                 if desk.change.borrow().is_none() {
                     system.evaluate(&x);

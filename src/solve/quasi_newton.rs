@@ -82,7 +82,14 @@ pub fn iterate(
     for round in 0..ROUNDS {
         best.d = f64::INFINITY;
         let keep = plan.keep && round == 0;
-        match run(system, x, &Plan { keep, ..plan }, &mut anderson, &mut best, control) {
+        match run(
+            system,
+            x,
+            &Plan { keep, ..plan },
+            &mut anderson,
+            &mut best,
+            control,
+        ) {
             Ok(End::Converged) => return (End::Converged, best.d),
             // The mean step is small enough; a few slow vertices do not gain any more.
             Ok(End::Stalled) if best.d <= plan.tolerance => {
