@@ -676,7 +676,7 @@ pub extern "C" fn fairmesh_remesh(
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_info(
     result: *const fairmesh_result,
-    info: *mut fairmesh_result_info,
+    info: *mut fairmesh_info,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     read_result(result, error, |content, spans| {

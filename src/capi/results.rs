@@ -34,9 +34,9 @@ fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> Outcome<&'a T> {
 }
 
 impl Content {
-    pub fn info(&self) -> fairmesh_result_info {
-        let mut info = fairmesh_result_info {
-            struct_size: size_of::<fairmesh_result_info>() as u32,
+    pub fn info(&self) -> fairmesh_info {
+        let mut info = fairmesh_info {
+            struct_size: size_of::<fairmesh_info>() as u32,
             kind: fairmesh_result_kind::Faired as u32,
             vertex_count: 0,
             triangle_count: 0,

@@ -201,7 +201,7 @@ pub struct fairmesh_error {
     /// A second one where the status says so, or FAIRMESH_NO_ELEMENT.
     pub other: u64,
     /// A sentence in English, ending with a NUL; UTF-8.
-    pub message: [c_char; MESSAGE],
+    pub message: [c_char; 232],
 }
 
 /// Why a call fails. Needs no memory but its own.

@@ -586,7 +586,7 @@ pub enum fairmesh_result_kind {
 /// The sizes of a result. Set `struct_size` before the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct fairmesh_result_info {
+pub struct fairmesh_info {
     /// `sizeof(fairmesh_result_info)`.
     pub struct_size: u32,
     /// A `fairmesh_result_kind`.
@@ -695,7 +695,7 @@ versioned! {
     fairmesh_remesh_options 24,
     fairmesh_loop 56,
     fairmesh_fill_report 96,
-    fairmesh_result_info 56,
+    fairmesh_info 56,
 }
 
 const _: () = {
@@ -703,5 +703,5 @@ const _: () = {
     assert!(FAIRMESH_NO_ELEMENT == u64::MAX);
     assert!(size_of::<fairmesh_mesh>() == fairmesh_mesh::FIRST);
     assert!(size_of::<fairmesh_level>() == 40 && size_of::<fairmesh_loop>() == 56);
-    assert!(size_of::<fairmesh_fill_report>() == 96 && size_of::<fairmesh_result_info>() == 56);
+    assert!(size_of::<fairmesh_fill_report>() == 96 && size_of::<fairmesh_info>() == 56);
 };
