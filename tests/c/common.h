@@ -8,6 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#if defined(__GNUC__)
+#define COMMON_MAY_STAY_UNUSED __attribute__((unused))
+#else
+#define COMMON_MAY_STAY_UNUSED
+#endif
+
 #define CHECK(condition)                                                                    \
     do {                                                                                    \
         if (!(condition)) {                                                                 \
@@ -47,7 +53,7 @@ static int cap_is_free(size_t side, size_t v) {
     return i > frame && i + frame + 1 < side && j > frame && j + frame + 1 < side;
 }
 
-static fairmesh_points points_of(const double *data, size_t count) {
+COMMON_MAY_STAY_UNUSED static fairmesh_points points_of(const double *data, size_t count) {
     fairmesh_points points;
     memset(&points, 0, sizeof points);
     points.data = data;
@@ -56,7 +62,7 @@ static fairmesh_points points_of(const double *data, size_t count) {
     return points;
 }
 
-static fairmesh_points_out points_out_of(double *data, size_t count) {
+COMMON_MAY_STAY_UNUSED static fairmesh_points_out points_out_of(double *data, size_t count) {
     fairmesh_points_out points;
     memset(&points, 0, sizeof points);
     points.data = data;
@@ -65,7 +71,7 @@ static fairmesh_points_out points_out_of(double *data, size_t count) {
     return points;
 }
 
-static fairmesh_scalars_out scalars_out_of(double *data, size_t count) {
+COMMON_MAY_STAY_UNUSED static fairmesh_scalars_out scalars_out_of(double *data, size_t count) {
     fairmesh_scalars_out numbers;
     memset(&numbers, 0, sizeof numbers);
     numbers.data = data;
@@ -120,7 +126,7 @@ static void cap_free(Cap *cap) {
 }
 
 /* The largest distance from the unit sphere. */
-static double off_sphere(const double *positions, size_t vertices) {
+COMMON_MAY_STAY_UNUSED static double off_sphere(const double *positions, size_t vertices) {
     double worst = 0.0;
     size_t v;
     for (v = 0; v < vertices; v++) {
