@@ -10,7 +10,9 @@ fn main() {
         "linux" | "freebsd" | "netbsd" | "openbsd" => {
             println!("cargo::rustc-cdylib-link-arg=-Wl,-soname,libfairmesh.so.{major}");
         }
-        "macos" => println!("cargo::rustc-cdylib-link-arg=-Wl,-install_name,@rpath/libfairmesh.{major}.dylib"),
+        "macos" => {
+            println!("cargo::rustc-cdylib-link-arg=-Wl,-install_name,@rpath/libfairmesh.{major}.dylib")
+        }
         _ => {}
     }
 }

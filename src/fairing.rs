@@ -24,6 +24,7 @@ use frame::Frame;
 use normals::border_normals;
 pub use normals::{BorderNormals, InteriorNormals};
 use relay::relay;
+pub(crate) use relay::with_threads;
 pub use session::Session;
 use solvers::Faired;
 
@@ -273,17 +274,6 @@ pub fn fair(
         None => pool.install(|| run(&request, None)),
         Some(callback) => relay(pool, callback, |told| run(&request, Some(told)))?,
     })?
-}
-
-/// Runs `work` with a pool of its own, whose threads have ended afterwards.
-fn with_threads<T>(threads: usize, work: impl FnOnce(&rayon::ThreadPool) -> T) -> Result<T, Error> {
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build_scoped(rayon::ThreadBuilder::run, work)
-        .map_err(|e| Error::Threads {
-            threads,
-            why: e.to_string(),
-        })
 }
 
 /// What is asked, without the callback.

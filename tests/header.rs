@@ -39,7 +39,10 @@ fn every_function_struct_and_field_of_the_header_is_described() {
     let mut described = 0;
     for (k, line) in lines.iter().enumerate() {
         let text = line.trim();
-        let field = line.starts_with("    ") && !line.starts_with("     ") && text.ends_with(';') && !text.ends_with(");");
+        let field = line.starts_with("    ")
+            && !line.starts_with("     ")
+            && text.ends_with(';')
+            && !text.ends_with(");");
         let variant = text.starts_with("FAIRMESH_") && text.ends_with(',');
         let function = line.starts_with("FAIRMESH_API");
         if field || variant || function {

@@ -15,8 +15,7 @@ use super::types::*;
 use super::views::*;
 use super::{handles, input};
 use crate::discrete::mesh_curvature::mean_curvature;
-use crate::error::Error;
-use crate::fairing::{Progress, Session, Solution, fair};
+use crate::fairing::{Progress, Session, Solution, fair, with_threads};
 use crate::holes::{FillOptions, Loops, RemeshOptions, border_loops, fill_holes, remesh_region};
 
 use fairmesh_status as Status;
@@ -221,16 +220,7 @@ pub extern "C" fn fairmesh_mean_curvature(
         let teller = input::Teller::new(None, core::ptr::null_mut());
         point();
         // Not on the global pool, whose threads would outlive the library.
-        let curvature = rayon::ThreadPoolBuilder::new()
-            .build_scoped(rayon::ThreadBuilder::run, |pool| {
-                pool.install(|| mean_curvature(&positions, &triangles))
-            })
-            .map_err(|why| {
-                Failure::from(Error::Threads {
-                    threads: 0,
-                    why: why.to_string(),
-                })
-            })??;
+        let curvature = with_threads(0, |pool| pool.install(|| mean_curvature(&positions, &triangles)))??;
         teller.memory()?;
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
@@ -584,7 +574,8 @@ pub extern "C" fn fairmesh_fill_holes(
                 return Err(failure.at(fairmesh_element::Loop, missing));
             }
             let edges = loops.iter().map(|l| l.vertices.len());
-            let area = |n: usize| (n * n) as f64 * (fill_view.density * fill_view.density).max(0.5);
+            // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
+            let area = |n: usize| (n * n) as f64 * (fill_view.density * fill_view.density).max(0.5) / 4.0;
             let new = edges.clone().map(area).sum::<f64>();
             ((new as usize).min(most), edges.max().unwrap_or(0))
         };

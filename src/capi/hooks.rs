@@ -1,6 +1,6 @@
 //! What tests let go wrong (feature `capi-hooks`): not in the header, and not in libraries that are installed.
 
-use std::sync::atomic::{AtomicI64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering};
 
 use super::memory;
 
@@ -12,6 +12,20 @@ static REFUSALS: AtomicI64 = AtomicI64::new(0);
 static COUNT: AtomicUsize = AtomicUsize::new(0);
 /// Guarded calls until one panics; negative: none.
 static PANIC: AtomicI64 = AtomicI64::new(-1);
+
+/// Blocks in use.
+static BLOCKS: AtomicIsize = AtomicIsize::new(0);
+
+/// Told by the allocator.
+pub fn count_block(by: isize) {
+    BLOCKS.fetch_add(by, Ordering::SeqCst);
+}
+
+/// Blocks in use: what grows here leaks.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_test_blocks() -> i64 {
+    BLOCKS.load(Ordering::SeqCst) as i64
+}
 
 /// Asked by the allocator.
 pub fn refuse_allocation() -> bool {

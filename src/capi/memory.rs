@@ -7,7 +7,7 @@
 //! program that uses the crate keeps its own.
 
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
+use std::cell::{Cell, UnsafeCell};
 use std::ptr::null_mut;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,15 +25,28 @@ static ALLOCATOR: Reserving = Reserving;
 static FAILURES: AtomicUsize = AtomicUsize::new(0);
 /// Blocks that live in reserves. Almost always zero: then no address needs to be looked up.
 static LIVE: AtomicUsize = AtomicUsize::new(0);
-static RESERVES: Mutex<List> = Mutex::new(List(null_mut()));
+static RESERVES: Mutex<List> = Mutex::new(List(null_mut(), null_mut()));
 
 thread_local! {
     /// This thread has not set its reserve aside yet, and may not use those of others.
     static WITHOUT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// The reserves, newest first.
-struct List(*mut Segment);
+/// The reserves, newest first; and the nursery, once it is needed.
+struct List(*mut Segment, *mut Segment);
+
+/// Small blocks come from here: some of them are kept by a thread until it ends, and would hold a reserve.
+#[repr(align(64))]
+struct Nursery(UnsafeCell<[u8; NURSERY]>);
+
+const NURSERY: usize = 128 << 10;
+/// What is small.
+const SMALL: usize = 4 << 10;
+
+// SAFETY: only touched under the lock.
+unsafe impl Sync for Nursery {}
+
+static NURSERY_ROOM: Nursery = Nursery(UnsafeCell::new([0; NURSERY]));
 
 // SAFETY: the pointers lead to segments that only the holder of the lock touches.
 unsafe impl Send for List {}
@@ -83,23 +96,9 @@ impl Reserve {
         if start.is_null() {
             return None;
         }
-        let segment = start.cast::<Segment>();
         let mut list = lock();
-        // SAFETY: `start` has `size` bytes, aligned for both heads, and is ours alone until it is in the list.
-        unsafe {
-            let hole = start.add(HEAD).cast::<Hole>();
-            hole.write(Hole {
-                next: null_mut(),
-                size: size - HEAD,
-            });
-            segment.write(Segment {
-                next: list.0,
-                size,
-                held: true,
-                live: 0,
-                free: hole,
-            });
-        }
+        // SAFETY: `start` has `size` bytes, aligned to units, and is ours alone until it is in the list.
+        let segment = unsafe { Segment::make(start, size, list.0) };
         list.0 = segment;
         #[cfg(feature = "capi-hooks")]
         ASIDE.fetch_max(bytes, Ordering::SeqCst);
@@ -121,7 +120,14 @@ impl Drop for Reserve {
 /// Blocks that live in reserves; for tests.
 #[cfg(feature = "capi-hooks")]
 pub fn live_blocks() -> usize {
-    LIVE.load(Ordering::SeqCst)
+    let list = lock();
+    // SAFETY: under the lock.
+    let kept = if list.1.is_null() {
+        0
+    } else {
+        unsafe { (*list.1).live }
+    };
+    LIVE.load(Ordering::SeqCst) - kept
 }
 
 /// Bytes in use at most since the last call, and the size of the largest reserve; for tests.
@@ -162,9 +168,53 @@ fn refused() -> bool {
     false
 }
 
+impl Segment {
+    /// Writes the heads into a stretch of memory.
+    unsafe fn make(start: *mut u8, size: usize, next: *mut Segment) -> *mut Segment {
+        let segment = start.cast::<Segment>();
+        // SAFETY: the caller's stretch has `size` bytes, aligned to units.
+        unsafe {
+            let free = start.add(HEAD).cast::<Hole>();
+            free.write(Hole {
+                next: null_mut(),
+                size: size - HEAD,
+            });
+            segment.write(Segment {
+                next,
+                size,
+                held: true,
+                live: 0,
+                free,
+            });
+        }
+        segment
+    }
+}
+
 impl List {
+    /// A block of any reserve; a small one of the nursery.
+    unsafe fn take(&mut self, layout: Layout) -> *mut u8 {
+        // SAFETY: the caller holds the lock; the room of the nursery is used for this alone.
+        unsafe {
+            if layout.size() <= SMALL {
+                if self.1.is_null() {
+                    self.1 = Segment::make(NURSERY_ROOM.0.get().cast(), NURSERY, null_mut());
+                }
+                let block = Self::take_from(self.1, layout);
+                if !block.is_null() {
+                    return block;
+                }
+            }
+            Self::take_from(self.0, layout)
+        }
+    }
+
     /// The segment that an address belongs to.
     unsafe fn of(&self, address: usize) -> *mut Segment {
+        let nursery = NURSERY_ROOM.0.get() as usize;
+        if (nursery..nursery + NURSERY).contains(&address) {
+            return self.1;
+        }
         let mut segment = self.0;
         // SAFETY: the caller holds the lock, and every segment in the list lives.
         unsafe {
@@ -196,12 +246,11 @@ impl List {
         }
     }
 
-    /// First fit in any segment.
-    unsafe fn take(&self, layout: Layout) -> *mut u8 {
+    /// First fit in this segment or one behind it.
+    unsafe fn take_from(mut segment: *mut Segment, layout: Layout) -> *mut u8 {
         let Some(size) = rounded(layout.size()) else {
             return null_mut();
         };
-        let mut segment = self.0;
         // SAFETY: the caller holds the lock; holes lie within their segments, aligned to units.
         unsafe {
             while !segment.is_null() {
@@ -304,6 +353,15 @@ fn back_to_reserve(block: *mut u8, layout: Layout) -> bool {
     true
 }
 
+/// Counts blocks in use; for tests.
+#[inline]
+fn counted(_block: *mut u8, _by: isize) {
+    #[cfg(feature = "capi-hooks")]
+    if !_block.is_null() {
+        super::hooks::count_block(_by);
+    }
+}
+
 fn in_reserve(block: *mut u8) -> bool {
     // SAFETY: under the lock.
     LIVE.load(Ordering::Acquire) > 0 && unsafe { !lock().of(block as usize).is_null() }
@@ -319,11 +377,13 @@ unsafe impl GlobalAlloc for Reserving {
         } else {
             unsafe { System.alloc(layout) }
         };
-        if block.is_null() {
+        let block = if block.is_null() {
             from_reserve(layout)
         } else {
             block
-        }
+        };
+        counted(block, 1);
+        block
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
@@ -334,9 +394,11 @@ unsafe impl GlobalAlloc for Reserving {
             unsafe { System.alloc_zeroed(layout) }
         };
         if !block.is_null() {
+            counted(block, 1);
             return block;
         }
         let block = from_reserve(layout);
+        counted(block, 1);
         if !block.is_null() {
             // SAFETY: it has this size.
             unsafe { block.write_bytes(0, layout.size()) };
@@ -345,6 +407,7 @@ unsafe impl GlobalAlloc for Reserving {
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        counted(block, -1);
         if LIVE.load(Ordering::Acquire) == 0 || !back_to_reserve(block, layout) {
             // SAFETY: then it came from the system.
             unsafe { System.dealloc(block, layout) }
@@ -362,6 +425,7 @@ unsafe impl GlobalAlloc for Reserving {
         // SAFETY: the caller's alignment, and a size that the caller vouches for.
         let new = unsafe { Layout::from_size_align_unchecked(size, layout.align()) };
         let moved = from_reserve(new);
+        counted(moved, 1);
         if !moved.is_null() {
             // SAFETY: both have the smaller size, and do not overlap.
             unsafe {

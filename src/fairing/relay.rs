@@ -1,4 +1,4 @@
-//! The progress callback runs on the caller's thread, the work on the pool.
+//! Threads: a pool for each call, and the progress callback on the caller's thread.
 
 use std::ops::ControlFlow;
 use std::sync::mpsc;
@@ -44,4 +44,28 @@ pub(super) fn relay<T: Send>(
             Err(panic) => std::panic::resume_unwind(panic),
         }
     })
+}
+
+/// Runs `work` with a pool of its own, whose threads have ended afterwards, to the last destructor: a program may unload
+/// the library then.
+pub(crate) fn with_threads<T>(
+    threads: usize,
+    work: impl FnOnce(&rayon::ThreadPool) -> T,
+) -> Result<T, Error> {
+    let mut handles = Vec::new();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .spawn_handler(|thread| {
+            handles.push(std::thread::Builder::new().spawn(|| thread.run())?);
+            Ok(())
+        })
+        .build();
+    let done = pool.map(|pool| work(&pool)).map_err(|e| Error::Threads {
+        threads,
+        why: e.to_string(),
+    });
+    for handle in handles {
+        let _ = handle.join();
+    }
+    done
 }
