@@ -16,7 +16,7 @@ use super::views::*;
 use super::{handles, input};
 use crate::discrete::mesh_curvature::mean_curvature;
 use crate::fairing::{Progress, Session, Solution, fair, with_threads};
-use crate::holes::{FillOptions, Loops, RemeshOptions, border_loops, fill_holes, remesh_region};
+use crate::holes::{FillOptions, LoopKind, Loops, RemeshOptions, border_loops, fill_holes, remesh_region};
 
 use fairmesh_status as Status;
 
@@ -573,7 +573,14 @@ pub extern "C" fn fairmesh_fill_holes(
                 let failure = Failure::new(Status::SelectionOutOfRange, why);
                 return Err(failure.at(fairmesh_element::Loop, missing));
             }
-            let edges = loops.iter().map(|l| l.vertices.len());
+            let up_to = count(fill_view.max_edges);
+            let chosen = |l: usize| match numbers.is_empty() {
+                true => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= up_to,
+                false => numbers.contains(&l),
+            };
+            let edges = (0..loops.len())
+                .filter(|&l| chosen(l))
+                .map(|l| loops[l].vertices.len());
             // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
             let area = |n: usize| (n * n) as f64 * (fill_view.density * fill_view.density).max(0.5) / 4.0;
             let new = edges.clone().map(area).sum::<f64>();

@@ -8,14 +8,14 @@ use super::views::room;
 
 /// For threads, channels and small things.
 const BASE: usize = 1 << 20;
-/// Per thread: its queues.
-const THREAD: usize = 64 << 10;
+/// Per thread: its queues, and the room that dense kernels work in.
+const THREAD: usize = 6 << 20;
 /// Per vertex and per triangle of the whole mesh: copies and numberings.
 const VERTEX: usize = 160;
 const TRIANGLE: usize = 120;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
-const FREE: usize = 6 << 10;
-const FREE_DIGIT: usize = 700;
+const FREE: usize = 4 << 10;
+const FREE_DIGIT: usize = 400;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
