@@ -10,7 +10,9 @@ fn generated() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut builder = cbindgen::Builder::new()
         .with_config(cbindgen::Config::from_file(root.join("cbindgen.toml")).unwrap());
-    for file in ["status", "types", "exports"] {
+    for file in [
+        "status", "types", "records", "about", "fair", "steps", "fill", "reading",
+    ] {
         builder = builder.with_src(root.join(format!("src/capi/{file}.rs")));
     }
     let mut header = Vec::new();

@@ -122,11 +122,7 @@ impl Drop for Reserve {
 pub fn live_blocks() -> usize {
     let list = lock();
     // SAFETY: under the lock.
-    let kept = if list.1.is_null() {
-        0
-    } else {
-        unsafe { (*list.1).live }
-    };
+    let kept = unsafe { list.1.as_ref() }.map_or(0, |nursery| nursery.live);
     LIVE.load(Ordering::SeqCst) - kept
 }
 
@@ -371,11 +367,10 @@ fn in_reserve(block: *mut u8) -> bool {
 // came from. Nothing here unwinds or allocates.
 unsafe impl GlobalAlloc for Reserving {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: the caller's layout.
-        let block = if refused() {
-            null_mut()
-        } else {
-            unsafe { System.alloc(layout) }
+        let block = match refused() {
+            true => null_mut(),
+            // SAFETY: the caller's layout.
+            false => unsafe { System.alloc(layout) },
         };
         let block = if block.is_null() {
             from_reserve(layout)
@@ -387,11 +382,10 @@ unsafe impl GlobalAlloc for Reserving {
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: the caller's layout.
-        let block = if refused() {
-            null_mut()
-        } else {
-            unsafe { System.alloc_zeroed(layout) }
+        let block = match refused() {
+            true => null_mut(),
+            // SAFETY: the caller's layout.
+            false => unsafe { System.alloc_zeroed(layout) },
         };
         if !block.is_null() {
             counted(block, 1);

@@ -10,19 +10,37 @@
     missing_docs,
     reason = "what is not in the header is not public outside of the crate"
 )]
+#![allow(clippy::result_large_err, reason = "an error may not need memory")]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
-pub mod exports;
-pub mod guard;
+mod about;
+mod fair;
+mod fill;
+mod guard;
 mod handles;
 #[cfg(feature = "capi-hooks")]
-pub mod hooks;
+mod hooks;
 mod input;
-pub mod memory;
+mod memory;
 mod need;
+mod options;
+mod outputs;
+mod reading;
+mod records;
 mod report;
 mod results;
 mod solvers;
-pub mod status;
-pub mod types;
+mod status;
+mod steps;
+mod structs;
+mod types;
+mod versioned;
 mod views;
+
+pub use about::*;
+pub use fair::*;
+pub use fill::*;
+pub use reading::*;
+pub use status::{fairmesh_error, fairmesh_status};
+pub use steps::*;
+pub use types::*;

@@ -6,7 +6,11 @@ use super::types::*;
 use crate::fairing::{Report, Solution};
 use crate::holes::{BorderLoop, Filled, Parents, Remeshed};
 
+/// How many, and which by its number.
+type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
+
 /// What a handle of a result stands for. It never changes.
+#[allow(clippy::large_enum_variant, reason = "one per handle")]
 pub enum Content {
     Faired(Solution),
     Loops(Vec<BorderLoop>),
@@ -148,7 +152,7 @@ impl Content {
     }
 
     /// Vectors by their number, and how many.
-    pub fn vectors(&self, which: u32) -> Outcome<(usize, Box<dyn Fn(usize) -> [f64; 3] + '_>)> {
+    pub fn vectors(&self, which: u32) -> Outcome<Numbered<'_, [f64; 3]>> {
         match which {
             0 => match self {
                 Self::Faired(solution) => {
@@ -166,8 +170,8 @@ impl Content {
     }
 
     /// Indices by their number, and how many.
-    pub fn list(&self, which: u32, index: u64) -> Outcome<(usize, Box<dyn Fn(usize) -> u32 + '_>)> {
-        fn of(list: &[u32]) -> (usize, Box<dyn Fn(usize) -> u32 + '_>) {
+    pub fn list(&self, which: u32, index: u64) -> Outcome<Numbered<'_, u32>> {
+        fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }
         match (which, self) {

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-use super::input::Teller;
+use super::options::Teller;
 use super::memory::Reserve;
 use super::status::{Failure, Outcome, fairmesh_status as Status};
 use crate::fairing::Session;
