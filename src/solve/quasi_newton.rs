@@ -9,7 +9,7 @@ use crate::linear::anderson::Anderson;
 /// Below this step norm the triangles show what they will be.
 const NEAR: f64 = 1e-4;
 /// Growth of the step norm over the best that an accelerated step may cause.
-const SAFE_GROWTH: f64 = 1.5;
+const SAFE_GROWTH: f64 = 3.0;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
@@ -164,7 +164,7 @@ fn run(
         for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {
             flat.copy_from_slice(x.as_slice());
         }
-        if d > SAFE_GROWTH * best.d && safeguard {
+        if d > (if best.d < NEAR { 6.0 } else { SAFE_GROWTH }) * best.d && safeguard {
             // Extrapolated too far: back to the best surface, and from there without history.
             safeguard = false;
             x.clone_from(&best.x);
