@@ -1,0 +1,163 @@
+//! What is left after refinement: single triangles with a small angle, nearly all of them at the rim, whose edges have to
+//! stay. Around each an edge is split or a vertex removed, if that makes the smallest angle there larger.
+
+use nalgebra::Vector3;
+
+use super::refine::Refiner;
+use crate::mesh::NONE;
+use crate::mesh::halfedge::previous;
+use crate::quality::smallest_angle;
+
+/// Triangles with a smaller angle (degrees) are worked on: what fairing moves afterwards must not bring them below 15.
+const GOAL: f64 = 22.0;
+/// Passes over all of them, at most.
+const PASSES: usize = 6;
+/// Steps of the vertices around, per pass.
+const STEPS: usize = 3;
+
+impl Refiner<'_> {
+    /// Mends triangles with small angles.
+    pub(super) fn mend(&mut self) {
+        for _ in 0..PASSES {
+            let bad = self.narrow();
+            if bad.is_empty() {
+                return;
+            }
+            let mut near = Vec::new();
+            for &t in &bad {
+                self.gather(t, &mut near);
+            }
+            self.settle(&mut near);
+            for t in bad {
+                self.mend_one(t, &mut near);
+            }
+            self.settle(&mut near);
+        }
+    }
+
+    fn narrow(&self) -> Vec<u32> {
+        let limit = GOAL.to_radians().cos();
+        let is_narrow = |t: &[u32; 3]| {
+            let x = t.map(|v| self.patch.x[v as usize]);
+            let edge = [x[1] - x[0], x[2] - x[1], x[0] - x[2]];
+            let length = edge.map(|e| e.norm());
+            (0..3).any(|k| {
+                let j = (k + 2) % 3;
+                -edge[k].dot(&edge[j]) > limit * length[k] * length[j]
+            })
+        };
+        let triangles = self.patch.triangles.iter().zip(0u32..);
+        triangles
+            .filter(|(t, _)| t[0] != NONE && is_narrow(t))
+            .map(|(_, t)| t)
+            .collect()
+    }
+
+    /// The corners of a triangle and their neighbours.
+    fn gather(&mut self, t: u32, near: &mut Vec<u32>) {
+        for v in self.patch.triangles[t as usize] {
+            if v != NONE {
+                self.patch.ring(v, &mut self.spokes, &mut self.ring);
+                near.push(v);
+                near.extend(&self.ring);
+            }
+        }
+    }
+
+    /// Steps of these vertices, and flips between them; sorts the list.
+    fn settle(&mut self, near: &mut Vec<u32>) {
+        near.sort_unstable();
+        near.dedup();
+        near.retain(|&v| self.patch.is_alive(v));
+        for _ in 0..STEPS {
+            for &v in &*near {
+                self.relax_one(v);
+            }
+        }
+        let mut stack = Vec::new();
+        for &v in &*near {
+            self.patch.spokes(v, &mut self.spokes);
+            stack.extend(&self.spokes);
+        }
+        self.flip_from(stack);
+    }
+
+    fn mend_one(&mut self, t: u32, near: &mut Vec<u32>) {
+        if self.patch.triangles[t as usize][0] == NONE {
+            return;
+        }
+        let side = |k: u32| self.patch.length(3 * t + k);
+        let mut sides = [0, 1, 2];
+        sides.sort_by(|&a, &b| side(a).total_cmp(&side(b)));
+        let [short, middle, long] = sides.map(|k| 3 * t + k);
+        let angle = smallest_angle(&self.patch.triangles[t as usize].map(|v| self.patch.x[v as usize]));
+        if angle >= GOAL {
+            return;
+        }
+        self.gather(t, near);
+        if self.try_collapse(short) {
+            return;
+        }
+        for h in [long, middle] {
+            if self.try_split(h) {
+                near.push(self.patch.x.len() as u32 - 1);
+                return;
+            }
+        }
+    }
+
+    /// Removes one end of a short edge if the smallest angle around it grows.
+    fn try_collapse(&mut self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE {
+            return false;
+        }
+        for g in [h, o] {
+            let (a, b) = (self.patch.from(g), self.patch.to(g));
+            if self.patch.is_rim(a) || !self.stays_short(a, b) {
+                continue;
+            }
+            let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));
+            let ring: Vec<(u32, Vector3<f64>)> = ring.collect();
+            let around = |p: Vector3<f64>, without: Option<u32>| {
+                let pairs = (0..ring.len()).map(|k| (ring[k], ring[(k + 1) % ring.len()]));
+                pairs
+                    .filter(|(q, r)| Some(q.0) != without && Some(r.0) != without)
+                    .map(|(q, r)| smallest_angle(&[p, q.1, r.1]))
+                    .fold(f64::INFINITY, f64::min)
+            };
+            let before = around(self.patch.x[a as usize], None);
+            let after = around(self.patch.x[b as usize], Some(b));
+            if after > before && self.collapse(g) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Splits a long edge if the smallest angle beside it grows when the new vertex goes to the centre of its neighbours.
+    fn try_split(&mut self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE || self.inner_vertices() >= self.fineness.most {
+            return false;
+        }
+        let corners = [
+            self.patch.from(h),
+            self.patch.from(previous(o)),
+            self.patch.to(h),
+            self.patch.from(previous(h)),
+        ];
+        let x = corners.map(|v| self.patch.x[v as usize]);
+        let centre = x.iter().sum::<Vector3<f64>>() / 4.0;
+        let before = smallest_angle(&[x[0], x[2], x[3]]).min(smallest_angle(&[x[0], x[1], x[2]]));
+        let after = (0..4)
+            .map(|k| smallest_angle(&[centre, x[k], x[(k + 1) % 4]]))
+            .fold(f64::INFINITY, f64::min);
+        if after <= before {
+            return false;
+        }
+        let m = self.patch.split(h);
+        self.relax_one(m);
+        true
+    }
+}
