@@ -12,12 +12,19 @@ use crate::quality::smallest_angle;
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
 const PASSES: usize = 6;
+/// An edge at a rim vertex is no longer than this many times the mesh's longest one there,
+const FAR: f64 = 1.7;
+/// nor shorter than this many times its shortest one.
+const NEAR: f64 = 0.6;
+/// No edge gets longer than this many wanted lengths.
+const LONG: f64 = 1.8;
 /// Steps of the vertices around, per pass.
 const STEPS: usize = 3;
 
 impl Refiner<'_> {
-    /// Mends triangles with small angles.
+    /// Mends edges at the rim that are far from the mesh's own lengths there, then triangles with small angles.
     pub(super) fn mend(&mut self) {
+        self.mend_lengths();
         for _ in 0..PASSES {
             let bad = self.narrow();
             if bad.is_empty() {
@@ -33,6 +40,35 @@ impl Refiner<'_> {
             }
             self.settle(&mut near);
         }
+    }
+
+    fn mend_lengths(&mut self) {
+        let (mut near, mut spokes) = (Vec::new(), Vec::new());
+        for v in 0..self.patch.fixed as u32 {
+            let [shortest, longest] = self.patch.beside[v as usize];
+            self.patch.spokes(v, &mut spokes);
+            for &h in &spokes {
+                if !self.is_inner(h) || self.patch.from(h) != v {
+                    continue;
+                }
+                let (w, length) = (self.patch.to(h), self.patch.length(h));
+                if length > FAR * longest && !self.is_full() {
+                    near.extend([w, self.patch.split(h)]);
+                } else if length < NEAR * shortest
+                    && !self.patch.is_rim(w)
+                    && self.makes_nothing_taken(w, v)
+                {
+                    near.extend(&self.ring);
+                    self.collapse(self.patch.across(h));
+                }
+            }
+        }
+        self.settle(&mut near);
+    }
+
+    fn is_full(&self) -> bool {
+        let most = self.fineness.most;
+        self.patch.x.len() - self.patch.fixed >= most && self.inner_vertices() >= most
     }
 
     fn narrow(&self) -> Vec<u32> {
@@ -104,6 +140,7 @@ impl Refiner<'_> {
                 return;
             }
         }
+        let _ = self.try_collapse(middle) || self.try_collapse(long);
     }
 
     /// Removes one end of a short edge if the smallest angle around it grows.
@@ -114,7 +151,7 @@ impl Refiner<'_> {
         }
         for g in [h, o] {
             let (a, b) = (self.patch.from(g), self.patch.to(g));
-            if self.patch.is_rim(a) || !self.stays_short(a, b) {
+            if self.patch.is_rim(a) || !self.stays_short(a, b, LONG) {
                 continue;
             }
             let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));
@@ -138,7 +175,7 @@ impl Refiner<'_> {
     /// Splits a long edge if the smallest angle beside it grows when the new vertex goes to the centre of its neighbours.
     fn try_split(&mut self, h: u32) -> bool {
         let o = self.patch.across(h);
-        if o == NONE || self.inner_vertices() >= self.fineness.most {
+        if o == NONE || self.is_full() {
             return false;
         }
         let corners = [

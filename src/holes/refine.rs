@@ -99,11 +99,21 @@ impl<'a> Refiner<'a> {
         self.clear_rim();
         self.flip_all();
         self.mend();
+        self.finish();
+        enough
+    }
+
+    /// Only [`mend`](Self::mend), on a patch that was refined before.
+    pub(super) fn run_again(&mut self) {
+        self.mend();
+        self.finish();
+    }
+
+    fn finish(&mut self) {
         for _ in 0..ORIGINS {
             self.sweeps.settle_origins(self.patch);
         }
         self.patch.compact();
-        enough
     }
 
     /// Sizes, limits and depths spread from the rim inwards.
@@ -131,7 +141,7 @@ impl<'a> Refiner<'a> {
         if ratio.is_finite() { ratio } else { 0.0 }
     }
 
-    fn is_inner(&self, h: u32) -> bool {
+    pub(super) fn is_inner(&self, h: u32) -> bool {
         self.patch.triangles[h as usize / 3][0] != NONE && self.patch.across(h) != NONE
     }
 
@@ -190,7 +200,7 @@ impl<'a> Refiner<'a> {
 
     /// Whether the middle of an edge would see a rim edge beside it under a wide angle. Rim edges cannot be split, so
     /// vertices would gather along one that is longer than what is wanted there.
-    fn would_encroach(&self, h: u32) -> bool {
+    pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
         let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
         let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
@@ -241,7 +251,7 @@ impl<'a> Refiner<'a> {
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
-    fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
+    pub(super) fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
         self.patch.ring(a, &mut self.spokes, &mut self.ring);
         !self.patch.is_rim(b)
             || self.ring.iter().all(|&v| {
@@ -339,21 +349,21 @@ impl<'a> Refiner<'a> {
             let (a, b) = (self.patch.from(h), self.patch.to(h));
             let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
             let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
-            if self.patch.length(h) < short * wanted && self.stays_short(a, b) {
+            if self.patch.length(h) < short * wanted && self.stays_short(a, b, LONG) {
                 self.collapse(h);
             }
         }
     }
 
-    /// Whether no edge would be long, or one that is taken, if inner vertex `a` moved to `b`.
-    pub(super) fn stays_short(&mut self, a: u32, b: u32) -> bool {
+    /// Whether no edge would be longer than `long` wanted lengths, or one that is taken, if inner vertex `a` moved to `b`.
+    pub(super) fn stays_short(&mut self, a: u32, b: u32, long: f64) -> bool {
         if self.patch.is_rim(a) || !self.makes_nothing_taken(a, b) {
             return false;
         }
         let target = self.patch.x[b as usize];
         self.ring.iter().all(|&v| {
             let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
-            (self.patch.x[v as usize] - target).norm() < LONG * wanted
+            (self.patch.x[v as usize] - target).norm() < long * wanted
         })
     }
 }

@@ -154,6 +154,19 @@ impl Surroundings {
         (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
     }
 
+    /// Per loop vertex the lengths of the mesh's shortest and longest edge there.
+    pub(super) fn beside(&self) -> Vec<[f64; 2]> {
+        let mut beside = vec![[f64::INFINITY, 0.0f64]; self.rim];
+        self.each_edge(|a, b| {
+            let length = (self.x[a] - self.x[b]).norm();
+            for v in [a, b].into_iter().filter(|&v| v < self.rim) {
+                let [shortest, longest] = beside[v];
+                beside[v] = [shortest.min(length), longest.max(length)];
+            }
+        });
+        beside
+    }
+
     /// Per loop vertex the mean edge length of the mesh there, and the length of its shorter edge on the loop. The mean is
     /// that of the vertex and its neighbours together: edges at the rim alone are few, and the long ones are missing.
     pub(super) fn sizes(&self) -> (Vec<f64>, Vec<f64>) {
