@@ -12,17 +12,15 @@ use crate::quality::smallest_angle;
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
 const PASSES: usize = 6;
-/// An edge at a rim vertex is no longer than this many times the mesh's longest one there,
-const FAR: f64 = 1.7;
-/// nor shorter than this many times its shortest one.
-const NEAR: f64 = 0.6;
+/// Edges at the rim keep away from the ends of their range by this factor: fairing moves vertices a little.
+const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
 const LONG: f64 = 1.8;
 /// Steps of the vertices around, per pass.
 const STEPS: usize = 3;
 
 impl Refiner<'_> {
-    /// Mends edges at the rim that are far from the mesh's own lengths there, then triangles with small angles.
+    /// Mends edges at the rim whose lengths are not in their range, then triangles with small angles.
     pub(super) fn mend(&mut self) {
         self.mend_lengths();
         for _ in 0..PASSES {
@@ -45,16 +43,16 @@ impl Refiner<'_> {
     fn mend_lengths(&mut self) {
         let (mut near, mut spokes) = (Vec::new(), Vec::new());
         for v in 0..self.patch.fixed as u32 {
-            let [shortest, longest] = self.patch.beside[v as usize];
+            let [least, most] = self.patch.range[v as usize];
             self.patch.spokes(v, &mut spokes);
             for &h in &spokes {
                 if !self.is_inner(h) || self.patch.from(h) != v {
                     continue;
                 }
                 let (w, length) = (self.patch.to(h), self.patch.length(h));
-                if length > FAR * longest && !self.is_full() {
+                if ROOM * length > most && !self.is_full() {
                     near.extend([w, self.patch.split(h)]);
-                } else if length < NEAR * shortest
+                } else if length < ROOM * least
                     && !self.patch.is_rim(w)
                     && self.makes_nothing_taken(w, v)
                 {

@@ -176,7 +176,7 @@ impl Task<'_> {
         let mut patch = Patch::new(around.x[..n].to_vec(), triangles, n);
         let (size, shorter) = around.sizes();
         patch.size = size;
-        patch.beside = around.beside();
+        patch.range = around.ranges();
         patch.limit = shorter.iter().map(|s| BESIDE_SHORT * s).collect();
         Some(patch)
     }

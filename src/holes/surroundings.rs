@@ -154,17 +154,20 @@ impl Surroundings {
         (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
     }
 
-    /// Per loop vertex the lengths of the mesh's shortest and longest edge there.
-    pub(super) fn beside(&self) -> Vec<[f64; 2]> {
-        let mut beside = vec![[f64::INFINITY, 0.0f64]; self.rim];
+    /// Per loop vertex the range in which lengths of new edges there shall lie: half the mesh's shortest edge to twice its
+    /// longest, and no longer than twice its mean.
+    pub(super) fn ranges(&self) -> Vec<[f64; 2]> {
+        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.rim];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
             for v in [a, b].into_iter().filter(|&v| v < self.rim) {
-                let [shortest, longest] = beside[v];
-                beside[v] = [shortest.min(length), longest.max(length)];
+                let [shortest, longest, sum, count] = edges[v];
+                edges[v] = [shortest.min(length), longest.max(length), sum + length, count + 1.0];
             }
         });
-        beside
+        let range =
+            |&[shortest, longest, sum, count]: &[f64; 4]| [0.5 * shortest, 2.0 * longest.min(sum / count)];
+        edges.iter().map(range).collect()
     }
 
     /// Per loop vertex the mean edge length of the mesh there, and the length of its shorter edge on the loop. The mean is
