@@ -12,6 +12,8 @@ use crate::quality::smallest_angle;
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
 const PASSES: usize = 6;
+/// In so many of them edges at the rim keep to their ranges; after that angles count for more.
+const RANGED: usize = 4;
 /// Edges at the rim keep away from the ends of their range by this factor: fairing moves vertices a little.
 const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
@@ -23,7 +25,7 @@ impl Refiner<'_> {
     /// Mends edges at the rim whose lengths are not in their range, then triangles with small angles.
     pub(super) fn mend(&mut self) {
         self.mend_lengths();
-        for _ in 0..PASSES {
+        for pass in 0..PASSES {
             let bad = self.narrow();
             if bad.is_empty() {
                 return;
@@ -34,7 +36,7 @@ impl Refiner<'_> {
             }
             self.settle(&mut near);
             for t in bad {
-                self.mend_one(t, &mut near);
+                self.mend_one(t, pass < RANGED, &mut near);
             }
             self.settle(&mut near);
         }
@@ -43,7 +45,7 @@ impl Refiner<'_> {
     fn mend_lengths(&mut self) {
         let (mut near, mut spokes) = (Vec::new(), Vec::new());
         for v in 0..self.patch.fixed as u32 {
-            let [least, most] = self.patch.range[v as usize];
+            let [least, most, _] = self.patch.range[v as usize];
             self.patch.spokes(v, &mut spokes);
             for &h in &spokes {
                 if !self.is_inner(h) || self.patch.from(h) != v {
@@ -116,7 +118,7 @@ impl Refiner<'_> {
         self.flip_from(stack);
     }
 
-    fn mend_one(&mut self, t: u32, near: &mut Vec<u32>) {
+    fn mend_one(&mut self, t: u32, ranged: bool, near: &mut Vec<u32>) {
         if self.patch.triangles[t as usize][0] == NONE {
             return;
         }
@@ -129,7 +131,7 @@ impl Refiner<'_> {
             return;
         }
         self.gather(t, near);
-        if self.try_collapse(short) {
+        if self.try_collapse(short, ranged) {
             return;
         }
         for h in [long, middle] {
@@ -138,18 +140,19 @@ impl Refiner<'_> {
                 return;
             }
         }
-        let _ = self.try_collapse(middle) || self.try_collapse(long);
+        let _ = self.try_collapse(middle, ranged) || self.try_collapse(long, ranged);
     }
 
-    /// Removes one end of a short edge if the smallest angle around it grows.
-    fn try_collapse(&mut self, h: u32) -> bool {
+    /// Removes one end of a short edge if the smallest angle around it grows; `ranged`: and if no edge at the rim gets too
+    /// long.
+    fn try_collapse(&mut self, h: u32, ranged: bool) -> bool {
         let o = self.patch.across(h);
         if o == NONE {
             return false;
         }
         for g in [h, o] {
             let (a, b) = (self.patch.from(g), self.patch.to(g));
-            if self.patch.is_rim(a) || !self.stays_short(a, b, LONG) {
+            if self.patch.is_rim(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
                 continue;
             }
             let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));
@@ -168,6 +171,19 @@ impl Refiner<'_> {
             }
         }
         false
+    }
+
+    /// Whether an edge from `b` to one of the ring would be too long at the rim.
+    fn leaves_range(&self, b: u32) -> bool {
+        let target = self.patch.x[b as usize];
+        let is_beyond = |v: u32, length: f64| {
+            let range = self.patch.range.get(v as usize);
+            range.is_some_and(|range| length > range[2])
+        };
+        self.ring.iter().any(|&v| {
+            let length = (self.patch.x[v as usize] - target).norm();
+            is_beyond(v, length) || is_beyond(b, length)
+        })
     }
 
     /// Splits a long edge if the smallest angle beside it grows when the new vertex goes to the centre of its neighbours.

@@ -154,9 +154,9 @@ impl Surroundings {
         (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
     }
 
-    /// Per loop vertex the range in which lengths of new edges there shall lie: half the mesh's shortest edge to twice its
-    /// longest, and no longer than twice its mean.
-    pub(super) fn ranges(&self) -> Vec<[f64; 2]> {
+    /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
+    /// the longest.
+    pub(super) fn ranges(&self) -> Vec<[f64; 3]> {
         let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.rim];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
@@ -165,8 +165,9 @@ impl Surroundings {
                 edges[v] = [shortest.min(length), longest.max(length), sum + length, count + 1.0];
             }
         });
-        let range =
-            |&[shortest, longest, sum, count]: &[f64; 4]| [0.5 * shortest, 2.0 * longest.min(sum / count)];
+        let range = |&[shortest, longest, sum, count]: &[f64; 4]| {
+            [0.5 * shortest, 2.0 * sum / count, 2.0 * longest]
+        };
         edges.iter().map(range).collect()
     }
 
