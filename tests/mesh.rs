@@ -1,6 +1,6 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
-use fairmesh::mesh::{NONE, Region, Rings};
+use fairmesh::mesh::{NONE, Region, Rings, Surroundings};
 use fairmesh::{Error, Selection};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -121,10 +121,7 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let inner = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
         let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
         let inside: BTreeSet<_> = rings.border_edge[inner].iter().map(|e| e.map(id)).collect();
-        let outside: BTreeSet<_> = rings.outside_edge[outer.clone()]
-            .iter()
-            .map(|e| e.map(id))
-            .collect();
+        let outside: BTreeSet<_> = rings.outside_edge[outer].iter().map(|e| e.map(id)).collect();
         let (left, right): (BTreeSet<_>, BTreeSet<_>) =
             link[&v].iter().partition(|e| e.iter().any(|w| free.contains(w)));
         assert_eq!((&inside, &outside), (&left, &right));
@@ -133,20 +130,6 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
             ends(&inside),
             rings.border_ring(b).iter().map(|&j| id(j)).collect()
         );
-        let outer_row = rings.outside_start[b] as usize..rings.outside_start[b + 1] as usize;
-        assert_eq!(
-            ends(&outside),
-            rings.outside_neighbour[outer_row]
-                .iter()
-                .map(|&j| id(j))
-                .collect()
-        );
-        for k in outer {
-            assert_eq!(
-                id(rings.outside_flap[k]),
-                flap(v, rings.outside_edge[k].map(id), false)
-            );
-        }
     }
 }
 
@@ -285,47 +268,64 @@ fn one_free_vertex_in_a_grid() {
             .collect::<Vec<_>>()
     };
     assert_eq!(caller(rings.border_ring(0)), [7, 12, 11]);
-    assert_eq!(caller(&rings.outside_neighbour[..5]), [11, 5, 0, 1, 7]);
+    let outside: Vec<_> = rings.outside_triangles(0).iter().map(|e| caller(e)).collect();
+    assert_eq!(outside, [[11, 5], [5, 0], [0, 1], [1, 7]]);
     assert_eq!(caller(&rings.border_edge[0]), [7, 12]);
     assert!(rings.closed.iter().all(|c| !c));
 }
 
 #[test]
-fn flaps_of_the_outside_lie_in_the_ring_or_beyond() {
-    let mesh = grid(9);
-    let (region, rings) = sound(&mesh, Selection::Vertices(&[40]));
-    let id = |v: u32| region.vertex_ids[v as usize];
-    // Border vertex 30, whose outside edges run from 39 to 31; 38 and 11 are not of the outside ring's vertices.
-    let row = rings.outside_edge_start[0] as usize..rings.outside_edge_start[1] as usize;
-    let found: Vec<_> = row
-        .map(|k| (rings.outside_edge[k].map(id), rings.outside_flap[k]))
-        .map(|(e, f)| (e, if f == NONE { NONE } else { id(f) }))
-        .collect();
-    assert_eq!(
-        found,
-        [([39, 29], 38), ([29, 20], 19), ([20, 21], 11), ([21, 31], 22)]
-    );
-    // 10 or 11 is beyond the ring: numbered after every ring vertex.
-    assert!(region.vertex_ids.contains(&11));
+fn surroundings_are_three_rings_of_neighbours() {
+    let mesh = grid(13);
+    let (region, _) = sound(&mesh, Selection::Vertices(&[84]));
+    let surroundings = Surroundings::new(&region);
+    // By the definition: breadth first along the edges of triangles that are not of the region.
+    let outside: Vec<_> = mesh.1.iter().filter(|t| !t.contains(&84)).collect();
+    let mut found = Vec::new();
+    for b in region.free..region.region_vertices() {
+        let ends = surroundings.rings::<3>(b as u32, &mut found);
+        let mut wanted = BTreeSet::from([region.vertex_ids[b]]);
+        for end in ends {
+            let at = |t: &&&[u32; 3]| t.iter().any(|v| wanted.contains(v));
+            let next: BTreeSet<u32> = outside.iter().filter(at).flat_map(|t| **t).collect();
+            wanted.extend(next);
+            let ids: BTreeSet<u32> = found[..end]
+                .iter()
+                .map(|&v| region.vertex_ids[v as usize])
+                .collect();
+            assert_eq!(ids.len(), end);
+            assert_eq!(
+                ids,
+                wanted
+                    .iter()
+                    .copied()
+                    .filter(|&v| v != region.vertex_ids[b])
+                    .collect()
+            );
+        }
+    }
 }
 
 #[test]
-fn an_ambiguous_or_unusable_flap_is_none() {
-    let mut mesh = grid(9);
-    let flap = |mesh: &Mesh| {
-        let (region, rings) = sound(mesh, Selection::Vertices(&[40]));
-        let at = rings
-            .outside_edge
+fn broken_surroundings_are_left_out() {
+    let mut mesh = grid(13);
+    let all = |mesh: &Mesh| {
+        let (region, _) = sound(mesh, Selection::Vertices(&[84]));
+        let mut found = Vec::new();
+        Surroundings::new(&region).rings::<3>(region.free as u32, &mut found);
+        found
             .iter()
-            .position(|e| e.map(|v| region.vertex_ids[v as usize]) == [20, 21]);
-        rings.outside_flap[at.unwrap()]
+            .map(|&v| region.vertex_ids[v as usize])
+            .collect::<BTreeSet<u32>>()
     };
-    assert_ne!(flap(&mesh), NONE);
-    mesh.0[11][1] = f64::NAN;
-    assert_eq!(flap(&mesh), NONE);
-    mesh.0[11][1] = 1.0;
-    mesh.1.push([20, 21, 80]);
-    assert_eq!(flap(&mesh), NONE);
+    let before = all(&mesh);
+    // Two rings from border vertex 70: without a place, in a triangle that is none, and in one too many.
+    assert!(before.contains(&42) && before.contains(&43) && before.contains(&31));
+    mesh.0[42][1] = f64::NAN;
+    mesh.1.push([43, 43, 0]);
+    mesh.1.push([43, 44, 168]);
+    let after = all(&mesh);
+    assert!(!after.contains(&42) && after.contains(&43) && !after.contains(&0) && after.contains(&168));
 }
 
 #[test]
@@ -370,7 +370,7 @@ fn closed_fixed_vertex_inside_the_region() {
     assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
     assert_eq!(rings.border_ring(at).len(), 6);
     assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 6);
-    assert_eq!(rings.outside_start[at + 1], rings.outside_start[at]);
+    assert!(rings.outside_triangles(at).is_empty());
     // V - E + F = 1 of the disc that is left.
     let faces = region.half_edges.region_triangles as i64;
     let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
@@ -395,7 +395,7 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
     assert_eq!(rings.border_half_edges.len(), 12);
     let rim_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
     assert!(rings.border_half_edges.iter().all(|h| rim_opposite(h) == NONE));
-    assert!(rings.outside_neighbour.is_empty());
+    assert!(rings.outside_edge.is_empty());
 }
 
 #[test]
@@ -412,7 +412,7 @@ fn components_join_at_common_vertices() {
     let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
     assert_eq!((rings.border_ring(at).len(), rings.closed[at]), (6, false));
     assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 4);
-    assert_eq!(rings.outside_start[at + 1] - rings.outside_start[at], 4);
+    assert_eq!(rings.outside_triangles(at).len(), 2);
     // The common border vertex connects the two in S_I D S_I^T, though they are no neighbours.
     assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
     assert_eq!(rings.graph().row(1), [1]);
@@ -452,7 +452,6 @@ fn corners_of_valence_two_on_a_rim_are_outside() {
         let (region, rings) = sound(&mesh, selection);
         assert_eq!((region.half_edges.region_triangles, region.border), (3, 3));
         assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
-        assert_eq!(rings.outside_flap, [NONE; 2]);
     }
 }
 

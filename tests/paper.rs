@@ -12,7 +12,7 @@ use fairmesh::mesh::{Region, Selection, decimate};
 use fairmesh::shapes::*;
 use fairmesh::{
     BorderNormals, Discretization, Error, Estimate, InnerFairness, Options, Outcome, PaperOptions, Progress,
-    Solution, Solver, fair,
+    Solution, Solver,
 };
 use nalgebra::Vector3;
 
@@ -321,13 +321,7 @@ fn a_run_stops_within_one_update() {
             progress: Some(&mut watch),
             ..options(TIGHT)
         };
-        let s = fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            options,
-        )
-        .unwrap();
+        let s = attempt(&shape, options).unwrap();
         assert_eq!(s.report.outcome, Outcome::Cancelled);
         assert_eq!((s.report.iterations, after), (stop, 0));
         let levels = &s.report.levels;
@@ -407,13 +401,7 @@ fn options_out_of_range_are_refused() {
             solver: Solver::Paper(paper),
             ..options(TIGHT)
         };
-        let refused = fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            options,
-        )
-        .unwrap_err();
+        let refused = attempt(&shape, options).unwrap_err();
         let Error::BadOption { name, .. } = refused else {
             panic!("{refused}")
         };

@@ -8,7 +8,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Discretization, Error, Options, Outcome, Selection, Solution, Target, fair};
+use fairmesh::{BorderNormals, Discretization, Error, Options, Outcome, Solution, Target};
 
 fn asked<'a>(target: Target, tolerance: f64) -> Options<'a> {
     Options {
@@ -290,12 +290,7 @@ fn what_is_too_large_ends_honestly() {
         }
     }
     for c in [f64::NAN, f64::INFINITY] {
-        let refused = fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            asked(Target::Constant(c), 1e-8),
-        );
+        let refused = attempt(&shape, asked(Target::Constant(c), 1e-8));
         assert!(matches!(refused, Err(Error::BadOption { name: "target", .. })));
     }
 }

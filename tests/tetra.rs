@@ -6,7 +6,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::{Shape, tetra_thing, tetra_thing_coarse};
-use fairmesh::{BorderNormals, InnerFairness, Options, Selection, Solution, fair, mean_curvature};
+use fairmesh::{BorderNormals, InnerFairness, Options, Solution, mean_curvature};
 
 /// The coarse surface may leave the fine one by this much of the diagonal.
 const COARSE_TO_FINE: f64 = 1.2e-2;
@@ -18,13 +18,7 @@ fn faired(shape: &Shape, inner: InnerFairness) -> Solution {
         inner,
         ..options(1e-8)
     };
-    fair(
-        &shape.positions,
-        &shape.triangles,
-        Selection::Mask(&shape.free),
-        options,
-    )
-    .unwrap()
+    attempt(shape, options).unwrap()
 }
 
 #[test]

@@ -9,8 +9,8 @@ use crate::mesh::{Region, Rings};
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
 pub enum BorderNormals<'a> {
-    /// Fitted to second order to the surface outside the region, blended with the average where the scan
-    /// is rough; by the paper's rule (7.5) where there is no outside.
+    /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
+    /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
     #[default]
     Fitted,
     /// The average of the outside triangles, as the paper does (7.5).

@@ -22,8 +22,8 @@ pub enum Selection<'a> {
 ///
 /// Region triangles are those with a free vertex; border vertices are their fixed vertices, those with a
 /// closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
-/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the flap
-/// vertices beyond it, each group in the caller's order.
+/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the
+/// vertices of two more rings beyond it, each group in the caller's order.
 #[derive(Debug, Clone)]
 pub struct Region {
     /// The caller's number of each local vertex.
@@ -34,6 +34,9 @@ pub struct Region {
     pub border: usize,
     /// The triangles of the region and of the outside ring.
     pub half_edges: HalfEdges,
+    /// The triangles within two more rings around those, in local numbers, as far as their vertices have a place. They
+    /// serve fits to the surroundings and need not be sound.
+    pub beyond: Vec<[u32; 3]>,
     /// Per free vertex the number of its component. Region triangles with a common vertex, free or fixed,
     /// belong together; components are numbered by their smallest free vertex.
     pub component: Vec<u32>,
@@ -69,7 +72,7 @@ impl Region {
             .iter()
             .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
             .collect();
-        let mut half_edges = HalfEdges::new(
+        let half_edges = HalfEdges::new(
             numbered,
             triangle_ids,
             region_triangles,
@@ -77,20 +80,14 @@ impl Region {
             border,
             &vertex_ids,
         )?;
-        add_flaps(
-            positions,
-            triangles,
-            &role,
-            local,
-            &mut vertex_ids,
-            &mut half_edges,
-        );
+        let beyond = add_beyond(positions, triangles, &role, local, &mut vertex_ids);
         let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
         Ok(Self {
             vertex_ids,
             free,
             border,
             half_edges,
+            beyond,
             component,
             components,
         })
@@ -354,82 +351,50 @@ fn check_finite(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
     }
 }
 
-/// Looks up the flap vertices of the outside ring, which may lie in triangles beyond it, and numbers them.
-fn add_flaps(
+/// How far [`Region::beyond`] reaches.
+const RINGS_BEYOND: usize = 2;
+
+/// Gathers [`Region::beyond`] and numbers its vertices that have no number yet.
+fn add_beyond(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     role: &[Role],
     mut local: Vec<u32>,
     vertex_ids: &mut Vec<u32>,
-    half_edges: &mut HalfEdges,
-) {
-    let outer = outer_layer(triangles, role, vertex_ids, half_edges);
-    let mut thirds: Vec<u32> = outer.iter().map(|o| o.2).filter(|&v| v != NONE).collect();
-    thirds.retain(|&v| local[v as usize] == NONE && finite(&positions[v as usize]));
-    thirds.sort_unstable();
-    thirds.dedup();
-    for v in thirds {
+) -> Vec<[u32; 3]> {
+    let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
+    let mut before = vec![false; role.len()];
+    let mut beyond = Vec::new();
+    for _ in 0..RINGS_BEYOND {
+        let first = beyond.len();
+        for tri in triangles {
+            let any = |marked: &[bool]| tri.iter().any(|&v| marked[v as usize]);
+            let inner = tri
+                .iter()
+                .any(|&v| matches!(role[v as usize], Role::Free | Role::Border));
+            if any(&reached) && !any(&before) && !inner && repeated(*tri).is_none() {
+                let placed = tri.iter().all(|&v| finite(&positions[v as usize]));
+                beyond.extend(placed.then_some(*tri));
+            }
+        }
+        before.copy_from_slice(&reached);
+        beyond[first..]
+            .iter()
+            .flatten()
+            .for_each(|&v| reached[v as usize] = true);
+    }
+    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
+    new.retain(|&v| local[v as usize] == NONE);
+    new.sort_unstable();
+    new.dedup();
+    for v in new {
         local[v as usize] = vertex_ids.len() as u32;
         vertex_ids.push(v);
     }
-    half_edges.set_flaps(|h| match outer.binary_search_by_key(&h, |o| o.0) {
-        Ok(at) => (
-            outer[at].1,
-            if outer[at].2 == NONE {
-                NONE
-            } else {
-                local[outer[at].2 as usize]
-            },
-        ),
-        Err(_) => (0, NONE),
-    });
-}
-
-/// Half-edges of the outside ring with further triangles across: the half-edge, how many, and the third vertex
-/// (the caller's number) of one of them; by half-edge.
-fn outer_layer(
-    triangles: &[[u32; 3]],
-    role: &[Role],
-    vertex_ids: &[u32],
-    half_edges: &HalfEdges,
-) -> Vec<(u32, u32, u32)> {
-    let is_ring = |v: u32| role[v as usize] == Role::Ring;
-    let key = |a: u32, b: u32| u64::from(a.min(b)) << 32 | u64::from(a.max(b));
-    let mut rim = Vec::new();
-    for h in 3 * half_edges.region_triangles as u32..half_edges.opposite.len() as u32 {
-        let (a, b) = (half_edges.origin(h), half_edges.target(h));
-        let (a, b) = (vertex_ids[a as usize], vertex_ids[b as usize]);
-        if is_ring(a) && is_ring(b) {
-            rim.push((key(a, b), h));
-        }
+    for v in beyond.iter_mut().flatten() {
+        *v = local[*v as usize];
     }
-    rim.sort_unstable();
-    let mut found = Vec::new();
-    if rim.is_empty() {
-        return found;
-    }
-    for tri in triangles {
-        let ring = tri.iter().filter(|&&v| is_ring(v)).count();
-        let elsewhere = tri
-            .iter()
-            .all(|&v| matches!(role[v as usize], Role::Ring | Role::Other));
-        if ring < 2 || !elsewhere || repeated(*tri).is_some() {
-            continue;
-        }
-        for k in 0..3 {
-            let edge = key(tri[k], tri[(k + 1) % 3]);
-            let first = rim.partition_point(|r| r.0 < edge);
-            let here = rim[first..].iter().take_while(|r| r.0 == edge);
-            found.extend(here.map(|r| (r.1, 1, tri[(k + 2) % 3])));
-        }
-    }
-    found.sort_unstable();
-    found.dedup_by(|later, kept| {
-        let same = later.0 == kept.0;
-        kept.1 += u32::from(same);
-        same
-    });
-    found
+    beyond
 }
 
 /// Numbers the components by smallest free vertex, and checks that each has a fixed vertex.
