@@ -205,11 +205,7 @@ fn a_sphere_is_completed_to_rounding_at_every_density() {
                 bars.at_most(format!("{what}: edges"), outside[0], 2.5e-3);
                 bars.at_most(format!("{what}: edges and the mean"), outside[1], 0.08);
                 let expected = std::f64::consts::SQRT_2 / density;
-                bars.at_most(
-                    format!("{what}: mean length"),
-                    (mean / expected - 1.0).abs(),
-                    0.2,
-                );
+                bars.at_most(format!("{what}: mean length"), (mean / expected - 1.0).abs(), 0.2);
                 // The bend over the rim: that of the exact surface for these triangles, and that of the mesh before it was
                 // cut, whose triangles are smaller or larger by the density.
                 let bend = rim_bend(&t, &filled);

@@ -54,10 +54,7 @@ impl Refiner<'_> {
                 let (w, length) = (self.patch.to(h), self.patch.length(h));
                 if ROOM * length > most && !self.is_full() {
                     near.extend([w, self.patch.split(h)]);
-                } else if length < ROOM * least
-                    && !self.patch.is_rim(w)
-                    && self.makes_nothing_taken(w, v)
-                {
+                } else if length < ROOM * least && !self.patch.is_rim(w) && self.makes_nothing_taken(w, v) {
                     near.extend(&self.ring);
                     self.collapse(self.patch.across(h));
                 }

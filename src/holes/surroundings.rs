@@ -162,12 +162,16 @@ impl Surroundings {
             let length = (self.x[a] - self.x[b]).norm();
             for v in [a, b].into_iter().filter(|&v| v < self.rim) {
                 let [shortest, longest, sum, count] = edges[v];
-                edges[v] = [shortest.min(length), longest.max(length), sum + length, count + 1.0];
+                edges[v] = [
+                    shortest.min(length),
+                    longest.max(length),
+                    sum + length,
+                    count + 1.0,
+                ];
             }
         });
-        let range = |&[shortest, longest, sum, count]: &[f64; 4]| {
-            [0.5 * shortest, 2.0 * sum / count, 2.0 * longest]
-        };
+        let range =
+            |&[shortest, longest, sum, count]: &[f64; 4]| [0.5 * shortest, 2.0 * sum / count, 2.0 * longest];
         edges.iter().map(range).collect()
     }
 
@@ -194,7 +198,9 @@ impl Surroundings {
         let shorter = (0..self.rim)
             .map(|i| edge(i).min(edge((i + self.rim - 1) % self.rim)))
             .collect();
-        let mean = around[..self.rim].iter().map(|&(s, n): &(f64, f64)| s / n.max(1.0));
+        let mean = around[..self.rim]
+            .iter()
+            .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
         (mean.collect(), shorter)
     }
 
