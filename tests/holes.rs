@@ -94,7 +94,21 @@ fn check(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) {
         assert!((sum - 1.0).abs() < 1e-9 && parents.weights.iter().all(|&w| (0.0..=1.0 + 1e-9).contains(&w)));
         assert!(parents.vertices.iter().all(|&v| (v as usize) < x.len()));
     }
+    let loops = border_loops(x, t).unwrap();
     for report in &filled.loops {
+        let rim = &loops[report.index].vertices;
+        let side = |k: usize, pick: fn(f64, f64) -> f64, from| {
+            rim.iter().map(|&v| x[v as usize][k]).fold(from, pick)
+        };
+        let low = [0, 1, 2].map(|k| side(k, f64::min, f64::INFINITY));
+        let high = [0, 1, 2].map(|k| side(k, f64::max, f64::NEG_INFINITY));
+        let room = 0.25 * (vector(&high) - vector(&low)).norm() * (1.0 + 1e-9);
+        let is_outside = |p: [f64; 3]| (0..3).any(|k| p[k] < low[k] - room || p[k] > high[k] + room);
+        let unnamed = report
+            .vertices
+            .clone()
+            .filter(|v| is_outside(filled.positions[*v as usize]) && !report.outside.contains(v));
+        assert_eq!(unnamed.count(), 0);
         let after = filled.triangles[report.triangles.start as usize..report.triangles.end as usize].iter();
         let of_loop = |&v: &u32| (v as usize) < x.len() || report.vertices.contains(&v);
         assert!(after.flatten().all(of_loop));
@@ -371,17 +385,8 @@ fn a_saddle_shaped_loop_is_filled_without_spikes() {
 
 #[test]
 fn bow_ties_are_loops_of_their_own_and_both_are_filled() {
-    // A sheet of 9 by 9 vertices without two quads that meet in vertex (4, 4).
-    let at = |i: usize, j: usize| (9 * j + i) as u32;
-    let x: Vec<[f64; 3]> = (0..81).map(|v| [(v % 9) as f64, (v / 9) as f64, 0.0]).collect();
-    let mut t = Vec::new();
-    for (i, j) in (0..8).flat_map(|j| (0..8).map(move |i| (i, j))) {
-        if (i, j) != (3, 3) && (i, j) != (4, 4) {
-            t.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-            t.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-        }
-    }
-    let loops = border_loops(&x, &t).unwrap();
+    // Two quads that meet in vertex (4, 4).
+    let (_, loops, filled) = sheet_without(&[(3, 3), (4, 4)]);
     let mut edges: Vec<usize> = loops.iter().map(|l| l.vertices.len()).collect();
     edges.sort_unstable();
     assert_eq!(edges, [4, 4, 32]);
@@ -391,12 +396,131 @@ fn bow_ties_are_loops_of_their_own_and_both_are_filled() {
             .filter(|l| l.kind == LoopKind::Hole)
             .all(|l| l.touching == [40])
     );
-    let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
     assert_eq!(filled.loops.iter().filter(|l| !l.triangles.is_empty()).count(), 2);
     assert_eq!(
         border_loops(&filled.positions, &filled.triangles).unwrap().len(),
         1
     );
+}
+
+/// The outlines of single holes in a sheet of 9 by 9 vertices without these quads, as loops, and the filled sheet.
+fn sheet_without(quads: &[(usize, usize)]) -> (Mesh, Vec<fairmesh::BorderLoop>, Filled) {
+    let at = |i: usize, j: usize| (9 * j + i) as u32;
+    let x: Vec<[f64; 3]> = (0..81).map(|v| [(v % 9) as f64, (v / 9) as f64, 0.0]).collect();
+    let mut t = Vec::new();
+    for (i, j) in (0..8).flat_map(|j| (0..8).map(move |i| (i, j))) {
+        if !quads.contains(&(i, j)) {
+            t.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            t.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    let loops = border_loops(&x, &t).unwrap();
+    let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
+    ((x, t), loops, filled)
+}
+
+#[test]
+fn holes_that_touch_all_around_an_island_are_filled_one_by_one() {
+    // The quad in the middle hangs at its corners only.
+    let (_, loops, filled) = sheet_without(&[(3, 4), (5, 4), (4, 3), (4, 5)]);
+    let holes: Vec<_> = loops.iter().filter(|l| l.kind == LoopKind::Hole).collect();
+    assert_eq!(holes.len(), 4);
+    assert!(
+        holes
+            .iter()
+            .all(|l| l.vertices.len() == 4 && l.touching.len() == 2)
+    );
+    assert_eq!(
+        border_loops(&filled.positions, &filled.triangles).unwrap().len(),
+        1
+    );
+}
+
+#[test]
+fn three_holes_that_meet_in_a_vertex_are_filled() {
+    // Every other triangle around vertex 0, whose ring lies in a larger one.
+    let (mut x, mut t) = collar(6, ring(1.0, 0.0), ring(2.0, 0.0));
+    x.push([0.0; 3]);
+    t.extend([[12, 0, 1], [12, 2, 3], [12, 4, 5]]);
+    let loops = border_loops(&x, &t).unwrap();
+    let holes: Vec<_> = loops.iter().filter(|l| l.touching.contains(&12)).collect();
+    assert!(
+        holes.len() == 3 && holes.iter().all(|l| l.vertices.len() == 3),
+        "{loops:?}"
+    );
+    let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
+    assert_eq!(
+        border_loops(&filled.positions, &filled.triangles).unwrap().len(),
+        1
+    );
+}
+
+#[test]
+fn an_island_in_a_hole_stays_as_it_is() {
+    // A hole closed to a ring by an island of its own, near to its rim, in its plane and above.
+    for (gap, height) in [(0.05, 0.0), (0.3, 0.0), (0.05, 0.2)] {
+        let (mut x, mut t) = collar(48, ring(1.0, 0.0), ring(1.2, 0.0));
+        let (y, u) = collar(48, ring(0.5, height), ring(1.0 - gap, height));
+        let shift = x.len() as u32;
+        x.extend(y);
+        t.extend(u.iter().map(|t| t.map(|v| v + shift)));
+        x.push([0.0, 0.0, height]);
+        let centre = x.len() as u32 - 1;
+        t.extend((0..48).map(|i| [centre, shift + i, shift + (i + 1) % 48]));
+        let loops = border_loops(&x, &t).unwrap();
+        assert_eq!(loops.len(), 3);
+        let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
+        for (border, report) in loops.iter().zip(&filled.loops) {
+            if border.vertices.contains(&0) {
+                // Closed by a disc of its own, which runs through or past the island.
+                assert_eq!(report.outcome, FillOutcome::Faired);
+                let new = report.vertices.clone().map(|v| filled.positions[v as usize]);
+                assert!(new.into_iter().all(|p| p[2].abs() < 1e-9));
+            } else {
+                assert_eq!(report.outcome, FillOutcome::LeftOpen(OpenReason::OuterBorder));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_border_without_a_fair_filling_ends_honestly_and_soon() {
+    // A piece of a sphere with a wavy outline, a dent and a bump: any smooth back of it would have to pass through it.
+    let shape = sphere_with_hole(1.0, 4_000, irregular(3), 0);
+    let wave = |p: [f64; 3]| 0.3 * (5.0 * p[1].atan2(p[0])).sin();
+    let (mut x, t) = cut(&shape, |p| p[2] > 0.45 + wave(p));
+    x.iter_mut()
+        .for_each(|p| p[2] -= 0.5 * (-8.0 * (p[0] * p[0] + p[1] * p[1])).exp());
+    let outer = largest(&x, &t);
+    let (chosen, mut calls) = ([outer], 0);
+    let mut count = |_: &fairmesh::Progress| {
+        calls += 1;
+        std::ops::ControlFlow::Continue(())
+    };
+    let asked = FillOptions {
+        fairing: Options {
+            threads: 1,
+            progress: Some(&mut count),
+            ..Options::default()
+        },
+        ..options(Loops::Chosen(&chosen))
+    };
+    let filled = fill_holes(&x, &t, asked).unwrap();
+    check(&x, &t, &filled);
+    let report = &filled.loops[0];
+    let converged = report
+        .fairing
+        .as_ref()
+        .is_some_and(|f| f.outcome == Outcome::Converged);
+    match &report.outcome {
+        FillOutcome::Faired => assert!(converged, "{:?}", report.fairing),
+        FillOutcome::Linear => assert!(!converged && report.outside.is_empty()),
+        FillOutcome::Flat { reason } => {
+            assert!(!converged && *reason == FlatReason::Unsound && report.outside.is_empty());
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(calls < 1_500, "{calls}");
 }
 
 #[test]
