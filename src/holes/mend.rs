@@ -209,3 +209,67 @@ impl Refiner<'_> {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::holes::patch::Patch;
+    use crate::holes::refine::Fineness;
+
+    /// A disc of 12 rim vertices around a wheel of `inner` ones.
+    fn wheel(radius: f64) -> Patch {
+        let at = |r: f64, k: u32| {
+            let a = f64::from(k) * std::f64::consts::TAU / 12.0;
+            Vector3::new(r * a.cos(), r * a.sin(), 0.0)
+        };
+        let mut x: Vec<_> = (0..12).map(|k| at(1.0, k)).collect();
+        x.extend((0..12).map(|k| at(radius, k)));
+        x.push(Vector3::zeros());
+        let mut triangles = Vec::new();
+        for k in 0..12 {
+            let next = (k + 1) % 12;
+            triangles.extend([[k, next, 12 + next], [k, 12 + next, 12 + k]]);
+            triangles.push([24, 12 + k, 12 + next]);
+        }
+        Patch::new(x, triangles, 12)
+    }
+
+    fn worst(patch: &Patch) -> f64 {
+        let angle = |t: &[u32; 3]| smallest_angle(&t.map(|v| patch.x[v as usize]));
+        let alive = patch.triangles.iter().filter(|t| t[0] != NONE);
+        alive.map(angle).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn narrow_triangles_are_mended_and_the_patch_stays_a_disc() {
+        for radius in [0.9, 0.98] {
+            let mut patch = wheel(radius);
+            patch.size.fill(0.5);
+            assert!(worst(&patch) < 12.0);
+            let fineness = Fineness {
+                factor: 1.0,
+                growth: 0.0,
+                most: 1_000,
+            };
+            Refiner::new(&mut patch, fineness, &[]).run_again();
+            patch.validate().unwrap();
+            assert!(worst(&patch) > 20.0, "{radius}: {}", worst(&patch));
+            let area: f64 = (0..patch.triangles.len()).map(|t| 0.5 * patch.cross(t).z).sum();
+            assert!((area - 3.0).abs() < 1e-12, "{area}");
+        }
+    }
+
+    #[test]
+    fn no_vertex_comes_above_the_limit() {
+        let mut patch = wheel(0.98);
+        patch.size.fill(0.5);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 13,
+        };
+        Refiner::new(&mut patch, fineness, &[]).run_again();
+        patch.validate().unwrap();
+        assert!(patch.x.len() <= 12 + 13);
+    }
+}

@@ -168,3 +168,78 @@ fn turns_over(old: &Vector3<f64>, new: &Vector3<f64>) -> bool {
     let dot = old.dot(new);
     dot <= 0.0 || dot * dot < 0.25 * old.norm_squared() * new.norm_squared()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square of 5 by 5 vertices, its rim first; inner ones at `place`.
+    fn square(place: impl Fn(f64, f64) -> Vector3<f64>) -> Patch {
+        let is_rim = |i: usize, j: usize| i == 0 || j == 0 || i == 4 || j == 4;
+        let all: Vec<(usize, usize)> = (0..25).map(|v| (v % 5, v / 5)).collect();
+        let mut order: Vec<_> = all.iter().copied().filter(|&(i, j)| is_rim(i, j)).collect();
+        order.extend(all.iter().copied().filter(|&(i, j)| !is_rim(i, j)));
+        let number = |i, j| order.iter().position(|&o| o == (i, j)).unwrap() as u32;
+        let x = order.iter().map(|&(i, j)| {
+            let (a, b) = (i as f64, j as f64);
+            if is_rim(i, j) {
+                Vector3::new(a, b, 0.0)
+            } else {
+                place(a, b)
+            }
+        });
+        let mut triangles = Vec::new();
+        for (i, j) in all.iter().copied().filter(|&(i, j)| i < 4 && j < 4) {
+            let [a, b, c, d] = [
+                number(i, j),
+                number(i + 1, j),
+                number(i + 1, j + 1),
+                number(i, j + 1),
+            ];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+        Patch::new(x.collect(), triangles, 16)
+    }
+
+    #[test]
+    fn a_regular_square_stays_and_a_disturbed_one_comes_back() {
+        let regular = square(|a, b| Vector3::new(a, b, 0.0));
+        let mut patch = regular.clone();
+        Sweeps::default().relax(&mut patch);
+        assert!(
+            patch
+                .x
+                .iter()
+                .zip(&regular.x)
+                .all(|(p, q)| (p - q).norm() < 1e-15)
+        );
+        let mut patch = square(|a, b| Vector3::new(a + 0.2 * (3.0 * b).sin(), b + 0.2 * a.cos(), 0.0));
+        (0..60).for_each(|_| Sweeps::default().relax(&mut patch));
+        assert!(patch.x.iter().zip(&regular.x).all(|(p, q)| (p - q).norm() < 1e-6));
+    }
+
+    #[test]
+    fn no_triangle_turns_over() {
+        // The inner vertices are crowded in a corner.
+        let mut patch = square(|a, b| Vector3::new(3.2 + 0.2 * a, 3.2 + 0.2 * b, 0.0));
+        for _ in 0..20 {
+            let before: Vec<f64> = (0..patch.triangles.len()).map(|t| patch.cross(t).z).collect();
+            Sweeps::default().relax(&mut patch);
+            let turned = (0..patch.triangles.len()).filter(|&t| before[t] > 0.0 && patch.cross(t).z <= 0.0);
+            assert_eq!(turned.count(), 0);
+        }
+    }
+
+    #[test]
+    fn sizes_become_the_mean_of_the_neighbours_and_depths_the_distance_to_the_rim() {
+        let mut patch = square(|a, b| Vector3::new(a, b, 0.0));
+        for v in 0..25 {
+            patch.size[v] = patch.x[v].x + 2.0 * patch.x[v].y;
+        }
+        let sizes = patch.size.clone();
+        (0..3).for_each(|_| Sweeps::default().settle_sizes(&mut patch));
+        // A linear function is harmonic here.
+        assert!(patch.size.iter().zip(&sizes).all(|(a, b)| (a - b).abs() < 1e-12));
+        assert!((patch.depth[24] - 1.0).abs() < 1e-12);
+    }
+}
