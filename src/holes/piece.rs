@@ -195,7 +195,15 @@ impl Task<'_> {
                 ..*p
             })
         };
-        let solution = self.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
+        let rough = Self {
+            // Averages are cheap and good enough here.
+            normals: match self.normals {
+                BorderNormals::Fitted => BorderNormals::Averaged,
+                asked => asked,
+            },
+            ..*self
+        };
+        let solution = rough.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
         if let Ok(solution) = solution {
             let inner = self.inner(&solution);
             if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
