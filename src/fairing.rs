@@ -218,7 +218,7 @@ pub struct Report {
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
     /// Free vertices that took fallback weights, because their input triangles allow no conformal or
-    /// convex ones.
+    /// convex ones; all of them where no surface was found with those, and the vertices are spread evenly.
     pub fallback_weights: usize,
 }
 
@@ -475,7 +475,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,
         suspicious_normals,
-        fallback_weights,
+        fallback_weights: if solved.even { region.free } else { fallback_weights },
     };
     Ok(Solution {
         positions,

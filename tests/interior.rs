@@ -71,7 +71,7 @@ fn summary(name: &str, solution: &Solution) {
 #[test]
 fn a_sphere_through_points_stays_a_sphere() {
     for n in [1_000, 13_000] {
-        for seed in [1, 2, 3, 4, 5] {
+        for seed in [1, 2, 3, 4, 5, 7] {
             let mut shape = sphere_cap(60.0, n, irregular(seed), OUTSIDE);
             let every = 97;
             let inside = fix(&mut shape, |v, p| v % every == 0 && p.z > 0.6);
@@ -86,6 +86,29 @@ fn a_sphere_through_points_stays_a_sphere() {
                 assert!(off < 1e-6, "normal of {v} off by {off}");
             }
         }
+    }
+}
+
+/// Fixed vertices with a triangle among themselves look like a piece of the outside, which would give them its normal.
+#[test]
+fn a_sphere_through_triangles_stays_a_sphere() {
+    for seed in 1..=10 {
+        let mut shape = sphere_cap(60.0, 4_000, irregular(seed), OUTSIDE);
+        let corners = shape.triangles.clone();
+        let chosen = corners
+            .iter()
+            .step_by(211)
+            .filter(|t| t.iter().all(|&v| shape.positions[v as usize][2] > 0.6));
+        let wanted: Vec<u32> = chosen.flatten().copied().collect();
+        let inside = fix(&mut shape, |v, _| wanted.contains(&(v as u32)));
+        assert!(inside.len() > 20);
+        let solution = solve_smooth(&shape, &inside, TIGHT);
+        let error = errors(&shape, &solution).max;
+        println!(
+            "  {seed}: {} vertices of triangles, error {error:.1e}",
+            inside.len()
+        );
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
     }
 }
 

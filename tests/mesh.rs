@@ -80,18 +80,21 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
             region.vertex_ids[v as usize]
         }
     };
-    let free: BTreeSet<u32> = free_ids(region).iter().copied().collect();
+    let of_region = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
+    let of_region: BTreeSet<u32> = of_region.iter().copied().collect();
     let mut sharing: BTreeMap<[u32; 2], Vec<(u32, bool)>> = BTreeMap::new();
-    let mut link: BTreeMap<u32, BTreeSet<[u32; 2]>> = BTreeMap::new();
-    for &[a, b, c] in mesh
+    let mut link: BTreeMap<u32, BTreeMap<[u32; 2], bool>> = BTreeMap::new();
+    for (t, &[a, b, c]) in mesh
         .1
         .iter()
-        .filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        .enumerate()
+        .filter(|(_, t)| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
     {
-        let inside = [a, b, c].iter().any(|v| free.contains(v));
+        let inside = of_region.contains(&(t as u32));
+        assert!(inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)));
         for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
             sharing.entry([u.min(v), u.max(v)]).or_default().push((w, inside));
-            link.entry(w).or_default().insert([u, v]);
+            link.entry(w).or_default().insert([u, v], inside);
         }
     }
     // The third vertex of the only other triangle at an edge of a triangle at `v`, if that is where asked.
@@ -111,7 +114,10 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let edges: Vec<_> = (0..ring.len())
             .map(|k| [id(ring[k]), id(ring[(k + 1) % ring.len()])])
             .collect();
-        assert_eq!(link[&v], edges.iter().copied().collect());
+        assert_eq!(
+            link[&v].keys().copied().collect::<BTreeSet<_>>(),
+            edges.iter().copied().collect()
+        );
         for (k, &edge) in edges.iter().enumerate() {
             assert_eq!(id(rings.flap[rings.start[i] as usize + k]), flap(v, edge, true));
         }
@@ -122,8 +128,11 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
         let inside: BTreeSet<_> = rings.border_edge[inner].iter().map(|e| e.map(id)).collect();
         let outside: BTreeSet<_> = rings.outside_edge[outer].iter().map(|e| e.map(id)).collect();
-        let (left, right): (BTreeSet<_>, BTreeSet<_>) =
-            link[&v].iter().partition(|e| e.iter().any(|w| free.contains(w)));
+        let side = |inside: bool| {
+            let edges = link[&v].iter().filter(|e| *e.1 == inside);
+            edges.map(|e| *e.0).collect::<BTreeSet<_>>()
+        };
+        let (left, right) = (side(true), side(false));
         assert_eq!((&inside, &outside), (&left, &right));
         let ends = |edges: &BTreeSet<[u32; 2]>| edges.iter().flatten().copied().collect::<BTreeSet<_>>();
         assert_eq!(
@@ -375,6 +384,43 @@ fn closed_fixed_vertex_inside_the_region() {
     let faces = region.half_edges.region_triangles as i64;
     let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
     assert_eq!(region.region_vertices() as i64 - edges + faces, 1);
+}
+
+#[test]
+fn small_islands_belong_to_the_region() {
+    let mesh = grid(11);
+    // The centre of a hexagon and its corners, one after the other.
+    let hexagon = [60, 48, 49, 61, 72, 71, 59];
+    for count in 0..=7 {
+        let fixed: Vec<u32> = hexagon.iter().copied().take(count).collect();
+        let mut list = inner(11, 1);
+        list.retain(|v| !fixed.contains(v));
+        let (region, rings) = sound(&mesh, Selection::Vertices(&list));
+        let closed = rings.closed.iter().filter(|c| **c).count();
+        // From seven vertices on there is something that a normal can be fitted to.
+        let island = count < 7;
+        assert_eq!(closed, if island { count } else { 0 }, "{count} vertices");
+        let fixed_triangles = region
+            .triangles()
+            .iter()
+            .filter(|t| t.iter().all(|&v| !region.is_free(v)));
+        // The two corners of the grid have triangles that no free vertex touches.
+        let among = mesh
+            .1
+            .iter()
+            .filter(|t| t.iter().all(|v| fixed.contains(v)))
+            .count();
+        assert_eq!(fixed_triangles.count(), if island { among } else { 0 });
+        assert_eq!(among > 0, count > 2);
+    }
+}
+
+#[test]
+fn islands_at_the_border_of_the_mesh_stay_outside() {
+    // The grid's corner triangles have fixed vertices only, but edges without a neighbour.
+    let mesh = grid(6);
+    let (region, _) = sound(&mesh, Selection::Vertices(&inner(6, 1)));
+    assert_eq!(region.half_edges.region_triangles, mesh.1.len() - 2);
 }
 
 #[test]

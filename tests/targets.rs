@@ -195,12 +195,12 @@ fn surfaces_of_revolution_are_found_to_second_order() {
             );
             assert!(report.outcome.is_success(), "{:?}", report.outcome);
             assert_eq!(report.target, target);
-            assert!(errors[1] < 1.2e-2 && errors[2] < 0.2, "H and K: {errors:?}");
+            assert!(errors[1] < 7e-3 && errors[2] < 0.15, "H and K: {errors:?}");
             found.push(errors[0]);
             vertices.push(report.free_vertices);
         }
         println!("  order {:.2}", order(&found, &vertices));
-        assert!(found[2] < 8e-5 && order(&found, &vertices) > 2.0, "{found:?}");
+        assert!(found[2] < 4e-5 && order(&found, &vertices) > 2.0, "{found:?}");
     }
 }
 

@@ -3,6 +3,7 @@
 pub mod editable;
 pub mod halfedge;
 pub mod hierarchy;
+pub mod islands;
 pub mod region;
 pub mod rings;
 pub mod surroundings;

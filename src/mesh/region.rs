@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::NONE;
 use super::halfedge::{HalfEdges, buckets};
+use super::islands::islands;
 use crate::error::Error;
 
 /// Which vertices may move.
@@ -20,8 +21,8 @@ pub enum Selection<'a> {
 
 /// The part of a mesh that is faired, with its surroundings.
 ///
-/// Region triangles are those with a free vertex; border vertices are their fixed vertices, those with a
-/// closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
+/// Region triangles are those with a free vertex, and those of [`islands`](super::islands); border vertices are their
+/// fixed vertices, those with a closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
 /// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the
 /// vertices of two more rings beyond it, each group in the caller's order.
 #[derive(Debug, Clone)]
@@ -133,7 +134,7 @@ impl Region {
         }
         for (t, tri) in self.half_edges.triangles.iter().enumerate() {
             let region = t < self.half_edges.region_triangles;
-            if tri.iter().any(|&v| self.is_free(v)) != region {
+            if tri.iter().any(|&v| self.is_free(v)) && !region {
                 return Err(format!("triangle {t} is on the wrong side"));
             }
             if region && tri.iter().any(|&v| v as usize >= self.region_vertices()) {
@@ -299,6 +300,16 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
             role[v as usize] = Role::Ring;
         }
     }
+    let at = |ids: &[u32]| ids.iter().map(|&t| triangles[t as usize]).collect::<Vec<_>>();
+    let of_island = islands(&at(&ids[..region]), &at(&ids[region..]), |v| {
+        role[v as usize] == Role::Border
+    });
+    let pairs = ids.split_off(region).into_iter().zip(of_island);
+    let (island, outside): (Vec<_>, Vec<_>) = pairs.partition(|(_, of_island)| *of_island);
+    ids.extend(island.into_iter().map(|(t, _)| t));
+    ids.sort_unstable();
+    let region = ids.len();
+    ids.extend(outside.into_iter().map(|(t, _)| t));
     (ids, region)
 }
 

@@ -323,6 +323,7 @@ fn judged(
         x,
         ending,
         step: ended.step,
+        even: false,
         start_seconds,
     }
 }
