@@ -217,7 +217,7 @@ fn a_sphere_is_completed_to_rounding_at_every_density() {
                 // an angle would be below 15 degrees otherwise.
                 let (outside, mean) = edge_lengths(&x, &t, &filled);
                 bars.at_most(format!("{what}: edges"), outside[0], 2.5e-3);
-                bars.at_most(format!("{what}: edges and the mean"), outside[1], 0.08);
+                bars.at_most(format!("{what}: edges and the mean"), outside[1], 0.09);
                 let expected = std::f64::consts::SQRT_2 / density;
                 bars.at_most(format!("{what}: mean length"), (mean / expected - 1.0).abs(), 0.2);
                 // The bend over the rim: that of the exact surface for these triangles, and that of the mesh before it was
@@ -520,7 +520,7 @@ fn a_border_without_a_fair_filling_ends_honestly_and_soon() {
         }
         other => panic!("{other:?}"),
     }
-    assert!(calls < 1_500, "{calls}");
+    assert!(calls < 600, "{calls}");
 }
 
 #[test]
