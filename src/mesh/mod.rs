@@ -1,5 +1,6 @@
 //! The region of a triangle mesh: half-edges, rings, and what is free, fixed and border.
 
+mod cut;
 pub mod editable;
 pub mod halfedge;
 pub mod hierarchy;

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::NONE;
+use super::cut::cut;
 use super::halfedge::{HalfEdges, buckets};
 use super::islands::islands;
 use crate::error::Error;
@@ -63,17 +64,31 @@ impl Region {
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
     ) -> Result<Self, Error> {
+        Self::with_normals(positions, triangles, selection, |_| false)
+    }
+
+    /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
+    /// number); those are border then, and have a local number for each side. See [`cut`](super::cut).
+    ///
+    /// # Errors
+    /// As [`Region::new`].
+    pub fn with_normals(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Self, Error> {
         check_size(positions.len(), triangles.len())?;
         let mut role = resolve(positions.len(), triangles, selection)?;
-        let (triangle_ids, region_triangles) = collect(triangles, &mut role);
-        let (mut vertex_ids, local, free, border) = number(&role);
+        let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
+        let (mut vertex_ids, local, free, mut border) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
         let numbered = triangle_ids
             .iter()
             .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
             .collect();
-        let half_edges = HalfEdges::new(
+        let mut half_edges = HalfEdges::new(
             numbered,
             triangle_ids,
             region_triangles,
@@ -81,7 +96,19 @@ impl Region {
             border,
             &vertex_ids,
         )?;
-        let beyond = add_beyond(positions, triangles, &role, local, &mut vertex_ids);
+        let of_curve = |v: usize| prescribed(vertex_ids[v]);
+        if let Some(cut) = cut(&half_edges, (free, border), &vertex_ids, of_curve) {
+            (vertex_ids, border) = (cut.vertex_ids, cut.border);
+            half_edges = HalfEdges::new(
+                cut.triangles,
+                half_edges.triangle_ids,
+                region_triangles,
+                free,
+                border,
+                &vertex_ids,
+            )?;
+        }
+        let beyond = add_beyond(positions, triangles, &role, &mut vertex_ids);
         let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
         Ok(Self {
             vertex_ids,
@@ -125,11 +152,8 @@ impl Region {
     /// What is violated.
     pub fn validate(&self) -> Result<(), String> {
         self.half_edges.validate()?;
-        let groups = [0, self.free, self.region_vertices()];
-        if groups
-            .windows(2)
-            .any(|g| !self.vertex_ids[g[0]..g[1]].is_sorted_by(|a, b| a < b))
-        {
+        let (free, border) = self.vertex_ids[..self.region_vertices()].split_at(self.free);
+        if !free.is_sorted_by(|a, b| a < b) || !border.is_sorted() {
             return Err("local numbers are not ascending".into());
         }
         for (t, tri) in self.half_edges.triangles.iter().enumerate() {
@@ -276,7 +300,7 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
 
 /// The region's triangles, then those of the outside ring; how many belong to the region. Marks border and
 /// ring vertices.
-fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
+fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -> bool) -> (Vec<u32>, usize) {
     let has = |role: &[Role], tri: &[u32; 3], r| tri.iter().any(|&v| role[v as usize] == r);
     let mut ids = Vec::new();
     for (t, tri) in triangles.iter().enumerate() {
@@ -302,7 +326,7 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
     }
     let at = |ids: &[u32]| ids.iter().map(|&t| triangles[t as usize]).collect::<Vec<_>>();
     let of_island = islands(&at(&ids[..region]), &at(&ids[region..]), |v| {
-        role[v as usize] == Role::Border
+        role[v as usize] == Role::Border && !prescribed(v)
     });
     let pairs = ids.split_off(region).into_iter().zip(of_island);
     let (island, outside): (Vec<_>, Vec<_>) = pairs.partition(|(_, of_island)| *of_island);
@@ -370,9 +394,12 @@ fn add_beyond(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     role: &[Role],
-    mut local: Vec<u32>,
     vertex_ids: &mut Vec<u32>,
 ) -> Vec<[u32; 3]> {
+    let mut local = vec![NONE; role.len()];
+    for (l, &v) in vertex_ids.iter().enumerate() {
+        local[v as usize] = l as u32;
+    }
     let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
     let mut before = vec![false; role.len()];
     let mut beyond = Vec::new();
