@@ -234,10 +234,27 @@ fn a_sphere_is_completed_to_rounding_at_every_density() {
                 if density > 1.0 {
                     bars.at_most(format!("{what}: bend over the rim"), bend / own, 1.2);
                 }
+                let largest = bend_of_mesh(&x, &t);
+                bars.at_most(format!("{what}: bend, whole mesh"), bend / largest, 1.2);
             }
         }
     }
     bars.finish();
+}
+
+/// The largest angle, in degrees, over the edges of the mesh itself.
+fn bend_of_mesh(x: &[[f64; 3]], t: &[[u32; 3]]) -> f64 {
+    let mut beyond = BTreeMap::new();
+    for (i, tri) in t.iter().enumerate() {
+        (0..3).for_each(|k| _ = beyond.insert((tri[k], tri[(k + 1) % 3]), i));
+    }
+    let normal = |i: usize| {
+        let [a, b, c] = t[i].map(|v| vector(&x[v as usize]));
+        let n = (b - a).cross(&(c - a));
+        [n.x, n.y, n.z]
+    };
+    let over = |(&(a, b), &i): (&(u32, u32), &usize)| Some(angle(&normal(i), &normal(*beyond.get(&(b, a))?)));
+    beyond.iter().filter_map(over).fold(0.0, f64::max)
 }
 
 #[test]
