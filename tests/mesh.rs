@@ -415,6 +415,54 @@ fn small_islands_belong_to_the_region() {
     }
 }
 
+/// Cuts along a curve with prescribed normals, however it begins and ends.
+#[test]
+fn curves_with_prescribed_normals_are_cut() {
+    let n = 13;
+    let mesh = grid(n);
+    let at = |i: u32, j: u32| j * 13 + i;
+    let row = |first: u32, last: u32| (first..=last).map(|i| at(i, 6)).collect::<Vec<_>>();
+    // With the copies that come, and the edges that are cut.
+    let lines = [
+        // Inside from end to end, from the rim inwards, from rim to rim.
+        (row(5, 7), 1, 2),
+        (row(4, 7), 2, 3),
+        (row(4, 8), 3, 4),
+        // A hexagon around a free vertex.
+        (
+            [(5, 5), (6, 5), (7, 6), (7, 7), (6, 7), (5, 6)]
+                .map(|(i, j)| at(i, j))
+                .to_vec(),
+            6,
+            6,
+        ),
+        (vec![at(6, 6)], 0, 0),
+    ];
+    for (line, added, edges) in lines {
+        let mut list = inner(n, 4);
+        list.retain(|v| !line.contains(v));
+        let (whole, _) = sound(&mesh, Selection::Vertices(&list));
+        let rim: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
+        // All border vertices have normals, those of the rim as well.
+        let region =
+            Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| rim.contains(&v)).unwrap();
+        region.validate().unwrap();
+        let rings = Rings::new(&region);
+        rings.validate(&region).unwrap();
+        assert_eq!(region.border, whole.border + added, "{line:?}");
+        assert_eq!(region.triangles().len(), whole.triangles().len());
+        let back = |t: &[u32; 3]| t.map(|v| region.vertex_ids[v as usize]);
+        let before: Vec<_> = whole
+            .triangles()
+            .iter()
+            .map(|t| t.map(|v| whole.vertex_ids[v as usize]))
+            .collect();
+        assert_eq!(region.triangles().iter().map(back).collect::<Vec<_>>(), before);
+        let cut = rings.border_half_edges.len() - Rings::new(&whole).border_half_edges.len();
+        assert_eq!(cut, 2 * edges, "{line:?}");
+    }
+}
+
 #[test]
 fn islands_at_the_border_of_the_mesh_stay_outside() {
     // The grid's corner triangles have fixed vertices only, but edges without a neighbour.
@@ -768,6 +816,32 @@ proptest! {
             Ok(region) => check(&mesh, &region, &Rings::new(&region)),
             Err(Error::FreeVertexOnBorder { .. }) => prop_assert_eq!(kind, 0),
             Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
+        }
+    }
+
+    /// Cuts never make a sound region unsound, whatever has normals.
+    #[test]
+    fn any_normals_of_any_selection(
+        n in 5u32..11,
+        bits in prop::collection::vec(any::<bool>(), 128),
+        dense in any::<bool>(),
+        most in any::<bool>(),
+    ) {
+        let mesh = grid(n);
+        let pick = |k: u32| bits[(k as usize * 3) % 128] || (dense && bits[(k as usize * 7 + 1) % 128]);
+        let given = |k: u32| bits[(k as usize * 5 + 3) % 128] || (most && bits[(k as usize * 11 + 2) % 128]);
+        let list: Vec<u32> = inner(n, 1).into_iter().filter(|&v| pick(v)).collect();
+        let Ok(whole) = Region::new(&mesh.0, &mesh.1, Selection::Vertices(&list)) else { return Ok(()) };
+        for all in [false, true] {
+            let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| all || given(v));
+            let region = region.map_err(|e| TestCaseError::fail(e.to_string()))?;
+            prop_assert_eq!(region.validate(), Ok(()));
+            prop_assert_eq!(Rings::new(&region).validate(&region), Ok(()));
+            prop_assert_eq!(region.free, whole.free);
+            prop_assert!(region.border >= whole.border);
+            let mut ids = region.vertex_ids[region.free..region.region_vertices()].to_vec();
+            ids.dedup();
+            prop_assert_eq!(&ids[..], &whole.vertex_ids[whole.free..whole.region_vertices()]);
         }
     }
 

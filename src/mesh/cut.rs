@@ -28,23 +28,38 @@ pub(super) fn cut(
             if prescribed(v) {
                 Fans::of(half_edges, v)
             } else {
-                Fans::Several
+                Fans::Other
             }
         })
         .collect();
-    let of = |v: u32| (v as usize).checked_sub(free).and_then(|b| fans.get(b));
+    let of = |v: u32| (v as usize).checked_sub(free).and_then(|b| fans.get(b)).copied();
+    // Where the curve meets the surroundings, the vertex stays whole: one cut leaves its triangles connected outside.
+    let only: Vec<u32> = (0..border)
+        .map(|b| match fans[b] {
+            Fans::Surrounded => first_to_closed(half_edges, free + b, of),
+            _ => NONE,
+        })
+        .collect();
     let is_cut = |h: u32| {
         let o = half_edges.opposite[h as usize];
-        let ends = (of(half_edges.origin(h)), of(half_edges.target(h)));
-        let joined = matches!(
-            ends,
-            (Some(Fans::Closed), Some(Fans::Closed | Fans::Open)) | (Some(Fans::Open), Some(Fans::Closed))
-        );
-        joined && half_edges.in_region(h) && o != NONE && half_edges.in_region(o)
+        if o == NONE || !half_edges.in_region(h) || !half_edges.in_region(o) {
+            return false;
+        }
+        let chosen = |h: u32| only[half_edges.origin(h) as usize - free] == h;
+        match (of(half_edges.origin(h)), of(half_edges.target(h))) {
+            (Some(Fans::Closed), Some(Fans::Closed | Fans::Open))
+            | (Some(Fans::Open), Some(Fans::Closed)) => true,
+            (Some(Fans::Surrounded), Some(Fans::Closed)) => chosen(h),
+            (Some(Fans::Closed), Some(Fans::Surrounded)) => chosen(o),
+            _ => false,
+        }
     };
     let mut side = vec![0u32; half_edges.opposite.len()];
     let mut copies = vec![1u32; border];
     for b in 0..border {
+        if !matches!(fans[b], Fans::Closed | Fans::Open) {
+            continue;
+        }
         let spokes = half_edges.spokes(free + b);
         let first = spokes.iter().position(|&h| is_cut(h));
         let Some(first) = first else { continue };
@@ -56,7 +71,7 @@ pub(super) fn cut(
             if k > 0 && is_cut(h) {
                 current += 1;
             }
-            side[h as usize] = if half_edges.in_region(h) { current } else { 0 };
+            side[h as usize] = current;
         }
         copies[b] = current + 1;
     }
@@ -66,28 +81,43 @@ pub(super) fn cut(
     Some(renumbered(half_edges, (free, border), vertex_ids, &side, &copies))
 }
 
-/// How the region's triangles stand around a border vertex.
+/// The first spoke inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
+fn first_to_closed(half_edges: &HalfEdges, v: usize, of: impl Fn(u32) -> Option<Fans>) -> u32 {
+    let leads = |&&h: &&u32| {
+        let o = half_edges.opposite[h as usize];
+        half_edges.in_region(h) && half_edges.in_region(o) && of(half_edges.target(h)) == Some(Fans::Closed)
+    };
+    half_edges.spokes(v).iter().find(leads).copied().unwrap_or(NONE)
+}
+
+/// What stands around a border vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fans {
-    /// In one closed ring.
+    /// One closed ring of region triangles.
     Closed,
-    /// In one run, the first of the spokes.
+    /// One open fan of region triangles, and nothing else.
     Open,
-    /// In several runs; or it does not matter.
-    Several,
+    /// One fan of region triangles, closed to a ring by the outside.
+    Surrounded,
+    /// Anything else; or it does not matter.
+    Other,
 }
 
 impl Fans {
     fn of(half_edges: &HalfEdges, v: usize) -> Self {
-        let begins = |&&h: &&u32| {
-            let o = half_edges.opposite[h as usize];
-            half_edges.in_region(h) && (o == NONE || !half_edges.in_region(o))
-        };
         let spokes = half_edges.spokes(v);
-        match spokes.iter().filter(begins).count() {
-            0 => Fans::Closed,
-            1 if begins(&&spokes[0]) => Fans::Open,
-            _ => Fans::Several,
+        let before = |h: u32| half_edges.opposite[h as usize];
+        let inside = |h: u32| h != NONE && half_edges.in_region(h);
+        let begins = spokes
+            .iter()
+            .filter(|&&h| inside(h) && !inside(before(h)))
+            .count();
+        let is_open = spokes.iter().any(|&h| before(h) == NONE);
+        match (begins, is_open) {
+            (0, false) => Fans::Closed,
+            (1, true) if spokes.iter().all(|&h| inside(h)) => Fans::Open,
+            (1, false) => Fans::Surrounded,
+            _ => Fans::Other,
         }
     }
 }
