@@ -55,17 +55,13 @@ fn evaluate(
         .bench_local(|| pool.install(|| equations.evaluate(&x, &mut state)));
 }
 
+const SECOND_ORDER: FreeCurvature = FreeCurvature::GradientCorrected {
+    tilt_ridge: TILT_RIDGE,
+};
+
 #[divan::bench(args = VERTICES, consts = [1, 2])]
 fn second_order<const THREADS: usize>(bencher: Bencher, vertices: usize) {
-    evaluate(
-        bencher,
-        vertices,
-        THREADS,
-        FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
-        RightHandSide::default(),
-    );
+    evaluate(bencher, vertices, THREADS, SECOND_ORDER, RightHandSide::default());
 }
 
 #[divan::bench(args = VERTICES, consts = [1, 2])]
@@ -86,9 +82,7 @@ fn minimal_energy<const THREADS: usize>(bencher: Bencher, vertices: usize) {
         bencher,
         vertices,
         THREADS,
-        FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
+        SECOND_ORDER,
         Target::MinimalEnergy.right_hand_side(1.0),
     );
 }

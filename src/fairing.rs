@@ -21,8 +21,8 @@ use crate::solve::Ending;
 use crate::solve::control::Callback;
 use crate::solve::globalize::diagonal;
 use frame::Frame;
-use normals::border_normals;
 pub use normals::{BorderNormals, InteriorNormals};
+use normals::{border_normals, given_vertices};
 use relay::relay;
 pub(crate) use relay::with_threads;
 pub use session::Session;
@@ -223,7 +223,7 @@ pub struct Report {
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
     /// Free vertices that took fallback weights, because their input triangles allow no conformal or
-    /// convex ones.
+    /// convex ones; all of them where no surface was found with those, and the vertices are spread evenly.
     pub fallback_weights: usize,
 }
 
@@ -325,7 +325,10 @@ pub(crate) fn check(options: &Options<'_>) -> Result<(), Error> {
 fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Result<Solution, Error> {
     let clock = Instant::now();
     let mut seconds = Seconds::default();
-    let region = Region::new(request.positions, request.triangles, request.selection)?;
+    let prescribed = given_vertices(request.normals);
+    let region = Region::with_normals(request.positions, request.triangles, request.selection, |v| {
+        prescribed.binary_search(&v).is_ok()
+    })?;
     let rings = Rings::new(&region);
     let mut x = region.positions(request.positions);
     let frame = Frame::new(&region, &x);
@@ -405,10 +408,12 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         positions[v as usize] = frame.leave(p);
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
-    let border_normals = border
+    let mut border_normals: Vec<(u32, [f64; 3])> = border
         .zip(&faired.border_normals)
         .map(|(&v, n)| (v, (*n).into()))
         .collect();
+    // One for each side of a curve, all alike.
+    border_normals.dedup_by_key(|(v, _)| *v);
     let inside = |values: &[f64], unit: f64| -> Vec<(u32, f64)> {
         let ids = region.vertex_ids[..region.free].iter();
         ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
@@ -467,7 +472,7 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,
         suspicious_normals,
-        fallback_weights: given.fallback_weights,
+        fallback_weights: if solved.even { region.free } else { given.fallback_weights },
     };
     Solution {
         positions,

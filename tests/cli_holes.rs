@@ -167,3 +167,129 @@ fn a_region_can_be_triangulated_anew_before_it_is_faired() {
         .collect();
     assert!(off_sphere(&x) < 1e-3);
 }
+
+/// Texture coordinates that follow the position.
+fn texture([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [0.5 + 0.5 * x, 0.5 + 0.5 * y]
+}
+
+/// The words of a line as numbers.
+fn numbers(line: &str) -> Vec<f64> {
+    line.split(' ').filter_map(|word| word.parse().ok()).collect()
+}
+
+fn near(found: &[f64], position: &[f64]) -> bool {
+    let expected = texture([position[0], position[1], position[2]]);
+    // Parents are told by the triangulation that the patch was made from, so coordinates follow the place roughly.
+    (0..2).all(|k| (found[k] - expected[k]).abs() < 0.05)
+}
+
+#[test]
+fn obj_gets_colours_and_texture_coordinates_of_the_rim() {
+    let directory = directory("fill_obj_texture");
+    let mut text = String::new();
+    for [x, y, z] in cap() {
+        let _ = writeln!(text, "v {x} {y} {z} 0.25 {} 1", 0.5 + 0.5 * x);
+    }
+    for p in cap() {
+        let [u, v] = texture(p);
+        let _ = writeln!(text, "vt {u} {v}");
+    }
+    for (_, q) in quads().iter().enumerate().filter(|(q, _)| !is_selected(*q)) {
+        let corners: Vec<String> = q.iter().map(|v| format!("{0}/{0}", v + 1)).collect();
+        let _ = writeln!(text, "f {}", corners.join(" "));
+    }
+    fs::write(directory.join("in.obj"), &text).unwrap();
+    expect(&directory, &["fill", "in.obj", "-o", "out.obj", "-q"], 0);
+    let new = fs::read_to_string(directory.join("out.obj")).unwrap();
+    assert!(new.starts_with(&text));
+    let of =
+        |kind: &str| -> Vec<Vec<f64>> { new.lines().filter(|l| l.starts_with(kind)).map(numbers).collect() };
+    let (vertices, textures) = (of("v "), of("vt "));
+    let old = SIDE * SIDE;
+    assert!(vertices.len() > old + 10 && textures.len() == vertices.len());
+    for row in &vertices[old..] {
+        assert!(row.len() == 6 && (row[3] - 0.25).abs() < 1e-9 && (row[5] - 1.0).abs() < 1e-9);
+        assert!((row[4] - (0.5 + 0.5 * row[0])).abs() < 0.05, "{row:?}");
+    }
+    let mut faces = 0;
+    for line in new[text.len()..].lines().filter(|l| l.starts_with("f ")) {
+        faces += 1;
+        for corner in line[2..].split(' ') {
+            let (v, t) = corner.split_once('/').unwrap();
+            let [v, t] = [v, t].map(|i| i.parse::<usize>().unwrap() - 1);
+            assert!(near(&textures[t], &vertices[v]), "{line}");
+        }
+    }
+    assert!(faces > 30);
+}
+
+#[test]
+fn ply_gets_texture_coordinates_of_wedges() {
+    let directory = directory("fill_ply_wedges");
+    let kept: Vec<_> = (0..quads().len())
+        .filter(|&q| !is_selected(q))
+        .map(|q| quads()[q])
+        .collect();
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n",
+        SIDE * SIDE,
+        kept.len()
+    );
+    let x = cap();
+    x.iter().for_each(|[x, y, z]| _ = writeln!(text, "{x} {y} {z}"));
+    for q in &kept {
+        let _ = write!(text, "4 {} {} {} {} 8", q[0], q[1], q[2], q[3]);
+        q.iter()
+            .flat_map(|&v| texture(x[v]))
+            .for_each(|c| _ = write!(text, " {c}"));
+        text.push('\n');
+    }
+    fs::write(directory.join("in.ply"), &text).unwrap();
+    expect(&directory, &["fill", "in.ply", "-o", "out.ply", "-q"], 0);
+    let new = fs::read_to_string(directory.join("out.ply")).unwrap();
+    let rows: Vec<Vec<f64>> = new
+        .lines()
+        .skip_while(|l| *l != "end_header")
+        .skip(1)
+        .map(numbers)
+        .collect();
+    let vertices = rows.iter().take_while(|r| r.len() == 3).count();
+    let faces = &rows[vertices + kept.len()..];
+    assert!(vertices > SIDE * SIDE + 10 && faces.len() > 30);
+    for face in faces {
+        assert!(face.len() == 11 && face[0] == 3.0 && face[4] == 6.0, "{face:?}");
+        for k in 0..3 {
+            assert!(near(&face[5 + 2 * k..7 + 2 * k], &rows[face[1 + k] as usize]));
+        }
+    }
+}
+
+#[test]
+fn off_and_stl_are_filled_in_their_own_format() {
+    let directory = directory("fill_own_format");
+    let lines: Vec<String> = obj(&cap()).lines().map(str::to_owned).collect();
+    let first = lines.iter().position(|l| l.starts_with("f ")).unwrap();
+    let kept = lines
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i < first || !is_selected(i - first));
+    let text: String = kept.map(|(_, l)| format!("{l}\n")).collect();
+    fs::write(directory.join("in.obj"), text).unwrap();
+    for format in ["off", "stl"] {
+        let (cut, filled) = (format!("cut.{format}"), format!("filled.{format}"));
+        // Written without a new face, then filled.
+        expect(
+            &directory,
+            &["fill", "in.obj", "-o", &cut, "--max-edges", "3", "-q"],
+            0,
+        );
+        let (out, _) = expect(&directory, &["holes", &cut], 0);
+        assert!(out.contains(" hole"), "{out}");
+        let (out, _) = expect(&directory, &["fill", &cut, "-o", &filled], 0);
+        assert!(out.contains("converged"), "{out}");
+        let (out, _) = expect(&directory, &["holes", &filled], 0);
+        assert!(!out.contains(" hole") && out.contains("outer border"), "{out}");
+    }
+}

@@ -1,6 +1,6 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
-use fairmesh::mesh::{NONE, Region, Rings};
+use fairmesh::mesh::{NONE, Region, Rings, Surroundings};
 use fairmesh::{Error, Selection};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -80,18 +80,21 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
             region.vertex_ids[v as usize]
         }
     };
-    let free: BTreeSet<u32> = free_ids(region).iter().copied().collect();
+    let of_region = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
+    let of_region: BTreeSet<u32> = of_region.iter().copied().collect();
     let mut sharing: BTreeMap<[u32; 2], Vec<(u32, bool)>> = BTreeMap::new();
-    let mut link: BTreeMap<u32, BTreeSet<[u32; 2]>> = BTreeMap::new();
-    for &[a, b, c] in mesh
+    let mut link: BTreeMap<u32, BTreeMap<[u32; 2], bool>> = BTreeMap::new();
+    for (t, &[a, b, c]) in mesh
         .1
         .iter()
-        .filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        .enumerate()
+        .filter(|(_, t)| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
     {
-        let inside = [a, b, c].iter().any(|v| free.contains(v));
+        let inside = of_region.contains(&(t as u32));
+        assert!(inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)));
         for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
             sharing.entry([u.min(v), u.max(v)]).or_default().push((w, inside));
-            link.entry(w).or_default().insert([u, v]);
+            link.entry(w).or_default().insert([u, v], inside);
         }
     }
     // The third vertex of the only other triangle at an edge of a triangle at `v`, if that is where asked.
@@ -111,7 +114,10 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let edges: Vec<_> = (0..ring.len())
             .map(|k| [id(ring[k]), id(ring[(k + 1) % ring.len()])])
             .collect();
-        assert_eq!(link[&v], edges.iter().copied().collect());
+        assert_eq!(
+            link[&v].keys().copied().collect::<BTreeSet<_>>(),
+            edges.iter().copied().collect()
+        );
         for (k, &edge) in edges.iter().enumerate() {
             assert_eq!(id(rings.flap[rings.start[i] as usize + k]), flap(v, edge, true));
         }
@@ -121,32 +127,18 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let inner = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
         let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
         let inside: BTreeSet<_> = rings.border_edge[inner].iter().map(|e| e.map(id)).collect();
-        let outside: BTreeSet<_> = rings.outside_edge[outer.clone()]
-            .iter()
-            .map(|e| e.map(id))
-            .collect();
-        let (left, right): (BTreeSet<_>, BTreeSet<_>) =
-            link[&v].iter().partition(|e| e.iter().any(|w| free.contains(w)));
+        let outside: BTreeSet<_> = rings.outside_edge[outer].iter().map(|e| e.map(id)).collect();
+        let side = |inside: bool| {
+            let edges = link[&v].iter().filter(|e| *e.1 == inside);
+            edges.map(|e| *e.0).collect::<BTreeSet<_>>()
+        };
+        let (left, right) = (side(true), side(false));
         assert_eq!((&inside, &outside), (&left, &right));
         let ends = |edges: &BTreeSet<[u32; 2]>| edges.iter().flatten().copied().collect::<BTreeSet<_>>();
         assert_eq!(
             ends(&inside),
             rings.border_ring(b).iter().map(|&j| id(j)).collect()
         );
-        let outer_row = rings.outside_start[b] as usize..rings.outside_start[b + 1] as usize;
-        assert_eq!(
-            ends(&outside),
-            rings.outside_neighbour[outer_row]
-                .iter()
-                .map(|&j| id(j))
-                .collect()
-        );
-        for k in outer {
-            assert_eq!(
-                id(rings.outside_flap[k]),
-                flap(v, rings.outside_edge[k].map(id), false)
-            );
-        }
     }
 }
 
@@ -285,47 +277,64 @@ fn one_free_vertex_in_a_grid() {
             .collect::<Vec<_>>()
     };
     assert_eq!(caller(rings.border_ring(0)), [7, 12, 11]);
-    assert_eq!(caller(&rings.outside_neighbour[..5]), [11, 5, 0, 1, 7]);
+    let outside: Vec<_> = rings.outside_triangles(0).iter().map(|e| caller(e)).collect();
+    assert_eq!(outside, [[11, 5], [5, 0], [0, 1], [1, 7]]);
     assert_eq!(caller(&rings.border_edge[0]), [7, 12]);
     assert!(rings.closed.iter().all(|c| !c));
 }
 
 #[test]
-fn flaps_of_the_outside_lie_in_the_ring_or_beyond() {
-    let mesh = grid(9);
-    let (region, rings) = sound(&mesh, Selection::Vertices(&[40]));
-    let id = |v: u32| region.vertex_ids[v as usize];
-    // Border vertex 30, whose outside edges run from 39 to 31; 38 and 11 are not of the outside ring's vertices.
-    let row = rings.outside_edge_start[0] as usize..rings.outside_edge_start[1] as usize;
-    let found: Vec<_> = row
-        .map(|k| (rings.outside_edge[k].map(id), rings.outside_flap[k]))
-        .map(|(e, f)| (e, if f == NONE { NONE } else { id(f) }))
-        .collect();
-    assert_eq!(
-        found,
-        [([39, 29], 38), ([29, 20], 19), ([20, 21], 11), ([21, 31], 22)]
-    );
-    // 10 or 11 is beyond the ring: numbered after every ring vertex.
-    assert!(region.vertex_ids.contains(&11));
+fn surroundings_are_three_rings_of_neighbours() {
+    let mesh = grid(13);
+    let (region, _) = sound(&mesh, Selection::Vertices(&[84]));
+    let surroundings = Surroundings::new(&region);
+    // By the definition: breadth first along the edges of triangles that are not of the region.
+    let outside: Vec<_> = mesh.1.iter().filter(|t| !t.contains(&84)).collect();
+    let mut found = Vec::new();
+    for b in region.free..region.region_vertices() {
+        let ends = surroundings.rings::<3>(b as u32, &mut found);
+        let mut wanted = BTreeSet::from([region.vertex_ids[b]]);
+        for end in ends {
+            let at = |t: &&&[u32; 3]| t.iter().any(|v| wanted.contains(v));
+            let next: BTreeSet<u32> = outside.iter().filter(at).flat_map(|t| **t).collect();
+            wanted.extend(next);
+            let ids: BTreeSet<u32> = found[..end]
+                .iter()
+                .map(|&v| region.vertex_ids[v as usize])
+                .collect();
+            assert_eq!(ids.len(), end);
+            assert_eq!(
+                ids,
+                wanted
+                    .iter()
+                    .copied()
+                    .filter(|&v| v != region.vertex_ids[b])
+                    .collect()
+            );
+        }
+    }
 }
 
 #[test]
-fn an_ambiguous_or_unusable_flap_is_none() {
-    let mut mesh = grid(9);
-    let flap = |mesh: &Mesh| {
-        let (region, rings) = sound(mesh, Selection::Vertices(&[40]));
-        let at = rings
-            .outside_edge
+fn broken_surroundings_are_left_out() {
+    let mut mesh = grid(13);
+    let all = |mesh: &Mesh| {
+        let (region, _) = sound(mesh, Selection::Vertices(&[84]));
+        let mut found = Vec::new();
+        Surroundings::new(&region).rings::<3>(region.free as u32, &mut found);
+        found
             .iter()
-            .position(|e| e.map(|v| region.vertex_ids[v as usize]) == [20, 21]);
-        rings.outside_flap[at.unwrap()]
+            .map(|&v| region.vertex_ids[v as usize])
+            .collect::<BTreeSet<u32>>()
     };
-    assert_ne!(flap(&mesh), NONE);
-    mesh.0[11][1] = f64::NAN;
-    assert_eq!(flap(&mesh), NONE);
-    mesh.0[11][1] = 1.0;
-    mesh.1.push([20, 21, 80]);
-    assert_eq!(flap(&mesh), NONE);
+    let before = all(&mesh);
+    // Two rings from border vertex 70: without a place, in a triangle that is none, and in one too many.
+    assert!(before.contains(&42) && before.contains(&43) && before.contains(&31));
+    mesh.0[42][1] = f64::NAN;
+    mesh.1.push([43, 43, 0]);
+    mesh.1.push([43, 44, 168]);
+    let after = all(&mesh);
+    assert!(!after.contains(&42) && after.contains(&43) && !after.contains(&0) && after.contains(&168));
 }
 
 #[test]
@@ -370,11 +379,96 @@ fn closed_fixed_vertex_inside_the_region() {
     assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
     assert_eq!(rings.border_ring(at).len(), 6);
     assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 6);
-    assert_eq!(rings.outside_start[at + 1], rings.outside_start[at]);
+    assert!(rings.outside_triangles(at).is_empty());
     // V - E + F = 1 of the disc that is left.
     let faces = region.half_edges.region_triangles as i64;
     let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
     assert_eq!(region.region_vertices() as i64 - edges + faces, 1);
+}
+
+#[test]
+fn small_islands_belong_to_the_region() {
+    let mesh = grid(11);
+    // The centre of a hexagon and its corners, one after the other.
+    let hexagon = [60, 48, 49, 61, 72, 71, 59];
+    for count in 0..=7 {
+        let fixed: Vec<u32> = hexagon.iter().copied().take(count).collect();
+        let mut list = inner(11, 1);
+        list.retain(|v| !fixed.contains(v));
+        let (region, rings) = sound(&mesh, Selection::Vertices(&list));
+        let closed = rings.closed.iter().filter(|c| **c).count();
+        // From seven vertices on there is something that a normal can be fitted to.
+        let island = count < 7;
+        assert_eq!(closed, if island { count } else { 0 }, "{count} vertices");
+        let fixed_triangles = region
+            .triangles()
+            .iter()
+            .filter(|t| t.iter().all(|&v| !region.is_free(v)));
+        // The two corners of the grid have triangles that no free vertex touches.
+        let among = mesh
+            .1
+            .iter()
+            .filter(|t| t.iter().all(|v| fixed.contains(v)))
+            .count();
+        assert_eq!(fixed_triangles.count(), if island { among } else { 0 });
+        assert_eq!(among > 0, count > 2);
+    }
+}
+
+/// Cuts along a curve with prescribed normals, however it begins and ends.
+#[test]
+fn curves_with_prescribed_normals_are_cut() {
+    let n = 13;
+    let mesh = grid(n);
+    let at = |i: u32, j: u32| j * 13 + i;
+    let row = |first: u32, last: u32| (first..=last).map(|i| at(i, 6)).collect::<Vec<_>>();
+    // With the copies that come, and the edges that are cut.
+    let lines = [
+        // Inside from end to end, from the rim inwards, from rim to rim.
+        (row(5, 7), 1, 2),
+        (row(4, 7), 2, 3),
+        (row(4, 8), 3, 4),
+        // A hexagon around a free vertex.
+        (
+            [(5, 5), (6, 5), (7, 6), (7, 7), (6, 7), (5, 6)]
+                .map(|(i, j)| at(i, j))
+                .to_vec(),
+            6,
+            6,
+        ),
+        (vec![at(6, 6)], 0, 0),
+    ];
+    for (line, added, edges) in lines {
+        let mut list = inner(n, 4);
+        list.retain(|v| !line.contains(v));
+        let (whole, _) = sound(&mesh, Selection::Vertices(&list));
+        let rim: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
+        // All border vertices have normals, those of the rim as well.
+        let region =
+            Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| rim.contains(&v)).unwrap();
+        region.validate().unwrap();
+        let rings = Rings::new(&region);
+        rings.validate(&region).unwrap();
+        assert_eq!(region.border, whole.border + added, "{line:?}");
+        assert_eq!(region.triangles().len(), whole.triangles().len());
+        let back = |t: &[u32; 3]| t.map(|v| region.vertex_ids[v as usize]);
+        let before: Vec<_> = whole
+            .triangles()
+            .iter()
+            .map(|t| t.map(|v| whole.vertex_ids[v as usize]))
+            .collect();
+        assert_eq!(region.triangles().iter().map(back).collect::<Vec<_>>(), before);
+        let cut = rings.border_half_edges.len() - Rings::new(&whole).border_half_edges.len();
+        assert_eq!(cut, 2 * edges, "{line:?}");
+    }
+}
+
+#[test]
+fn islands_at_the_border_of_the_mesh_stay_outside() {
+    // The grid's corner triangles have fixed vertices only, but edges without a neighbour.
+    let mesh = grid(6);
+    let (region, _) = sound(&mesh, Selection::Vertices(&inner(6, 1)));
+    assert_eq!(region.half_edges.region_triangles, mesh.1.len() - 2);
 }
 
 #[test]
@@ -395,7 +489,7 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
     assert_eq!(rings.border_half_edges.len(), 12);
     let rim_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
     assert!(rings.border_half_edges.iter().all(|h| rim_opposite(h) == NONE));
-    assert!(rings.outside_neighbour.is_empty());
+    assert!(rings.outside_edge.is_empty());
 }
 
 #[test]
@@ -412,7 +506,7 @@ fn components_join_at_common_vertices() {
     let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
     assert_eq!((rings.border_ring(at).len(), rings.closed[at]), (6, false));
     assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 4);
-    assert_eq!(rings.outside_start[at + 1] - rings.outside_start[at], 4);
+    assert_eq!(rings.outside_triangles(at).len(), 2);
     // The common border vertex connects the two in S_I D S_I^T, though they are no neighbours.
     assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
     assert_eq!(rings.graph().row(1), [1]);
@@ -452,7 +546,6 @@ fn corners_of_valence_two_on_a_rim_are_outside() {
         let (region, rings) = sound(&mesh, selection);
         assert_eq!((region.half_edges.region_triangles, region.border), (3, 3));
         assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
-        assert_eq!(rings.outside_flap, [NONE; 2]);
     }
 }
 
@@ -723,6 +816,32 @@ proptest! {
             Ok(region) => check(&mesh, &region, &Rings::new(&region)),
             Err(Error::FreeVertexOnBorder { .. }) => prop_assert_eq!(kind, 0),
             Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
+        }
+    }
+
+    /// Cuts never make a sound region unsound, whatever has normals.
+    #[test]
+    fn any_normals_of_any_selection(
+        n in 5u32..11,
+        bits in prop::collection::vec(any::<bool>(), 128),
+        dense in any::<bool>(),
+        most in any::<bool>(),
+    ) {
+        let mesh = grid(n);
+        let pick = |k: u32| bits[(k as usize * 3) % 128] || (dense && bits[(k as usize * 7 + 1) % 128]);
+        let given = |k: u32| bits[(k as usize * 5 + 3) % 128] || (most && bits[(k as usize * 11 + 2) % 128]);
+        let list: Vec<u32> = inner(n, 1).into_iter().filter(|&v| pick(v)).collect();
+        let Ok(whole) = Region::new(&mesh.0, &mesh.1, Selection::Vertices(&list)) else { return Ok(()) };
+        for all in [false, true] {
+            let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| all || given(v));
+            let region = region.map_err(|e| TestCaseError::fail(e.to_string()))?;
+            prop_assert_eq!(region.validate(), Ok(()));
+            prop_assert_eq!(Rings::new(&region).validate(&region), Ok(()));
+            prop_assert_eq!(region.free, whole.free);
+            prop_assert!(region.border >= whole.border);
+            let mut ids = region.vertex_ids[region.free..region.region_vertices()].to_vec();
+            ids.dedup();
+            prop_assert_eq!(&ids[..], &whole.vertex_ids[whole.free..whole.region_vertices()]);
         }
     }
 

@@ -145,15 +145,7 @@ fn progress_never_falls() {
 #[test]
 fn options_out_of_range() {
     let shape = cylinder_band(100, irregular(1), OUTSIDE);
-    let refused = |options: Options<'_>| {
-        fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            options,
-        )
-        .err()
-    };
+    let refused = |options: Options<'_>| attempt(&shape, options).err();
     let tolerance_range = "greater than 0 and less than 1";
     for tolerance in [0.0, -1e-8, 1.0, 2.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         match refused(options(tolerance)) {

@@ -12,7 +12,7 @@ use fairmesh::mesh::{Region, Selection, decimate};
 use fairmesh::shapes::*;
 use fairmesh::{
     BorderNormals, Discretization, Error, Estimate, InnerFairness, Options, Outcome, PaperOptions, Progress,
-    Solution, Solver, fair,
+    Solution, Solver, Target,
 };
 use nalgebra::Vector3;
 
@@ -102,6 +102,44 @@ fn the_blend_of_920_vertices() {
     bars.finish();
 }
 
+/// Other right-hand sides: both solvers find the same surface.
+#[test]
+fn targets_in_both_solvers() {
+    let mut bars = Bars::default();
+    let shape = cylinder_blend();
+    let diagonal = fast(&shape, InnerFairness::Uniform).report.diagonal;
+    let constants = [-20.0, -5.0, 5.0, 20.0].map(|c: f64| Target::Constant(c / diagonal.powi(3)));
+    for target in constants.into_iter().chain([Target::MinimalEnergy]) {
+        let [slow, fast] = [
+            (
+                Solver::Paper(PaperOptions {
+                    levels: 0,
+                    defect: 1e-8,
+                    ..SINGLE
+                }),
+                Discretization::SecondOrder,
+            ),
+            (Solver::Fast, Discretization::Paper),
+        ]
+        .map(|(solver, discretization)| {
+            let options = Options {
+                solver,
+                discretization,
+                target,
+                ..common::fairing::options(TIGHT)
+            };
+            solve(&shape, &shape.positions, options)
+        });
+        told(&format!("{target:?}"), &slow);
+        bars.converged(format!("{target:?}, paper"), &slow);
+        bars.converged(format!("{target:?}, default"), &fast);
+        let gap = apart(&slow.positions, &fast.positions) / diagonal;
+        println!("    {gap:.1e} apart");
+        bars.at_most(format!("{target:?}: apart"), gap, 1e-6);
+    }
+    bars.finish();
+}
+
 /// Every way to estimate `H`, and every damping, ends on one surface.
 #[test]
 fn estimates_and_damping_change_the_way_only() {
@@ -141,6 +179,7 @@ fn cases(n: usize) -> Vec<(&'static str, Shape)> {
         ("unduloid", unduloid_band(0.5, 1.0, n, irregular(4), OUTSIDE)),
         ("saddle", saddle_graph(n, irregular(5), OUTSIDE)),
         ("blend", cylinder_blend()),
+        ("tetra thing", tetra_thing_coarse()),
     ]
 }
 
@@ -321,13 +360,7 @@ fn a_run_stops_within_one_update() {
             progress: Some(&mut watch),
             ..options(TIGHT)
         };
-        let s = fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            options,
-        )
-        .unwrap();
+        let s = attempt(&shape, options).unwrap();
         assert_eq!(s.report.outcome, Outcome::Cancelled);
         assert_eq!((s.report.iterations, after), (stop, 0));
         let levels = &s.report.levels;
@@ -407,13 +440,7 @@ fn options_out_of_range_are_refused() {
             solver: Solver::Paper(paper),
             ..options(TIGHT)
         };
-        let refused = fair(
-            &shape.positions,
-            &shape.triangles,
-            Selection::Mask(&shape.free),
-            options,
-        )
-        .unwrap_err();
+        let refused = attempt(&shape, options).unwrap_err();
         let Error::BadOption { name, .. } = refused else {
             panic!("{refused}")
         };

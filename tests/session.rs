@@ -210,3 +210,32 @@ fn a_session_left_in_the_middle_ends() {
     let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
     session.run(2, None).unwrap();
 }
+
+#[test]
+fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
+    let mut shape = sphere_cap(60.0, 1000, Sampling::Regular, OUTSIDE);
+    // Two neighbours inside are fixed: they pass smoothly first, and get the sphere's normals then.
+    let inside = shape
+        .triangles
+        .iter()
+        .find(|t| t.iter().all(|&v| shape.free[v as usize]))
+        .copied()
+        .unwrap();
+    inside[..2].iter().for_each(|&v| shape.free[v as usize] = false);
+    let start = flat(&shape);
+    let mut session = session(&shape, &start, &options(TOLERANCE));
+    session.run(1000, None).unwrap();
+    let mut normals = shape.border_normals();
+    normals.extend(inside[..2].iter().map(|&v| (v, shape.normals[v as usize])));
+    normals.sort_by_key(|n| n.0);
+    normals.dedup_by_key(|n| n.0);
+    session
+        .set_border_normals(BorderNormals::Given(&normals))
+        .unwrap();
+    session.set_target(Target::Constant(0.01)).unwrap();
+    session.set_target(Target::Harmonic).unwrap();
+    to_end(&mut session, 7);
+    let fresh = solve_given(&shape, &start, &normals, options(TOLERANCE));
+    assert_eq!(session.solution().report.outcome, fresh.report.outcome);
+    assert!(distance(session.solution(), &fresh) < 30.0 * TOLERANCE);
+}

@@ -2,8 +2,8 @@
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-use super::options::Teller;
 use super::memory::Reserve;
+use super::options::Teller;
 use super::status::{Failure, Outcome, fairmesh_status as Status};
 use crate::fairing::Session;
 

@@ -1,38 +1,20 @@
 //! Unit normals at the border vertices, estimated from the surface outside the region.
 //!
 //! The paper averages the outside triangles (7.5); that is wrong by `O(h)`. The gradient-corrected fit of
-//! [`super::curvature`] over the outside alone is wrong by `O(h^2)` and exact on spheres, but on a rough scan it can
-//! turn a normal far away. So both are blended by how certain the fit is, judged by its own residuals.
+//! [`super::curvature`] over the outside alone is exact on spheres and wrong by `O(h^2)`, with cubics by `O(h^3)`; but on
+//! a rough scan it can turn a normal far away. So the order is chosen and blended with the average by how certain the
+//! fits are, judged by their own residuals.
 
 use nalgebra::Vector3;
 
-use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, TILT_RIDGE, back_substitute};
-use super::lanes::{Lanes, Vec3, lane, one};
+use super::outside_fit::{Fit, SECOND, Samples, THIRD};
 use crate::error::Error;
-use crate::mesh::{NONE, Region, Rings};
+use crate::mesh::{Region, Rings, Surroundings};
 
-/// The repeated fit stops when the normal turns by less than this (radians).
-const STANDS: f64 = 1e-13;
-/// At most this many fits per vertex.
-const MAX_FITS: usize = 300;
-/// Fewer samples than this cannot judge a fit of five unknowns: the average is taken.
-const FEWEST_SAMPLES: usize = 6;
-/// With fewer outside neighbours than this, what lies behind them counts as much as they do, and reaches a ring further.
-const SMALL_RING: usize = 4;
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
 /// A fit with a standard error below this is taken without the cap, 0.1 degrees.
 const CERTAIN: f64 = 0.1 * std::f64::consts::PI / 180.0;
-/// Ridge of the fit: see [`super::curvature`].
-const RIDGES: [f64; 5] = [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE];
-
-/// A fitted normal.
-#[derive(Debug, Clone, Copy)]
-struct Fit {
-    normal: Vector3<f64>,
-    /// Standard error of the tilt, radians.
-    error: f64,
-}
 
 /// The normals of all border vertices: fitted, or averaged only. Border vertices without outside take what their
 /// neighbours on the border have outside; where there is nothing either, the average of their triangles in the region
@@ -49,7 +31,9 @@ pub fn estimate(
     given: &[Option<Vector3<f64>>],
 ) -> Result<Vec<Vector3<f64>>, Error> {
     let mut normals = vec![Vector3::zeros(); region.border];
-    let mut fits = vec![None; region.border];
+    let mut fits = Fits::new(if fitted { region.border } else { 0 });
+    let surroundings = fitted.then(|| Surroundings::new(region));
+    let (mut samples, mut found) = (Samples::default(), Vec::new());
     for b in 0..region.border {
         if let Some(n) = given[b] {
             normals[b] = n;
@@ -65,16 +49,50 @@ pub fn estimate(
         normals[b] = average.ok_or(Error::NoNormal {
             vertex: region.vertex_ids[region.free + b] as usize,
         })?;
-        if fitted {
-            fits[b] = fit(region, rings, x, b, normals[b]);
+        if let Some(surroundings) = &surroundings {
+            samples.gather(surroundings, x, region.free + b, &mut found);
+            fits.second[b] = SECOND.fit(&samples, normals[b]);
+            fits.third[b] = THIRD.fit(&samples, normals[b]);
         }
     }
     if fitted {
         for rim in rims(region, rings) {
-            blend(&rim, &fits, &mut normals);
+            blend(&rim, fits.of(&rim), &mut normals);
         }
     }
     Ok(normals)
+}
+
+/// The fits of both orders at every border vertex, where there are enough samples.
+struct Fits {
+    second: Vec<Option<Fit>>,
+    third: Vec<Option<Fit>>,
+}
+
+impl Fits {
+    fn new(border: usize) -> Self {
+        Self {
+            second: vec![None; border],
+            third: vec![None; border],
+        }
+    }
+
+    /// The fits to be used on a rim: those of the order that is more certain there; on noise that is the lower one.
+    fn of(&mut self, rim: &[u32]) -> &[Option<Fit>] {
+        let (mut second, mut third) = (Vec::new(), Vec::new());
+        for &b in rim {
+            if let (Some(low), Some(high)) = (&self.second[b as usize], &self.third[b as usize]) {
+                second.push(low.error);
+                third.push(high.error);
+            }
+        }
+        if !second.is_empty() && median(&mut third) < median(&mut second) {
+            for &b in rim {
+                self.second[b as usize] = self.third[b as usize].or(self.second[b as usize]);
+            }
+        }
+        &self.second
+    }
 }
 
 fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
@@ -103,97 +121,6 @@ pub fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vecto
         .map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q)))
         .sum();
     sum.try_normalize(f64::MIN_POSITIVE)
-}
-
-/// Samples around border vertex `b`: its outside ring with weight 1, the vertices behind it with [`FLAP_WEIGHT`]. Those
-/// are the flaps and, for a vertex in a notch that has one or two outside triangles only, the outside rings of the
-/// border vertices beside it.
-fn samples(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Vec<(Vec3<1>, f64)> {
-    let own = (region.free + b) as u32;
-    let q = x[region.free + b];
-    let at = |j: u32| one(&(x[j as usize] - q));
-    let range = |start: &[u32], b: usize| start[b] as usize..start[b + 1] as usize;
-    let ring = &rings.outside_neighbour[range(&rings.outside_start, b)];
-    let mut behind: Vec<u32> = rings.outside_flap[range(&rings.outside_edge_start, b)].to_vec();
-    let mut beside: Vec<u32> = ring.iter().chain(rings.border_ring(b)).copied().collect();
-    for _ in 0..if ring.len() < SMALL_RING { 2 } else { 1 } {
-        for j in std::mem::take(&mut beside) {
-            if (region.free..region.region_vertices()).contains(&(j as usize)) {
-                behind.push(j);
-                behind
-                    .extend(&rings.outside_neighbour[range(&rings.outside_start, j as usize - region.free)]);
-            }
-        }
-        beside.clone_from(&behind);
-    }
-    behind.sort_unstable();
-    behind.dedup();
-    behind.retain(|j| *j != NONE && *j != own && !ring.contains(j));
-    let weight = if ring.len() < SMALL_RING { 1.0 } else { FLAP_WEIGHT };
-    let near = ring.iter().map(|&j| (at(j), 1.0));
-    near.chain(behind.into_iter().map(|j| (at(j), weight))).collect()
-}
-
-/// Fits again and again from the tilted normal, which takes the bias of the ridge away.
-fn fit(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize, start: Vector3<f64>) -> Option<Fit> {
-    let samples = samples(region, rings, x, b);
-    if samples.len() < FEWEST_SAMPLES {
-        return None;
-    }
-    let ring: Vec<f64> = samples
-        .iter()
-        .filter(|s| s.1 == 1.0)
-        .map(|s| super::lanes::dot(&s.0, &s.0).0[0])
-        .collect();
-    let l = (ring.iter().sum::<f64>() / ring.len() as f64).sqrt();
-    let mut current = Fit {
-        normal: start,
-        error: 0.0,
-    };
-    for _ in 0..MAX_FITS {
-        let next = fit_once(&samples, l, &current.normal);
-        let turn = (next.normal - current.normal).norm();
-        current = next;
-        if turn < STANDS {
-            break;
-        }
-    }
-    current.normal.iter().all(|c| c.is_finite()).then_some(current)
-}
-
-fn fit_once(samples: &[(Vec3<1>, f64)], l: f64, n: &Vector3<f64>) -> Fit {
-    let frame = Frame::new(one(n));
-    let l = Lanes([l]);
-    let mut normal_equations = NormalEquations::<1, 5>::new();
-    let mut squared = NormalEquations::<1, 5>::new();
-    for (e, weight) in samples {
-        let (phi, kappa) = frame.sample(e, l);
-        normal_equations.add(&phi, kappa, Lanes([*weight]));
-        squared.add(&phi, kappa, Lanes([weight * weight]));
-    }
-    let factor = normal_equations.cholesky(&RIDGES);
-    let y = back_substitute(&factor, normal_equations.right());
-    let residual = |(e, weight): &(Vec3<1>, f64)| {
-        let (phi, kappa) = frame.sample(e, l);
-        let fitted: f64 = phi.iter().zip(&y).map(|(p, y)| p.0[0] * y.0[0]).sum();
-        weight * (kappa.0[0] - fitted).powi(2)
-    };
-    let count = samples.len() as f64;
-    let mean: f64 = samples.iter().map(residual).sum::<f64>() / normal_equations.weight().0[0];
-    let variance = mean * count / (count - 5.0).max(0.5);
-    let tilt_variance: f64 = (3..5).map(|r| covariance(&factor, &squared, r)).sum();
-    Fit {
-        normal: lane(&frame.tilted(l * y[3], l * y[4]), 0),
-        error: l.0[0] * (variance * tilt_variance).sqrt(),
-    }
-}
-
-/// Diagonal entry `r` of `M^-1 (sum w^2 phi phi^T) M^-1`.
-fn covariance(factor: &[[Lanes<1>; 5]; 5], squared: &NormalEquations<1, 5>, r: usize) -> f64 {
-    let mut unit = [Lanes([0.0]); 5];
-    unit[r] = Lanes([1.0]);
-    let z = back_substitute(factor, unit);
-    squared.quadratic_form(&z).0[0]
 }
 
 /// Blends fits and averages over one rim: `t` says how far the fits of this rim are to be trusted at all, as the typical

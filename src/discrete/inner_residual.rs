@@ -87,7 +87,8 @@ impl Equations<'_> {
                 FreeCurvature::GradientCorrected { .. } => max_normal(ring),
             };
             let residual = self.inner_residual(slots, ring, &n);
-            for (l, &i) in self.groups.vertex[group].iter().enumerate() {
+            // Backwards, as in the whole evaluation: only the first of a repeated vertex's lanes has its weights.
+            for (l, &i) in self.groups.vertex[group].iter().enumerate().rev() {
                 let i = i as usize - chunk.vertices.start;
                 normal[i] = lane(&n, l);
                 inner[i] = lane(&residual, l);

@@ -100,7 +100,7 @@ impl<const L: usize> Lanes<L> {
 /// loop and no index is left, and small matrices live in registers; the optimizer gives up on nested triangles.
 macro_rules! unrolled {
     ($i:ident in $range:expr => $body:block) => {
-        unrolled!(@step $i, $range, $body, 0 1 2 3 4)
+        unrolled!(@step $i, $range, $body, 0 1 2 3 4 5 6 7 8)
     };
     (@step $i:ident, $range:expr, $body:block, $($value:literal)*) => {
         $(if $range.contains(&$value) {

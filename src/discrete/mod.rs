@@ -15,6 +15,7 @@ pub mod low_valence;
 pub mod mesh_curvature;
 pub mod normals;
 pub mod outer_fairness;
+pub mod outside_fit;
 pub mod paper_curvature;
 pub mod passing;
 pub mod spokes;

@@ -9,8 +9,8 @@ use crate::mesh::{Region, Rings};
 /// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
 pub enum BorderNormals<'a> {
-    /// Fitted to second order to the surface outside the region, blended with the average where the scan
-    /// is rough; by the paper's rule (7.5) where there is no outside.
+    /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
+    /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
     #[default]
     Fitted,
     /// The average of the outside triangles, as the paper does (7.5).
@@ -21,9 +21,10 @@ pub enum BorderNormals<'a> {
 }
 
 /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
-/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case. It acts on
-/// the mean curvature there, which is taken from all sides at once: a turn of the normals across a curve nearly cancels
-/// between its sides, and does not bend the surface as it does at the border.
+/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case. Along a curve of
+/// such vertices the surface is cut: each side meets the curve with the given normals, and has a curvature of its own. At
+/// single vertices the normal acts on the mean curvature, which is taken from all sides at once, and bends the surface
+/// little.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum InteriorNormals {
     /// Those of the surface itself, found with it: it passes the vertices smoothly. Nothing but their position is
@@ -32,6 +33,16 @@ pub enum InteriorNormals {
     Smooth,
     /// The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
     Input,
+}
+
+/// The vertices whose normals are given, ascending.
+pub(super) fn given_vertices(asked: BorderNormals<'_>) -> Vec<u32> {
+    let BorderNormals::Given(list) = asked else {
+        return Vec::new();
+    };
+    let mut vertices: Vec<u32> = list.iter().map(|(v, _)| *v).collect();
+    vertices.sort_unstable();
+    vertices
 }
 
 /// A given normal may miss unit length by this much.
@@ -49,14 +60,18 @@ pub(super) fn border_normals(
     if let BorderNormals::Given(list) = asked {
         let border = &region.vertex_ids[region.free..region.region_vertices()];
         for &(v, n) in list {
-            let Ok(b) = border.binary_search(&v) else { continue };
+            let first = border.partition_point(|&w| w < v);
+            let copies = border[first..].iter().take_while(|&&w| w == v).count();
+            if copies == 0 {
+                continue;
+            }
             let n = Vector3::from(n);
             let length = n.norm();
             // Also refuses what is not a number.
             if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
                 return Err(Error::BadNormal { vertex: v as usize });
             }
-            given[b] = Some(n / length);
+            given[first..first + copies].fill(Some(n / length));
         }
     }
     let mut passing = vec![false; region.border];

@@ -3,9 +3,11 @@
 //! The solver runs on a thread of its own and waits there between the steps. So the sequence of means of
 //! [`solve`](crate::solve::globalize::solve) needs no second form: in steps it finds the same surface, bit by bit.
 
+mod input;
 mod worker;
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 
@@ -13,6 +15,8 @@ use super::{
     BorderNormals, Options, Progress, Selection, Solution, Solver, Target, Watcher, check, with_threads,
 };
 use crate::error::Error;
+use crate::mesh::Region;
+use input::{Input, Normals};
 use worker::Problem;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
@@ -28,29 +32,23 @@ pub struct Session {
     solution: Option<Solution>,
     /// What the last run failed with.
     broken: Option<Error>,
+    input: Arc<Input>,
+    connectivity: Connectivity,
+    target: Target,
 }
 
-/// Normals that outlive the call.
-enum Normals {
-    Fitted,
-    Averaged,
-    Given(Vec<(u32, [f64; 3])>),
+/// What the matrices were made for.
+#[derive(PartialEq)]
+struct Connectivity {
+    vertices: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
 }
 
-impl Normals {
-    fn new(normals: BorderNormals<'_>) -> Self {
-        match normals {
-            BorderNormals::Fitted => Self::Fitted,
-            BorderNormals::Averaged => Self::Averaged,
-            BorderNormals::Given(list) => Self::Given(list.to_vec()),
-        }
-    }
-
-    fn as_asked(&self) -> BorderNormals<'_> {
-        match self {
-            Self::Fitted => BorderNormals::Fitted,
-            Self::Averaged => BorderNormals::Averaged,
-            Self::Given(list) => BorderNormals::Given(list),
+impl Connectivity {
+    fn of(region: &Region) -> Self {
+        Self {
+            vertices: region.vertex_ids.clone(),
+            triangles: region.half_edges.triangles.clone(),
         }
     }
 }
@@ -90,9 +88,15 @@ impl Session {
                 range: "the fast one for a fairing in steps",
             });
         }
-        let problem = Problem::new(positions, triangles, selection, options)?;
-        let normals = problem.normals(options.normals)?;
-        let (target, threads) = (options.target, options.threads);
+        let input = Arc::new(Input::new(positions, triangles, selection, options));
+        Self::start(input, options.normals, options.target)
+    }
+
+    fn start(input: Arc<Input>, normals: BorderNormals<'_>, target: Target) -> Result<Self, Error> {
+        let threads = input.threads;
+        let problem = Problem::new(input.clone(), normals)?;
+        let normals = problem.normals(normals)?;
+        let connectivity = Connectivity::of(&problem.region);
         let ((commands, orders), (answer, answers)) = (channel(), channel());
         let failed = answer.clone();
         let thread = std::thread::Builder::new().spawn(move || {
@@ -113,6 +117,9 @@ impl Session {
             thread: Some(thread),
             solution: None,
             broken: None,
+            input,
+            connectivity,
+            target,
         };
         session.wait(None)?;
         Ok(session)
@@ -136,11 +143,17 @@ impl Session {
         Ok(self.solution())
     }
 
-    /// Asks for other border normals from now on.
+    /// Asks for other border normals from now on. Where a curve of fixed vertices inside the region gets normals, or loses them,
+    /// the region is another one, and the session begins anew.
     ///
     /// # Errors
     /// [`Error::BadNormal`], [`Error::NoNormal`]; the normals before then hold on.
     pub fn set_border_normals(&mut self, normals: BorderNormals<'_>) -> Result<(), Error> {
+        if self.connectivity != Connectivity::of(&self.input.region(normals)?) {
+            // A curve inside has got its normals, or has lost them: the region is cut there.
+            *self = Self::start(self.input.clone(), normals, self.target)?;
+            return Ok(());
+        }
         self.change(Command::Normals(Normals::new(normals)))
     }
 
@@ -153,7 +166,9 @@ impl Session {
             target,
             ..Options::default()
         })?;
-        self.change(Command::Target(target))
+        self.change(Command::Target(target))?;
+        self.target = target;
+        Ok(())
     }
 
     /// The surface of the last run; before the first one, the input's.

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
 use crate::solve::control::Callback;
 use crate::solve::system::Collapsed;
-use crate::solve::{Control, Solved, System};
+use crate::solve::{Control, Solved};
 
 /// The surface with everything that is reported of it.
 pub(super) struct Faired {
@@ -40,17 +40,7 @@ pub(super) fn fast<'a>(
         Discretization::Paper => FreeCurvature::Paper,
     };
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
-    let mut system = System::new(
-        problem.region,
-        problem.rings,
-        problem.groups,
-        problem.input,
-        problem.border_normals.to_vec(),
-        problem.weights.clone(),
-        curvature,
-    );
-    system.passing = problem.passing.to_vec();
-    system.right_hand_side = problem.right_hand_side;
+    let mut system = problem.system(curvature);
     let solved = crate::solve::solve(&mut system, &mut control)?;
     system.evaluate(&solved.x);
     let (defect, _) = system.equations().defect(&system.state);

@@ -171,13 +171,27 @@ impl<'a> Links<'a> {
         }
     }
 
+    /// The same, but where the triangles at `h`'s origin are two fans, on to the other fan: the gap between them ends there.
+    /// With more fans nobody can tell which ones are neighbours.
+    fn follow_gap(&self, h: u32) -> Result<u32, u32> {
+        let along = self.follow(h, |_| {})?;
+        let mut others = self
+            .at(self.origin(h))
+            .iter()
+            .filter(|&&g| g != h && self.opposite[g as usize] == BORDER);
+        match (others.next(), others.next()) {
+            (Some(&other), None) => Ok(self.follow(other, |_| {}).unwrap_or(along)),
+            _ => Ok(along),
+        }
+    }
+
     pub(super) fn loops(&self, positions: &[[f64; 3]]) -> Vec<BorderLoop> {
         let border: Vec<u32> = (0..self.opposite.len() as u32)
             .filter(|&h| self.opposite[h as usize] == BORDER)
             .collect();
         let mut has_before = vec![false; self.opposite.len()];
         for &h in &border {
-            if let Ok(g) = self.follow(h, |_| {}) {
+            if let Ok(g) = self.follow_gap(h) {
                 has_before[g as usize] = true;
             }
         }
@@ -229,7 +243,7 @@ impl<'a> Links<'a> {
             }
             place[v] = run.len() as u32;
             run.push(h);
-            match self.follow(h, |_| {}) {
+            match self.follow_gap(h) {
                 Ok(g) if g == first => break None,
                 Ok(g) => h = g,
                 Err(g) => break Some(g),

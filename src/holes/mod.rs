@@ -2,11 +2,13 @@
 
 mod fill;
 mod loops;
+mod mend;
 mod outcome;
 mod parents;
 mod patch;
 mod piece;
 mod refine;
+mod relax;
 mod remesh;
 mod surroundings;
 mod triangulate;

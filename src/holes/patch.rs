@@ -23,6 +23,8 @@ pub(super) struct Patch {
     pub(super) size: Vec<f64>,
     /// An upper bound of the edge length beside short edges of the rim.
     pub(super) limit: Vec<f64>,
+    /// Per rim vertex the least length of edges there, one that is rather long, and the largest.
+    pub(super) range: Vec<[f64; 3]>,
     /// Distance to the rim along edges.
     pub(super) depth: Vec<f64>,
     /// Corners; [`NONE`] where a triangle was removed.
@@ -44,6 +46,7 @@ impl Patch {
             old: vec![NONE; x.len()],
             size: vec![0.0; x.len()],
             limit: vec![f64::INFINITY; x.len()],
+            range: vec![[0.0, f64::INFINITY, f64::INFINITY]; fixed],
             depth: vec![0.0; x.len()],
             opposite: vec![NONE; 3 * triangles.len()],
             out: vec![NONE; x.len()],

@@ -142,7 +142,7 @@ impl Task<'_> {
         self.judge(&coarse, best.0, best.1, coarsened)
     }
 
-    /// Refines a faired patch where it lies now, and fairs it again; None if its worst angle is no better.
+    /// Mends a faired patch where it lies now, and fairs it again; None if its worst angle is no better.
     fn again(&self, patch: &Patch, solution: &Solution, tell: &mut Tell<'_>) -> Option<(Patch, Solution)> {
         let inner = self.inner(solution);
         if is_failed(&solution.report) || !self.outside(&inner).is_empty() {
@@ -150,7 +150,8 @@ impl Task<'_> {
         }
         let mut patch = patch.clone();
         patch.x[patch.fixed..].copy_from_slice(&inner);
-        self.refine(&mut patch);
+        let fineness = self.fineness(0.0);
+        Refiner::new(&mut patch, fineness, &self.surroundings.taken).run_again();
         let again = self
             .faired(&patch, self.tolerance, self.max_iterations, tell)
             .ok()?;
@@ -175,17 +176,14 @@ impl Task<'_> {
         let mut patch = Patch::new(around.x[..n].to_vec(), triangles, n);
         let (size, shorter) = around.sizes();
         patch.size = size;
+        patch.range = around.ranges();
         patch.limit = shorter.iter().map(|s| BESIDE_SHORT * s).collect();
         Some(patch)
     }
 
     /// Moves a patch near to the surface it will become: coarse, and faired loosely.
     fn shape(&self, patch: &mut Patch, tell: &mut Tell<'_>) {
-        let fineness = Fineness {
-            factor: self.factor,
-            growth: COARSE_GROWTH,
-            most: self.most,
-        };
+        let fineness = self.fineness(COARSE_GROWTH);
         let mut shaped = patch.clone();
         Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
         if shaped.x.len() == shaped.fixed {
@@ -197,7 +195,15 @@ impl Task<'_> {
                 ..*p
             })
         };
-        let solution = self.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
+        let rough = Self {
+            // Averages are cheap and good enough here.
+            normals: match self.normals {
+                BorderNormals::Fitted => BorderNormals::Averaged,
+                asked => asked,
+            },
+            ..*self
+        };
+        let solution = rough.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
         if let Ok(solution) = solution {
             let inner = self.inner(&solution);
             if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
@@ -207,15 +213,19 @@ impl Task<'_> {
         }
     }
 
+    fn fineness(&self, growth: f64) -> Fineness {
+        Fineness {
+            factor: self.factor,
+            growth,
+            most: self.most,
+        }
+    }
+
     /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not.
     fn refine(&self, patch: &mut Patch) -> bool {
         let mut growth = 0.0;
         loop {
-            let fineness = Fineness {
-                factor: self.factor,
-                growth,
-                most: self.most,
-            };
+            let fineness = self.fineness(growth);
             let mut refined = patch.clone();
             let mut refiner = Refiner::new(&mut refined, fineness, &self.surroundings.taken);
             let is_last = growth > LAST_GROWTH;

@@ -9,19 +9,22 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 use super::patch::Patch;
+use super::relax::Sweeps;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
 /// The length wanted grows at most by this much per unit of length away from a short rim edge.
 pub(super) const GRADE: f64 = 0.5;
-/// Edges longer than this many wanted lengths are split.
-const LONG: f64 = 1.35;
+/// Edges longer than this many wanted lengths are split. With [`SHORT`] it makes the mean length the one wanted.
+const LONG: f64 = 1.4;
 /// Edges shorter than this many are collapsed.
-const SHORT: f64 = 0.62;
+const SHORT: f64 = 0.7;
+/// At first only these are: fewer vertices to take away later.
+const FIRST: f64 = 1.6;
 /// Rounds of splits, collapses, flips and steps.
-const ROUNDS: usize = 5;
-/// Tangential steps per round.
-const STEPS: usize = 2;
+const ROUNDS: usize = 4;
+/// Sweeps in which origins follow at the end.
+const ORIGINS: usize = 3;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
 const MOST_FLIPS: usize = 40;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
@@ -46,10 +49,10 @@ pub(super) struct Refiner<'a> {
     pub(super) patch: &'a mut Patch,
     pub(super) fineness: Fineness,
     pub(super) taken: Taken<'a>,
-    spokes: Vec<u32>,
-    ring: Vec<u32>,
+    pub(super) spokes: Vec<u32>,
+    pub(super) ring: Vec<u32>,
     stack: Vec<u32>,
-    crosses: Vec<Vector3<f64>>,
+    sweeps: Sweeps,
 }
 
 impl<'a> Refiner<'a> {
@@ -61,14 +64,14 @@ impl<'a> Refiner<'a> {
             spokes: Vec::new(),
             ring: Vec::new(),
             stack: Vec::new(),
-            crosses: Vec::new(),
+            sweeps: Sweeps::default(),
         }
     }
 
     /// Splits, evens out, and drops what was removed. False, and not finished: the vertices did not suffice.
     pub(super) fn run(&mut self) -> bool {
         self.flip_all();
-        if !self.split_long() {
+        if !self.split_long(FIRST) {
             return false;
         }
         self.even_out()
@@ -77,7 +80,7 @@ impl<'a> Refiner<'a> {
     /// The same, and finished with the vertices there are.
     pub(super) fn run_to_end(&mut self) -> bool {
         self.flip_all();
-        let enough = self.split_long();
+        let enough = self.split_long(FIRST);
         self.even_out() && enough
     }
 
@@ -87,18 +90,37 @@ impl<'a> Refiner<'a> {
             self.collapse_short();
             self.clear_rim();
             self.flip_all();
-            self.smooth_sizes();
-            for _ in 0..STEPS {
-                self.relax();
-            }
+            self.settle_sizes(1);
+            self.sweeps.relax(self.patch);
             self.flip_all();
-            enough &= self.split_long();
+            enough &= self.split_long(LONG);
         }
-        self.relax();
+        self.sweeps.relax(self.patch);
         self.clear_rim();
         self.flip_all();
-        self.patch.compact();
+        self.mend();
+        self.finish();
         enough
+    }
+
+    /// Only [`mend`](Self::mend), on a patch that was refined before.
+    pub(super) fn run_again(&mut self) {
+        self.mend();
+        self.finish();
+    }
+
+    fn finish(&mut self) {
+        for _ in 0..ORIGINS {
+            self.sweeps.settle_origins(self.patch);
+        }
+        self.patch.compact();
+    }
+
+    /// Sizes, limits and depths spread from the rim inwards.
+    pub(super) fn settle_sizes(&mut self, sweeps: usize) {
+        for _ in 0..sweeps {
+            self.sweeps.settle_sizes(self.patch);
+        }
     }
 
     /// The wanted edge length at a vertex.
@@ -119,16 +141,16 @@ impl<'a> Refiner<'a> {
         if ratio.is_finite() { ratio } else { 0.0 }
     }
 
-    fn is_inner(&self, h: u32) -> bool {
+    pub(super) fn is_inner(&self, h: u32) -> bool {
         self.patch.triangles[h as usize / 3][0] != NONE && self.patch.across(h) != NONE
     }
 
-    fn split_long(&mut self) -> bool {
+    fn split_long(&mut self, long: f64) -> bool {
         let mut queue: BinaryHeap<(u64, u32, u32, u32)> = BinaryHeap::new();
         let push = |this: &Self, queue: &mut BinaryHeap<_>, h: u32| {
             if this.is_inner(h) {
                 let ratio = this.ratio(h);
-                if ratio > LONG {
+                if ratio > long {
                     queue.push((ratio.to_bits(), h, this.patch.from(h), this.patch.to(h)));
                 }
             }
@@ -138,9 +160,7 @@ impl<'a> Refiner<'a> {
                 push(self, &mut queue, h);
             }
         }
-        let mut inner = (self.patch.fixed as u32..self.patch.x.len() as u32)
-            .filter(|&v| self.patch.is_alive(v))
-            .count();
+        let mut inner = self.inner_vertices();
         while let Some((_, h, a, b)) = queue.pop() {
             if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
                 continue;
@@ -180,7 +200,7 @@ impl<'a> Refiner<'a> {
 
     /// Whether the middle of an edge would see a rim edge beside it under a wide angle. Rim edges cannot be split, so
     /// vertices would gather along one that is longer than what is wanted there.
-    fn would_encroach(&self, h: u32) -> bool {
+    pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
         let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
         let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
@@ -223,7 +243,7 @@ impl<'a> Refiner<'a> {
         }
     }
 
-    fn collapse(&mut self, h: u32) -> bool {
+    pub(super) fn collapse(&mut self, h: u32) -> bool {
         let (mut spokes, mut ring) = (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
         let done = self.patch.collapse(h, &mut spokes, &mut ring);
         (self.spokes, self.ring) = (spokes, ring);
@@ -231,7 +251,7 @@ impl<'a> Refiner<'a> {
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
-    fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
+    pub(super) fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
         self.patch.ring(a, &mut self.spokes, &mut self.ring);
         !self.patch.is_rim(b)
             || self.ring.iter().all(|&v| {
@@ -252,10 +272,14 @@ impl<'a> Refiner<'a> {
         let [a, b] = [self.patch.from(h), self.patch.to(h)];
         let [c, d] = [self.patch.from(previous(h)), self.patch.from(previous(o))];
         let [p, q, r, s] = [a, b, c, d].map(|v| self.patch.x[v as usize]);
+        let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
         let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
+        let (right0, right1) = (dot0 >= 0.0, dot1 >= 0.0);
+        if right0 && right1 && old0 != Vector3::zeros() && old1 != Vector3::zeros() {
+            return false;
+        }
         // cot + cot < 0, without division: both cross products are lengths.
         let (l0, l1) = (old0.norm(), old1.norm());
-        let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
         let excess = dot0 * l1 + dot1 * l0;
         if excess >= -1e-10 * (dot0.abs() * l1 + dot1.abs() * l0) && l0 > 0.0 && l1 > 0.0 {
             return false;
@@ -290,9 +314,14 @@ impl<'a> Refiner<'a> {
 
     /// Flips towards Delaunay until nothing changes, or often enough.
     pub(super) fn flip_all(&mut self) {
-        let mut stack: Vec<u32> = (0..self.patch.half_edges())
+        let stack = (0..self.patch.half_edges())
             .filter(|&h| self.is_inner(h) && self.patch.from(h) < self.patch.to(h))
             .collect();
+        self.flip_from(stack);
+    }
+
+    /// The same, from these half-edges on.
+    pub(super) fn flip_from(&mut self, mut stack: Vec<u32>) {
         let mut left = MOST_FLIPS * self.patch.x.len();
         while let Some(h) = stack.pop() {
             if left > 0 && self.should_flip(h) {
@@ -305,6 +334,13 @@ impl<'a> Refiner<'a> {
         }
     }
 
+    /// The vertices inside.
+    pub(super) fn inner_vertices(&self) -> usize {
+        (self.patch.fixed as u32..self.patch.x.len() as u32)
+            .filter(|&v| self.patch.is_alive(v))
+            .count()
+    }
+
     fn collapse_short(&mut self) {
         for h in 0..self.patch.half_edges() {
             if !self.is_inner(h) {
@@ -313,94 +349,21 @@ impl<'a> Refiner<'a> {
             let (a, b) = (self.patch.from(h), self.patch.to(h));
             let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
             let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
-            if self.patch.length(h) < short * wanted && self.stays_short(a, b) {
+            if self.patch.length(h) < short * wanted && self.stays_short(a, b, LONG) {
                 self.collapse(h);
             }
         }
     }
 
-    /// Whether no edge would be long, or one that is taken, if inner vertex `a` moved to `b`.
-    fn stays_short(&mut self, a: u32, b: u32) -> bool {
+    /// Whether no edge would be longer than `long` wanted lengths, or one that is taken, if inner vertex `a` moved to `b`.
+    pub(super) fn stays_short(&mut self, a: u32, b: u32, long: f64) -> bool {
         if self.patch.is_rim(a) || !self.makes_nothing_taken(a, b) {
             return false;
         }
         let target = self.patch.x[b as usize];
         self.ring.iter().all(|&v| {
             let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
-            (self.patch.x[v as usize] - target).norm() < LONG * wanted
-        })
-    }
-
-    /// Sizes of inner vertices become more harmonic; limits and depths are made anew from the neighbours'.
-    fn smooth_sizes(&mut self) {
-        self.settle_sizes(2);
-    }
-
-    /// The same, often.
-    pub(super) fn settle_sizes(&mut self, sweeps: usize) {
-        for _ in 0..sweeps {
-            for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
-                if !self.patch.is_alive(v) {
-                    continue;
-                }
-                self.patch.ring(v, &mut self.spokes, &mut self.ring);
-                let (mut size, mut limit, mut depth) = (0.0, f64::INFINITY, f64::INFINITY);
-                let x = self.patch.x[v as usize];
-                for &w in &self.ring {
-                    let w = w as usize;
-                    let length = (self.patch.x[w] - x).norm();
-                    size += self.patch.size[w];
-                    limit = limit.min(self.patch.limit[w] + GRADE * length);
-                    depth = depth.min(self.patch.depth[w] + length);
-                }
-                let v = v as usize;
-                self.patch.size[v] = size / self.ring.len() as f64;
-                self.patch.limit[v] = limit;
-                self.patch.depth[v] = depth;
-            }
-        }
-    }
-
-    /// One tangential step of every inner vertex to the centre of its neighbours, unless a triangle would turn over.
-    pub(super) fn relax(&mut self) {
-        for v in self.patch.fixed as u32..self.patch.x.len() as u32 {
-            if !self.patch.is_alive(v) {
-                continue;
-            }
-            self.patch.ring(v, &mut self.spokes, &mut self.ring);
-            let i = v as usize;
-            let (mut centre, mut origin) = (Vector3::zeros(), Vector3::zeros());
-            for &w in &self.ring {
-                centre += self.patch.x[w as usize];
-                origin += self.patch.origin[w as usize];
-            }
-            let count = self.ring.len() as f64;
-            self.crosses.clear();
-            self.crosses
-                .extend(self.spokes.iter().map(|&h| self.patch.cross(h as usize / 3)));
-            let normal: Vector3<f64> = self.crosses.iter().sum();
-            let Some(normal) = normal.try_normalize(0.0) else {
-                continue;
-            };
-            let step = centre / count - self.patch.x[i];
-            let step = step - normal * normal.dot(&step);
-            if self.turns_over(&(self.patch.x[i] + step)) {
-                continue;
-            }
-            self.patch.x[i] += step;
-            self.patch.origin[i] = origin / count;
-        }
-    }
-
-    /// Whether a triangle of a vertex would turn by more than 60 degrees if the vertex moved to `x`; its neighbours are in
-    /// `ring`, the cross products of its triangles in `crosses`.
-    fn turns_over(&self, x: &Vector3<f64>) -> bool {
-        let count = self.ring.len();
-        let at = |k: usize| self.patch.x[self.ring[k % count] as usize] - x;
-        self.crosses.iter().enumerate().any(|(k, old)| {
-            let new = at(k).cross(&at(k + 1));
-            let dot = old.dot(&new);
-            dot <= 0.0 || dot * dot < 0.25 * old.norm_squared() * new.norm_squared()
+            (self.patch.x[v as usize] - target).norm() < long * wanted
         })
     }
 }

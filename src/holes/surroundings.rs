@@ -154,29 +154,62 @@ impl Surroundings {
         (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
     }
 
-    /// Per loop vertex the mean length of the mesh's edges there, and the length of its shorter edge on the loop.
-    pub(super) fn sizes(&self) -> (Vec<f64>, Vec<f64>) {
-        let mut sum = vec![(0.0, 0.0); self.rim];
-        for tri in &self.triangles {
-            for k in 0..3 {
-                let (a, b) = (tri[k] as usize, tri[(k + 1) % 3] as usize);
-                let length = (self.x[a] - self.x[b]).norm();
-                if !length.is_finite() {
-                    continue;
-                }
-                // An edge with two triangles counts twice, one of the rim once: so that both sides are alike.
-                for v in [a, b].into_iter().filter(|&v| v < self.rim) {
-                    sum[v].0 += length;
-                    sum[v].1 += 1.0;
-                }
+    /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
+    /// the longest.
+    pub(super) fn ranges(&self) -> Vec<[f64; 3]> {
+        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.rim];
+        self.each_edge(|a, b| {
+            let length = (self.x[a] - self.x[b]).norm();
+            for v in [a, b].into_iter().filter(|&v| v < self.rim) {
+                let [shortest, longest, sum, count] = edges[v];
+                edges[v] = [
+                    shortest.min(length),
+                    longest.max(length),
+                    sum + length,
+                    count + 1.0,
+                ];
             }
-        }
+        });
+        let range =
+            |&[shortest, longest, sum, count]: &[f64; 4]| [0.5 * shortest, 2.0 * sum / count, 2.0 * longest];
+        edges.iter().map(range).collect()
+    }
+
+    /// Per loop vertex the mean edge length of the mesh there, and the length of its shorter edge on the loop. The mean is
+    /// that of the vertex and its neighbours together: edges at the rim alone are few, and the long ones are missing.
+    pub(super) fn sizes(&self) -> (Vec<f64>, Vec<f64>) {
+        let mut sum = vec![(0.0, 0.0); self.x.len()];
+        self.each_edge(|a, b| {
+            let length = (self.x[a] - self.x[b]).norm();
+            // An edge with two triangles counts twice, one of the rim once: so that both sides are alike.
+            for v in [a, b] {
+                sum[v].0 += length;
+                sum[v].1 += 1.0;
+            }
+        });
+        let mut around = sum.clone();
+        self.each_edge(|a, b| {
+            for (v, w) in [(a, b), (b, a)] {
+                around[v].0 += sum[w].0;
+                around[v].1 += sum[w].1;
+            }
+        });
         let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.rim]).norm();
         let shorter = (0..self.rim)
             .map(|i| edge(i).min(edge((i + self.rim - 1) % self.rim)))
             .collect();
-        let mean = sum.iter().map(|&(s, n): &(f64, f64)| s / n.max(1.0)).collect();
-        (mean, shorter)
+        let mean = around[..self.rim]
+            .iter()
+            .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
+        (mean.collect(), shorter)
+    }
+
+    fn each_edge(&self, mut visit: impl FnMut(usize, usize)) {
+        for t in &self.triangles {
+            for k in 0..3 {
+                visit(t[k] as usize, t[(k + 1) % 3] as usize);
+            }
+        }
     }
 }
 

@@ -13,7 +13,7 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 /// Loops of up to this many edges are triangulated by dynamic programming alone.
-pub(super) const DYNAMIC: usize = 160;
+pub(super) const DYNAMIC: usize = 100;
 /// The cosine of the bend is told apart in so many steps; what bends equally is decided by area.
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.

@@ -36,16 +36,11 @@ pub struct HalfEdges {
     /// begins at its border; a closed one at a border vertex that has an outside begins with a run of region
     /// triangles; among the choices left it begins at the smallest local vertex.
     pub spoke: Vec<u32>,
-    /// Per half-edge of the outside ring (the first is `3 * region_triangles`): the third vertex of the
-    /// triangle across, in the ring or beyond; [`NONE`] where there is none, where several share the edge,
-    /// where it belongs to the region, or where that vertex is not finite.
-    pub flap_outside: Vec<u32>,
 }
 
 impl HalfEdges {
     /// Matches the half-edges of `triangles` (local numbers) and checks that they form an orientable
     /// 2-manifold around the free and border vertices. `vertex_ids` serves the error messages.
-    /// `flap_outside` is left empty.
     pub(super) fn new(
         triangles: Vec<[u32; 3]>,
         triangle_ids: Vec<u32>,
@@ -195,29 +190,6 @@ impl HalfEdges {
             }
         }
         flaws
-    }
-
-    /// Fills `flap_outside`. `beyond(h)` tells what further triangles, not among these, share the edge of
-    /// half-edge `h`: how many, and the third vertex of one of them ([`NONE`]: unusable).
-    pub(super) fn set_flaps(&mut self, beyond: impl Fn(u32) -> (u32, u32)) {
-        let first = 3 * self.region_triangles as u32;
-        self.flap_outside = (first..self.opposite.len() as u32)
-            .map(|h| {
-                let o = self.opposite[h as usize];
-                match (o, beyond(h)) {
-                    (NONE, (1, third)) => third,
-                    (NONE, _) => NONE,
-                    (o, (0, _)) if !self.in_region(o) => self.apex(o),
-                    _ => NONE,
-                }
-            })
-            .collect();
-    }
-
-    /// The third vertex across half-edge `h` of the outside ring; see [`HalfEdges::flap_outside`].
-    #[inline]
-    pub fn flap_beyond(&self, h: u32) -> u32 {
-        self.flap_outside[h as usize - 3 * self.region_triangles]
     }
 
     /// Checks the invariants; for tests.

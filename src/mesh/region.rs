@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 
 use super::NONE;
+use super::cut::cut;
 use super::halfedge::{HalfEdges, buckets};
+use super::islands::islands;
 use crate::error::Error;
 
 /// Which vertices may move.
@@ -20,10 +22,10 @@ pub enum Selection<'a> {
 
 /// The part of a mesh that is faired, with its surroundings.
 ///
-/// Region triangles are those with a free vertex; border vertices are their fixed vertices, those with a
-/// closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
-/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the flap
-/// vertices beyond it, each group in the caller's order.
+/// Region triangles are those with a free vertex, and those of [`islands`](super::islands); border vertices are their
+/// fixed vertices, those with a closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
+/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the
+/// vertices of two more rings beyond it, each group in the caller's order.
 #[derive(Debug, Clone)]
 pub struct Region {
     /// The caller's number of each local vertex.
@@ -34,6 +36,9 @@ pub struct Region {
     pub border: usize,
     /// The triangles of the region and of the outside ring.
     pub half_edges: HalfEdges,
+    /// The triangles within two more rings around those, in local numbers, as far as their vertices have a place. They
+    /// serve fits to the surroundings and need not be sound.
+    pub beyond: Vec<[u32; 3]>,
     /// Per free vertex the number of its component. Region triangles with a common vertex, free or fixed,
     /// belong together; components are numbered by their smallest free vertex.
     pub component: Vec<u32>,
@@ -59,10 +64,24 @@ impl Region {
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
     ) -> Result<Self, Error> {
+        Self::with_normals(positions, triangles, selection, |_| false)
+    }
+
+    /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
+    /// number); those are border then, and have a local number for each side. See [`cut`](super::cut).
+    ///
+    /// # Errors
+    /// As [`Region::new`].
+    pub fn with_normals(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Self, Error> {
         check_size(positions.len(), triangles.len())?;
         let mut role = resolve(positions.len(), triangles, selection)?;
-        let (triangle_ids, region_triangles) = collect(triangles, &mut role);
-        let (mut vertex_ids, local, free, border) = number(&role);
+        let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
+        let (mut vertex_ids, local, free, mut border) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
         let numbered = triangle_ids
@@ -77,20 +96,26 @@ impl Region {
             border,
             &vertex_ids,
         )?;
-        add_flaps(
-            positions,
-            triangles,
-            &role,
-            local,
-            &mut vertex_ids,
-            &mut half_edges,
-        );
+        let of_curve = |v: usize| prescribed(vertex_ids[v]);
+        if let Some(cut) = cut(&half_edges, (free, border), &vertex_ids, of_curve) {
+            (vertex_ids, border) = (cut.vertex_ids, cut.border);
+            half_edges = HalfEdges::new(
+                cut.triangles,
+                half_edges.triangle_ids,
+                region_triangles,
+                free,
+                border,
+                &vertex_ids,
+            )?;
+        }
+        let beyond = add_beyond(positions, triangles, &role, &mut vertex_ids);
         let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
         Ok(Self {
             vertex_ids,
             free,
             border,
             half_edges,
+            beyond,
             component,
             components,
         })
@@ -127,16 +152,13 @@ impl Region {
     /// What is violated.
     pub fn validate(&self) -> Result<(), String> {
         self.half_edges.validate()?;
-        let groups = [0, self.free, self.region_vertices()];
-        if groups
-            .windows(2)
-            .any(|g| !self.vertex_ids[g[0]..g[1]].is_sorted_by(|a, b| a < b))
-        {
+        let (free, border) = self.vertex_ids[..self.region_vertices()].split_at(self.free);
+        if !free.is_sorted_by(|a, b| a < b) || !border.is_sorted() {
             return Err("local numbers are not ascending".into());
         }
         for (t, tri) in self.half_edges.triangles.iter().enumerate() {
             let region = t < self.half_edges.region_triangles;
-            if tri.iter().any(|&v| self.is_free(v)) != region {
+            if tri.iter().any(|&v| self.is_free(v)) && !region {
                 return Err(format!("triangle {t} is on the wrong side"));
             }
             if region && tri.iter().any(|&v| v as usize >= self.region_vertices()) {
@@ -278,7 +300,7 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
 
 /// The region's triangles, then those of the outside ring; how many belong to the region. Marks border and
 /// ring vertices.
-fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
+fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -> bool) -> (Vec<u32>, usize) {
     let has = |role: &[Role], tri: &[u32; 3], r| tri.iter().any(|&v| role[v as usize] == r);
     let mut ids = Vec::new();
     for (t, tri) in triangles.iter().enumerate() {
@@ -302,6 +324,16 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role]) -> (Vec<u32>, usize) {
             role[v as usize] = Role::Ring;
         }
     }
+    let at = |ids: &[u32]| ids.iter().map(|&t| triangles[t as usize]).collect::<Vec<_>>();
+    let of_island = islands(&at(&ids[..region]), &at(&ids[region..]), |v| {
+        role[v as usize] == Role::Border && !prescribed(v)
+    });
+    let pairs = ids.split_off(region).into_iter().zip(of_island);
+    let (island, outside): (Vec<_>, Vec<_>) = pairs.partition(|(_, of_island)| *of_island);
+    ids.extend(island.into_iter().map(|(t, _)| t));
+    ids.sort_unstable();
+    let region = ids.len();
+    ids.extend(outside.into_iter().map(|(t, _)| t));
     (ids, region)
 }
 
@@ -354,82 +386,53 @@ fn check_finite(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
     }
 }
 
-/// Looks up the flap vertices of the outside ring, which may lie in triangles beyond it, and numbers them.
-fn add_flaps(
+/// How far [`Region::beyond`] reaches.
+const RINGS_BEYOND: usize = 2;
+
+/// Gathers [`Region::beyond`] and numbers its vertices that have no number yet.
+fn add_beyond(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     role: &[Role],
-    mut local: Vec<u32>,
     vertex_ids: &mut Vec<u32>,
-    half_edges: &mut HalfEdges,
-) {
-    let outer = outer_layer(triangles, role, vertex_ids, half_edges);
-    let mut thirds: Vec<u32> = outer.iter().map(|o| o.2).filter(|&v| v != NONE).collect();
-    thirds.retain(|&v| local[v as usize] == NONE && finite(&positions[v as usize]));
-    thirds.sort_unstable();
-    thirds.dedup();
-    for v in thirds {
+) -> Vec<[u32; 3]> {
+    let mut local = vec![NONE; role.len()];
+    for (l, &v) in vertex_ids.iter().enumerate() {
+        local[v as usize] = l as u32;
+    }
+    let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
+    let mut before = vec![false; role.len()];
+    let mut beyond = Vec::new();
+    for _ in 0..RINGS_BEYOND {
+        let first = beyond.len();
+        for tri in triangles {
+            let any = |marked: &[bool]| tri.iter().any(|&v| marked[v as usize]);
+            let inner = tri
+                .iter()
+                .any(|&v| matches!(role[v as usize], Role::Free | Role::Border));
+            if any(&reached) && !any(&before) && !inner && repeated(*tri).is_none() {
+                let placed = tri.iter().all(|&v| finite(&positions[v as usize]));
+                beyond.extend(placed.then_some(*tri));
+            }
+        }
+        before.copy_from_slice(&reached);
+        beyond[first..]
+            .iter()
+            .flatten()
+            .for_each(|&v| reached[v as usize] = true);
+    }
+    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
+    new.retain(|&v| local[v as usize] == NONE);
+    new.sort_unstable();
+    new.dedup();
+    for v in new {
         local[v as usize] = vertex_ids.len() as u32;
         vertex_ids.push(v);
     }
-    half_edges.set_flaps(|h| match outer.binary_search_by_key(&h, |o| o.0) {
-        Ok(at) => (
-            outer[at].1,
-            if outer[at].2 == NONE {
-                NONE
-            } else {
-                local[outer[at].2 as usize]
-            },
-        ),
-        Err(_) => (0, NONE),
-    });
-}
-
-/// Half-edges of the outside ring with further triangles across: the half-edge, how many, and the third vertex
-/// (the caller's number) of one of them; by half-edge.
-fn outer_layer(
-    triangles: &[[u32; 3]],
-    role: &[Role],
-    vertex_ids: &[u32],
-    half_edges: &HalfEdges,
-) -> Vec<(u32, u32, u32)> {
-    let is_ring = |v: u32| role[v as usize] == Role::Ring;
-    let key = |a: u32, b: u32| u64::from(a.min(b)) << 32 | u64::from(a.max(b));
-    let mut rim = Vec::new();
-    for h in 3 * half_edges.region_triangles as u32..half_edges.opposite.len() as u32 {
-        let (a, b) = (half_edges.origin(h), half_edges.target(h));
-        let (a, b) = (vertex_ids[a as usize], vertex_ids[b as usize]);
-        if is_ring(a) && is_ring(b) {
-            rim.push((key(a, b), h));
-        }
+    for v in beyond.iter_mut().flatten() {
+        *v = local[*v as usize];
     }
-    rim.sort_unstable();
-    let mut found = Vec::new();
-    if rim.is_empty() {
-        return found;
-    }
-    for tri in triangles {
-        let ring = tri.iter().filter(|&&v| is_ring(v)).count();
-        let elsewhere = tri
-            .iter()
-            .all(|&v| matches!(role[v as usize], Role::Ring | Role::Other));
-        if ring < 2 || !elsewhere || repeated(*tri).is_some() {
-            continue;
-        }
-        for k in 0..3 {
-            let edge = key(tri[k], tri[(k + 1) % 3]);
-            let first = rim.partition_point(|r| r.0 < edge);
-            let here = rim[first..].iter().take_while(|r| r.0 == edge);
-            found.extend(here.map(|r| (r.1, 1, tri[(k + 2) % 3])));
-        }
-    }
-    found.sort_unstable();
-    found.dedup_by(|later, kept| {
-        let same = later.0 == kept.0;
-        kept.1 += u32::from(same);
-        same
-    });
-    found
+    beyond
 }
 
 /// Numbers the components by smallest free vertex, and checks that each has a fixed vertex.

@@ -37,16 +37,10 @@ pub struct Rings {
     /// their left. Something is outside where [`HalfEdges::opposite`](super::HalfEdges::opposite) is there.
     pub border_half_edges: Vec<u32>,
 
-    /// Rows of `outside_neighbour`; border + 1 offsets.
-    pub outside_start: Vec<u32>,
-    /// The neighbours of each border vertex in the outside ring, each once, counter-clockwise fan by fan.
-    pub outside_neighbour: Vec<u32>,
-    /// Rows of `outside_edge` and `outside_flap`; border + 1 offsets.
+    /// Rows of `outside_edge`; border + 1 offsets.
     pub outside_edge_start: Vec<u32>,
     /// Ring edges of the outside triangles at each border vertex, oriented as in `border_edge`.
     pub outside_edge: Vec<[u32; 2]>,
-    /// The third vertex across that ring edge, not of the region's triangles, or [`NONE`].
-    pub outside_flap: Vec<u32>,
 }
 
 impl Rings {
@@ -127,7 +121,6 @@ impl Rings {
         let half_edges = &region.half_edges;
         self.border_start.push(0);
         self.border_edge_start.push(0);
-        self.outside_start.push(0);
         self.outside_edge_start.push(0);
         for b in region.free..region.region_vertices() {
             self.closed.push(true);
@@ -136,7 +129,6 @@ impl Rings {
             }
             self.border_start.push(self.border_neighbour.len() as u32);
             self.border_edge_start.push(self.border_edge.len() as u32);
-            self.outside_start.push(self.outside_neighbour.len() as u32);
             self.outside_edge_start.push(self.outside_edge.len() as u32);
         }
     }
@@ -155,21 +147,15 @@ impl Rings {
         }
         let [_, target, apex] = half_edges.corners(h);
         let edge = [target, apex];
-        let neighbours = if inside {
-            &mut self.border_neighbour
-        } else {
-            &mut self.outside_neighbour
-        };
-        neighbours.push(edge[0]);
-        if ends {
-            neighbours.push(edge[1]);
-        }
         if inside {
+            self.border_neighbour.push(edge[0]);
+            if ends {
+                self.border_neighbour.push(edge[1]);
+            }
             self.border_edge.push(edge);
             self.border_flap.push(half_edges.flap(next(h)));
         } else {
             self.outside_edge.push(edge);
-            self.outside_flap.push(half_edges.flap_beyond(next(h)));
         }
     }
 
@@ -270,7 +256,7 @@ impl Rings {
             let ring = self.border_ring(b);
             let edges = row(&self.border_edge_start, &self.border_edge, b);
             let outside = row(&self.outside_edge_start, &self.outside_edge, b);
-            if !distinct(ring) || !distinct(row(&self.outside_start, &self.outside_neighbour, b)) {
+            if !distinct(ring) {
                 return Err(format!("border vertex {b} has a neighbour twice"));
             }
             if edges.is_empty() || self.closed[b] != (ring.len() == edges.len()) {

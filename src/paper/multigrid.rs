@@ -45,6 +45,24 @@ pub struct Problem<'a> {
     pub right_hand_side: RightHandSide,
 }
 
+impl<'a> Problem<'a> {
+    /// The whole system of the default solver for the problem.
+    pub fn system(&self, curvature: FreeCurvature) -> System<'a> {
+        let mut system = System::new(
+            self.region,
+            self.rings,
+            self.groups,
+            self.input,
+            self.border_normals.to_vec(),
+            self.weights.clone(),
+            curvature,
+        );
+        system.passing = self.passing.to_vec();
+        system.right_hand_side = self.right_hand_side;
+        system
+    }
+}
+
 /// What was found.
 #[derive(Debug, Clone)]
 pub struct Found {
@@ -305,22 +323,14 @@ fn judged(
         x,
         ending,
         step: ended.step,
+        even: false,
         start_seconds,
     }
 }
 
 /// The linear surface of connectivity and border data, its vertices distributed by inner fairness.
 fn linear_start(problem: &Problem<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
-    let mut system = System::new(
-        problem.region,
-        problem.rings,
-        problem.groups,
-        problem.input,
-        problem.border_normals.to_vec(),
-        problem.weights.clone(),
-        FreeCurvature::Paper,
-    );
-    system.passing = problem.passing.to_vec();
+    let mut system = problem.system(FreeCurvature::Paper);
     let mut x = system.linear_surface()?;
     system.diagonal = diagonal(&x);
     system.tangential_steps(&mut x);

@@ -7,7 +7,7 @@
 //! seam opposite to it. Rings of staggered vertices lead from the sheets to the fixed circles.
 
 use super::blend_start::{project, relax, trisect, tube_frame};
-use super::irregular::{INSERTED, scramble};
+use super::irregular::{regular_size, scramble};
 use super::sampling::Sampling;
 use super::shape::Shape;
 use super::size::blend_size;
@@ -69,12 +69,7 @@ pub fn cylinder_blend_with(arc: usize, seam: usize, rings: usize) -> Shape {
 /// [`Sampling::Irregular`] inserts vertices, flips edges and shakes; [`Sampling::LocallyRefined`] is the patch of
 /// [`cylinder_blend_refined_patch`], whatever its fields.
 pub fn cylinder_blend_of(n: usize, sampling: Sampling) -> Shape {
-    let share = if matches!(sampling, Sampling::Irregular { .. }) {
-        1.0 + INSERTED
-    } else {
-        1.0
-    };
-    let mut shape = match (n as f64 / share).round() as usize {
+    let mut shape = match regular_size(n, sampling) {
         118 => cylinder_blend_coarse(),
         920 => cylinder_blend(),
         13_308 => cylinder_blend_fine(),

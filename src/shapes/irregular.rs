@@ -2,12 +2,22 @@
 
 use super::blend_start::Neighbours;
 use super::rng::Rng;
+use super::sampling::Sampling;
 use super::shape::Shape;
 use super::surface::unit;
 use std::collections::HashMap;
 
 /// Share of the vertices that are inserted at random.
-pub(super) const INSERTED: f64 = 0.15;
+const INSERTED: f64 = 0.15;
+
+/// How many vertices the net has to have that [`scramble`], where the sampling asks for it, makes into about `n`.
+pub(super) fn regular_size(n: usize, sampling: Sampling) -> usize {
+    match sampling {
+        Sampling::Irregular { .. } => (n as f64 / (1.0 + INSERTED)).round() as usize,
+        _ => n,
+    }
+}
+
 /// Passes over all edges, and the probability of a flip where it is possible.
 const PASSES: usize = 2;
 const FLIPPED: f64 = 0.35;

@@ -7,7 +7,7 @@
 
 use super::blend::Net;
 use super::blend_start::trisect;
-use super::irregular::{INSERTED, scramble};
+use super::irregular::{regular_size, scramble};
 use super::plate::thin_plate;
 use super::sampling::Sampling;
 use super::shape::Shape;
@@ -35,12 +35,7 @@ pub fn tetra_thing_coarse() -> Shape {
 /// vertices, flips edges and shakes; [`Sampling::LocallyRefined`] divides the triangles on one side of a corner
 /// into nine each, whatever its fields.
 pub fn tetra_thing_of(n: usize, sampling: Sampling) -> Shape {
-    let share = if matches!(sampling, Sampling::Irregular { .. }) {
-        1.0 + INSERTED
-    } else {
-        1.0
-    };
-    let mut shape = match (n as f64 / share).round() as usize {
+    let mut shape = match regular_size(n, sampling) {
         500 => tetra_thing_coarse(),
         n => {
             let [arc, seam, rings] = tetra_size(n);

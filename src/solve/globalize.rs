@@ -6,7 +6,8 @@
 //! 3. pseudo-time from there;
 //! 4. the plain solution to tolerance, reported as what it is;
 //! 5. pseudo-time from the start;
-//! 6. continuation in the border normals.
+//! 6. equal inner fairness where another was asked for, directly;
+//! 7. continuation in the border normals.
 
 use std::time::Instant;
 
@@ -21,6 +22,7 @@ use super::system::{Collapsed, System};
 use super::weight_repair::{Repair, THRESHOLDS};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
+use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::Surface;
 
 /// Divergence guard of the direct iteration: every change of matrix makes the step norm jump.
@@ -61,6 +63,8 @@ pub struct Solved {
     pub step: f64,
     /// Triangles of the region (local numbers) that are flipped or thin.
     pub poor: Vec<u32>,
+    /// The vertices are distributed evenly, because no surface was found with the inner fairness that was asked for.
+    pub even: bool,
     /// Seconds until the first iteration.
     pub start_seconds: f64,
 }
@@ -79,6 +83,8 @@ pub struct Candidate {
     /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]), or it stands off single
     /// border normals far more than off the others: a bump that the coarse equations admit.
     pub doubtful: bool,
+    /// See [`Solved::even`].
+    pub even: bool,
 }
 
 impl Candidate {
@@ -110,10 +116,12 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         ending: Ending::Failed,
         step: f64::NAN,
         poor: Vec::new(),
+        even: false,
         start_seconds: clock.elapsed().as_secs_f64(),
     };
     let (candidate, ending) = attempts(system, &linear, control);
     solved.ending = ending;
+    solved.even = candidate.as_ref().is_some_and(|c| c.even);
     // Stopped on the way over poor triangles: the linear surface is the better one.
     match candidate.filter(|c| c.end != End::Stopped || c.poor.is_empty()) {
         Some(candidate) => {
@@ -148,6 +156,7 @@ pub fn resume(system: &mut System<'_>, x: &[Vector3<f64>], control: &mut Control
         step: candidate.step,
         poor: candidate.poor,
         start_seconds: 0.0,
+        even: false,
     })
 }
 
@@ -234,6 +243,13 @@ fn attempts(
     }
     keep(&mut fallback, slow, Ending::Converged);
 
+    if weights.slots.is_some() && !control.exhausted() {
+        if let Some(even) = evenly(system, direct, control).filter(Candidate::is_settled) {
+            return settled(even, Ending::Converged);
+        }
+        restore(system, &weights);
+    }
+
     let continued = continuation(system, linear, control);
     match continued.candidate {
         Some(candidate) if candidate.is_settled() => return settled(candidate, Ending::Converged),
@@ -266,8 +282,17 @@ fn settled(candidate: Candidate, ending: Ending) -> (Option<Candidate>, Ending) 
     (Some(candidate), ending)
 }
 
+/// With uniform inner fairness in place of the one that was asked for.
+fn evenly(system: &mut System<'_>, plan: Plan, control: &mut Control<'_>) -> Option<Candidate> {
+    let set = system.set_weights(FairnessWeights::uniform());
+    let start = set.and_then(|()| system.start()).ok()?;
+    let mut candidate = with_repair(system, start, plan, control);
+    candidate.even = true;
+    Some(candidate)
+}
+
 /// Goes back to the weights that were asked for. They were factored before, so that they can be again.
-fn restore(system: &mut System<'_>, weights: &crate::discrete::inner_fairness::FairnessWeights) {
+fn restore(system: &mut System<'_>, weights: &FairnessWeights) {
     let _ = system.set_weights(weights.clone());
 }
 
@@ -349,6 +374,7 @@ fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) ->
         step,
         poor,
         doubtful,
+        even: false,
     }
 }
 

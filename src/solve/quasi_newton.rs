@@ -9,13 +9,16 @@ use crate::linear::anderson::Anderson;
 /// Below this step norm the triangles show what they will be.
 const NEAR: f64 = 1e-4;
 /// Growth of the step norm over the best that an accelerated step may cause.
-const SAFE_GROWTH: f64 = 1.5;
+const SAFE_GROWTH: f64 = 3.0;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
 const EXTRA: usize = 3;
-/// Steps that Anderson acceleration looks back on.
-const WINDOW: usize = 8;
+/// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
+/// takes a step of the history; on large regions that would cost more memory than the matrix.
+const WINDOWS: [usize; 2] = [20, 8];
+/// The largest region with the longer history.
+const LONG_UP_TO: usize = 50_000;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
 const STALL: f64 = 0.7;
 /// See [`STALL`].
@@ -78,7 +81,8 @@ pub fn iterate(
         d: f64::INFINITY,
         first: f64::INFINITY,
     };
-    let mut anderson = Anderson::new(3 * system.free(), WINDOW);
+    let window = WINDOWS[usize::from(system.free() > LONG_UP_TO)];
+    let mut anderson = Anderson::new(3 * system.free(), window);
     for round in 0..ROUNDS {
         best.d = f64::INFINITY;
         let keep = plan.keep && round == 0;
@@ -173,7 +177,7 @@ fn run(
         for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {
             flat.copy_from_slice(x.as_slice());
         }
-        if d > SAFE_GROWTH * best.d && safeguard {
+        if d > (if best.d < NEAR { 6.0 } else { SAFE_GROWTH }) * best.d && safeguard {
             // Extrapolated too far: back to the best surface, and from there without history.
             safeguard = false;
             x.clone_from(&best.x);

@@ -10,6 +10,8 @@ const SWEEPS: usize = 8;
 const DIRECTIONS: usize = 8;
 /// The first and the last distance tried, relative to the ring's mean radius.
 const DISTANCES: [f64; 2] = [0.5, 0.01];
+/// The most moves of a vertex in a sweep: away from a ring of no area every place can be better than the last.
+const MOVES: usize = 24;
 
 /// Moves the marked free vertices of `x`, one after the other, each within the plane of its ring, so that the least
 /// quality of the triangles around it grows. The rest of `x` stays.
@@ -38,15 +40,15 @@ fn best_place(ring: &[Vector3<f64>], mut p: Vector3<f64>) -> Vector3<f64> {
     };
     let b_y = n.cross(&b_x);
     let mut quality = least_quality(ring, &p, &n);
-    let mut distance = DISTANCES[0];
-    while distance > DISTANCES[1] {
+    let (mut distance, mut moves) = (DISTANCES[0], 0);
+    while distance > DISTANCES[1] && moves < MOVES {
         let tried = (0..DIRECTIONS).map(|k| {
             let phi = k as f64 * std::f64::consts::TAU / DIRECTIONS as f64;
             let place = p + (b_x * phi.cos() + b_y * phi.sin()) * (distance * radius);
             (least_quality(ring, &place, &n), place)
         });
         match tried.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((better, place)) if better > quality => (quality, p) = (better, place),
+            Some((better, place)) if better > quality => (quality, p, moves) = (better, place, moves + 1),
             _ => distance *= 0.5,
         }
     }
@@ -83,6 +85,17 @@ mod tests {
             .collect();
         let found = best_place(&polygon(&corners), Vector3::new(0.7, 0.5, 0.3));
         assert!((found - Vector3::new(0.0, 0.0, 0.3)).norm() < 0.05, "{found}");
+    }
+
+    #[test]
+    fn a_crumpled_ring_without_area_ends_as_well() {
+        // A figure of eight: one half of its triangles is turned over wherever the vertex is.
+        let ring = polygon(&[[1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.000_001]]);
+        let found = best_place(&ring, Vector3::new(0.1, 0.0, 0.3));
+        assert!(
+            found.iter().all(|c| c.is_finite()) && found.norm() < 30.0,
+            "{found}"
+        );
     }
 
     #[test]

@@ -196,6 +196,16 @@ pub mod fairing {
         solve_as_asked(shape, start, options)
     }
 
+    /// Fairs the shape as it is, or says why not.
+    pub fn attempt(shape: &Shape, options: Options<'_>) -> Result<Solution, fairmesh::Error> {
+        fair(
+            &shape.positions,
+            &shape.triangles,
+            Selection::Mask(&shape.free),
+            options,
+        )
+    }
+
     /// Fairs with the normals of the options.
     pub fn solve_as_asked(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
         fair(start, &shape.triangles, Selection::Mask(&shape.free), options).expect("a sound problem")

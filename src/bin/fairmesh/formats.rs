@@ -172,6 +172,24 @@ impl Added<'_> {
     }
 }
 
+/// The weighted mean over a vertex's parents; None if a parent has no value.
+pub fn average<const N: usize>(
+    parents: &Parents,
+    value: impl Fn(usize) -> Option<[f64; N]>,
+) -> Option<[f64; N]> {
+    let mut mean = [0.0; N];
+    for (v, w) in parents
+        .vertices
+        .into_iter()
+        .zip(parents.weights)
+        .filter(|(_, w)| *w > 0.0)
+    {
+        let value = value(v as usize)?;
+        (0..N).for_each(|k| mean[k] += w * value[k]);
+    }
+    Some(mean)
+}
+
 /// Where the numbers are in the file's bytes.
 enum Layout {
     Ply(ply::Ply),

@@ -2,42 +2,35 @@
 
 use std::cell::{Cell, RefCell};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::Instant;
 
 use nalgebra::Vector3;
 
-use super::{Answer, Command};
-use crate::discrete::curvature::TILT_RIDGE;
-use crate::discrete::equations::FreeCurvature;
+use super::{Answer, Command, Input};
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::error::Error;
 use crate::fairing::normals::border_normals;
 use crate::fairing::solvers::Faired;
 use crate::fairing::{
-    BorderNormals, Discretization, Frame, Given, InnerFairness, InteriorNormals, Options, Outcome, Progress,
-    Seconds, Selection, Solution, Target, conclude,
+    BorderNormals, Frame, Given, InnerFairness, Outcome, Progress, Seconds, Solution, Target, conclude,
 };
 use crate::mesh::{Region, Rings};
 use crate::quality::NEEDLE;
 use crate::solve::globalize::{diagonal, resume};
 use crate::solve::{Control, Ending, Solved, System, solve};
 
-/// What the thread needs, all of it its own.
+/// What the thread needs, all of it its own or shared.
 pub(super) struct Problem {
-    positions: Vec<[f64; 3]>,
-    region: Region,
+    input: Arc<Input>,
+    pub(super) region: Region,
     rings: Rings,
     groups: Groups,
     frame: Frame,
     /// The region's positions, in the frame.
     x: Vec<Vector3<f64>>,
-    interior: InteriorNormals,
-    inner: InnerFairness,
-    curvature: FreeCurvature,
-    tolerance: f64,
-    max_iterations: usize,
     clock: Instant,
 }
 
@@ -109,41 +102,26 @@ impl Desk<'_> {
 
 impl Problem {
     /// Checks and prepares the region.
-    pub(super) fn new(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
-        selection: Selection<'_>,
-        options: &Options<'_>,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(input: Arc<Input>, normals: BorderNormals<'_>) -> Result<Self, Error> {
         let clock = Instant::now();
-        let region = Region::new(positions, triangles, selection)?;
+        let region = input.region(normals)?;
         let rings = Rings::new(&region);
-        let mut x = region.positions(positions);
+        let mut x = region.positions(&input.positions);
         let frame = Frame::new(&region, &x);
         frame.enter(&mut x);
         Ok(Self {
-            positions: positions.to_vec(),
             groups: Groups::new(&rings),
+            input,
             region,
             rings,
             frame,
             x,
-            interior: options.interior,
-            inner: options.inner,
-            curvature: match options.discretization {
-                Discretization::SecondOrder => FreeCurvature::GradientCorrected {
-                    tilt_ridge: TILT_RIDGE,
-                },
-                Discretization::Paper => FreeCurvature::Paper,
-            },
-            tolerance: options.tolerance,
-            max_iterations: options.max_iterations,
             clock,
         })
     }
 
     pub(super) fn normals(&self, asked: BorderNormals<'_>) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
-        border_normals(&self.region, &self.rings, &self.x, asked, self.interior)
+        border_normals(&self.region, &self.rings, &self.x, asked, self.input.interior)
     }
 
     fn prepared(&self, command: Command) -> Result<Option<Change>, Error> {
@@ -173,7 +151,7 @@ impl Problem {
             change: RefCell::new(None),
             closed: Cell::new(false),
         };
-        let weights = match self.inner {
+        let weights = match self.input.inner {
             InnerFairness::Uniform => FairnessWeights::uniform(),
             InnerFairness::Conformal => FairnessWeights::conformal(&self.groups, &self.x),
             InnerFairness::Convex => FairnessWeights::convex(&self.groups, &self.x),
@@ -189,7 +167,7 @@ impl Problem {
             &self.x,
             normals,
             weights.clone(),
-            self.curvature,
+            self.input.curvature(),
         );
         system.passing = passing;
         system.right_hand_side = target.right_hand_side(self.frame.scale);
@@ -197,7 +175,7 @@ impl Problem {
         system.diagonal = diagonal(&x);
         system.evaluate(&x);
         let given = |target| Given {
-            positions: &self.positions,
+            positions: &self.input.positions,
             target,
             region: &self.region,
             rings: &self.rings,
@@ -208,10 +186,10 @@ impl Problem {
         let first = measured(&system, &x, 0, f64::NAN);
         let mut first = conclude(&given(target), first, seconds, self.clock);
         // Without the rounding of the frame.
-        first.positions.clone_from(&self.positions);
+        first.positions.clone_from(&self.input.positions);
         desk.deliver(Ok(first));
         // Whether x is a surface to start from.
-        let (mut warm, mut ended) = (false, None::<Solution>);
+        let (mut warm, mut even, mut ended) = (false, false, None::<Solution>);
         loop {
             if desk.change.borrow().is_none() && desk.pause(self).is_continue() {
                 if let Some(solution) = &ended {
@@ -220,7 +198,7 @@ impl Problem {
                 }
                 seconds.setup = seconds.setup.min(self.clock.elapsed().as_secs_f64());
                 let clock = Instant::now();
-                system.curvature = self.curvature;
+                system.curvature = self.input.curvature();
                 let mut progress = |fraction, iterations, step, stage| {
                     desk.tell(Progress {
                         fraction,
@@ -248,18 +226,23 @@ impl Problem {
                     desk.deliver(Ok(solution));
                     desk.pause(self)
                 };
-                let mut control = Control::new(self.tolerance, self.max_iterations, Some(&mut progress));
+                let mut control = Control::new(
+                    self.input.tolerance,
+                    self.input.max_iterations,
+                    Some(&mut progress),
+                );
                 control.watch = Some(&mut watch);
+                // The weights stay what they have become.
                 let resumed = if warm {
                     resume(&mut system, &x, &mut control)
                 } else {
                     None
                 };
                 let solved = match resumed {
-                    Some(solved) => Ok(solved),
+                    Some(solved) => Ok(Solved { even, ..solved }),
                     None => {
                         let _ = system.set_weights(weights.clone());
-                        system.curvature = self.curvature;
+                        system.curvature = self.input.curvature();
                         solve(&mut system, &mut control)
                     }
                 };
@@ -275,6 +258,7 @@ impl Problem {
                     solved.ending,
                     Ending::Failed | Ending::Partly(..) | Ending::Loaded(..)
                 );
+                even = solved.even;
                 x.clone_from(&solved.x);
                 if desk.change.borrow().is_none() {
                     system.evaluate(&x);
@@ -319,6 +303,7 @@ fn measured(system: &System<'_>, x: &[Vector3<f64>], iterations: usize, step: f6
             step,
             poor: system.poor(x, NEEDLE),
             start_seconds: 0.0,
+            even: false,
         },
         defect: defect * system.diagonal,
         state: system.state.clone(),

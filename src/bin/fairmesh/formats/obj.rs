@@ -1,11 +1,15 @@
 //! Wavefront OBJ.
 
+mod grow;
+
 use std::ops::Range;
 
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;
-use crate::formats::{Added, Change, Geometry};
+use crate::formats::{Change, Geometry};
 use crate::text::{self, Words};
+
+pub use grow::grown;
 
 /// No partner.
 const NONE: u32 = u32::MAX;
@@ -173,22 +177,6 @@ impl Obj {
         }
         stale
     }
-}
-
-/// The file with lines for new vertices and faces behind its own.
-pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
-    let mut out = bytes.to_vec();
-    if out.last().is_some_and(|&last| last != b'\n') {
-        out.push(b'\n');
-    }
-    for position in &added.positions[added.old_vertices()..] {
-        let [x, y, z] = position.map(text::double);
-        out.extend(format!("v {x} {y} {z}\n").bytes());
-    }
-    for [a, b, c] in faces.iter().map(|t| t.map(|v| v + 1)) {
-        out.extend(format!("f {a} {b} {c}\n").bytes());
-    }
-    out
 }
 
 /// A file with vertices and faces.

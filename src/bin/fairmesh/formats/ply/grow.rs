@@ -3,8 +3,8 @@
 use super::header::{Encoding, PropertyKind, Scalar};
 use super::rows::{Field, Rows};
 use super::{Ply, Table, rows};
-use crate::formats::Added;
 use crate::formats::patches::Patches;
+use crate::formats::{Added, average};
 use crate::normals;
 use crate::text;
 
@@ -56,9 +56,15 @@ impl Ply {
             });
         }
         self.insert(bytes, &self.vertex, added.parents.len(), new, patches);
+        let mut wedges = self.wedges(bytes, old_vertices);
+        for parents in added.parents {
+            let wedge = average(parents, |v| *wedges.get(v)?);
+            wedges.push(wedge);
+        }
         let mut new = Vec::new();
         for corners in faces {
-            self.push_face(&mut new, corners);
+            let of = corners.map(|v| *wedges.get(v as usize)?);
+            self.push_face(&mut new, corners, of);
         }
         self.insert(bytes, &self.face, faces.len(), new, patches);
     }
@@ -97,17 +103,68 @@ impl Ply {
         self.end_row(out);
     }
 
-    fn push_face(&self, out: &mut Vec<u8>, corners: &[u32; 3]) {
+    /// Per vertex the texture coordinates that the faces' `texcoord` has for its first corner; a vertex on a seam has
+    /// several.
+    fn wedges(&self, bytes: &[u8], vertices: usize) -> Vec<Option<[f64; 2]>> {
         let element = &self.face.element;
-        let wanted = element
+        let (Some(texture), Some(wanted)) = (element.property("texcoord"), self.corners()) else {
+            return Vec::new();
+        };
+        let rows = Rows {
+            bytes,
+            encoding: self.encoding,
+            element,
+        };
+        let mut wedges = vec![None; vertices];
+        let (mut corners, mut coordinates) = (Vec::new(), Vec::new());
+        for &row in &self.face.rows {
+            corners.clear();
+            coordinates.clear();
+            // The same walk succeeded when the file was read.
+            let _ = rows.walk(row, &mut |property, field: Field| {
+                if property == wanted {
+                    rows.integers(property, &field, &mut corners)?;
+                } else if property == texture {
+                    coordinates = rows.numbers(property, &field)?;
+                }
+                Ok(())
+            });
+            for (&v, pair) in corners.iter().zip(coordinates.chunks_exact(2)) {
+                let slot = usize::try_from(v).ok().and_then(|v| wedges.get_mut(v));
+                if let Some(slot @ None) = slot {
+                    *slot = Some([pair[0], pair[1]]);
+                }
+            }
+        }
+        wedges
+    }
+
+    fn corners(&self) -> Option<usize> {
+        let element = &self.face.element;
+        element
             .property("vertex_indices")
-            .or_else(|| element.property("vertex_index"));
+            .or_else(|| element.property("vertex_index"))
+    }
+
+    fn push_face(&self, out: &mut Vec<u8>, corners: &[u32; 3], wedges: [Option<[f64; 2]>; 3]) {
+        let element = &self.face.element;
+        let (wanted, texture) = (self.corners(), element.property("texcoord"));
         for (property, described) in element.properties.iter().enumerate() {
             match described.kind {
                 PropertyKind::Scalar(scalar) => self.push(out, scalar, 0.0),
                 PropertyKind::List { count, item } if Some(property) == wanted => {
                     self.push(out, count, 3.0);
                     corners.iter().for_each(|&v| self.push(out, item, f64::from(v)));
+                }
+                PropertyKind::List { count, item }
+                    if Some(property) == texture && wedges.iter().all(Option::is_some) =>
+                {
+                    self.push(out, count, 6.0);
+                    wedges
+                        .iter()
+                        .flatten()
+                        .flatten()
+                        .for_each(|&c| self.push(out, item, c));
                 }
                 PropertyKind::List { count, .. } => self.push(out, count, 0.0),
             }

@@ -154,6 +154,20 @@ impl Rows<'_> {
         }
     }
 
+    /// The values of a list.
+    pub fn numbers(&self, property: usize, field: &Field) -> Result<Vec<f64>, Malformed> {
+        let described = &self.element.properties[property];
+        match (self.encoding, described.kind) {
+            (Encoding::Ascii, _) => text::words(self.bytes, field.clone())
+                .map(|word| text::number(self.bytes, word, &described.name))
+                .collect(),
+            (_, PropertyKind::Scalar(scalar) | PropertyKind::List { item: scalar, .. }) => {
+                let items = self.bytes[field.clone()].chunks_exact(scalar.size());
+                Ok(items.map(|item| decode(self.encoding, scalar, item)).collect())
+            }
+        }
+    }
+
     /// The values of a list of whole numbers.
     pub fn integers(&self, property: usize, field: &Field, values: &mut Vec<i64>) -> Result<(), Malformed> {
         values.clear();

@@ -1,0 +1,205 @@
+//! The normal of a surface at the rim of what is known of it: gradient-corrected fits, as in [`super::curvature`], to the
+//! vertices on one side.
+
+use nalgebra::Vector3;
+
+use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, TILT_RIDGE, back_substitute};
+use super::lanes::{Lanes, Vec3, dot, lane, one};
+use crate::mesh::Surroundings;
+
+/// The repeated fit stops when the normal turns by less than this (radians).
+const STANDS: f64 = 1e-13;
+/// At most this many fits per vertex.
+const MAX_FITS: usize = 300;
+/// With fewer outside neighbours than this, what lies behind them counts as much as they do.
+const SMALL_RING: usize = 4;
+
+/// A fitted normal.
+#[derive(Debug, Clone, Copy)]
+pub struct Fit {
+    /// Unit length.
+    pub normal: Vector3<f64>,
+    /// Standard error of the tilt, radians.
+    pub error: f64,
+}
+
+/// What lies around a border vertex outside: edge vectors, ring by ring.
+#[derive(Debug, Default)]
+pub struct Samples {
+    edges: Vec<Vec3<1>>,
+    /// How many lie within one, two and three edges.
+    ends: [usize; 3],
+    /// Root mean square length within the first ring.
+    length: f64,
+}
+
+impl Samples {
+    /// Those of border vertex `v` (local number); `found` is room to work in.
+    pub fn gather(
+        &mut self,
+        surroundings: &Surroundings,
+        x: &[Vector3<f64>],
+        v: usize,
+        found: &mut Vec<u32>,
+    ) {
+        self.ends = surroundings.rings(v as u32, found);
+        self.edges.clear();
+        self.edges
+            .extend(found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
+        let ring = &self.edges[..self.ends[0]];
+        let squares: f64 = ring.iter().map(|e| dot(e, e).0[0]).sum();
+        self.length = (squares / ring.len() as f64).sqrt();
+    }
+
+    /// The samples and their weights by ring. A vertex with one or two outside triangles only has to trust all rings.
+    fn weighted(&self, weights: &[f64; 3]) -> impl Iterator<Item = (&Vec3<1>, f64)> {
+        let weights = if self.ends[0] < SMALL_RING {
+            [1.0; 3]
+        } else {
+            *weights
+        };
+        let ring = move |k: usize| self.ends.iter().filter(|end| k >= **end).count();
+        let all = self
+            .edges
+            .iter()
+            .enumerate()
+            .map(move |(k, e)| (e, weights[ring(k)]));
+        all.filter(|(_, weight)| *weight > 0.0)
+    }
+}
+
+/// A fit of `N` unknowns: of second order with 5, of third with 9.
+#[derive(Debug)]
+pub struct Order<const N: usize> {
+    /// Weights of the first, second and third ring outside.
+    weights: [f64; 3],
+    /// See [`super::curvature`].
+    ridges: [f64; N],
+    /// Fewer samples than this cannot judge the fit.
+    fewest: usize,
+}
+
+/// Tangential quadrics: see [`super::curvature`].
+pub const SECOND: Order<5> = Order {
+    weights: [1.0, FLAP_WEIGHT, 0.0],
+    ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE],
+    fewest: 6,
+};
+
+/// The same with `w = u^3, u^2 v, u v^2, v^3`: from one side alone, what the quadric leaves out would else tilt it.
+pub const THIRD: Order<9> = Order {
+    weights: [1.0, 0.5, 0.1],
+    ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE, 1e-4, 1e-4, 1e-4, 1e-4],
+    fewest: 14,
+};
+
+impl<const N: usize> Order<N> {
+    /// Fits again and again from the tilted normal, which takes the bias of the ridge away.
+    pub fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
+        if samples.weighted(&self.weights).count() < self.fewest {
+            return None;
+        }
+        let mut current = Fit {
+            normal: start,
+            error: 0.0,
+        };
+        for _ in 0..MAX_FITS {
+            let next = self.fit_once(samples, &current.normal);
+            let turn = (next.normal - current.normal).norm();
+            current = next;
+            if turn < STANDS {
+                break;
+            }
+        }
+        current.normal.iter().all(|c| c.is_finite()).then_some(current)
+    }
+
+    fn fit_once(&self, samples: &Samples, n: &Vector3<f64>) -> Fit {
+        let frame = Frame::new(one(n));
+        let l = Lanes([samples.length]);
+        let mut normal_equations = NormalEquations::<1, N>::new();
+        let mut squared = NormalEquations::<1, N>::new();
+        let mut count = 0.0;
+        for (e, weight) in samples.weighted(&self.weights) {
+            let (phi, kappa) = basis(&frame, e, l);
+            normal_equations.add(&phi, kappa, Lanes([weight]));
+            squared.add(&phi, kappa, Lanes([weight * weight]));
+            count += 1.0;
+        }
+        let factor = normal_equations.cholesky(&self.ridges);
+        let y = back_substitute(&factor, normal_equations.right());
+        let residual = |(e, weight): (&Vec3<1>, f64)| {
+            let (phi, kappa) = basis::<N>(&frame, e, l);
+            let fitted: f64 = phi.iter().zip(&y).map(|(p, y)| p.0[0] * y.0[0]).sum();
+            weight * (kappa.0[0] - fitted).powi(2)
+        };
+        let sum: f64 = samples.weighted(&self.weights).map(residual).sum();
+        let variance = sum / normal_equations.weight().0[0] * count / (count - N as f64).max(0.5);
+        let tilt_variance: f64 = (3..5).map(|r| covariance(&factor, &squared, r)).sum();
+        Fit {
+            normal: lane(&frame.tilted(l * y[3], l * y[4]), 0),
+            error: l.0[0] * (variance * tilt_variance).sqrt(),
+        }
+    }
+}
+
+/// The first `N` of the basis values of [`Frame::sample`] and of the cubics `w / l`, as curvatures `2w/d`.
+fn basis<const N: usize>(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<1>; N], Lanes<1>) {
+    let (five, kappa) = frame.sample(e, l);
+    // 2u/d and 2v/d times l.
+    let (c, d) = (five[3], five[4]);
+    let square = dot(e, e) * (l * l).recip();
+    let (u, v) = (c * square * 0.5, d * square * 0.5);
+    let cubics = [c * u * u, c * u * v, d * u * v, d * v * v];
+    let phi = std::array::from_fn(|k| if k < 5 { five[k] } else { cubics[k - 5] });
+    (phi, kappa)
+}
+
+/// Diagonal entry `r` of `M^-1 (sum w^2 phi phi^T) M^-1`.
+fn covariance<const N: usize>(factor: &[[Lanes<1>; N]; N], squared: &NormalEquations<1, N>, r: usize) -> f64 {
+    let mut unit = [Lanes([0.0]); N];
+    unit[r] = Lanes([1.0]);
+    let z = back_substitute(factor, unit);
+    squared.quadratic_form(&z).0[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Region, Selection};
+    use crate::shapes::{Sampling, catenoid_band, sphere_cap};
+
+    /// The largest angle in degrees between a fit and the exact normals.
+    fn worst<const N: usize>(order: &Order<N>, shape: &crate::shapes::Shape) -> f64 {
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let x = region.positions(&shape.positions);
+        let surroundings = Surroundings::new(&region);
+        let (mut samples, mut found) = (Samples::default(), Vec::new());
+        let error = |v: usize| {
+            samples.gather(&surroundings, &x, v, &mut found);
+            let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);
+            let fit = order.fit(&samples, exact)?;
+            Some(fit.normal.cross(&exact).norm().asin().to_degrees())
+        };
+        (region.free..region.region_vertices())
+            .filter_map(error)
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn both_orders_are_exact_on_spheres() {
+        let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
+        assert!(worst(&SECOND, &shape) < 1e-9);
+        assert!(worst(&THIRD, &shape) < 1e-9);
+    }
+
+    #[test]
+    fn each_order_gains_a_power_of_the_edge_length() {
+        let [coarse, fine] = [1000, 16_000].map(|n| catenoid_band(n, Sampling::Regular, 4));
+        let second = worst(&SECOND, &coarse) / worst(&SECOND, &fine);
+        let third = worst(&THIRD, &coarse) / worst(&THIRD, &fine);
+        // Edges of a quarter: 4^2 and 4^3.
+        assert!((12.0..24.0).contains(&second), "{second}");
+        assert!((48.0..120.0).contains(&third), "{third}");
+    }
+}

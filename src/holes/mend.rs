@@ -1,0 +1,275 @@
+//! What is left after refinement: single triangles with a small angle, nearly all of them at the rim, whose edges have to
+//! stay. Around each an edge is split or a vertex removed, if that makes the smallest angle there larger.
+
+use nalgebra::Vector3;
+
+use super::refine::Refiner;
+use crate::mesh::NONE;
+use crate::mesh::halfedge::previous;
+use crate::quality::smallest_angle;
+
+/// Triangles with a smaller angle (degrees) are worked on: what fairing moves afterwards must not bring them below 15.
+const GOAL: f64 = 22.0;
+/// Passes over all of them, at most.
+const PASSES: usize = 6;
+/// In so many of them edges at the rim keep to their ranges; after that angles count for more.
+const RANGED: usize = 4;
+/// Edges at the rim keep away from the ends of their range by this factor: fairing moves vertices a little.
+const ROOM: f64 = 1.15;
+/// No edge gets longer than this many wanted lengths.
+const LONG: f64 = 1.8;
+/// Steps of the vertices around, per pass.
+const STEPS: usize = 3;
+
+impl Refiner<'_> {
+    /// Mends edges at the rim whose lengths are not in their range, then triangles with small angles.
+    pub(super) fn mend(&mut self) {
+        self.mend_lengths();
+        for pass in 0..PASSES {
+            let bad = self.narrow();
+            if bad.is_empty() {
+                return;
+            }
+            let mut near = Vec::new();
+            for &t in &bad {
+                self.gather(t, &mut near);
+            }
+            self.settle(&mut near);
+            for t in bad {
+                self.mend_one(t, pass < RANGED, &mut near);
+            }
+            self.settle(&mut near);
+        }
+    }
+
+    fn mend_lengths(&mut self) {
+        let (mut near, mut spokes) = (Vec::new(), Vec::new());
+        for v in 0..self.patch.fixed as u32 {
+            let [least, most, _] = self.patch.range[v as usize];
+            self.patch.spokes(v, &mut spokes);
+            for &h in &spokes {
+                if !self.is_inner(h) || self.patch.from(h) != v {
+                    continue;
+                }
+                let (w, length) = (self.patch.to(h), self.patch.length(h));
+                if ROOM * length > most && !self.is_full() {
+                    near.extend([w, self.patch.split(h)]);
+                } else if length < ROOM * least && !self.patch.is_rim(w) && self.makes_nothing_taken(w, v) {
+                    near.extend(&self.ring);
+                    self.collapse(self.patch.across(h));
+                }
+            }
+        }
+        self.settle(&mut near);
+    }
+
+    fn is_full(&self) -> bool {
+        let most = self.fineness.most;
+        self.patch.x.len() - self.patch.fixed >= most && self.inner_vertices() >= most
+    }
+
+    fn narrow(&self) -> Vec<u32> {
+        let limit = GOAL.to_radians().cos();
+        let is_narrow = |t: &[u32; 3]| {
+            let x = t.map(|v| self.patch.x[v as usize]);
+            let edge = [x[1] - x[0], x[2] - x[1], x[0] - x[2]];
+            let length = edge.map(|e| e.norm());
+            (0..3).any(|k| {
+                let j = (k + 2) % 3;
+                -edge[k].dot(&edge[j]) > limit * length[k] * length[j]
+            })
+        };
+        let triangles = self.patch.triangles.iter().zip(0u32..);
+        triangles
+            .filter(|(t, _)| t[0] != NONE && is_narrow(t))
+            .map(|(_, t)| t)
+            .collect()
+    }
+
+    /// The corners of a triangle and their neighbours.
+    fn gather(&mut self, t: u32, near: &mut Vec<u32>) {
+        for v in self.patch.triangles[t as usize] {
+            if v != NONE {
+                self.patch.ring(v, &mut self.spokes, &mut self.ring);
+                near.push(v);
+                near.extend(&self.ring);
+            }
+        }
+    }
+
+    /// Steps of these vertices, and flips between them; sorts the list.
+    fn settle(&mut self, near: &mut Vec<u32>) {
+        near.sort_unstable();
+        near.dedup();
+        near.retain(|&v| self.patch.is_alive(v));
+        for _ in 0..STEPS {
+            for &v in &*near {
+                self.relax_one(v);
+            }
+        }
+        let mut stack = Vec::new();
+        for &v in &*near {
+            self.patch.spokes(v, &mut self.spokes);
+            stack.extend(&self.spokes);
+        }
+        self.flip_from(stack);
+    }
+
+    fn mend_one(&mut self, t: u32, ranged: bool, near: &mut Vec<u32>) {
+        if self.patch.triangles[t as usize][0] == NONE {
+            return;
+        }
+        let side = |k: u32| self.patch.length(3 * t + k);
+        let mut sides = [0, 1, 2];
+        sides.sort_by(|&a, &b| side(a).total_cmp(&side(b)));
+        let [short, middle, long] = sides.map(|k| 3 * t + k);
+        let angle = smallest_angle(&self.patch.triangles[t as usize].map(|v| self.patch.x[v as usize]));
+        if angle >= GOAL {
+            return;
+        }
+        self.gather(t, near);
+        if self.try_collapse(short, ranged) {
+            return;
+        }
+        for h in [long, middle] {
+            if self.try_split(h) {
+                near.push(self.patch.x.len() as u32 - 1);
+                return;
+            }
+        }
+        let _ = self.try_collapse(middle, ranged) || self.try_collapse(long, ranged);
+    }
+
+    /// Removes one end of a short edge if the smallest angle around it grows; `ranged`: and if no edge at the rim gets too
+    /// long.
+    fn try_collapse(&mut self, h: u32, ranged: bool) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE {
+            return false;
+        }
+        for g in [h, o] {
+            let (a, b) = (self.patch.from(g), self.patch.to(g));
+            if self.patch.is_rim(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
+                continue;
+            }
+            let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));
+            let ring: Vec<(u32, Vector3<f64>)> = ring.collect();
+            let around = |p: Vector3<f64>, without: Option<u32>| {
+                let pairs = (0..ring.len()).map(|k| (ring[k], ring[(k + 1) % ring.len()]));
+                pairs
+                    .filter(|(q, r)| Some(q.0) != without && Some(r.0) != without)
+                    .map(|(q, r)| smallest_angle(&[p, q.1, r.1]))
+                    .fold(f64::INFINITY, f64::min)
+            };
+            let before = around(self.patch.x[a as usize], None);
+            let after = around(self.patch.x[b as usize], Some(b));
+            if after > before && self.collapse(g) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether an edge from `b` to one of the ring would be too long at the rim.
+    fn leaves_range(&self, b: u32) -> bool {
+        let target = self.patch.x[b as usize];
+        let is_beyond = |v: u32, length: f64| {
+            let range = self.patch.range.get(v as usize);
+            range.is_some_and(|range| length > range[2])
+        };
+        self.ring.iter().any(|&v| {
+            let length = (self.patch.x[v as usize] - target).norm();
+            is_beyond(v, length) || is_beyond(b, length)
+        })
+    }
+
+    /// Splits a long edge if the smallest angle beside it grows when the new vertex goes to the centre of its neighbours.
+    fn try_split(&mut self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        if o == NONE || self.is_full() {
+            return false;
+        }
+        let corners = [
+            self.patch.from(h),
+            self.patch.from(previous(o)),
+            self.patch.to(h),
+            self.patch.from(previous(h)),
+        ];
+        let x = corners.map(|v| self.patch.x[v as usize]);
+        let centre = x.iter().sum::<Vector3<f64>>() / 4.0;
+        let before = smallest_angle(&[x[0], x[2], x[3]]).min(smallest_angle(&[x[0], x[1], x[2]]));
+        let after = (0..4)
+            .map(|k| smallest_angle(&[centre, x[k], x[(k + 1) % 4]]))
+            .fold(f64::INFINITY, f64::min);
+        if after <= before {
+            return false;
+        }
+        let m = self.patch.split(h);
+        self.relax_one(m);
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::holes::patch::Patch;
+    use crate::holes::refine::Fineness;
+
+    /// A disc of 12 rim vertices around a wheel of `inner` ones.
+    fn wheel(radius: f64) -> Patch {
+        let at = |r: f64, k: u32| {
+            let a = f64::from(k) * std::f64::consts::TAU / 12.0;
+            Vector3::new(r * a.cos(), r * a.sin(), 0.0)
+        };
+        let mut x: Vec<_> = (0..12).map(|k| at(1.0, k)).collect();
+        x.extend((0..12).map(|k| at(radius, k)));
+        x.push(Vector3::zeros());
+        let mut triangles = Vec::new();
+        for k in 0..12 {
+            let next = (k + 1) % 12;
+            triangles.extend([[k, next, 12 + next], [k, 12 + next, 12 + k]]);
+            triangles.push([24, 12 + k, 12 + next]);
+        }
+        Patch::new(x, triangles, 12)
+    }
+
+    fn worst(patch: &Patch) -> f64 {
+        let angle = |t: &[u32; 3]| smallest_angle(&t.map(|v| patch.x[v as usize]));
+        let alive = patch.triangles.iter().filter(|t| t[0] != NONE);
+        alive.map(angle).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn narrow_triangles_are_mended_and_the_patch_stays_a_disc() {
+        for radius in [0.9, 0.98] {
+            let mut patch = wheel(radius);
+            patch.size.fill(0.5);
+            assert!(worst(&patch) < 12.0);
+            let fineness = Fineness {
+                factor: 1.0,
+                growth: 0.0,
+                most: 1_000,
+            };
+            Refiner::new(&mut patch, fineness, &[]).run_again();
+            patch.validate().unwrap();
+            assert!(worst(&patch) > 20.0, "{radius}: {}", worst(&patch));
+            let area: f64 = (0..patch.triangles.len()).map(|t| 0.5 * patch.cross(t).z).sum();
+            assert!((area - 3.0).abs() < 1e-12, "{area}");
+        }
+    }
+
+    #[test]
+    fn no_vertex_comes_above_the_limit() {
+        let mut patch = wheel(0.98);
+        patch.size.fill(0.5);
+        let fineness = Fineness {
+            factor: 1.0,
+            growth: 0.0,
+            most: 13,
+        };
+        Refiner::new(&mut patch, fineness, &[]).run_again();
+        patch.validate().unwrap();
+        assert!(patch.x.len() <= 12 + 13);
+    }
+}

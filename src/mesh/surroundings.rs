@@ -1,0 +1,61 @@
+//! The surface around the region: who is whose neighbour in the outside ring and a little beyond it. Nothing is asked of
+//! these triangles but that they name vertices that have a place.
+
+use super::region::Region;
+
+/// Neighbours of the vertices outside, border vertices included, along edges of triangles that are not of the region.
+#[derive(Debug, Clone)]
+pub struct Surroundings {
+    start: Vec<u32>,
+    neighbour: Vec<u32>,
+}
+
+impl Surroundings {
+    /// Of a region, by local vertex number.
+    pub fn new(region: &Region) -> Self {
+        let half_edges = &region.half_edges;
+        let outside = &half_edges.triangles[half_edges.region_triangles..];
+        let triangles = || outside.iter().chain(&region.beyond);
+        let vertices = region.vertex_ids.len();
+        let mut start = vec![0u32; vertices + 1];
+        for tri in triangles() {
+            tri.iter().for_each(|&v| start[v as usize + 1] += 2);
+        }
+        (0..vertices).for_each(|v| start[v + 1] += start[v]);
+        let mut next = start.clone();
+        let mut neighbour = vec![0; start[vertices] as usize];
+        for &[a, b, c] in triangles() {
+            for (v, others) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
+                let at = next[v as usize] as usize;
+                neighbour[at..at + 2].copy_from_slice(&others);
+                next[v as usize] += 2;
+            }
+        }
+        Self { start, neighbour }
+    }
+
+    /// The vertices within `N` edges of `v`, without `v`: `ends[k]` of them, the first of the list, within `k + 1`.
+    pub fn rings<const N: usize>(&self, v: u32, found: &mut Vec<u32>) -> [usize; N] {
+        found.clear();
+        found.push(v);
+        let mut begin = 0;
+        let mut ends = [0; N];
+        for end in &mut ends {
+            let last = found.len();
+            for k in begin..last {
+                let row = self.start[found[k] as usize] as usize..self.start[found[k] as usize + 1] as usize;
+                for &j in &self.neighbour[row] {
+                    // A few dozen: looking through them is faster than a table.
+                    if !found.contains(&j) {
+                        found.push(j);
+                    }
+                }
+            }
+            found[last..].sort_unstable();
+            begin = last;
+            *end = found.len() - 1;
+        }
+        found.remove(0);
+        ends
+    }
+}
