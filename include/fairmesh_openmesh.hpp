@@ -1,0 +1,318 @@
+/** fairmesh for OpenMesh: `fairmesh::fair(mesh, options)` for any triangle mesh of OpenMesh 9 with points of floats or
+ *  doubles. It carries the mesh to the library and the positions back, and computes nothing. Include it after OpenMesh's headers or
+ *  before; link fairmesh and OpenMeshCore. */
+#ifndef FAIRMESH_OPENMESH_HPP
+#define FAIRMESH_OPENMESH_HPP
+
+#include <fairmesh.hpp>
+
+#include <OpenMesh/Core/Mesh/BaseKernel.hh>
+#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Utils/vector_traits.hh>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fairmesh {
+
+/** Where the region comes from. Whatever is said, vertices stay that are locked or on the border of the mesh. */
+enum class openmesh_region {
+    /** Vertices whose status says selected. */
+    selected_vertices,
+    /** Vertices all of whose faces are selected. */
+    selected_faces,
+    /** All. */
+    everything
+};
+
+/** What is asked: fairmesh::options, and what concerns OpenMesh. Vertices have OpenMesh's numbers in `normals`, too. */
+struct openmesh_options : options {
+    openmesh_region region = openmesh_region::selected_vertices;
+    /** Vertices stay that are features, or corners of feature edges or feature faces. The surface passes feature edges
+     *  inside the region as `interior_normals` says. Without it features are not looked at. */
+    bool features = true;
+    /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the border of the region,
+     *  0 0 0 where none is given. Empty: `normals` says where they come from. */
+    std::string border_normals;
+    /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices that
+     *  are neither free nor at the border of the region. It is made, of doubles, if there is none. Empty: not wanted. */
+    std::string mean_curvature;
+};
+
+/** How it went. Vertices and faces have OpenMesh's numbers, `worst_triangle` too. */
+struct openmesh_report : fairmesh_report {
+    /** Flipped or with an angle below one degree, where the outcome is about them. */
+    std::vector<OpenMesh::FaceHandle> poor_triangles;
+    /** Border vertices whose normal contradicts the surface or its neighbours'. */
+    std::vector<OpenMesh::VertexHandle> suspicious_normals;
+    /** Border vertices whose normals stood farthest away, worst first. */
+    std::vector<OpenMesh::VertexHandle> unreached_vertices;
+};
+
+namespace detail {
+
+template <class Mesh> constexpr bool is_openmesh = std::is_base_of_v<OpenMesh::BaseKernel, std::remove_const_t<Mesh>>;
+
+inline OpenMesh::VertexHandle openmesh_vertex(std::size_t index) {
+    return OpenMesh::VertexHandle(static_cast<int>(index));
+}
+
+/** A mesh's arrays. Vertices keep their numbers; faces that are deleted are left out, so that the others' change. */
+template <class Mesh> class openmesh_view {
+public:
+    using scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
+
+    explicit openmesh_view(const Mesh &mesh) : mesh_(mesh) {
+        copy_points();
+        copy_faces();
+    }
+
+    fairmesh_mesh mesh() const {
+        return fairmesh::mesh(points(positions_.data(), positions_.size() / 3), indices(corners_.data(), corners_.size() / 3));
+    }
+
+    /** The face that the library means. */
+    std::uint64_t face(std::uint64_t triangle) const {
+        return triangle < faces_.size() ? static_cast<std::uint64_t>(faces_[static_cast<std::size_t>(triangle)].idx()) : triangle;
+    }
+
+    /** One byte per vertex: not zero is free. */
+    std::vector<std::uint8_t> free(const openmesh_options &asked) const {
+        if (asked.region == openmesh_region::selected_vertices && !mesh_.has_vertex_status()) {
+            throw std::invalid_argument("no vertex can be selected: see request_vertex_status()");
+        }
+        if (asked.region == openmesh_region::selected_faces && !mesh_.has_face_status()) {
+            throw std::invalid_argument("no face can be selected: see request_face_status()");
+        }
+        std::vector<std::uint8_t> free(mesh_.n_vertices());
+        for (std::size_t v = 0; v < free.size(); v++) {
+            auto vertex = openmesh_vertex(v);
+            free[v] = !deleted(vertex) && !mesh_.is_boundary(vertex) && in_region(vertex, asked.region) && !locked(vertex);
+        }
+        if (asked.features) fix_features(free);
+        return free;
+    }
+
+    /** The numbers of a vertex property of vectors, for the whole mesh. */
+    template <class Vector> std::vector<scalar> vectors(OpenMesh::VPropHandleT<Vector> property) const {
+        std::vector<scalar> all;
+        all.reserve(3 * mesh_.n_vertices());
+        for (std::size_t v = 0; v < mesh_.n_vertices(); v++) {
+            const auto &vector = mesh_.property(property, openmesh_vertex(v));
+            for (int k = 0; k < 3; k++) all.push_back(static_cast<scalar>(vector[k]));
+        }
+        return all;
+    }
+
+private:
+    const Mesh &mesh_;
+    std::vector<scalar> positions_;
+    std::vector<std::uint32_t> corners_;
+    std::vector<OpenMesh::FaceHandle> faces_;
+
+    // OpenMesh deletes nothing unless there is a status of all.
+    bool deleted(OpenMesh::VertexHandle vertex) const { return mesh_.has_vertex_status() && mesh_.status(vertex).deleted(); }
+    bool deleted(OpenMesh::FaceHandle face) const { return mesh_.has_face_status() && mesh_.status(face).deleted(); }
+
+    bool locked(OpenMesh::VertexHandle vertex) const { return mesh_.has_vertex_status() && mesh_.status(vertex).locked(); }
+
+    bool in_region(OpenMesh::VertexHandle vertex, openmesh_region region) const {
+        if (region == openmesh_region::everything) return true;
+        if (region == openmesh_region::selected_vertices) return mesh_.status(vertex).selected();
+        for (auto face = mesh_.cvf_begin(vertex); face.is_valid(); ++face) {
+            if (!mesh_.status(*face).selected()) return false;
+        }
+        return true;
+    }
+
+    void copy_points() {
+        positions_.reserve(3 * mesh_.n_vertices());
+        for (std::size_t v = 0; v < mesh_.n_vertices(); v++) {
+            const auto &point = mesh_.point(openmesh_vertex(v));
+            for (int k = 0; k < 3; k++) positions_.push_back(point[k]);
+        }
+    }
+
+    void copy_faces() {
+        corners_.reserve(3 * mesh_.n_faces());
+        faces_.reserve(mesh_.n_faces());
+        for (std::size_t f = 0; f < mesh_.n_faces(); f++) {
+            OpenMesh::FaceHandle face(static_cast<int>(f));
+            if (deleted(face)) continue;
+            faces_.push_back(face);
+            for (auto corner = mesh_.cfv_begin(face); corner.is_valid(); ++corner) {
+                corners_.push_back(static_cast<std::uint32_t>(corner->idx()));
+            }
+        }
+    }
+
+    void fix_features(std::vector<std::uint8_t> &free) const {
+        if (mesh_.has_vertex_status()) {
+            for (std::size_t v = 0; v < free.size(); v++) {
+                if (mesh_.status(openmesh_vertex(v)).feature()) free[v] = 0;
+            }
+        }
+        if (mesh_.has_face_status()) {
+            for (std::size_t corner = 0; corner < corners_.size(); corner++) {
+                if (mesh_.status(faces_[corner / 3]).feature()) free[corners_[corner]] = 0;
+            }
+        }
+        if (!mesh_.has_edge_status()) return;
+        for (std::size_t e = 0; e < mesh_.n_edges(); e++) {
+            OpenMesh::EdgeHandle edge(static_cast<int>(e));
+            if (!mesh_.status(edge).feature() || mesh_.status(edge).deleted()) continue;
+            auto halfedge = mesh_.halfedge_handle(edge, 0);
+            free[static_cast<std::size_t>(mesh_.to_vertex_handle(halfedge).idx())] = 0;
+            free[static_cast<std::size_t>(mesh_.from_vertex_handle(halfedge).idx())] = 0;
+        }
+    }
+};
+
+/** A vertex property of numbers, made if need be; unmade unless the run ends well. */
+template <class Mesh> class openmesh_numbers {
+public:
+    openmesh_numbers(Mesh &mesh, const std::string &name) : mesh_(mesh) {
+        if (name.empty() || mesh.get_property_handle(doubles_, name) || mesh.get_property_handle(floats_, name)) return;
+        made_ = true;
+        try {
+            mesh.add_property(doubles_, name);
+        } catch (...) {
+            // OpenMesh may have added it without giving it its size.
+            if (mesh.get_property_handle(doubles_, name)) mesh.remove_property(doubles_);
+            throw;
+        }
+    }
+    openmesh_numbers(const openmesh_numbers &) = delete;
+    openmesh_numbers &operator=(const openmesh_numbers &) = delete;
+    ~openmesh_numbers() {
+        if (made_) mesh_.remove_property(doubles_);
+    }
+
+    bool wanted() const noexcept { return doubles_.is_valid() || floats_.is_valid(); }
+
+    void write(const std::vector<double> &values) noexcept {
+        for (std::size_t v = 0; v < values.size(); v++) {
+            if (doubles_.is_valid()) mesh_.property(doubles_, openmesh_vertex(v)) = values[v];
+            else mesh_.property(floats_, openmesh_vertex(v)) = static_cast<float>(values[v]);
+        }
+        made_ = false;
+    }
+
+private:
+    Mesh &mesh_;
+    OpenMesh::VPropHandleT<double> doubles_;
+    OpenMesh::VPropHandleT<float> floats_;
+    bool made_ = false;
+};
+
+/** The vectors of a vertex property by its name: of the mesh's own normals or points, of doubles, of floats. */
+template <class Mesh>
+std::vector<typename openmesh_view<Mesh>::scalar> openmesh_normals(const Mesh &mesh, const openmesh_view<Mesh> &view,
+                                                                   const std::string &name) {
+    OpenMesh::VPropHandleT<typename Mesh::Normal> own;
+    if (mesh.get_property_handle(own, name)) return view.vectors(own);
+    OpenMesh::VPropHandleT<OpenMesh::VectorT<double, 3>> doubles;
+    if (mesh.get_property_handle(doubles, name)) return view.vectors(doubles);
+    OpenMesh::VPropHandleT<OpenMesh::VectorT<float, 3>> floats;
+    if (mesh.get_property_handle(floats, name)) return view.vectors(floats);
+    throw std::invalid_argument("the mesh has no vertex property of vectors with the name " + name);
+}
+
+/** The same error about the face that OpenMesh knows. */
+template <class View> [[noreturn]] void openmesh_rethrow(const View &view, const error &caught) {
+    fairmesh_error why = caught.detail();
+    if (why.element_kind != FAIRMESH_ELEMENT_TRIANGLE || view.face(why.element) == why.element) throw error(caught);
+    why.element = view.face(why.element);
+    if (why.status == FAIRMESH_STATUS_DUPLICATE_TRIANGLE) why.other = view.face(why.other);
+    std::string text = "face " + std::to_string(why.element) + ": " + fairmesh_status_name(why.status);
+    std::size_t size = std::min(text.size(), sizeof why.message - 1);
+    std::copy_n(text.data(), size, why.message);
+    why.message[size] = '\0';
+    throw error(why);
+}
+
+template <class Handle> std::vector<Handle> openmesh_handles(const std::vector<std::uint32_t> &indices) {
+    std::vector<Handle> handles;
+    handles.reserve(indices.size());
+    for (auto index : indices) handles.emplace_back(static_cast<int>(index));
+    return handles;
+}
+
+template <class View> openmesh_report openmesh_told(const View &view, const result &found) {
+    openmesh_report told{};
+    static_cast<fairmesh_report &>(told) = found.report();
+    told.worst_triangle = view.face(told.worst_triangle);
+    for (auto triangle : found.list(FAIRMESH_LIST_POOR_TRIANGLES)) {
+        told.poor_triangles.emplace_back(static_cast<int>(view.face(triangle)));
+    }
+    told.suspicious_normals = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_SUSPICIOUS_NORMALS));
+    told.unreached_vertices = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_UNREACHED_VERTICES));
+    return told;
+}
+
+/** Why a mesh cannot be taken, at compile time. */
+template <class Mesh> constexpr void openmesh_check() {
+    static_assert(!std::is_const_v<Mesh>, "fairmesh::fair moves vertices: the OpenMesh mesh must not be const");
+    static_assert(Mesh::is_trimesh(), "fairmesh::fair needs a triangle mesh of OpenMesh (TriMesh_ArrayKernelT): a PolyMesh "
+                                      "has to be triangulated and copied into one first");
+    using traits = OpenMesh::vector_traits<typename Mesh::Point>;
+    static_assert(traits::size_ == 3, "fairmesh::fair needs points with three coordinates");
+    static_assert(std::is_same_v<typename traits::value_type, float> || std::is_same_v<typename traits::value_type, double>,
+                  "fairmesh::fair needs points of floats or doubles");
+}
+
+} // namespace detail
+
+/** Moves the free vertices of a mesh until the surface is fair; see fairmesh_fair. Nothing but their points and the
+ *  property `mean_curvature` is written, so normals want to be updated afterwards. Deleted elements are skipped.
+ *
+ *  Errors of the library are fairmesh::error, with OpenMesh's numbers; std::invalid_argument says that the mesh has not what
+ *  the options name. Whatever is thrown, also by the callback, the mesh is as it was. A callback that returns false gets the
+ *  best surface so far. */
+template <class Mesh, class = std::enable_if_t<detail::is_openmesh<Mesh>>>
+openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_options()) {
+    detail::openmesh_check<Mesh>();
+    using view_of = detail::openmesh_view<Mesh>;
+    using scalar = typename view_of::scalar;
+    const view_of view(mesh);
+    const auto free = view.free(asked);
+    detail::openmesh_numbers<Mesh> curvature(mesh, asked.mean_curvature);
+
+    options plain = asked;
+    std::vector<scalar> normals;
+    if (!asked.border_normals.empty()) {
+        normals = detail::openmesh_normals(mesh, view, asked.border_normals);
+        plain.normals = fairmesh_normals{};
+        plain.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+        plain.normals.vectors = points(normals.data(), normals.size() / 3);
+    }
+
+    try {
+        const auto found = fair(view.mesh(), free_mask(free), plain);
+        std::vector<scalar> positions(3 * mesh.n_vertices());
+        found.positions(points_out(positions.data(), positions.size() / 3));
+        std::vector<double> h;
+        if (curvature.wanted()) h = found.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
+        auto told = detail::openmesh_told(view, found);
+        // From here on nothing throws.
+        for (std::size_t v = 0; v < free.size(); v++) {
+            if (!free[v]) continue;
+            auto &point = mesh.point(detail::openmesh_vertex(v));
+            for (std::size_t k = 0; k < 3; k++) point[k] = positions[3 * v + k];
+        }
+        if (curvature.wanted()) curvature.write(h);
+        return told;
+    } catch (const error &caught) {
+        detail::openmesh_rethrow(view, caught);
+    }
+}
+
+} // namespace fairmesh
+
+#endif
