@@ -22,8 +22,10 @@ FILL = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUD
 
 .PHONY: all install uninstall
 
+# Full debug information of this crate, for abidiff; what is installed is stripped.
 all:
-	$(CARGO) build --release --locked --lib --no-default-features --features $(FEATURES)
+	$(CARGO) build --release --locked --lib --no-default-features --features $(FEATURES) \
+		--config 'profile.release.package.fairmesh.debug=2'
 
 # One object of all members, whose only global symbols are those of the header: two Rust libraries in one program do
 # not meet.

@@ -66,6 +66,12 @@ fn prefix() -> &'static Path {
             .arg(format!("CARGO={}", env!("CARGO")))
             .arg(format!("OUT={}", target().join("release").display()))
             .env("CARGO_TARGET_DIR", target()));
+        // With debug information, for abidiff.
+        fs::copy(
+            target().join("release/libfairmesh.so"),
+            work().join("libfairmesh.so"),
+        )
+        .unwrap();
         prefix
     })
 }
@@ -217,6 +223,34 @@ fn exported_symbols_are_the_functions_of_the_header() {
         .arg("-d")
         .arg(prefix().join("lib/libfairmesh.so")));
     assert!(dynamic.contains(&format!("[libfairmesh.so.{}]", env!("CARGO_PKG_VERSION_MAJOR"))));
+}
+
+/// `FAIRMESH_WRITE_ABI=1` writes the description anew: for a new major version only.
+#[test]
+fn the_binary_interface_is_still_the_first_one() {
+    if !has("abidw") {
+        println!("there is no abidw");
+        return;
+    }
+    prefix();
+    let (library, stored) = (
+        work().join("libfairmesh.so"),
+        root().join("packaging/libfairmesh.so.0.abi"),
+    );
+    if std::env::var_os("FAIRMESH_WRITE_ABI").is_some() {
+        run(Command::new("abidw")
+            .args([
+                "--no-corpus-path",
+                "--no-comp-dir-path",
+                "--no-show-locs",
+                "--out-file",
+            ])
+            .args([&stored, &library]));
+    }
+    let said = run(Command::new("abidiff")
+        .arg("--no-show-locs")
+        .args([&stored, &library]));
+    assert!(!said.contains("changed") || said.contains("0 Changed"), "{said}");
 }
 
 #[test]

@@ -182,7 +182,7 @@ pub extern "C" fn fairmesh_remesh(
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
         let most = usize::try_from(view.max_vertices).unwrap_or(usize::MAX);
-        let _reserve = need::reserve(need::of_remeshing(&mesh, &selected, most))?;
+        let _reserve = need::reserve(need::of_remeshing(&mesh, &selected, most)?)?;
         let teller = Teller::new(None, core::ptr::null_mut());
         point();
         let asked = RemeshOptions {

@@ -24,8 +24,7 @@ pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> Outcome) -> fa
         Ok(()) => Failure::new(fairmesh_status::Ok, format_args!("")),
         Err(failure) => *failure,
     };
-    // An error detail that overlaps what is read or written elsewhere stays as it is.
-    if !error.is_null() && said.status != fairmesh_status::Aliasing {
+    if !error.is_null() && !said.silent {
         super::views::write(error, said.detail());
     }
     said.status

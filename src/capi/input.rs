@@ -164,13 +164,26 @@ impl Selected {
         }
     }
 
-    /// Not fewer than vertices will be free.
-    pub fn free_at_most(&self, vertices: usize) -> usize {
+    /// Marks the vertices that may turn out to be free.
+    pub fn candidates(&self, mesh: &MeshIn) -> Outcome<Vec<bool>> {
+        let mut marked = room(mesh.vertices())?;
         match self {
-            Self::Mask(mask) => mask.iter().filter(|f| **f).count(),
-            Self::Vertices(list) => list.len().min(vertices),
-            Self::Faces(list) => list.len().saturating_mul(3).min(vertices),
+            Self::Mask(mask) => marked.extend_from_slice(mask),
+            Self::Vertices(list) => {
+                marked.resize(mesh.vertices(), false);
+                list.iter().for_each(|v| marked[v[0] as usize] = true);
+            }
+            Self::Faces(list) => {
+                marked.resize(mesh.vertices(), false);
+                for v in list.iter().flat_map(|&t| mesh.triangles.index::<3>(t as usize)) {
+                    // What is out of range is found later.
+                    if let Some(marked) = marked.get_mut(v as usize) {
+                        *marked = true;
+                    }
+                }
+            }
         }
+        Ok(marked)
     }
 }
 

@@ -36,27 +36,27 @@ fn threads(asked: usize) -> usize {
 
 /// For fairing a region.
 pub fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> Outcome<usize> {
-    let free = selected.free_at_most(mesh.vertices());
+    let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
     let mut valence = room::<u32>(mesh.vertices())?;
     valence.resize(mesh.vertices(), 0);
+    let vertex = |v: u32| (v as usize) < free.len();
     for t in 0..mesh.triangles.count {
-        for v in mesh.triangles.index::<3>(t) {
-            if let Some(valence) = valence.get_mut(v as usize) {
-                *valence += 1;
-            }
+        let corners = mesh.triangles.index::<3>(t);
+        if corners.iter().any(|&v| vertex(v) && free[v as usize]) {
+            corners
+                .iter()
+                .filter(|v| vertex(**v))
+                .for_each(|&v| valence[v as usize] += 1);
         }
     }
-    let is_free = |v: usize| match selected {
-        Selected::Mask(mask) => mask[v],
-        _ => true,
-    };
     // Beyond what a valence of 6 makes of it.
-    let squares = valence.iter().enumerate().filter(|(v, _)| is_free(*v));
-    let pattern = squares.fold(0usize, |sum, (_, &d)| {
-        sum.saturating_add((d as usize).saturating_mul(d as usize))
-    });
-    Ok(sum(mesh, asked_threads).saturating_add(of_region(free, pattern.saturating_sub(36 * free))))
+    let beyond = valence
+        .iter()
+        .map(|&d| (d as usize).saturating_mul(d as usize).saturating_sub(36));
+    let irregular = beyond.fold(0, usize::saturating_add);
+    let free = free.iter().filter(|f| **f).count();
+    Ok(sum(mesh, asked_threads).saturating_add(of_region(free, irregular)))
 }
 
 fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {
@@ -83,9 +83,9 @@ pub fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads:
 }
 
 /// For remeshing a region.
-pub fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> usize {
-    let free = selected
-        .free_at_most(mesh.vertices())
-        .max(most.min(mesh.vertices().saturating_mul(8)));
-    of_whole_mesh(mesh, 1) + free * 2000
+pub fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> Outcome<usize> {
+    let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
+    // Edges may become ten times shorter.
+    let vertices = free.max(most.min(free.saturating_mul(200)));
+    Ok(of_whole_mesh(mesh, 1).saturating_add(vertices.saturating_mul(2000)))
 }

@@ -187,7 +187,8 @@ pub enum fairmesh_element {
 /// In place of an index: there is none.
 pub const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
 
-/// What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it, with
+/// What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
+/// overlaps something else), with
 /// status OK, NO_ELEMENT and an empty message when it succeeds.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -212,6 +213,8 @@ pub struct Failure {
     pub element: u64,
     pub other: u64,
     pub message: Text<MESSAGE>,
+    /// The error detail itself is in the way.
+    pub silent: bool,
 }
 
 pub type Outcome<T = ()> = Result<T, Failure>;
@@ -260,6 +263,7 @@ impl Failure {
             element: FAIRMESH_NO_ELEMENT,
             other: FAIRMESH_NO_ELEMENT,
             message: Text::new(message),
+            silent: false,
         }
     }
 

@@ -207,6 +207,10 @@ impl Spans {
             return Ok(());
         }
         self.output(error.cast(), size_of::<super::status::fairmesh_error>(), argument)
+            .map_err(|failure| Failure {
+                silent: true,
+                ..failure
+            })
     }
 }
 
