@@ -8,6 +8,7 @@
 
 #include <OpenMesh/Core/Mesh/BaseKernel.hh>
 #include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 
 #include <algorithm>
@@ -40,8 +41,8 @@ struct openmesh_options : options {
     /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the border of the region,
      *  0 0 0 where none is given. Empty: `normals` says where they come from. */
     std::string border_normals;
-    /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices that
-     *  are neither free nor at the border of the region. It is made, of doubles, if there is none. Empty: not wanted. */
+    /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices
+     *  that are not free. It is made, of doubles, if there is none. Empty: not wanted. */
     std::string mean_curvature;
 };
 
@@ -183,8 +184,8 @@ public:
         try {
             mesh.add_property(doubles_, name);
         } catch (...) {
-            // OpenMesh may have added it without giving it its size.
-            if (mesh.get_property_handle(doubles_, name)) mesh.remove_property(doubles_);
+            // OpenMesh may have added it without giving it its size. (To look for its name would need memory.)
+            if (doubles_.is_valid()) mesh.remove_property(doubles_);
             throw;
         }
     }
@@ -196,11 +197,10 @@ public:
 
     bool wanted() const noexcept { return doubles_.is_valid() || floats_.is_valid(); }
 
-    void write(const std::vector<double> &values) noexcept {
-        for (std::size_t v = 0; v < values.size(); v++) {
-            if (doubles_.is_valid()) mesh_.property(doubles_, openmesh_vertex(v)) = values[v];
-            else mesh_.property(floats_, openmesh_vertex(v)) = static_cast<float>(values[v]);
-        }
+    /** Until the numbers are written, something may throw; not after that. */
+    void write(const std::vector<double> &values) {
+        if (doubles_.is_valid()) fill(mesh_.property(doubles_), values);
+        else if (floats_.is_valid()) fill(mesh_.property(floats_), values);
         made_ = false;
     }
 
@@ -209,6 +209,10 @@ private:
     OpenMesh::VPropHandleT<double> doubles_;
     OpenMesh::VPropHandleT<float> floats_;
     bool made_ = false;
+
+    template <class Number> static void fill(OpenMesh::PropertyT<Number> &property, const std::vector<double> &values) {
+        for (std::size_t v = 0; v < values.size(); v++) property[static_cast<int>(v)] = static_cast<Number>(values[v]);
+    }
 };
 
 /** The vectors of a vertex property by its name: of the mesh's own normals or points, of doubles, of floats. */
@@ -300,13 +304,13 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
         std::vector<double> h;
         if (curvature.wanted()) h = found.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
         auto told = detail::openmesh_told(view, found);
-        // From here on nothing throws.
+        // To look properties up may throw where OpenMesh's assertions are on, to write into them does not.
+        auto &points = mesh.property(mesh.points_property_handle());
+        curvature.write(h);
         for (std::size_t v = 0; v < free.size(); v++) {
             if (!free[v]) continue;
-            auto &point = mesh.point(detail::openmesh_vertex(v));
-            for (std::size_t k = 0; k < 3; k++) point[k] = positions[3 * v + k];
+            for (int k = 0; k < 3; k++) points[static_cast<int>(v)][k] = positions[3 * v + static_cast<std::size_t>(k)];
         }
-        if (curvature.wanted()) curvature.write(h);
         return told;
     } catch (const error &caught) {
         detail::openmesh_rethrow(view, caught);

@@ -1,0 +1,521 @@
+// fairmesh_openmesh.hpp: what is kept, what is skipped, what is honoured, what is undone.
+#include <fairmesh_openmesh.hpp>
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <set>
+
+#define CHECK(condition)                                                                    \
+    do {                                                                                    \
+        if (!(condition)) {                                                                 \
+            std::fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);    \
+            std::exit(1);                                                                   \
+        }                                                                                   \
+    } while (0)
+
+namespace {
+
+/** Allocations of this program that are still granted; negative: all. The library has its own. */
+long granted = -1;
+
+} // namespace
+
+// Not inlined: GCC would see malloc() and free() meet new and delete.
+__attribute__((noinline)) void *operator new(std::size_t size) {
+    if (granted == 0) throw std::bad_alloc();
+    if (granted > 0) granted--;
+    if (void *block = std::malloc(size ? size : 1)) return block;
+    throw std::bad_alloc();
+}
+__attribute__((noinline)) void operator delete(void *block) noexcept { std::free(block); }
+__attribute__((noinline)) void operator delete(void *block, std::size_t) noexcept { std::free(block); }
+
+namespace {
+
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::VertexHandle;
+
+template <class Scalar> struct Traits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::VectorT<Scalar, 3>;
+    using Normal = OpenMesh::VectorT<Scalar, 3>;
+};
+using Doubles = OpenMesh::TriMesh_ArrayKernelT<Traits<double>>;
+using Floats = OpenMesh::TriMesh_ArrayKernelT<Traits<float>>;
+/** The defaults: float points, nothing requested. */
+using Plain = OpenMesh::TriMesh_ArrayKernelT<>;
+
+/** Points and normals of different numbers, and attributes from the start. */
+struct Foreign : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3f;
+    using TexCoord2D = OpenMesh::Vec2d;
+    VertexAttributes(OpenMesh::Attributes::Normal | OpenMesh::Attributes::Status | OpenMesh::Attributes::Color);
+};
+using Mixed = OpenMesh::TriMesh_ArrayKernelT<Foreign>;
+
+constexpr int side = 21;
+
+bool dented(int v) {
+    int i = v % side, j = v / side;
+    return i > 5 && i < 15 && j > 5 && j < 15;
+}
+
+/** A grid on the unit sphere with a dent; everything has a status. */
+template <class Mesh> Mesh cap() {
+    Mesh mesh;
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_halfedge_status();
+    mesh.request_face_status();
+    mesh.request_vertex_normals();
+    mesh.request_face_normals();
+    for (int v = 0; v < side * side; v++) {
+        double x = 0.06 * (v % side) - 0.6, y = 0.06 * (v / side) - 0.6, z = std::sqrt(1.0 - x * x - y * y);
+        using Point = typename Mesh::Point;
+        using Scalar = typename OpenMesh::vector_traits<Point>::value_type;
+        auto p = [](double c) { return static_cast<Scalar>(c); };
+        mesh.add_vertex(dented(v) ? Point(p(x + 0.02), p(y), p(0.6 * z)) : Point(p(x), p(y), p(z)));
+    }
+    for (int v = 0; v < side * (side - 1); v++) {
+        if (v % side == side - 1) continue;
+        mesh.add_face(VertexHandle(v), VertexHandle(v + 1), VertexHandle(v + side + 1));
+        mesh.add_face(VertexHandle(v), VertexHandle(v + side + 1), VertexHandle(v + side));
+    }
+    return mesh;
+}
+
+template <class Mesh> void select_dent(Mesh &mesh) {
+    for (int v = 0; v < side * side; v++) mesh.status(VertexHandle(v)).set_selected(dented(v));
+}
+
+template <class Mesh> Mesh selected_cap() {
+    auto mesh = cap<Mesh>();
+    select_dent(mesh);
+    return mesh;
+}
+
+template <class Mesh> double off_sphere(const Mesh &mesh) {
+    double worst = 0.0;
+    for (auto v : mesh.vertices()) {
+        auto p = mesh.point(v);
+        double x = p[0], y = p[1], z = p[2];
+        worst = std::fmax(worst, std::fabs(std::sqrt(x * x + y * y + z * z) - 1.0));
+    }
+    return worst;
+}
+
+template <class Mesh> std::vector<typename Mesh::Point> points_of(const Mesh &mesh) {
+    return std::vector<typename Mesh::Point>(mesh.points(), mesh.points() + mesh.n_vertices());
+}
+
+/** Everything of a mesh but positions, as numbers. */
+template <class Mesh> std::vector<long> links_of(const Mesh &mesh) {
+    std::vector<long> all;
+    for (int v = 0; v < int(mesh.n_vertices()); v++) {
+        all.push_back(mesh.halfedge_handle(VertexHandle(v)).idx());
+        all.push_back(long(mesh.status(VertexHandle(v)).bits()));
+    }
+    for (int h = 0; h < int(mesh.n_halfedges()); h++) {
+        OpenMesh::HalfedgeHandle half(h);
+        for (int k : {mesh.to_vertex_handle(half).idx(), mesh.next_halfedge_handle(half).idx(),
+                      mesh.prev_halfedge_handle(half).idx(), mesh.face_handle(half).idx()}) all.push_back(k);
+        all.push_back(long(mesh.status(half).bits()));
+    }
+    for (int e = 0; e < int(mesh.n_edges()); e++) all.push_back(long(mesh.status(EdgeHandle(e)).bits()));
+    for (int f = 0; f < int(mesh.n_faces()); f++) {
+        all.push_back(mesh.halfedge_handle(FaceHandle(f)).idx());
+        all.push_back(long(mesh.status(FaceHandle(f)).bits()));
+    }
+    return all;
+}
+
+/** Names of all vertex properties, in their places. */
+template <class Mesh> std::vector<std::string> properties_of(const Mesh &mesh) {
+    std::vector<std::string> names;
+    for (auto p = mesh.vprops_begin(); p != mesh.vprops_end(); ++p) names.push_back(*p ? (*p)->name() : "");
+    while (!names.empty() && names.back().empty()) names.pop_back();
+    return names;
+}
+
+template <class Mesh> void fairing(double bar) {
+    auto mesh = selected_cap<Mesh>();
+    OpenMesh::VPropHandleT<std::string> words;
+    OpenMesh::EPropHandleT<int> numbers;
+    OpenMesh::FPropHandleT<OpenMesh::Vec3d> vectors;
+    mesh.add_property(words, "words");
+    mesh.add_property(numbers, "numbers");
+    mesh.add_property(vectors, "vectors");
+    for (auto v : mesh.vertices()) mesh.property(words, v) = "vertex " + std::to_string(v.idx());
+    for (auto e : mesh.edges()) mesh.property(numbers, e) = 7 * e.idx();
+    for (auto f : mesh.faces()) mesh.property(vectors, f) = OpenMesh::Vec3d(f.idx(), 1, 2);
+    mesh.status(FaceHandle(11)).set_selected(true);
+    mesh.status(EdgeHandle(12)).set_tagged(true);
+    mesh.update_normals();
+    auto before = points_of(mesh);
+    auto links = links_of(mesh);
+    auto names = properties_of(mesh);
+    auto normal = mesh.normal(VertexHandle(220));
+
+    auto report = fairmesh::fair(mesh);
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.free_vertices == 81 && report.poor_triangles.empty());
+    std::printf("off the sphere: %.1e\n", off_sphere(mesh));
+    CHECK(off_sphere(mesh) < bar);
+    for (int v = 0; v < side * side; v++) {
+        if (!dented(v)) CHECK(mesh.point(VertexHandle(v)) == before[std::size_t(v)]);
+    }
+    CHECK(links_of(mesh) == links && properties_of(mesh) == names && mesh.normal(VertexHandle(220)) == normal);
+    for (auto v : mesh.vertices()) CHECK(mesh.property(words, v) == "vertex " + std::to_string(v.idx()));
+    for (auto e : mesh.edges()) CHECK(mesh.property(numbers, e) == 7 * e.idx());
+    for (auto f : mesh.faces()) CHECK(mesh.property(vectors, f) == OpenMesh::Vec3d(f.idx(), 1, 2));
+}
+
+/** Floats are doubles but for the rounding of what goes in and what comes out. */
+void floats_and_doubles() {
+    auto floats = selected_cap<Floats>();
+    auto doubles = selected_cap<Doubles>();
+    for (int v = 0; v < side * side; v++) {
+        doubles.point(VertexHandle(v)) = OpenMesh::vector_cast<Doubles::Point>(floats.point(VertexHandle(v)));
+    }
+    fairmesh::fair(floats);
+    fairmesh::fair(doubles);
+    for (int v = 0; v < side * side; v++) {
+        auto p = doubles.point(VertexHandle(v));
+        auto q = floats.point(VertexHandle(v));
+        for (std::size_t k = 0; k < 3; k++) CHECK(q[k] == static_cast<float>(p[k]));
+    }
+}
+
+void regions() {
+    // By faces: the dent's vertices are those with nothing but selected faces.
+    auto faces = cap<Doubles>();
+    for (auto f : faces.faces()) {
+        bool inside = false;
+        for (auto v : faces.fv_range(f)) inside |= dented(v.idx());
+        faces.status(f).set_selected(inside);
+    }
+    auto vertices = selected_cap<Doubles>();
+    fairmesh::openmesh_options options;
+    fairmesh::fair(vertices, options);
+    options.region = fairmesh::openmesh_region::selected_faces;
+    CHECK(fairmesh::fair(faces, options).free_vertices == 81);
+    CHECK(points_of(faces) == points_of(vertices));
+    // Everything: the border stays, without any status.
+    auto plain = cap<Doubles>();
+    plain.release_vertex_status();
+    plain.release_edge_status();
+    plain.release_halfedge_status();
+    plain.release_face_status();
+    options.region = fairmesh::openmesh_region::everything;
+    CHECK(fairmesh::fair(plain, options).free_vertices == (side - 2) * (side - 2));
+    for (auto region : {fairmesh::openmesh_region::selected_faces, fairmesh::openmesh_region::selected_vertices}) {
+        options.region = region;
+        try {
+            fairmesh::fair(plain, options);
+            CHECK(false);
+        } catch (const std::invalid_argument &e) {
+            CHECK(std::string(e.what()).find("request_") != std::string::npos);
+        }
+    }
+    // Nothing is selected.
+    auto none = cap<Doubles>();
+    try {
+        fairmesh::fair(none);
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        CHECK(e.status() == FAIRMESH_STATUS_EMPTY_REGION);
+    }
+}
+
+void fixed() {
+    // Locked vertices, feature vertices, corners of feature edges and feature faces, and the border, selected or not.
+    auto mesh = cap<Doubles>();
+    for (auto v : mesh.vertices()) mesh.status(v).set_selected(true);
+    std::set<int> stay;
+    mesh.status(VertexHandle(10 * side + 10)).set_locked(true);
+    stay.insert(10 * side + 10);
+    mesh.status(VertexHandle(4 * side + 5)).set_feature(true);
+    stay.insert(4 * side + 5);
+    for (int i = 6; i < 15; i++) {
+        auto half = mesh.find_halfedge(VertexHandle(13 * side + i), VertexHandle(13 * side + i + 1));
+        mesh.status(mesh.edge_handle(half)).set_feature(true);
+        stay.insert({13 * side + i, 13 * side + i + 1});
+    }
+    FaceHandle face(2 * (3 * (side - 1) + 15));
+    mesh.status(face).set_feature(true);
+    for (auto v : mesh.fv_range(face)) stay.insert(v.idx());
+    CHECK(stay.size() == 15);
+    for (auto v : mesh.vertices()) {
+        if (!mesh.is_boundary(v) && !stay.count(v.idx())) mesh.point(v)[2] -= 0.001 * (v.idx() % 7);
+    }
+    auto before = points_of(mesh);
+    auto twin = mesh;
+    auto report = fairmesh::fair(mesh);
+    CHECK(report.free_vertices == (side - 2) * (side - 2) - stay.size());
+    std::size_t moved = 0;
+    for (auto v : mesh.vertices()) {
+        bool same = mesh.point(v) == before[std::size_t(v.idx())];
+        CHECK(!same || mesh.is_boundary(v) || stay.count(v.idx()) || v.idx() % 7 == 0);
+        if (stay.count(v.idx()) || mesh.is_boundary(v)) CHECK(same);
+        moved += !same;
+    }
+    CHECK(moved > 300);
+    // Without features only the locked one is fixed.
+    fairmesh::openmesh_options options;
+    options.features = false;
+    CHECK(fairmesh::fair(twin, options).free_vertices == (side - 2) * (side - 2) - 1);
+}
+
+/** The adapter does what a program does by hand with fairmesh.hpp, to the last bit. */
+void by_hand() {
+    auto mesh = selected_cap<Doubles>();
+    std::vector<std::array<double, 3>> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint8_t> mask;
+    for (auto v : mesh.vertices()) {
+        auto p = mesh.point(v);
+        positions.push_back({p[0], p[1], p[2]});
+        mask.push_back(dented(v.idx()));
+    }
+    for (auto f : mesh.faces()) {
+        auto corner = mesh.cfv_begin(f);
+        std::array<std::uint32_t, 3> t;
+        for (auto &index : t) index = std::uint32_t((*corner++).idx());
+        triangles.push_back(t);
+    }
+    auto expected = fairmesh::fair(fairmesh::mesh(positions, triangles), fairmesh::free_mask(mask));
+    auto x = expected.positions();
+    auto h = expected.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
+    fairmesh::openmesh_options options;
+    options.mean_curvature = "H";
+    auto names = properties_of(mesh);
+    auto report = fairmesh::fair(mesh, options);
+    CHECK(report.iterations == expected.report().iterations);
+    OpenMesh::VPropHandleT<double> H;
+    CHECK(mesh.get_property_handle(H, "H") && properties_of(mesh).size() == names.size() + 1);
+    std::size_t known = 0;
+    for (auto v : mesh.vertices()) {
+        auto k = std::size_t(v.idx());
+        auto p = mesh.point(v);
+        CHECK(p[0] == x[k][0] && p[1] == x[k][1] && p[2] == x[k][2]);
+        double c = mesh.property(H, v);
+        CHECK(c == h[k] || (std::isnan(c) && std::isnan(h[k])));
+        if (dented(v.idx())) CHECK(std::fabs(c + 1.0) < 1e-3);
+        known += !std::isnan(c);
+    }
+    CHECK(known == 81);
+    // Into a property that is there, of floats.
+    OpenMesh::VPropHandleT<float> G;
+    mesh.add_property(G, "G");
+    options.mean_curvature = "G";
+    fairmesh::fair(mesh, options);
+    CHECK(std::fabs(mesh.property(G, VertexHandle(10 * side + 10)) + 1.0f) < 1e-3f && properties_of(mesh).size() == names.size() + 2);
+}
+
+void normals() {
+    // Tilted normals given by the mesh: another surface; exact ones: the sphere; all zero: fitted ones.
+    auto given = [](double tilt, const char *name, auto vector) {
+        auto mesh = selected_cap<Doubles>();
+        using Vector = decltype(vector);
+        OpenMesh::VPropHandleT<Vector> property;
+        if (name == std::string("v:normals")) CHECK(mesh.get_property_handle(property, name));
+        else mesh.add_property(property, name);
+        for (auto v : mesh.vertices()) {
+            auto p = mesh.point(v);
+            p[2] += tilt;
+            p.normalize();
+            for (std::size_t k = 0; k < 3; k++) mesh.property(property, v)[k] = static_cast<typename Vector::value_type>(p[k]);
+        }
+        fairmesh::openmesh_options options;
+        options.border_normals = name;
+        auto report = fairmesh::fair(mesh, options);
+        CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+        return off_sphere(mesh);
+    };
+    CHECK(given(0.0, "v:normals", Doubles::Normal()) < 1e-7);
+    CHECK(given(0.0, "mine", OpenMesh::Vec3d()) < 1e-7);
+    CHECK(given(0.0, "mine", OpenMesh::Vec3f()) < 1e-6);
+    CHECK(given(0.3, "mine", OpenMesh::Vec3d()) > 1e-3);
+    auto zero = selected_cap<Doubles>();
+    OpenMesh::VPropHandleT<OpenMesh::Vec3d> property;
+    zero.add_property(property, "mine");
+    for (auto v : zero.vertices()) zero.property(property, v) = OpenMesh::Vec3d(0, 0, 0);
+    fairmesh::openmesh_options options;
+    options.border_normals = "mine";
+    auto fitted = selected_cap<Doubles>();
+    fairmesh::fair(fitted);
+    fairmesh::fair(zero, options);
+    CHECK(points_of(zero) == points_of(fitted));
+    // A bad one is told by its vertex, a missing one by its name.
+    VertexHandle bad(5 * side + 9);
+    zero.property(property, bad) = OpenMesh::Vec3d(0, 0, 2);
+    auto before = points_of(zero);
+    try {
+        fairmesh::fair(zero, options);
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        CHECK(e.status() == FAIRMESH_STATUS_BAD_NORMAL && e.detail().element == std::uint64_t(bad.idx()));
+    }
+    options.border_normals = "nowhere";
+    try {
+        fairmesh::fair(zero, options);
+        CHECK(false);
+    } catch (const std::invalid_argument &e) {
+        CHECK(std::string(e.what()).find("nowhere") != std::string::npos);
+    }
+    CHECK(points_of(zero) == before);
+}
+
+/** Deleted elements are not there, and stay until somebody collects them. */
+void deleted() {
+    auto mesh = selected_cap<Doubles>();
+    auto whole = mesh;
+    fairmesh::fair(whole);
+    // A second sheet with a vertex that is NaN, deleted; and a corner of the grid.
+    std::vector<VertexHandle> sheet;
+    for (auto p : {OpenMesh::Vec3d(5, 0, 0), OpenMesh::Vec3d(6, 0, 0), OpenMesh::Vec3d(5, 1, 0)}) sheet.push_back(mesh.add_vertex(p));
+    mesh.point(sheet[2])[0] = std::nan("");
+    mesh.delete_face(mesh.add_face(sheet[0], sheet[1], sheet[2]), true);
+    mesh.delete_face(FaceHandle(0), false);
+    mesh.delete_face(FaceHandle(1), true);
+    for (auto v : sheet) mesh.status(v).set_selected(true);
+    auto links = links_of(mesh);
+    fairmesh::openmesh_options options;
+    options.mean_curvature = "H";
+    auto report = fairmesh::fair(mesh, options);
+    CHECK(report.free_vertices == 81 && links_of(mesh) == links);
+    CHECK(mesh.n_faces() == whole.n_faces() + 1 && std::isnan(mesh.point(sheet[2])[0]));
+    for (int v = 0; v < side * side; v++) CHECK(mesh.point(VertexHandle(v)) == whole.point(VertexHandle(v)));
+    // Numbers of faces are OpenMesh's: 2 are missing before the worst triangle.
+    CHECK(report.worst_triangle >= 2 && !mesh.status(FaceHandle(int(report.worst_triangle))).deleted());
+    auto w = selected_cap<Doubles>();
+    CHECK(fairmesh::fair(w).worst_triangle == report.worst_triangle);
+    mesh.garbage_collection();
+    CHECK(mesh.n_faces() + 2 == whole.n_faces());
+}
+
+/** An error about a triangle names OpenMesh's face. */
+void faces_of_errors() {
+    Doubles mesh;
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_face_status();
+    std::vector<VertexHandle> v;
+    for (auto p : {OpenMesh::Vec3d(0, 0, 0), OpenMesh::Vec3d(1, 0, 0), OpenMesh::Vec3d(0, 1, 0), OpenMesh::Vec3d(9, 0, 0),
+                   OpenMesh::Vec3d(9, 1, 0), OpenMesh::Vec3d(8, 1, 0)}) v.push_back(mesh.add_vertex(p));
+    auto gone = mesh.add_face(v[3], v[4], v[5]);
+    // Both sides of a triangle: a closed surface for OpenMesh, twice the same triangle for fairmesh.
+    auto first = mesh.add_face(v[0], v[1], v[2]), second = mesh.add_face(v[0], v[2], v[1]);
+    CHECK(second.is_valid());
+    mesh.delete_face(gone, false);
+    mesh.status(v[0]).set_selected(true);
+    try {
+        fairmesh::fair(mesh);
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        std::printf("%s\n", e.what());
+        CHECK(e.status() == FAIRMESH_STATUS_DUPLICATE_TRIANGLE && e.detail().element == std::uint64_t(second.idx()));
+        CHECK(e.detail().other == std::uint64_t(first.idx()) && std::string(e.what()).find("face 2") != std::string::npos);
+    }
+}
+
+struct broken : std::runtime_error {
+    broken() : std::runtime_error("broken") {}
+};
+
+void progress() {
+    auto mesh = selected_cap<Doubles>();
+    auto before = points_of(mesh);
+    auto names = properties_of(mesh);
+    fairmesh::openmesh_options options;
+    options.mean_curvature = "H";
+    // An exception of the callback arrives, and nothing has happened.
+    options.on_progress = [](const fairmesh_progress &p) -> bool {
+        if (p.iterations == 2) throw broken();
+        return true;
+    };
+    try {
+        fairmesh::fair(mesh, options);
+        CHECK(false);
+    } catch (const broken &) {
+        CHECK(points_of(mesh) == before && properties_of(mesh) == names);
+    }
+    // Stopped: the best surface so far.
+    options.on_progress = [](const fairmesh_progress &p) { return p.iterations < 2; };
+    CHECK(fairmesh::fair(mesh, options).outcome == FAIRMESH_OUTCOME_CANCELLED);
+    CHECK(points_of(mesh) != before && off_sphere(mesh) < 0.1);
+    // Watched to the end.
+    double last = 0.0;
+    options.on_progress = [&](const fairmesh_progress &p) { return p.fraction >= last && (last = p.fraction, true); };
+    CHECK(fairmesh::fair(mesh, options).outcome == FAIRMESH_OUTCOME_CONVERGED && last > 0.0);
+}
+
+/** Every allocation on this side of the library fails once: the mesh is as it was, and the next call succeeds. */
+void memory() {
+    auto mesh = selected_cap<Doubles>();
+    auto before = points_of(mesh);
+    auto links = links_of(mesh);
+    auto names = properties_of(mesh);
+    fairmesh::openmesh_options options;
+    options.mean_curvature = "a name that is too long for the string itself";
+    options.threads = 1;
+    long refused = 0;
+    for (long allowed = 0;; allowed++) {
+        granted = allowed;
+        bool done = false;
+        try {
+            fairmesh::fair(mesh, options);
+            done = true;
+        } catch (const std::bad_alloc &) {
+            refused++;
+        }
+        granted = -1;
+        if (done) break;
+        CHECK(points_of(mesh) == before && links_of(mesh) == links && properties_of(mesh) == names);
+    }
+    std::printf("%ld allocations failed, one after the other\n", refused);
+    CHECK(refused > 8 && off_sphere(mesh) < 1e-6);
+}
+
+/** A coordinate that does not fit a float, and a NaN beside the region: told, and nothing written. */
+void errors() {
+    auto mesh = selected_cap<Floats>();
+    mesh.point(VertexHandle(5 * side + 9))[1] = std::nanf("");
+    auto names = properties_of(mesh);
+    fairmesh::openmesh_options options;
+    options.mean_curvature = "H";
+    auto p = mesh.point(VertexHandle(220));
+    try {
+        fairmesh::fair(mesh, options);
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        CHECK(e.status() == FAIRMESH_STATUS_NOT_FINITE && e.detail().element == 5 * side + 9);
+        CHECK(mesh.point(VertexHandle(220)) == p && properties_of(mesh) == names);
+    }
+}
+
+} // namespace
+
+int main() {
+    fairing<Doubles>(1e-7);
+    fairing<Floats>(1e-6);
+    fairing<Plain>(1e-6);
+    fairing<Mixed>(1e-7);
+    floats_and_doubles();
+    regions();
+    fixed();
+    by_hand();
+    normals();
+    deleted();
+    faces_of_errors();
+    progress();
+    memory();
+    errors();
+    std::puts("adapter: passed");
+}
