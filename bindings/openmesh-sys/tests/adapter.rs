@@ -7,7 +7,15 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 /// GCC worries about vectors of OpenMesh that have no value yet.
-const STRICT: [&str; 7] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-Wno-maybe-uninitialized", "-O1", "-g"];
+const STRICT: [&str; 7] = [
+    "-Wall",
+    "-Wextra",
+    "-pedantic",
+    "-Werror",
+    "-Wno-maybe-uninitialized",
+    "-O1",
+    "-g",
+];
 
 fn here() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -25,10 +33,16 @@ fn work() -> PathBuf {
 
 /// Runs it to a good end, and returns what it printed.
 fn run(command: &mut Command) -> String {
-    let output = command.output().unwrap_or_else(|why| panic!("{command:?}: {why}"));
+    let output = command
+        .output()
+        .unwrap_or_else(|why| panic!("{command:?}: {why}"));
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(output.status.success(), "{command:?}: {}\n{out}\n{err}", output.status);
+    assert!(
+        output.status.success(),
+        "{command:?}: {}\n{out}\n{err}",
+        output.status
+    );
     out
 }
 
@@ -59,7 +73,10 @@ fn pkg_config(what: &str) -> Vec<String> {
 
 fn compiler(source: &str) -> Command {
     let mut command = Command::new("c++");
-    command.arg("-std=c++17").args(STRICT).args(pkg_config("--cflags"));
+    command
+        .arg("-std=c++17")
+        .args(STRICT)
+        .args(pkg_config("--cflags"));
     command.arg(here().join("tests/cpp").join(source));
     command
 }
@@ -83,12 +100,21 @@ fn everything_is_kept_and_honoured() {
 
 #[test]
 fn the_sanitizers_have_nothing_to_say() {
-    adapter("adapter-sanitized", &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
+    adapter(
+        "adapter-sanitized",
+        &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
+    );
 }
 
 #[test]
 fn other_meshes_are_refused_with_a_clear_message() {
-    let compile = |more: &[&str]| compiler("refused.cpp").arg("-fsyntax-only").args(more).output().unwrap();
+    let compile = |more: &[&str]| {
+        compiler("refused.cpp")
+            .arg("-fsyntax-only")
+            .args(more)
+            .output()
+            .unwrap()
+    };
     assert!(compile(&[]).status.success());
     for (which, message) in [
         ("-DPOLY", "fairmesh::fair needs a triangle mesh of OpenMesh"),
@@ -97,7 +123,10 @@ fn other_meshes_are_refused_with_a_clear_message() {
     ] {
         let output = compile(&[which]);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(!output.status.success() && said.contains(message), "{which}: {said}");
+        assert!(
+            !output.status.success() && said.contains(message),
+            "{which}: {said}"
+        );
     }
 }
 
@@ -105,8 +134,14 @@ fn other_meshes_are_refused_with_a_clear_message() {
 fn vertices(file: &Path) -> Vec<[f64; 3]> {
     let text = fs::read_to_string(file).unwrap();
     let (skip, count) = if text.starts_with("ply") {
-        let count = text.lines().find_map(|l| l.strip_prefix("element vertex ")).unwrap();
-        (1 + text.lines().position(|l| l == "end_header").unwrap(), count.trim().parse().unwrap())
+        let count = text
+            .lines()
+            .find_map(|l| l.strip_prefix("element vertex "))
+            .unwrap();
+        (
+            1 + text.lines().position(|l| l == "end_header").unwrap(),
+            count.trim().parse().unwrap(),
+        )
     } else {
         let counts = text.lines().nth(1).unwrap();
         (2, counts.split_whitespace().next().unwrap().parse().unwrap())
@@ -138,7 +173,10 @@ fn the_example_is_built_by_cmake_and_runs() {
         ("by-sphere.off", &["sphere", "0", "0", "0.8", "0.37"]),
     ] {
         let out = work().join(out);
-        let said = run(Command::new(build.join("fair_region")).arg(&dented).arg(&out).args(words));
+        let said = run(Command::new(build.join("fair_region"))
+            .arg(&dented)
+            .arg(&out)
+            .args(words));
         assert!(said.contains("converged"), "{said}");
         let after = vertices(&out);
         assert_eq!(after.len(), before.len());
@@ -151,6 +189,9 @@ fn the_example_is_built_by_cmake_and_runs() {
     }
     // A property that does not exist.
     let mut wrong = Command::new(build.join("fair_region"));
-    wrong.arg(&dented).arg(work().join("none.off")).args(["property", "nothing"]);
+    wrong
+        .arg(&dented)
+        .arg(work().join("none.off"))
+        .args(["property", "nothing"]);
     assert_eq!(wrong.output().unwrap().status.code(), Some(1));
 }
