@@ -1,6 +1,5 @@
 //! Finds OpenMesh, compiles the shim, and with the feature `regenerate` makes the bindings.
 
-use std::path::PathBuf;
 use std::process::exit;
 
 fn main() {
@@ -28,12 +27,19 @@ fn main() {
         .flag_if_supported("-Wno-maybe-uninitialized")
         .file("shim/shim.cpp")
         .compile("openmesh_shim");
-    regenerate(PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it")));
+    #[cfg(feature = "regenerate")]
+    bindings();
 }
 
+/// `src/bindings.rs` has to be what bindgen makes of the header; with `OPENMESH_WRITE_BINDINGS` it becomes that.
 #[cfg(feature = "regenerate")]
-fn regenerate(out: PathBuf) {
-    let bindings = bindgen::Builder::default()
+fn bindings() {
+    use std::{env, fs};
+
+    const COMMITTED: &str = "src/bindings.rs";
+    println!("cargo::rerun-if-changed={COMMITTED}");
+    println!("cargo::rerun-if-env-changed=OPENMESH_WRITE_BINDINGS");
+    let made = bindgen::Builder::default()
         .header("shim/shim.h")
         .allowlist_item("[oO][mM]_.*")
         .use_core()
@@ -41,22 +47,20 @@ fn regenerate(out: PathBuf) {
         .prepend_enum_name(false)
         .raw_line("// Made by bindgen of shim/shim.h: do not edit, see tests/fresh.rs.")
         .disable_header_comment()
-        .formatter(bindgen::Formatter::Rustfmt)
-        .rustfmt_configuration_file(Some(PathBuf::from(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../rustfmt.toml"
-        ))))
+        .rustfmt_configuration_file(Some(
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../rustfmt.toml"),
+        ))
         .generate()
         .unwrap_or_else(|why| {
-            eprintln!(
-                "no bindings of shim/shim.h (the Debian package libclang-dev has what bindgen needs): {why}"
-            );
+            eprintln!("no bindings of shim/shim.h: bindgen needs the Debian package libclang-dev.\n{why}");
             exit(1);
-        });
-    bindings
-        .write_to_file(out.join("bindings.rs"))
-        .expect("cargo's own directory");
+        })
+        .to_string();
+    if env::var_os("OPENMESH_WRITE_BINDINGS").is_some() {
+        fs::write(COMMITTED, &made).expect("src/ can be written");
+    }
+    if fs::read_to_string(COMMITTED).unwrap_or_default() != made {
+        eprintln!("{COMMITTED} is old: see the head of tests/fresh.rs");
+        exit(1);
+    }
 }
-
-#[cfg(not(feature = "regenerate"))]
-fn regenerate(_: PathBuf) {}

@@ -17,11 +17,16 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
+/** Zero; OpenMesh reads the bytes of a PLY file in text as characters. */
+template <class Number> bool is_zero(Number n) {
+    return n == Number(0) || (sizeof n == 1 && n == Number('0'));
+}
+
 /** PLY has numbers of several types; OpenMesh makes a property of each as it is. */
 template <class Number> bool select_by(Mesh &mesh, const std::string &name) {
     OpenMesh::VPropHandleT<Number> property;
     if (!mesh.get_property_handle(property, name)) return false;
-    for (auto v : mesh.vertices()) mesh.status(v).set_selected(mesh.property(property, v) != Number(0));
+    for (auto v : mesh.vertices()) mesh.status(v).set_selected(!is_zero(mesh.property(property, v)));
     return true;
 }
 
