@@ -36,6 +36,9 @@ install_c_tools() {
     command -v valgrind >/dev/null || missing+=(valgrind)
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v c++ >/dev/null || missing+=(g++)
+    # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only.
+    pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
+    ls /usr/lib/llvm-*/lib/libclang*.so* >/dev/null 2>&1 || missing+=(libclang-dev)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -56,8 +59,8 @@ check_demo() {
 install_rust
 install_c_tools
 step cargo --version
-step cargo fmt --check
-step cargo clippy --release --locked --all-targets -- -D warnings
+step cargo fmt --all --check
+step cargo clippy --release --locked --workspace --all-targets -- -D warnings
 step cargo clippy --release --locked --all-targets --no-default-features -- -D warnings
 step cargo clippy --release --locked --all-targets --features capi-hooks -- -D warnings
 RUSTDOCFLAGS="-D warnings" step cargo doc --release --locked --no-deps --lib
@@ -65,7 +68,8 @@ step cargo build --release --locked --no-default-features
 step cargo test --release --locked --no-default-features
 step cargo build --release --locked
 step check_demo
-step cargo test --release --locked
+# With bindings/openmesh-sys, in one build.
+step cargo test --release --locked --workspace
 step tests/sanitize.sh
 step fuzz/run.sh 60
 printf '\nAll tests have passed.\n'

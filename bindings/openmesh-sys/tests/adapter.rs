@@ -180,11 +180,13 @@ fn the_example_is_built_by_cmake_and_runs() {
         assert!(said.contains("converged"), "{said}");
         let after = vertices(&out);
         assert_eq!(after.len(), before.len());
-        let moved = after.iter().zip(&before).filter(|(a, b)| a != b).count();
+        // OpenMesh writes floats.
+        let far = |(a, b): &(&[f64; 3], &[f64; 3])| (0..3).any(|k| (a[k] - b[k]).abs() > 1e-3);
+        let moved = after.iter().zip(&before).filter(far).count();
         assert!(moved >= 100, "{moved}");
         for p in &after {
             let r = p.iter().map(|x| x * x).sum::<f64>().sqrt();
-            assert!((r - 1.0).abs() < 1e-7, "{p:?}");
+            assert!((r - 1.0).abs() < 3e-7, "{p:?}");
         }
     }
     // A property that does not exist.
