@@ -59,3 +59,43 @@ fn the_bindings_have_the_functions_of_the_header() {
     assert!(header.len() > 10, "{header:?}");
     assert_eq!(names(&committed(), "pub fn "), header);
 }
+
+/// The root package neither needs OpenMesh nor anything that needs it; where it is missing, the error names Debian's package.
+#[test]
+fn only_this_package_needs_openmesh() {
+    let tree = Command::new(env!("CARGO"))
+        .current_dir(root().join("../.."))
+        .args([
+            "tree",
+            "--locked",
+            "--offline",
+            "--prefix",
+            "none",
+            "-e",
+            "normal,build,dev",
+        ])
+        .output()
+        .unwrap();
+    let packages = String::from_utf8_lossy(&tree.stdout).into_owned();
+    assert!(tree.status.success() && packages.starts_with("fairmesh "));
+    for name in ["openmesh-sys", "bindgen", "pkg-config"] {
+        assert!(
+            !packages.lines().any(|l| l.starts_with(&format!("{name} "))),
+            "{name}"
+        );
+    }
+    let nowhere = Path::new(env!("CARGO_TARGET_TMPDIR")).join("openmesh-missing");
+    let output = Command::new(env!("CARGO"))
+        .current_dir(root())
+        .args(["check", "--release", "--locked", "-p", "openmesh-sys"])
+        .env("CARGO_TARGET_DIR", &nowhere)
+        .env("PKG_CONFIG_LIBDIR", &nowhere)
+        .env_remove("PKG_CONFIG_PATH")
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        !output.status.success() && said.contains("libopenmesh-dev"),
+        "{said}"
+    );
+}
