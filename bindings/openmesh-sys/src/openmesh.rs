@@ -34,10 +34,10 @@ mod sealed {
         const SCALAR: u32;
     }
     impl Sealed for f32 {
-        const SCALAR: u32 = crate::ffi::OM_FLOAT as u32;
+        const SCALAR: u32 = crate::ffi::OM_FLOAT;
     }
     impl Sealed for f64 {
-        const SCALAR: u32 = crate::ffi::OM_DOUBLE as u32;
+        const SCALAR: u32 = crate::ffi::OM_DOUBLE;
     }
 }
 
@@ -62,11 +62,11 @@ pub enum Element {
 #[repr(u32)]
 pub enum Flag {
     /// Chosen by the user: if any vertex is, the smoother moves no others.
-    Selected = ffi::OM_SELECTED as u32,
+    Selected = ffi::OM_SELECTED,
     /// Not to be moved.
-    Locked = ffi::OM_LOCKED as u32,
+    Locked = ffi::OM_LOCKED,
     /// Part of a feature.
-    Feature = ffi::OM_FEATURE as u32,
+    Feature = ffi::OM_FEATURE,
 }
 
 /// Which part of a step the smoother takes.
@@ -74,11 +74,11 @@ pub enum Flag {
 #[repr(u32)]
 pub enum Component {
     /// Within the surface, equal weights.
-    Tangential = ffi::OM_TANGENTIAL as u32,
+    Tangential = ffi::OM_TANGENTIAL,
     /// All of it, cotangent weights of the surface at the start.
-    Normal = ffi::OM_NORMAL as u32,
+    Normal = ffi::OM_NORMAL,
     /// All of it, equal weights.
-    Both = ffi::OM_TANGENTIAL_AND_NORMAL as u32,
+    Both = ffi::OM_TANGENTIAL_AND_NORMAL,
 }
 
 /// The operator that the smoother makes vanish.
@@ -86,9 +86,9 @@ pub enum Component {
 #[repr(u32)]
 pub enum Continuity {
     /// The umbrella.
-    C0 = ffi::OM_C0 as u32,
+    C0 = ffi::OM_C0,
     /// The umbrella of umbrellas.
-    C1 = ffi::OM_C1 as u32,
+    C1 = ffi::OM_C1,
 }
 
 /// What the smoother is asked.
@@ -190,17 +190,17 @@ impl<S: Scalar> Mesh<S> {
 
     /// Vertices, deleted ones included.
     pub fn vertex_count(&self) -> usize {
-        self.count(ffi::OM_VERTEX as u32)
+        self.count(ffi::OM_VERTEX)
     }
 
     /// Edges, deleted ones included.
     pub fn edge_count(&self) -> usize {
-        self.count(ffi::OM_EDGE as u32)
+        self.count(ffi::OM_EDGE)
     }
 
     /// Faces, deleted ones included.
     pub fn face_count(&self) -> usize {
-        self.count(ffi::OM_FACE as u32)
+        self.count(ffi::OM_FACE)
     }
 
     /// All positions.
@@ -236,9 +236,9 @@ impl<S: Scalar> Mesh<S> {
 
     fn checked(&self, element: Element) -> (u32, usize) {
         let (kind, index) = match element {
-            Element::Vertex(index) => (ffi::OM_VERTEX as u32, index),
-            Element::Edge(index) => (ffi::OM_EDGE as u32, index),
-            Element::Face(index) => (ffi::OM_FACE as u32, index),
+            Element::Vertex(index) => (ffi::OM_VERTEX, index),
+            Element::Edge(index) => (ffi::OM_EDGE, index),
+            Element::Face(index) => (ffi::OM_FACE, index),
         };
         assert!(index < self.count(kind), "{element:?} does not exist");
         (kind, index)

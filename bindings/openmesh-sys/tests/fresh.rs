@@ -65,15 +65,7 @@ fn the_bindings_have_the_functions_of_the_header() {
 fn only_this_package_needs_openmesh() {
     let tree = Command::new(env!("CARGO"))
         .current_dir(root().join("../.."))
-        .args([
-            "tree",
-            "--locked",
-            "--offline",
-            "--prefix",
-            "none",
-            "-e",
-            "normal,build,dev",
-        ])
+        .args(["tree", "--locked", "--prefix", "none", "-e", "normal,build,dev"])
         .output()
         .unwrap();
     let packages = String::from_utf8_lossy(&tree.stdout).into_owned();
