@@ -27,6 +27,18 @@ install_rust() {
         rustup component add rustfmt clippy
 }
 
+# What the tests of the C interface need besides a compiler.
+install_c_tools() {
+    local missing=()
+    command -v cmake >/dev/null || missing+=(cmake)
+    command -v make >/dev/null || missing+=(make)
+    command -v pkg-config >/dev/null || missing+=(pkg-config)
+    command -v valgrind >/dev/null || missing+=(valgrind)
+    command -v abidw >/dev/null || missing+=(abigail-tools)
+    command -v c++ >/dev/null || missing+=(g++)
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
+
 # The one command that README.md promises, and what it has to leave behind.
 check_demo() {
     local out
@@ -42,14 +54,18 @@ check_demo() {
 }
 
 install_rust
+install_c_tools
 step cargo --version
 step cargo fmt --check
 step cargo clippy --release --locked --all-targets -- -D warnings
 step cargo clippy --release --locked --all-targets --no-default-features -- -D warnings
+step cargo clippy --release --locked --all-targets --features capi-hooks -- -D warnings
 RUSTDOCFLAGS="-D warnings" step cargo doc --release --locked --no-deps --lib
 step cargo build --release --locked --no-default-features
 step cargo test --release --locked --no-default-features
 step cargo build --release --locked
 step check_demo
 step cargo test --release --locked
+step tests/sanitize.sh
+step fuzz/run.sh 60
 printf '\nAll tests have passed.\n'

@@ -2,10 +2,11 @@
 
 mod frame;
 mod normals;
+mod relay;
+mod session;
 mod solvers;
 
 use std::ops::ControlFlow;
-use std::sync::mpsc;
 use std::time::Instant;
 
 use crate::discrete::groups::Groups;
@@ -22,6 +23,10 @@ use crate::solve::globalize::diagonal;
 use frame::Frame;
 pub use normals::{BorderNormals, InteriorNormals};
 use normals::{border_normals, given_vertices};
+use relay::relay;
+pub(crate) use relay::with_threads;
+pub use session::Session;
+use solvers::Faired;
 
 /// How vertices are distributed within the surface (paper 7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -251,13 +256,6 @@ pub fn fair(
     options: Options<'_>,
 ) -> Result<Solution, Error> {
     check(&options)?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.threads)
-        .build()
-        .map_err(|e| Error::Threads {
-            threads: options.threads,
-            why: e.to_string(),
-        })?;
     let request = Request {
         positions,
         triangles,
@@ -271,10 +269,11 @@ pub fn fair(
         tolerance: options.tolerance,
         max_iterations: options.max_iterations,
     };
-    match options.progress {
+    let progress = options.progress;
+    with_threads(options.threads, |pool| match progress {
         None => pool.install(|| run(&request, None)),
-        Some(callback) => relay(&pool, callback, |told| run(&request, Some(told))),
-    }
+        Some(callback) => relay(pool, callback, |told| run(&request, Some(told)))?,
+    })?
 }
 
 /// What is asked, without the callback.
@@ -290,40 +289,6 @@ struct Request<'a> {
     solver: Solver,
     tolerance: f64,
     max_iterations: usize,
-}
-
-/// Runs `work` on the pool and `callback` on this thread, which waits for it in between.
-fn relay<T: Send>(
-    pool: &rayon::ThreadPool,
-    callback: &mut Watcher<'_>,
-    work: impl for<'t> FnOnce(&'t mut Callback<'t>) -> T + Send,
-) -> T {
-    let (to_caller, messages) = mpsc::channel::<Progress>();
-    let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
-    let mut tell = move |fraction, iterations, step, stage| {
-        let sent = to_caller.send(Progress {
-            fraction,
-            iterations,
-            step,
-            stage,
-        });
-        // Nobody listens any more: the callback has panicked, so stop.
-        sent.ok()
-            .and_then(|()| answers.recv().ok())
-            .unwrap_or(ControlFlow::Break(()))
-    };
-    std::thread::scope(|scope| {
-        let worker = scope.spawn(move || pool.install(move || work(&mut tell)));
-        for message in messages {
-            if answer.send(callback(&message)).is_err() {
-                break;
-            }
-        }
-        match worker.join() {
-            Ok(result) => result,
-            Err(panic) => std::panic::resume_unwind(panic),
-        }
-    })
 }
 
 /// Checks the ranges.
@@ -397,11 +362,38 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         Solver::Paper(options) => solvers::paper(&problem, &options, progress),
     }
     .map_err(|_| Error::NothingFixed { vertex: 0 })?;
+    let given = Given {
+        positions: request.positions,
+        target: request.target,
+        region: &region,
+        rings: &rings,
+        input: &x,
+        frame: &frame,
+        fallback_weights,
+    };
+    Ok(conclude(&given, faired, seconds, clock))
+}
+
+/// What a result is measured against.
+struct Given<'a> {
+    positions: &'a [[f64; 3]],
+    target: Target,
+    region: &'a Region,
+    rings: &'a Rings,
+    /// The region's positions, in the frame.
+    input: &'a [nalgebra::Vector3<f64>],
+    frame: &'a Frame,
+    fallback_weights: usize,
+}
+
+/// Measures the surface, and takes it back to the host's numbers and units. `clock` has run since the beginning.
+fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Instant) -> Solution {
+    let (region, frame) = (given.region, given.frame);
     let solved = &faired.solved;
     seconds.start = solved.start_seconds;
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
     let surface = Surface {
-        region: &region,
+        region,
         x: &solved.x,
         normals: &faired.state.corrected,
         border_normals: &faired.border_normals,
@@ -411,7 +403,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     for h in quality.h_inside.iter_mut().chain(&mut quality.h_border) {
         *h /= frame.scale;
     }
-    let mut positions = request.positions.to_vec();
+    let mut positions = given.positions.to_vec();
     for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
         positions[v as usize] = frame.leave(p);
     }
@@ -430,7 +422,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
     let gaussian_curvature = inside(&faired.state.k, frame.scale * frame.scale);
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
-    let suspicious_normals = surface.suspicious_normals(&rings, &x);
+    let suspicious_normals = surface.suspicious_normals(given.rings, given.input);
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
     let border_ids = &region.vertex_ids[region.free..];
     let linear_surface = matches!(
@@ -438,7 +430,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         Ending::Failed | Ending::Partly(..) | Ending::Loaded(..)
     );
     let report = Report {
-        target: request.target,
+        target: given.target,
         outcome: match &solved.ending {
             Ending::Converged | Ending::FirstOrder if solved.poor.is_empty() && !suspicious_normals.is_empty() => {
                 Outcome::ConvergedLoosely {
@@ -480,13 +472,13 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         diagonal: diagonal(&solved.x) * frame.scale,
         linear_surface,
         suspicious_normals,
-        fallback_weights: if solved.even { region.free } else { fallback_weights },
+        fallback_weights: if solved.even { region.free } else { given.fallback_weights },
     };
-    Ok(Solution {
+    Solution {
         positions,
         border_normals,
         mean_curvature,
         gaussian_curvature,
         report,
-    })
+    }
 }

@@ -9,6 +9,8 @@
 //!
 //! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
 
+#[cfg(feature = "capi")]
+pub mod capi;
 pub mod discrete;
 pub mod error;
 pub mod fairing;
@@ -25,7 +27,7 @@ pub use discrete::mesh_curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
-    Seconds, Selection, Solution, Solver, Target, Watcher, fair,
+    Seconds, Selection, Session, Solution, Solver, Target, Watcher, fair,
 };
 pub use holes::{
     BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,

@@ -78,6 +78,7 @@ pub fn continuation(
             guard: 3.0,
             watch: false,
             response: true,
+            keep: false,
             stage: "turning the normals",
         };
         let candidate = iterated(system, x.clone(), plan, control);

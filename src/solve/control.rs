@@ -2,8 +2,16 @@
 
 use std::ops::ControlFlow;
 
+use nalgebra::Vector3;
+
+use super::system::System;
+
 /// What a stage tells the caller after an iteration.
 pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
+
+/// What looks at the surface of every iteration, evaluated last, with the number of iterations and the step norm; may
+/// hold the run up, and stop it.
+pub type Watch<'a> = dyn FnMut(&System<'_>, &[Vector3<f64>], usize, f64) -> ControlFlow<()> + 'a;
 
 /// Limits and progress of one run.
 pub struct Control<'a> {
@@ -15,6 +23,8 @@ pub struct Control<'a> {
     pub tolerance: f64,
     /// Set when the callback asked to stop.
     pub cancelled: bool,
+    /// Sees every iteration's surface; none unless set.
+    pub watch: Option<&'a mut Watch<'a>>,
     /// The fraction last reported.
     fraction: f64,
     callback: Option<&'a mut Callback<'a>>,
@@ -28,6 +38,7 @@ impl<'a> Control<'a> {
             max_iterations,
             tolerance,
             cancelled: false,
+            watch: None,
             fraction: 0.0,
             callback,
         }
@@ -43,6 +54,13 @@ impl<'a> Control<'a> {
         self.iterations += 1;
         let digits = (d.max(self.tolerance).log10()) / self.tolerance.log10();
         self.tell(0.3 + 0.69 * digits.clamp(0.0, 1.0), d, stage);
+    }
+
+    /// Shows the surface of the iteration counted last.
+    pub fn show(&mut self, system: &System<'_>, x: &[Vector3<f64>], d: f64) {
+        if let (false, Some(watch)) = (self.cancelled, &mut self.watch) {
+            self.cancelled |= watch(system, x, self.iterations, d).is_break();
+        }
     }
 
     /// Counts an iteration with step norm `d` of a solver that measures its progress itself.

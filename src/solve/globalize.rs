@@ -137,6 +137,29 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
     Ok(solved)
 }
 
+/// Goes on from a surface that solved a problem close to this one, with the matrices that are there. None where that
+/// leads to no sound surface.
+pub fn resume(system: &mut System<'_>, x: &[Vector3<f64>], control: &mut Control<'_>) -> Option<Solved> {
+    let plan = Plan {
+        tolerance: control.tolerance,
+        guard: GUARD,
+        watch: false,
+        response: true,
+        keep: true,
+        stage: "fairing",
+    };
+    let (candidate, ending) = settled(iterated(system, x.to_vec(), plan, control), Ending::Converged);
+    let candidate = candidate.filter(Candidate::is_settled)?;
+    Some(Solved {
+        x: candidate.x,
+        ending,
+        step: candidate.step,
+        poor: candidate.poor,
+        start_seconds: 0.0,
+        even: false,
+    })
+}
+
 fn attempts(
     system: &mut System<'_>,
     linear: &[Vector3<f64>],
@@ -149,6 +172,7 @@ fn attempts(
         guard: GUARD,
         watch: false,
         response: true,
+        keep: false,
         stage: "fairing",
     };
     let mut fallback = Vec::new();
@@ -195,6 +219,7 @@ fn attempts(
             guard: PLAIN_GUARD,
             watch: false,
             response: true,
+            keep: false,
             stage: "plain curvature",
         };
         let plain = with_repair(system, linear.to_vec(), coarse, control);
@@ -284,6 +309,7 @@ fn from_plain(
         guard: GUARD,
         watch: false,
         response: true,
+        keep: false,
         stage: "second order",
     };
     let jumped = iterated(system, plain.x.clone(), jump, control);
@@ -317,6 +343,7 @@ fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Contr
                 guard: GUARD,
                 watch: false,
                 response: true,
+                keep: false,
                 stage: "fairing",
             };
             iterated(system, x, plan, control)

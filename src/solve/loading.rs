@@ -37,6 +37,7 @@ pub fn loading(system: &mut System<'_>, linear: &[Vector3<f64>], control: &mut C
         guard: 10.0,
         watch: false,
         response: true,
+        keep: false,
         stage: "loading",
     };
     system.right_hand_side = RightHandSide::default();

@@ -31,6 +31,7 @@ pub fn pseudo_time(
         system.rebuild(x, true, |i| area[i] * 4.0 / (3.0 * tau * unit))?;
         let d = system.step(&mut step, true).total();
         control.iteration(d, "pseudo-time");
+        control.show(system, x, d);
         if !d.is_finite() {
             return Err(Collapsed);
         }

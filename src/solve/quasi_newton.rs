@@ -51,6 +51,8 @@ pub struct Plan {
     /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
     /// safer.
     pub response: bool,
+    /// Begin with the matrix that is there.
+    pub keep: bool,
     /// What to call it in progress reports.
     pub stage: &'static str,
 }
@@ -81,9 +83,17 @@ pub fn iterate(
     };
     let window = WINDOWS[usize::from(system.free() > LONG_UP_TO)];
     let mut anderson = Anderson::new(3 * system.free(), window);
-    for _ in 0..ROUNDS {
+    for round in 0..ROUNDS {
         best.d = f64::INFINITY;
-        match run(system, x, &plan, &mut anderson, &mut best, control) {
+        let keep = plan.keep && round == 0;
+        match run(
+            system,
+            x,
+            &Plan { keep, ..plan },
+            &mut anderson,
+            &mut best,
+            control,
+        ) {
             Ok(End::Converged) => return (End::Converged, best.d),
             // The mean step is small enough; a few slow vertices do not gain any more.
             Ok(End::Stalled) if best.d <= plan.tolerance => {
@@ -122,14 +132,17 @@ fn run(
     let mut safeguard = true;
     let mut waited = 0;
     anderson.clear();
-    if !plan.response {
+    if plan.keep || !plan.response {
         system.evaluate(x);
     }
-    system.rebuild(x, plan.response, |_| 0.0)?;
+    if !plan.keep {
+        system.rebuild(x, plan.response, |_| 0.0)?;
+    }
     loop {
         let norm = system.step(&mut step, true);
         let d = norm.total();
         control.iteration(d, plan.stage);
+        control.show(system, x, d);
         if !d.is_finite() {
             return Ok(End::Stalled);
         }

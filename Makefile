@@ -1,0 +1,55 @@
+# The C and C++ libraries: make, make install PREFIX=/usr/local [DESTDIR=...]. Linux; needs cargo and binutils.
+
+PREFIX     ?= /usr/local
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+DESTDIR    ?=
+CARGO      ?= cargo
+FEATURES   ?= capi
+OUT        ?= target/release
+
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
+MAJOR   := $(word 1,$(subst ., ,$(VERSION)))
+MINOR   := $(word 2,$(subst ., ,$(VERSION)))
+PRIVATE_LIBS := -lgcc_s -lutil -lrt -lpthread -lm -ldl
+
+# From lib/cmake/fairmesh to the headers.
+INCLUDEDIR_FROM_CMAKE := $(shell realpath -m --relative-to='$(LIBDIR)/cmake/fairmesh' '$(INCLUDEDIR)')
+
+FILL = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|g' \
+	-e 's|@INCLUDEDIR_FROM_CMAKE@|$(INCLUDEDIR_FROM_CMAKE)|g' -e 's|@VERSION@|$(VERSION)|g' \
+	-e 's|@MAJOR@|$(MAJOR)|g' -e 's|@MINOR@|$(MINOR)|g'
+
+.PHONY: all install uninstall
+
+# Full debug information of this crate, for abidiff; what is installed is stripped.
+all:
+	$(CARGO) build --release --locked --lib --no-default-features --features $(FEATURES) \
+		--config 'profile.release.package.fairmesh.debug=2'
+
+# One object of all members, whose only global symbols are those of the header: two Rust libraries in one program do
+# not meet.
+install: all
+	install -d '$(DESTDIR)$(LIBDIR)/pkgconfig' '$(DESTDIR)$(LIBDIR)/cmake/fairmesh' '$(DESTDIR)$(INCLUDEDIR)'
+	install -m 644 include/fairmesh.h include/fairmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'
+	install -m 755 $(OUT)/libfairmesh.so '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
+	objcopy --strip-debug '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
+	ln -sf libfairmesh.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(MAJOR)'
+	ln -sf libfairmesh.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libfairmesh.so'
+	ld -r -o $(OUT)/fairmesh-all.o --whole-archive $(OUT)/libfairmesh.a
+	objcopy --strip-debug --remove-section=.llvmbc --remove-section=.llvmcmd \
+		--wildcard --keep-global-symbol='fairmesh_*' $(OUT)/fairmesh-all.o
+	rm -f '$(DESTDIR)$(LIBDIR)/libfairmesh.a'
+	ar rcs '$(DESTDIR)$(LIBDIR)/libfairmesh.a' $(OUT)/fairmesh-all.o
+	rm $(OUT)/fairmesh-all.o
+	$(FILL) -e 's|@PRIVATE_LIBS@|$(PRIVATE_LIBS)|g' packaging/fairmesh.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/fairmesh.pc'
+	$(FILL) -e 's|@PRIVATE_LIBS@|$(subst -l,,$(subst $() -l,;,$(PRIVATE_LIBS)))|g' packaging/fairmesh-config.cmake.in \
+		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config.cmake'
+	$(FILL) packaging/fairmesh-config-version.cmake.in \
+		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config-version.cmake'
+
+uninstall:
+	rm -f '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.h '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.hpp
+	rm -f '$(DESTDIR)$(LIBDIR)'/libfairmesh.a '$(DESTDIR)$(LIBDIR)'/libfairmesh.so*
+	rm -f '$(DESTDIR)$(LIBDIR)'/pkgconfig/fairmesh.pc
+	rm -rf '$(DESTDIR)$(LIBDIR)'/cmake/fairmesh

@@ -1,0 +1,75 @@
+/* libFuzzer: the bytes are the arrays and the numbers in the structs. Only what the contract asks for is kept: arrays lie
+ * within their memory. */
+#include <fairmesh.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    enum { HEAD = 64, ARRAYS = 1536 };
+    union {
+        double align;
+        uint8_t bytes[ARRAYS];
+    } positions, corners, mask, out;
+    uint8_t head[HEAD];
+    fairmesh_options options;
+    fairmesh_mesh mesh;
+    fairmesh_selection selection;
+    fairmesh_points_out to;
+    fairmesh_error error;
+    fairmesh_status status;
+    size_t k, room, number;
+    memset(head, 0, sizeof head);
+    memcpy(head, data, size < HEAD ? size : HEAD);
+    data += size < HEAD ? size : HEAD;
+    size -= size < HEAD ? size : HEAD;
+    memset(&positions, 0, sizeof positions);
+    memset(&corners, 0, sizeof corners);
+    memset(&mask, 1, sizeof mask);
+    for (k = 0; k < size && k < 3 * ARRAYS; k++) {
+        uint8_t *to_array = k % 3 == 0 ? positions.bytes : k % 3 == 1 ? corners.bytes : mask.bytes;
+        to_array[k / 3] = data[k];
+    }
+    fairmesh_options_init(&options, sizeof options);
+    memset(&mesh, 0, sizeof mesh);
+    memset(&selection, 0, sizeof selection);
+    memset(&to, 0, sizeof to);
+    mesh.struct_size = head[0] & 1 ? sizeof mesh : head[1];
+    mesh.positions.data = positions.bytes + (head[0] & 2 ? head[2] % 16 : 0);
+    mesh.positions.scalar = head[3] % 4;
+    mesh.positions.stride = head[4] % 64;
+    number = mesh.positions.scalar == 2 ? 8 : 4;
+    room = mesh.positions.stride > 3 * number ? mesh.positions.stride : 3 * number;
+    mesh.positions.count = head[5] % ((ARRAYS - 16) / room + 1);
+    mesh.triangles.data = (const uint32_t *)(const void *)(corners.bytes + (head[0] & 4 ? head[6] % 8 : 0));
+    mesh.triangles.stride = head[7] % 32;
+    room = mesh.triangles.stride > 12 ? mesh.triangles.stride : 12;
+    mesh.triangles.count = head[8] % ((ARRAYS - 8) / room + 1);
+    selection.struct_size = sizeof selection;
+    selection.kind = head[9] % 6;
+    selection.data = mask.bytes + (head[0] & 8 ? head[10] % 8 : 0);
+    selection.stride = head[11] % 16;
+    room = selection.stride > 4 ? selection.stride : 4;
+    selection.count = head[12] & 1 ? mesh.positions.count : head[13] % ((ARRAYS - 8) / room + 1);
+    if (selection.count * room > ARRAYS - 8) selection.count = (ARRAYS - 8) / room;
+    to.data = head[0] & 16 ? (void *)(uintptr_t)mesh.positions.data : out.bytes;
+    to.scalar = mesh.positions.scalar;
+    to.stride = mesh.positions.stride;
+    to.count = mesh.positions.count;
+    options.inner_fairness = head[14] % 4;
+    options.normals.kind = head[15] % 3;
+    options.target.kind = head[16] % 4;
+    memcpy(&options.target.constant, head + 24, 8);
+    memcpy(&options.tolerance, head + 32, 8);
+    if (head[17] & 1) options.tolerance = 1e-3;
+    options.normals.vectors = mesh.positions;
+    options.interior_normals = head[18] % 3;
+    options.discretization = head[19] % 3;
+    options.threads = 1;
+    options.max_iterations = head[20] % 8;
+    status = fairmesh_fair(&mesh, head[21] & 1 ? NULL : &selection, &options, &to, NULL, NULL, &error);
+    if (status == FAIRMESH_STATUS_INTERNAL) abort();
+    if (error.status != (int32_t)status) abort();
+    return 0;
+}

@@ -1,0 +1,1837 @@
+/* fairmesh - intrinsic fairing of triangle meshes: Delta_B H = 0 with G1 boundary conditions.
+ * R. Schneider, L. Kobbelt, "Geometric fairing of irregular meshes for free-form surface design", CAGD 18, 2001.
+ *
+ * Arrays are the caller's: read or written during the call, never kept, never freed. Inputs are never written. Outputs
+ * are written last, and only if the status is FAIRMESH_STATUS_OK; the fairmesh_error is written by every call.
+ * A pointer is an error when NULL, unless its description says that it may be.
+ * Any function may be called from any thread at any time. One solver is used by one call at a time, others are answered
+ * FAIRMESH_STATUS_BUSY; a result may be read by any number of threads.
+ * No function lets a panic or an exception escape; callbacks must not throw.
+ * Structs begin with their size, so that programs and libraries of different versions understand each other.
+ *
+ * Made by cbindgen of src/capi: do not edit. */
+
+#ifndef FAIRMESH_H
+#define FAIRMESH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Static builds need nothing; Windows programs that use the DLL define FAIRMESH_DLL. */
+#if defined(_WIN32) && defined(FAIRMESH_DLL)
+#define FAIRMESH_API __declspec(dllimport)
+#else
+#define FAIRMESH_API
+#endif
+
+
+/**
+ * In place of an index: there is none.
+ */
+#define FAIRMESH_NO_ELEMENT UINT64_MAX
+
+/**
+ * Major version of the interface: it changes when something does that programs rely on.
+ */
+#define FAIRMESH_VERSION_MAJOR 0
+
+/**
+ * Minor version: it grows when something is added; while the major version is 0, also when something changes.
+ */
+#define FAIRMESH_VERSION_MINOR 1
+
+/**
+ * Patch version.
+ */
+#define FAIRMESH_VERSION_PATCH 0
+
+/**
+ * Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. Numbers are never
+ * reused. After any status but OK no output was written, except for the `fairmesh_error`.
+ */
+enum fairmesh_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Done.
+     */
+    FAIRMESH_STATUS_OK = 0,
+    /**
+     * A pointer is NULL that may not be. Element: the argument.
+     */
+    FAIRMESH_STATUS_NULL_POINTER = 1,
+    /**
+     * A pointer or a stride does not have the alignment of what it points to. Element: the argument.
+     */
+    FAIRMESH_STATUS_MISALIGNED = 2,
+    /**
+     * `struct_size` is not one that this library knows. Element: the argument.
+     */
+    FAIRMESH_STATUS_BAD_STRUCT_SIZE = 3,
+    /**
+     * A number in the options is out of its range. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_BAD_OPTION = 4,
+    /**
+     * A number is not one of the enumeration that is meant. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_BAD_ENUM = 5,
+    /**
+     * A stride is smaller than what it steps over. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_BAD_STRIDE = 6,
+    /**
+     * A count times its stride exceeds the address space. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_COUNT_OVERFLOW = 7,
+    /**
+     * Two counts differ that have to be the same. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_COUNT_MISMATCH = 8,
+    /**
+     * An output overlaps an input or another output. Only positions may be written over those that were read, with
+     * the same address, stride and scalar. Element: the argument of the output.
+     */
+    FAIRMESH_STATUS_ALIASING = 9,
+    /**
+     * Not a living handle of the kind that is meant: never made, or freed before. Element: the argument.
+     */
+    FAIRMESH_STATUS_BAD_HANDLE = 10,
+    /**
+     * The handle is in use: by another thread, or by the call whose callback this call comes from.
+     */
+    FAIRMESH_STATUS_BUSY = 11,
+    /**
+     * Memory ran out. Everything that the call had allocated is free again; a solver stays usable.
+     */
+    FAIRMESH_STATUS_OUT_OF_MEMORY = 12,
+    /**
+     * The system gave no more threads.
+     */
+    FAIRMESH_STATUS_THREADS = 13,
+    /**
+     * More vertices or triangles than 32-bit indices can name.
+     */
+    FAIRMESH_STATUS_TOO_LARGE = 14,
+    /**
+     * A coordinate that is needed is NaN or infinite (or does not fit a float on its way out). Element: the vertex.
+     */
+    FAIRMESH_STATUS_NOT_FINITE = 15,
+    /**
+     * A triangle names a vertex that does not exist. Element: the triangle; other: the index.
+     */
+    FAIRMESH_STATUS_INDEX_OUT_OF_RANGE = 16,
+    /**
+     * A triangle names a vertex twice. Element: the triangle; other: the vertex.
+     */
+    FAIRMESH_STATUS_REPEATED_INDEX = 17,
+    /**
+     * Two triangles have the same vertices. Element: the later triangle; other: the earlier one.
+     */
+    FAIRMESH_STATUS_DUPLICATE_TRIANGLE = 18,
+    /**
+     * More than two triangles share an edge. Element: the edge.
+     */
+    FAIRMESH_STATUS_NON_MANIFOLD_EDGE = 19,
+    /**
+     * The triangles around a vertex are not one fan. Element: the vertex.
+     */
+    FAIRMESH_STATUS_NON_MANIFOLD_VERTEX = 20,
+    /**
+     * Two triangles run through an edge in the same direction. Element: the edge.
+     */
+    FAIRMESH_STATUS_INCONSISTENT_ORIENTATION = 21,
+    /**
+     * A free vertex is on the border of the mesh. Element: the vertex.
+     */
+    FAIRMESH_STATUS_FREE_VERTEX_ON_BORDER = 22,
+    /**
+     * A free vertex has no triangle. Element: the vertex.
+     */
+    FAIRMESH_STATUS_FREE_VERTEX_WITHOUT_TRIANGLE = 23,
+    /**
+     * A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
+     */
+    FAIRMESH_STATUS_NOTHING_FIXED = 24,
+    /**
+     * No vertex is free.
+     */
+    FAIRMESH_STATUS_EMPTY_REGION = 25,
+    /**
+     * The selection names what does not exist. Element: what it names, a vertex, triangle or loop.
+     */
+    FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE = 26,
+    /**
+     * A normal is not a finite vector of length one (to 0.001). Element: the vertex.
+     */
+    FAIRMESH_STATUS_BAD_NORMAL = 27,
+    /**
+     * No normal can be found for a border vertex: give one. Element: the vertex.
+     */
+    FAIRMESH_STATUS_NO_NORMAL = 28,
+    /**
+     * The result has nothing of this kind, or nothing with this index.
+     */
+    FAIRMESH_STATUS_NOT_AVAILABLE = 29,
+    /**
+     * The buffer is too small; the size needed has been told.
+     */
+    FAIRMESH_STATUS_BUFFER_TOO_SMALL = 30,
+    /**
+     * A number is not what this version asks for: reserved fields have to be zero. Element: the argument and the field.
+     */
+    FAIRMESH_STATUS_BAD_RESERVED = 31,
+    /**
+     * A bug of fairmesh, caught. The handle, if there was one, answers INTERNAL from now on; free it.
+     */
+    FAIRMESH_STATUS_INTERNAL = 99,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_status fairmesh_status;
+#else
+typedef int32_t fairmesh_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The kind of numbers in an array.
+ */
+enum fairmesh_scalar
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * `float`.
+     */
+    FAIRMESH_SCALAR_FLOAT32 = 1,
+    /**
+     * `double`.
+     */
+    FAIRMESH_SCALAR_FLOAT64 = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_scalar fairmesh_scalar;
+#else
+typedef uint32_t fairmesh_scalar;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What `fairmesh_selection` holds.
+ */
+enum fairmesh_selection_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Nothing: free are all vertices that are not on the border of the mesh. `data` is NULL, `count` and `stride` 0.
+     */
+    FAIRMESH_SELECTION_KIND_INTERIOR = 0,
+    /**
+     * `uint8_t`, one per vertex: not zero is free.
+     */
+    FAIRMESH_SELECTION_KIND_FREE_MASK = 1,
+    /**
+     * `uint8_t`, one per vertex: not zero is fixed.
+     */
+    FAIRMESH_SELECTION_KIND_FIXED_MASK = 2,
+    /**
+     * `uint32_t`: the free vertices, in any order.
+     */
+    FAIRMESH_SELECTION_KIND_FREE_VERTICES = 3,
+    /**
+     * `uint32_t`: triangles. Free are the vertices that have no other triangles and are not on the border of the mesh.
+     */
+    FAIRMESH_SELECTION_KIND_FACES = 4,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_selection_kind fairmesh_selection_kind;
+#else
+typedef uint32_t fairmesh_selection_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Where the normals at the border of the region come from.
+ */
+enum fairmesh_normals_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Fitted to second order to the surface outside the region; where there is no outside, the region's average.
+     */
+    FAIRMESH_NORMALS_KIND_FITTED = 0,
+    /**
+     * The average of the triangles outside the region.
+     */
+    FAIRMESH_NORMALS_KIND_AVERAGED = 1,
+    /**
+     * Given, for some or all border vertices; fitted for the others.
+     */
+    FAIRMESH_NORMALS_KIND_GIVEN = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_normals_kind fairmesh_normals_kind;
+#else
+typedef uint32_t fairmesh_normals_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Normals of fixed vertices inside the region that have none given.
+ */
+enum fairmesh_interior_normals
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Those of the surface itself: it passes the vertices smoothly.
+     */
+    FAIRMESH_INTERIOR_NORMALS_SMOOTH = 0,
+    /**
+     * The average of their triangles in the input.
+     */
+    FAIRMESH_INTERIOR_NORMALS_INPUT = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_interior_normals fairmesh_interior_normals;
+#else
+typedef uint32_t fairmesh_interior_normals;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What the Laplacian of the mean curvature H has to be.
+ */
+enum fairmesh_target_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Zero: spheres, cylinders and all surfaces of constant mean curvature are kept.
+     */
+    FAIRMESH_TARGET_KIND_HARMONIC = 0,
+    /**
+     * The constant, in 1 / length^3: a positive one pushes the surface out along its normals.
+     */
+    FAIRMESH_TARGET_KIND_CONSTANT = 1,
+    /**
+     * -2 H (H^2 - K): minimal total curvature.
+     */
+    FAIRMESH_TARGET_KIND_MINIMAL_ENERGY = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_target_kind fairmesh_target_kind;
+#else
+typedef uint32_t fairmesh_target_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How vertices are distributed within the surface.
+ */
+enum fairmesh_inner_fairness
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Equal weights: a regular distribution.
+     */
+    FAIRMESH_INNER_FAIRNESS_UNIFORM = 0,
+    /**
+     * Cotangents of the input: least distortion of the input's triangles.
+     */
+    FAIRMESH_INNER_FAIRNESS_CONFORMAL = 1,
+    /**
+     * Mean-value weights of the input: near conformal, and positive for any input.
+     */
+    FAIRMESH_INNER_FAIRNESS_CONVEX = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_inner_fairness fairmesh_inner_fairness;
+#else
+typedef uint32_t fairmesh_inner_fairness;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How normals and mean curvature are discretized.
+ */
+enum fairmesh_discretization
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Second order on irregular meshes.
+     */
+    FAIRMESH_DISCRETIZATION_SECOND_ORDER = 0,
+    /**
+     * That of Schneider and Kobbelt (2001).
+     */
+    FAIRMESH_DISCRETIZATION_PAPER = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_discretization fairmesh_discretization;
+#else
+typedef uint32_t fairmesh_discretization;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How the equations are solved.
+ */
+enum fairmesh_solver_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Quasi-Newton steps on both equations together.
+     */
+    FAIRMESH_SOLVER_KIND_FAST = 0,
+    /**
+     * The scheme of Schneider and Kobbelt (2001): slow, a yardstick. Not for `fairmesh_solver_new`.
+     */
+    FAIRMESH_SOLVER_KIND_PAPER = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_solver_kind fairmesh_solver_kind;
+#else
+typedef uint32_t fairmesh_solver_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How the paper's scheme estimates the mean curvature before the vertices are updated.
+ */
+enum fairmesh_estimate
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * By turns one Gauss-Seidel iteration and some of conjugate gradients.
+     */
+    FAIRMESH_ESTIMATE_ALTERNATING = 0,
+    /**
+     * Gauss-Seidel.
+     */
+    FAIRMESH_ESTIMATE_GAUSS_SEIDEL = 1,
+    /**
+     * Conjugate gradients.
+     */
+    FAIRMESH_ESTIMATE_CONJUGATE_GRADIENTS = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_estimate fairmesh_estimate;
+#else
+typedef uint32_t fairmesh_estimate;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How a run ended that did what it was asked. Numbers are never reused. The positions are usable in every case.
+ */
+enum fairmesh_outcome
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Tolerance met, and the surface is sound: the only case without reservation.
+     */
+    FAIRMESH_OUTCOME_CONVERGED = 0,
+    /**
+     * Tolerance met, but triangles are flipped or have an angle below one degree (list POOR_TRIANGLES).
+     */
+    FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES = 1,
+    /**
+     * A sound surface with a reservation, told in `reason`.
+     */
+    FAIRMESH_OUTCOME_CONVERGED_LOOSELY = 2,
+    /**
+     * No surface with these border normals was found; the surface of the linear problem is returned. `reached` of the
+     * way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
+     */
+    FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE = 3,
+    /**
+     * A surface was found for the part `reached` of the target only; that of the linear problem is returned.
+     */
+    FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE = 4,
+    /**
+     * No sound surface was found; that of the linear problem is returned.
+     */
+    FAIRMESH_OUTCOME_NOT_CONVERGED = 5,
+    /**
+     * The iterations ran out; the best surface so far is returned.
+     */
+    FAIRMESH_OUTCOME_ITERATION_LIMIT = 6,
+    /**
+     * The callback stopped the run; the best surface so far is returned.
+     */
+    FAIRMESH_OUTCOME_CANCELLED = 7,
+    /**
+     * An outcome that this version of the header does not know.
+     */
+    FAIRMESH_OUTCOME_OTHER = 255,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_outcome fairmesh_outcome;
+#else
+typedef uint32_t fairmesh_outcome;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What kind of gap a border loop is.
+ */
+enum fairmesh_loop_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A gap in the surface.
+     */
+    FAIRMESH_LOOP_KIND_HOLE = 0,
+    /**
+     * The outline of an open surface. Filled only if it is named.
+     */
+    FAIRMESH_LOOP_KIND_OUTER_BORDER = 1,
+    /**
+     * It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
+     */
+    FAIRMESH_LOOP_KIND_NON_MANIFOLD = 2,
+    /**
+     * A kind that this version of the header does not know.
+     */
+    FAIRMESH_LOOP_KIND_OTHER = 255,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_loop_kind fairmesh_loop_kind;
+#else
+typedef uint32_t fairmesh_loop_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How the filling of a loop ended. Numbers are never reused.
+ */
+enum fairmesh_fill_outcome
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Filled with a faired surface; its report says with which reservations.
+     */
+    FAIRMESH_FILL_OUTCOME_FAIRED = 0,
+    /**
+     * Filled with the surface of the linear problem, or the best one when the iterations ran out.
+     */
+    FAIRMESH_FILL_OUTCOME_LINEAR = 1,
+    /**
+     * Filled with the triangulation, refined, but not faired; `reason` says why.
+     */
+    FAIRMESH_FILL_OUTCOME_FLAT = 2,
+    /**
+     * Left as it was; `reason` says why.
+     */
+    FAIRMESH_FILL_OUTCOME_LEFT_OPEN = 3,
+    /**
+     * An outcome that this version of the header does not know.
+     */
+    FAIRMESH_FILL_OUTCOME_OTHER = 255,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_fill_outcome fairmesh_fill_outcome;
+#else
+typedef uint32_t fairmesh_fill_outcome;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Why a patch is flat or a loop open. Numbers are never reused.
+ */
+enum fairmesh_fill_reason
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * There is nothing to say.
+     */
+    FAIRMESH_FILL_REASON_NONE = 0,
+    /**
+     * Open: the loop runs into a bad edge.
+     */
+    FAIRMESH_FILL_REASON_NON_MANIFOLD = 1,
+    /**
+     * Open: the loop encloses the mesh and was not named.
+     */
+    FAIRMESH_FILL_REASON_OUTER_BORDER = 2,
+    /**
+     * Open: the loop has more than `max_edges`.
+     */
+    FAIRMESH_FILL_REASON_TOO_MANY_EDGES = 3,
+    /**
+     * Open: every triangulation has an edge or triangle that the mesh has already.
+     */
+    FAIRMESH_FILL_REASON_NO_TRIANGULATION = 4,
+    /**
+     * Open: a vertex is NaN or infinite, or all are the same point.
+     */
+    FAIRMESH_FILL_REASON_NOT_FINITE = 5,
+    /**
+     * Open: the callback stopped the run before.
+     */
+    FAIRMESH_FILL_REASON_CANCELLED = 6,
+    /**
+     * Flat: `fair` was 0.
+     */
+    FAIRMESH_FILL_REASON_NOT_ASKED = 32,
+    /**
+     * Flat: the patch has no inner vertex.
+     */
+    FAIRMESH_FILL_REASON_NO_INNER_VERTEX = 33,
+    /**
+     * Flat: the fairing was refused with `refused_status`.
+     */
+    FAIRMESH_FILL_REASON_REFUSED = 34,
+    /**
+     * Flat: the fairing found no sound surface; the report says how.
+     */
+    FAIRMESH_FILL_REASON_UNSOUND = 35,
+    /**
+     * A reason that this version of the header does not know.
+     */
+    FAIRMESH_FILL_REASON_OTHER = 255,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_fill_reason fairmesh_fill_reason;
+#else
+typedef uint32_t fairmesh_fill_reason;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What a result is of.
+ */
+enum fairmesh_result_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A faired mesh.
+     */
+    FAIRMESH_RESULT_KIND_FAIRED = 0,
+    /**
+     * Border loops.
+     */
+    FAIRMESH_RESULT_KIND_LOOPS = 1,
+    /**
+     * A mesh with filled holes.
+     */
+    FAIRMESH_RESULT_KIND_FILLED = 2,
+    /**
+     * A mesh with a new triangulation of a region.
+     */
+    FAIRMESH_RESULT_KIND_REMESHED = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_result_kind fairmesh_result_kind;
+#else
+typedef uint32_t fairmesh_result_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
+ */
+enum fairmesh_list
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Triangles that are flipped or have an angle below one degree, where the outcome is about them.
+     */
+    FAIRMESH_LIST_POOR_TRIANGLES = 0,
+    /**
+     * Triangles whose normal points away from those of their vertices.
+     */
+    FAIRMESH_LIST_FLIPPED_TRIANGLES = 1,
+    /**
+     * Triangles with an angle below one degree.
+     */
+    FAIRMESH_LIST_NEEDLES = 2,
+    /**
+     * Border vertices whose normal contradicts the surface or its neighbours'.
+     */
+    FAIRMESH_LIST_SUSPICIOUS_NORMALS = 3,
+    /**
+     * Border vertices whose normals stood farthest away, worst first.
+     */
+    FAIRMESH_LIST_UNREACHED_VERTICES = 4,
+    /**
+     * Faired meshes: the border vertices, ascending.
+     */
+    FAIRMESH_LIST_BORDER_VERTICES = 16,
+    /**
+     * Loops: the vertices in the direction of triangles that fill it.
+     */
+    FAIRMESH_LIST_LOOP_VERTICES = 32,
+    /**
+     * Loops: vertices that belong to another loop, too.
+     */
+    FAIRMESH_LIST_LOOP_TOUCHING = 33,
+    /**
+     * Filled meshes: new vertices of the loop far outside its bounding box.
+     */
+    FAIRMESH_LIST_OUTSIDE_VERTICES = 48,
+    /**
+     * Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+     */
+    FAIRMESH_LIST_PARENTS = 49,
+    /**
+     * Remeshed meshes: the free vertices.
+     */
+    FAIRMESH_LIST_FREE_VERTICES = 64,
+    /**
+     * Remeshed meshes: per vertex that is left its number before.
+     */
+    FAIRMESH_LIST_KEPT_VERTICES = 65,
+    /**
+     * Remeshed meshes: per triangle that is left its number before.
+     */
+    FAIRMESH_LIST_KEPT_TRIANGLES = 66,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_list fairmesh_list;
+#else
+typedef uint32_t fairmesh_list;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Vectors in a result.
+ */
+enum fairmesh_vectors
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Faired meshes: the unit normals that were used at the border, in the order of the list BORDER_VERTICES.
+     */
+    FAIRMESH_VECTORS_BORDER_NORMALS = 0,
+    /**
+     * Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+     */
+    FAIRMESH_VECTORS_PARENT_WEIGHTS = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_vectors fairmesh_vectors;
+#else
+typedef uint32_t fairmesh_vectors;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Numbers per vertex in a result.
+ */
+enum fairmesh_scalars
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Mean curvature, in 1 / length: negative on a sphere with outward normals. NaN where no vertex is free.
+     */
+    FAIRMESH_SCALARS_MEAN_CURVATURE = 0,
+    /**
+     * Gaussian curvature, in 1 / length^2. NaN where no vertex is free.
+     */
+    FAIRMESH_SCALARS_GAUSSIAN_CURVATURE = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_scalars fairmesh_scalars;
+#else
+typedef uint32_t fairmesh_scalars;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What `element` of a `fairmesh_error` counts.
+ */
+enum fairmesh_element
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Nothing.
+     */
+    FAIRMESH_ELEMENT_NONE = 0,
+    /**
+     * A vertex of the mesh given.
+     */
+    FAIRMESH_ELEMENT_VERTEX = 1,
+    /**
+     * A triangle of the mesh given.
+     */
+    FAIRMESH_ELEMENT_TRIANGLE = 2,
+    /**
+     * An edge: `element` and `other` are its vertices, the smaller first.
+     */
+    FAIRMESH_ELEMENT_EDGE = 3,
+    /**
+     * An argument of the function, counted from 1; `other` is the offset of the field in the struct that it points
+     * to, or FAIRMESH_NO_ELEMENT for the argument itself.
+     */
+    FAIRMESH_ELEMENT_ARGUMENT = 4,
+    /**
+     * A border loop.
+     */
+    FAIRMESH_ELEMENT_LOOP = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_element fairmesh_element;
+#else
+typedef uint32_t fairmesh_element;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Something that was computed. It never changes, and any number of threads may read it at once.
+ */
+typedef struct fairmesh_result fairmesh_result;
+
+/**
+ * A fairing in steps. One thread at a time; a second one is answered BUSY.
+ */
+typedef struct fairmesh_solver fairmesh_solver;
+
+/**
+ * Points or vectors to be read: x, y, z, three numbers side by side at every `stride` bytes.
+ */
+typedef struct fairmesh_points {
+    /**
+     * The first x, aligned as its type. May be NULL only if `count` is 0.
+     */
+    const void *data;
+    /**
+     * How many points.
+     */
+    size_t count;
+    /**
+     * Bytes from one point to the next, a multiple of the number's size; 0: three numbers, nothing between.
+     */
+    size_t stride;
+    /**
+     * A `fairmesh_scalar`.
+     */
+    uint32_t scalar;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} fairmesh_points;
+
+/**
+ * Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant.
+ */
+typedef struct fairmesh_indices {
+    /**
+     * The first index. May be NULL only if `count` is 0.
+     */
+    const uint32_t *data;
+    /**
+     * How many indices, or triangles.
+     */
+    size_t count;
+    /**
+     * Bytes from one index, or triangle, to the next, a multiple of 4; 0: nothing between.
+     */
+    size_t stride;
+} fairmesh_indices;
+
+/**
+ * Unit normals at the border vertices. All zero: fitted.
+ */
+typedef struct fairmesh_normals {
+    /**
+     * A `fairmesh_normals_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Given normals: unit vectors, pointing to the side that triangles are counter-clockwise seen from.
+     */
+    struct fairmesh_points vectors;
+    /**
+     * The vertex of each vector. NULL (with count 0): there is one vector per vertex of the mesh, and 0 0 0 says that
+     * none is given. Vectors at vertices that are not on the border are ignored.
+     */
+    struct fairmesh_indices vertices;
+} fairmesh_normals;
+
+/**
+ * The right-hand side of the equation. All zero: harmonic.
+ */
+typedef struct fairmesh_target {
+    /**
+     * A `fairmesh_target_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Of `FAIRMESH_TARGET_KIND_CONSTANT`; otherwise not read. Finite.
+     */
+    double constant;
+} fairmesh_target;
+
+/**
+ * How far a run is.
+ */
+typedef struct fairmesh_progress {
+    /**
+     * `sizeof(fairmesh_progress)` of the library: what is behind it does not exist.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Between 0 and 1, never falling.
+     */
+    double fraction;
+    /**
+     * Nonlinear iterations so far.
+     */
+    uint64_t iterations;
+    /**
+     * The last step norm, in diagonals of the region; NaN before the first iteration.
+     */
+    double step;
+    /**
+     * What is being done, in a word or two; English. Valid during the callback.
+     */
+    const char *stage;
+} fairmesh_progress;
+
+/**
+ * Called after every iteration, on the thread that made the call. 0 goes on, anything else stops. It may not throw or
+ * `longjmp`. It may use other handles; its own solver answers BUSY.
+ */
+typedef int32_t (*fairmesh_progress_fn)(const struct fairmesh_progress *progress, void *user_data);
+
+/**
+ * What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
+ */
+typedef struct fairmesh_options {
+    /**
+     * `sizeof(fairmesh_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_inner_fairness`. Default: uniform.
+     */
+    uint32_t inner_fairness;
+    /**
+     * Border normals. Default: fitted.
+     */
+    struct fairmesh_normals normals;
+    /**
+     * What Delta_B H has to be. Default: 0.
+     */
+    struct fairmesh_target target;
+    /**
+     * A `fairmesh_interior_normals`. Default: smooth.
+     */
+    uint32_t interior_normals;
+    /**
+     * A `fairmesh_discretization`. Default: second order.
+     */
+    uint32_t discretization;
+    /**
+     * A `fairmesh_solver_kind`. Default: fast.
+     */
+    uint32_t solver;
+    /**
+     * Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
+     */
+    uint32_t threads;
+    /**
+     * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's bounding
+     * box) is below this. Default 1e-8; 1e-6 is enough for interactive use. Greater than 0, less than 1.
+     */
+    double tolerance;
+    /**
+     * At most this many nonlinear iterations. Default 500. At least 1.
+     */
+    uint64_t max_iterations;
+    /**
+     * Told of the progress; may be NULL, the default.
+     */
+    fairmesh_progress_fn progress;
+    /**
+     * Handed to `progress`.
+     */
+    void *user_data;
+    /**
+     * A `fairmesh_estimate`. This and what follows: for `FAIRMESH_SOLVER_KIND_PAPER` only. Default: alternating.
+     */
+    uint32_t paper_estimate;
+    /**
+     * Iterations of the estimate. Default 10. At least 1.
+     */
+    uint32_t paper_estimate_iterations;
+    /**
+     * The part of each normal step that is taken. Default 0.9. Greater than 0, at most 1.
+     */
+    double paper_damping;
+    /**
+     * Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
+     */
+    uint64_t paper_levels;
+    /**
+     * Vertices of the base mesh; 0 (default): two and a half times the border.
+     */
+    uint64_t paper_base;
+    /**
+     * Stop when `defect` of the report is at most this. Default 1e-6. Greater than 0.
+     */
+    double paper_defect;
+    /**
+     * And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite. Greater than 0.
+     */
+    double paper_laplacian;
+    /**
+     * At most this many updates on all levels. Default 20000. At least 1.
+     */
+    uint64_t paper_max_updates;
+} fairmesh_options;
+
+/**
+ * What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
+ */
+typedef struct fairmesh_fill_options {
+    /**
+     * `sizeof(fairmesh_fill_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0 (default): patches are faired.
+     */
+    uint32_t fair;
+    /**
+     * Holes of more edges stay open. Default: UINT64_MAX.
+     */
+    uint64_t max_edges;
+    /**
+     * These loops only, as `fairmesh_border_loops` numbers them, outer borders included; NULL with count 0 (default): all
+     * holes. With a count, `max_edges` is not read.
+     */
+    struct fairmesh_indices loops;
+    /**
+     * How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the rim; at
+     * twice that, half as long. Between 0.1 and 10.
+     */
+    double density;
+    /**
+     * At most this many new vertices. Default 200000.
+     */
+    uint64_t max_new_vertices;
+} fairmesh_fill_options;
+
+/**
+ * What remeshing does. Fill it by `fairmesh_remesh_options_init`.
+ */
+typedef struct fairmesh_remesh_options {
+    /**
+     * `sizeof(fairmesh_remesh_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * As in `fairmesh_fill_options`: at the default, edges are as long as those beside the region.
+     */
+    double density;
+    /**
+     * At most this many vertices inside the region. Default 200000.
+     */
+    uint64_t max_vertices;
+} fairmesh_remesh_options;
+
+/**
+ * A triangle mesh. Set `struct_size` and the two arrays, all else to zero.
+ */
+typedef struct fairmesh_mesh {
+    /**
+     * `sizeof(fairmesh_mesh)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The vertices, in any unit of length.
+     */
+    struct fairmesh_points positions;
+    /**
+     * The triangles, counter-clockwise seen from the side that normals point to. Indices count from 0.
+     */
+    struct fairmesh_indices triangles;
+} fairmesh_mesh;
+
+/**
+ * Which vertices may move. All others stay, to the last bit.
+ */
+typedef struct fairmesh_selection {
+    /**
+     * `sizeof(fairmesh_selection)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_selection_kind`.
+     */
+    uint32_t kind;
+    /**
+     * The first entry, of the type that the kind says.
+     */
+    const void *data;
+    /**
+     * How many entries. Of a mask as many as vertices.
+     */
+    size_t count;
+    /**
+     * Bytes from one entry to the next; 0: nothing between.
+     */
+    size_t stride;
+} fairmesh_selection;
+
+/**
+ * Points or vectors to be written, as `fairmesh_points`. What lies between them is not touched.
+ */
+typedef struct fairmesh_points_out {
+    /**
+     * The first x, aligned as its type. May be NULL only if `count` is 0.
+     */
+    void *data;
+    /**
+     * How many points there is room for.
+     */
+    size_t count;
+    /**
+     * Bytes from one point to the next, a multiple of the number's size; 0: three numbers, nothing between.
+     */
+    size_t stride;
+    /**
+     * A `fairmesh_scalar`.
+     */
+    uint32_t scalar;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} fairmesh_points_out;
+
+/**
+ * How it went. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_report {
+    /**
+     * `sizeof(fairmesh_report)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_outcome`.
+     */
+    uint32_t outcome;
+    /**
+     * Nonlinear iterations.
+     */
+    uint64_t iterations;
+    /**
+     * Defect of the equation: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
+     */
+    double defect;
+    /**
+     * The last step norm, in diagonals; NaN if there was none.
+     */
+    double step;
+    /**
+     * The diagonal of the region's bounding box, in the unit of the positions.
+     */
+    double diagonal;
+    /**
+     * How much of the border normals or the target was reached, 0 to 1; 1 where all of it.
+     */
+    double reached;
+    /**
+     * Free vertices.
+     */
+    uint64_t free_vertices;
+    /**
+     * Not 0: the surface is that of the linear problem.
+     */
+    uint32_t linear_surface;
+    /**
+     * Levels of the paper's scheme; 0 for the fast solver.
+     */
+    uint32_t level_count;
+    /**
+     * Free vertices that took fallback weights of inner fairness.
+     */
+    uint64_t fallback_weights;
+    /**
+     * Sizes of the lists POOR_TRIANGLES, FLIPPED_TRIANGLES, NEEDLES, SUSPICIOUS_NORMALS, UNREACHED_VERTICES.
+     */
+    uint64_t poor_triangle_count;
+    /**
+     * See above.
+     */
+    uint64_t flipped_count;
+    /**
+     * See above.
+     */
+    uint64_t needle_count;
+    /**
+     * See above.
+     */
+    uint64_t suspicious_normal_count;
+    /**
+     * See above.
+     */
+    uint64_t unreached_vertex_count;
+    /**
+     * The smallest angle of a triangle of the region, in degrees, and the triangle.
+     */
+    double worst_angle;
+    /**
+     * See above.
+     */
+    uint64_t worst_triangle;
+    /**
+     * The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
+     */
+    double h_inside[2];
+    /**
+     * The same at border vertices.
+     */
+    double h_border[2];
+    /**
+     * The largest angle, in degrees, between a border normal and the triangles of the region there, and the vertex.
+     */
+    double normal_deviation;
+    /**
+     * See above.
+     */
+    uint64_t normal_deviation_vertex;
+    /**
+     * The root mean square of those angles.
+     */
+    double normal_deviation_rms;
+    /**
+     * Wall seconds: half-edges and normals.
+     */
+    double seconds_setup;
+    /**
+     * The start surface.
+     */
+    double seconds_start;
+    /**
+     * The iterations.
+     */
+    double seconds_iterate;
+    /**
+     * The figures.
+     */
+    double seconds_quality;
+    /**
+     * All of it.
+     */
+    double seconds_total;
+    /**
+     * What `FAIRMESH_OUTCOME_CONVERGED_LOOSELY` is about; otherwise empty. English, UTF-8.
+     */
+    char reason[160];
+} fairmesh_report;
+
+/**
+ * What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
+ * overlaps something else), with
+ * status OK, NO_ELEMENT and an empty message when it succeeds.
+ */
+typedef struct fairmesh_error {
+    /**
+     * The status that the call returned.
+     */
+    int32_t status;
+    /**
+     * A `fairmesh_element`: what the next two numbers count.
+     */
+    uint32_t element_kind;
+    /**
+     * The offending element, or FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t element;
+    /**
+     * A second one where the status says so, or FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t other;
+    /**
+     * A sentence in English, ending with a NUL; UTF-8.
+     */
+    char message[232];
+} fairmesh_error;
+
+/**
+ * One number per vertex to be written.
+ */
+typedef struct fairmesh_scalars_out {
+    /**
+     * The first number, aligned as its type. May be NULL only if `count` is 0.
+     */
+    void *data;
+    /**
+     * How many numbers there is room for.
+     */
+    size_t count;
+    /**
+     * Bytes from one number to the next, a multiple of the number's size; 0: nothing between.
+     */
+    size_t stride;
+    /**
+     * A `fairmesh_scalar`.
+     */
+    uint32_t scalar;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} fairmesh_scalars_out;
+
+/**
+ * The sizes of a result. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_info {
+    /**
+     * `sizeof(fairmesh_result_info)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_result_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Vertices of the mesh; 0 for loops.
+     */
+    uint64_t vertex_count;
+    /**
+     * Triangles of the mesh; 0 for loops, and where they are those given.
+     */
+    uint64_t triangle_count;
+    /**
+     * The last so many of the vertices are new.
+     */
+    uint64_t new_vertex_count;
+    /**
+     * The last so many of the triangles are new.
+     */
+    uint64_t new_triangle_count;
+    /**
+     * Loops found, or filled.
+     */
+    uint64_t loop_count;
+    /**
+     * Border vertices with their normals, see FAIRMESH_VECTORS_BORDER_NORMALS.
+     */
+    uint64_t border_vertex_count;
+} fairmesh_info;
+
+/**
+ * What was done on one level of the paper's scheme. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_level {
+    /**
+     * `sizeof(fairmesh_level)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Vertices of the region: free and border.
+     */
+    uint64_t vertices;
+    /**
+     * Triangles of the region.
+     */
+    uint64_t triangles;
+    /**
+     * Updates of the mesh.
+     */
+    uint64_t updates;
+    /**
+     * The defect at the end.
+     */
+    double defect;
+} fairmesh_level;
+
+/**
+ * A border loop. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_loop {
+    /**
+     * `sizeof(fairmesh_loop)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_loop_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Size of the list LOOP_VERTICES.
+     */
+    uint64_t vertex_count;
+    /**
+     * Size of the list LOOP_TOUCHING.
+     */
+    uint64_t touching_count;
+    /**
+     * The sum of the edge lengths.
+     */
+    double length;
+    /**
+     * The length of the vector area.
+     */
+    double area;
+    /**
+     * The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90 for
+     * the end of a tube, 180 for the outline of a plane sheet.
+     */
+    double turn;
+    /**
+     * The bad edge of a non-manifold loop, otherwise UINT32_MAX.
+     */
+    uint32_t edge_a;
+    /**
+     * Its other end.
+     */
+    uint32_t edge_b;
+} fairmesh_loop;
+
+/**
+ * What became of a loop. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_fill_report {
+    /**
+     * `sizeof(fairmesh_fill_report)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_fill_outcome`.
+     */
+    uint32_t outcome;
+    /**
+     * A `fairmesh_fill_reason`.
+     */
+    uint32_t reason;
+    /**
+     * The `fairmesh_status` that the fairing was refused with, or OK.
+     */
+    int32_t refused_status;
+    /**
+     * The loop, as `fairmesh_border_loops` numbers it.
+     */
+    uint64_t loop_index;
+    /**
+     * Its edges.
+     */
+    uint64_t edge_count;
+    /**
+     * The first new vertex, and how many. Indices of the filled mesh.
+     */
+    uint64_t first_vertex;
+    /**
+     * See above.
+     */
+    uint64_t vertex_count;
+    /**
+     * The first new triangle, and how many.
+     */
+    uint64_t first_triangle;
+    /**
+     * See above.
+     */
+    uint64_t triangle_count;
+    /**
+     * The smallest angle of the new triangles, in degrees.
+     */
+    double worst_angle;
+    /**
+     * New vertices that lie far outside the loop's bounding box: size of the list OUTSIDE_VERTICES.
+     */
+    uint64_t outside_count;
+    /**
+     * Not 0: `max_new_vertices` made the patch coarser.
+     */
+    uint32_t coarsened;
+    /**
+     * Not 0: there is a report of the fairing, see `fairmesh_result_report`.
+     */
+    uint32_t has_report;
+    /**
+     * Wall seconds.
+     */
+    double seconds;
+} fairmesh_fill_report;
+
+/**
+ * Triangles to be written: three indices at every `stride` bytes.
+ */
+typedef struct fairmesh_indices_out {
+    /**
+     * The first index. May be NULL only if `count` is 0.
+     */
+    uint32_t *data;
+    /**
+     * How many triangles there is room for.
+     */
+    size_t count;
+    /**
+     * Bytes from one triangle to the next, a multiple of 4; 0: nothing between.
+     */
+    size_t stride;
+} fairmesh_indices_out;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The version of the library that runs: 65536 major + 256 minor + patch. Compare it with `FAIRMESH_VERSION_MAJOR` and so on,
+ * which are those of the header.
+ */
+FAIRMESH_API
+uint32_t fairmesh_version(void);
+
+/**
+ * The same as text, such as "0.1.0". Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_version_string(void);
+
+/**
+ * The name of a `fairmesh_status`, in English; of any number. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_status_name(int32_t status);
+
+/**
+ * The name of a `fairmesh_outcome`, such as "converged"; of any number. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_outcome_name(uint32_t outcome);
+
+/**
+ * Fills options with the defaults. `struct_size` is `sizeof(fairmesh_options)`.
+ */
+FAIRMESH_API fairmesh_status fairmesh_options_init(struct fairmesh_options *options, size_t struct_size);
+
+/**
+ * Fills options of hole filling with the defaults. `struct_size` is `sizeof(fairmesh_fill_options)`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_fill_options_init(struct fairmesh_fill_options *options,
+                                           size_t struct_size);
+
+/**
+ * Fills options of remeshing with the defaults. `struct_size` is `sizeof(fairmesh_remesh_options)`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_remesh_options_init(struct fairmesh_remesh_options *options,
+                                             size_t struct_size);
+
+/**
+ * Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
+ * fixed vertices, with tangent continuity there.
+ *
+ * `selection` may be NULL: all vertices that are not on the border of the mesh are free. `options` may be NULL: the
+ * defaults. `positions_out` gets all vertices, as many as the mesh has; it may be the mesh's own positions (same address,
+ * stride and scalar), then only free vertices are written. `report` may be NULL. `result`, which may be NULL, gets a handle with
+ * everything else that was found; free it. `positions_out` may be NULL.
+ *
+ * The outcome in the report says how it ended; the positions are usable in every case.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_fair(const struct fairmesh_mesh *mesh,
+                              const struct fairmesh_selection *selection,
+                              const struct fairmesh_options *options,
+                              const struct fairmesh_points_out *positions_out,
+                              struct fairmesh_report *report,
+                              struct fairmesh_result **result,
+                              struct fairmesh_error *error);
+
+/**
+ * Mean curvature at every vertex of a mesh, in 1 / length; negative on a sphere with outward normals. `out` gets as many numbers
+ * as there are vertices, NaN at vertices without triangles. The mesh need not be a manifold.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_mean_curvature(const struct fairmesh_mesh *mesh,
+                                        const struct fairmesh_scalars_out *out,
+                                        struct fairmesh_error *error);
+
+/**
+ * Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in
+ * `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
+ * find what `fairmesh_fair` finds, to the last bit. `solver` gets a handle; free it by `fairmesh_solver_free`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_new(const struct fairmesh_mesh *mesh,
+                                    const struct fairmesh_selection *selection,
+                                    const struct fairmesh_options *options,
+                                    struct fairmesh_solver **solver,
+                                    struct fairmesh_error *error);
+
+/**
+ * Runs at most `iterations` nonlinear iterations (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
+ * CANCELLED says that a further run goes on from here; after any other one the end is reached, and a further run
+ * does nothing until something is changed. `report` may be NULL. On OUT_OF_MEMORY the solver has stopped early; it can go on.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_run(struct fairmesh_solver *solver,
+                                    uint64_t iterations,
+                                    struct fairmesh_report *report,
+                                    struct fairmesh_error *error);
+
+/**
+ * Asks for other border normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_set_normals(struct fairmesh_solver *solver,
+                                            const struct fairmesh_normals *normals,
+                                            struct fairmesh_error *error);
+
+/**
+ * Asks for another target from now on. The next run starts at the surface at hand, with the matrices at hand.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_set_target(struct fairmesh_solver *solver,
+                                           const struct fairmesh_target *new_target,
+                                           struct fairmesh_error *error);
+
+/**
+ * All positions as they stand: of the last iteration run; before the first one, the input's.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_positions(const struct fairmesh_solver *solver,
+                                          const struct fairmesh_points_out *out,
+                                          struct fairmesh_error *error);
+
+/**
+ * The mean curvature of the surface as it stands, one number per vertex; NaN where no vertex is free.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_mean_curvature(const struct fairmesh_solver *solver,
+                                               const struct fairmesh_scalars_out *out,
+                                               struct fairmesh_error *error);
+
+/**
+ * The report of the last run; before the first one, of the input.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_report(const struct fairmesh_solver *solver,
+                                       struct fairmesh_report *report,
+                                       struct fairmesh_error *error);
+
+/**
+ * A copy of everything that is known of the surface as it stands: curvatures, lists, border normals. `result` gets a
+ * handle of its own; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_result(const struct fairmesh_solver *solver,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
+ * Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_free(struct fairmesh_solver *solver);
+
+/**
+ * Finds the border loops of a mesh: holes and outer borders. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_border_loops(const struct fairmesh_mesh *mesh,
+                                      struct fairmesh_result **result,
+                                      struct fairmesh_error *error);
+
+/**
+ * Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
+ * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+ *
+ * `fill` may be NULL: all holes, edges as long as those beside the rims. `options` may be NULL: the defaults of the fairing;
+ * given normals are those of rim vertices. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_fill_holes(const struct fairmesh_mesh *mesh,
+                                    const struct fairmesh_fill_options *fill,
+                                    const struct fairmesh_options *options,
+                                    struct fairmesh_result **result,
+                                    struct fairmesh_error *error);
+
+/**
+ * Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
+ * FREE_VERTICES of the result as selection. `selection` and `options` may be NULL. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_remesh(const struct fairmesh_mesh *mesh,
+                                const struct fairmesh_selection *selection,
+                                const struct fairmesh_remesh_options *options,
+                                struct fairmesh_result **result,
+                                struct fairmesh_error *error);
+
+/**
+ * The sizes of a result.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_info(const struct fairmesh_result *result,
+                                     struct fairmesh_info *info,
+                                     struct fairmesh_error *error);
+
+/**
+ * The report of the fairing: of a faired mesh with `index` 0, of a filled one that of the loop with this number in the result.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_report(const struct fairmesh_result *result,
+                                       uint64_t index,
+                                       struct fairmesh_report *report,
+                                       struct fairmesh_error *error);
+
+/**
+ * A level of the paper's scheme, from the base (0) to the mesh given.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_level(const struct fairmesh_result *result,
+                                      uint64_t index,
+                                      struct fairmesh_level *level,
+                                      struct fairmesh_error *error);
+
+/**
+ * One of the border loops.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_loop(const struct fairmesh_result *result,
+                                     uint64_t index,
+                                     struct fairmesh_loop *border_loop,
+                                     struct fairmesh_error *error);
+
+/**
+ * What became of a loop that was to be filled.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_fill_report(const struct fairmesh_result *result,
+                                            uint64_t index,
+                                            struct fairmesh_fill_report *report,
+                                            struct fairmesh_error *error);
+
+/**
+ * The positions of all vertices: `vertex_count` of the info.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_positions(const struct fairmesh_result *result,
+                                          const struct fairmesh_points_out *out,
+                                          struct fairmesh_error *error);
+
+/**
+ * All triangles of a filled or remeshed mesh: `triangle_count` of the info.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_triangles(const struct fairmesh_result *result,
+                                          const struct fairmesh_indices_out *out,
+                                          struct fairmesh_error *error);
+
+/**
+ * Numbers per vertex, `which` being a `fairmesh_scalars`: `vertex_count` of the info.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_scalars(const struct fairmesh_result *result,
+                                        uint32_t which,
+                                        const struct fairmesh_scalars_out *out,
+                                        struct fairmesh_error *error);
+
+/**
+ * Vectors, `which` being a `fairmesh_vectors`: as many as the list that they belong to has vertices.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_vectors(const struct fairmesh_result *result,
+                                        uint32_t which,
+                                        const struct fairmesh_points_out *out,
+                                        struct fairmesh_error *error);
+
+/**
+ * A list of indices, `which` being a `fairmesh_list`, of the report or loop with this index (0 where there is one). `size` gets
+ * its size. With `out` NULL and `capacity` 0 that is all; otherwise BUFFER_TOO_SMALL if it does not fit into `capacity`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_list(const struct fairmesh_result *result,
+                                     uint32_t which,
+                                     uint64_t index,
+                                     uint32_t *out,
+                                     size_t capacity,
+                                     size_t *size,
+                                     struct fairmesh_error *error);
+
+/**
+ * Frees a result. NULL is allowed.
+ */
+FAIRMESH_API fairmesh_status fairmesh_result_free(struct fairmesh_result *result);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* FAIRMESH_H */

@@ -1,0 +1,389 @@
+/** fairmesh for C++17: the C interface with classes that clean up and errors that are thrown. It computes nothing, and
+ *  is nothing but this file.
+ *
+ *  Errors of the library are fairmesh::error. An exception thrown in a progress callback stops the run and is thrown again by the
+ *  call. Arrays are as in fairmesh.h: owned by the caller, not kept. */
+#ifndef FAIRMESH_HPP
+#define FAIRMESH_HPP
+
+#include <fairmesh.h>
+
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace fairmesh {
+
+/** A failed call, with the detail that the library gave. */
+class error : public std::runtime_error {
+public:
+    explicit error(const fairmesh_error &detail)
+        : std::runtime_error(detail.message[0] ? detail.message : fairmesh_status_name(detail.status)), detail_(detail) {}
+
+    fairmesh_status status() const noexcept { return static_cast<fairmesh_status>(detail_.status); }
+    /** A fairmesh_element, and the numbers that go with it. */
+    const fairmesh_error &detail() const noexcept { return detail_; }
+
+private:
+    fairmesh_error detail_;
+};
+
+namespace detail {
+
+inline void check(fairmesh_status status, fairmesh_error &why) {
+    if (status == FAIRMESH_STATUS_OK) return;
+    why.status = static_cast<int32_t>(status);
+    throw error(why);
+}
+
+inline fairmesh_error no_error() {
+    fairmesh_error none{};
+    none.element = none.other = FAIRMESH_NO_ELEMENT;
+    return none;
+}
+
+/** Calls a function of the library that ends with a fairmesh_error. */
+template <class Function, class... Arguments> void call(Function function, Arguments... arguments) {
+    fairmesh_error why = no_error();
+    check(function(arguments..., &why), why);
+}
+
+template <class Scalar> constexpr std::uint32_t scalar() {
+    static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>, "float or double");
+    return std::is_same_v<Scalar, float> ? FAIRMESH_SCALAR_FLOAT32 : FAIRMESH_SCALAR_FLOAT64;
+}
+
+template <class Struct> Struct sized() {
+    Struct made{};
+    made.struct_size = sizeof made;
+    return made;
+}
+
+} // namespace detail
+
+/** Points to be read or written: `count` of them, three numbers at every `stride` bytes (0: nothing between). */
+template <class Scalar> fairmesh_points points(const Scalar *data, std::size_t count, std::size_t stride = 0) {
+    return {data, count, stride, detail::scalar<Scalar>(), 0};
+}
+
+template <class Scalar> fairmesh_points_out points_out(Scalar *data, std::size_t count, std::size_t stride = 0) {
+    return {data, count, stride, detail::scalar<Scalar>(), 0};
+}
+
+template <class Scalar> fairmesh_scalars_out scalars_out(Scalar *data, std::size_t count, std::size_t stride = 0) {
+    return {data, count, stride, detail::scalar<Scalar>(), 0};
+}
+
+inline fairmesh_indices indices(const std::uint32_t *data, std::size_t count, std::size_t stride = 0) {
+    return {data, count, stride};
+}
+
+/** A mesh in the caller's memory. */
+inline fairmesh_mesh mesh(const fairmesh_points &positions, const fairmesh_indices &triangles) {
+    auto made = detail::sized<fairmesh_mesh>();
+    made.positions = positions;
+    made.triangles = triangles;
+    return made;
+}
+
+inline fairmesh_mesh mesh(const std::vector<std::array<double, 3>> &positions,
+                          const std::vector<std::array<std::uint32_t, 3>> &triangles) {
+    return mesh(points(positions.empty() ? nullptr : positions.data()->data(), positions.size()),
+                indices(triangles.empty() ? nullptr : triangles.data()->data(), triangles.size()));
+}
+
+/** All vertices that are not on the border of the mesh are free. */
+inline fairmesh_selection interior() { return detail::sized<fairmesh_selection>(); }
+
+/** One byte per vertex: not zero is free. */
+inline fairmesh_selection free_mask(const std::vector<std::uint8_t> &mask) {
+    auto made = detail::sized<fairmesh_selection>();
+    made.kind = FAIRMESH_SELECTION_KIND_FREE_MASK;
+    made.data = mask.data();
+    made.count = mask.size();
+    return made;
+}
+
+/** The free vertices. */
+inline fairmesh_selection free_vertices(const std::vector<std::uint32_t> &vertices) {
+    auto made = detail::sized<fairmesh_selection>();
+    made.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    made.data = vertices.data();
+    made.count = vertices.size();
+    return made;
+}
+
+/** The selected triangles. */
+inline fairmesh_selection faces(const std::vector<std::uint32_t> &triangles) {
+    auto made = free_vertices(triangles);
+    made.kind = FAIRMESH_SELECTION_KIND_FACES;
+    return made;
+}
+
+/** Told how far a run is; false stops it. It may throw: the call throws the same. */
+using progress = std::function<bool(const fairmesh_progress &)>;
+
+/** fairmesh_options with their defaults, and a progress callback of C++. */
+struct options : fairmesh_options {
+    options() : fairmesh_options() {
+        fairmesh_error why = detail::no_error();
+        detail::check(fairmesh_options_init(this, sizeof(fairmesh_options)), why);
+    }
+
+    /** In place of `progress` and `user_data` of the C struct. */
+    fairmesh::progress on_progress;
+};
+
+namespace detail {
+
+/** Keeps exceptions on this side of the library. */
+struct relay {
+    fairmesh::progress told;
+    std::exception_ptr thrown;
+
+    static std::int32_t tell(const fairmesh_progress *how_far, void *self) noexcept {
+        auto &relay = *static_cast<detail::relay *>(self);
+        try {
+            return relay.told(*how_far) ? 0 : 1;
+        } catch (...) {
+            relay.thrown = std::current_exception();
+            return 1;
+        }
+    }
+
+    void rethrow() {
+        if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
+    }
+};
+
+/** The options with the relay in the place of the callback, if there is one. */
+inline fairmesh_options with(const fairmesh::options &asked, relay &through) {
+    fairmesh_options plain = asked;
+    if (asked.on_progress) {
+        through.told = asked.on_progress;
+        plain.progress = relay::tell;
+        plain.user_data = &through;
+    }
+    return plain;
+}
+
+} // namespace detail
+
+/** Something that was computed; see fairmesh_result. Any number of threads may read it. */
+class result {
+public:
+    result() = default;
+    explicit result(fairmesh_result *handle) noexcept : handle_(handle) {}
+    result(result &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    result &operator=(result &&other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~result() { fairmesh_result_free(handle_); }
+
+    fairmesh_result *get() const noexcept { return handle_; }
+
+    fairmesh_info info() const {
+        auto made = detail::sized<fairmesh_info>();
+        detail::call(fairmesh_result_info, handle_, &made);
+        return made;
+    }
+    fairmesh_report report(std::uint64_t index = 0) const {
+        auto made = detail::sized<fairmesh_report>();
+        detail::call(fairmesh_result_report, handle_, index, &made);
+        return made;
+    }
+    fairmesh_level level(std::uint64_t index) const {
+        auto made = detail::sized<fairmesh_level>();
+        detail::call(fairmesh_result_level, handle_, index, &made);
+        return made;
+    }
+    fairmesh_loop loop(std::uint64_t index) const {
+        auto made = detail::sized<fairmesh_loop>();
+        detail::call(fairmesh_result_loop, handle_, index, &made);
+        return made;
+    }
+    fairmesh_fill_report fill_report(std::uint64_t index) const {
+        auto made = detail::sized<fairmesh_fill_report>();
+        detail::call(fairmesh_result_fill_report, handle_, index, &made);
+        return made;
+    }
+    void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_result_positions, handle_, &out); }
+    std::vector<std::array<double, 3>> positions() const {
+        std::vector<std::array<double, 3>> all(static_cast<std::size_t>(info().vertex_count));
+        positions(points_out(all.empty() ? static_cast<double *>(nullptr) : all.data()->data(), all.size()));
+        return all;
+    }
+    void triangles(const fairmesh_indices_out &out) const { detail::call(fairmesh_result_triangles, handle_, &out); }
+    std::vector<std::array<std::uint32_t, 3>> triangles() const {
+        std::vector<std::array<std::uint32_t, 3>> all(static_cast<std::size_t>(info().triangle_count));
+        triangles(fairmesh_indices_out{all.empty() ? nullptr : all.data()->data(), all.size(), 0});
+        return all;
+    }
+    void scalars(fairmesh_scalars which, const fairmesh_scalars_out &out) const {
+        detail::call(fairmesh_result_scalars, handle_, static_cast<std::uint32_t>(which), &out);
+    }
+    /** One number per vertex. */
+    std::vector<double> scalars(fairmesh_scalars which) const {
+        std::vector<double> all(static_cast<std::size_t>(info().vertex_count));
+        scalars(which, scalars_out(all.data(), all.size()));
+        return all;
+    }
+    std::vector<std::uint32_t> list(fairmesh_list which, std::uint64_t index = 0) const {
+        std::size_t size = 0;
+        auto number = static_cast<std::uint32_t>(which);
+        detail::call(fairmesh_result_list, handle_, number, index, static_cast<std::uint32_t *>(nullptr),
+                     static_cast<std::size_t>(0), &size);
+        std::vector<std::uint32_t> all(size);
+        if (size > 0) detail::call(fairmesh_result_list, handle_, number, index, all.data(), size, &size);
+        return all;
+    }
+    /** The vectors that go with the list of border vertices, or with that of parents (three each). */
+    std::vector<std::array<double, 3>> vectors(fairmesh_vectors which) const {
+        auto size = which == FAIRMESH_VECTORS_BORDER_NORMALS ? info().border_vertex_count : info().new_vertex_count;
+        std::vector<std::array<double, 3>> all(static_cast<std::size_t>(size));
+        auto out = points_out(all.empty() ? static_cast<double *>(nullptr) : all.data()->data(), all.size());
+        detail::call(fairmesh_result_vectors, handle_, static_cast<std::uint32_t>(which), &out);
+        return all;
+    }
+
+private:
+    fairmesh_result *handle_ = nullptr;
+};
+
+/** Fairs a mesh; see fairmesh_fair. Positions go to `out`, which may be the mesh's own. Returns the report. */
+inline fairmesh_report fair(const fairmesh_mesh &mesh, const fairmesh_selection &selection, const options &asked,
+                            const fairmesh_points_out &out) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    auto report = detail::sized<fairmesh_report>();
+    detail::call(fairmesh_fair, &mesh, &selection, &plain, &out, &report, static_cast<fairmesh_result **>(nullptr));
+    relay.rethrow();
+    return report;
+}
+
+/** The same, with everything that was found. */
+inline result fair(const fairmesh_mesh &mesh, const fairmesh_selection &selection = interior(),
+                   const options &asked = options()) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_fair, &mesh, &selection, &plain, static_cast<const fairmesh_points_out *>(nullptr),
+                 static_cast<fairmesh_report *>(nullptr), &handle);
+    result made(handle);
+    relay.rethrow();
+    return made;
+}
+
+/** Mean curvature at every vertex; see fairmesh_mean_curvature. */
+inline std::vector<double> mean_curvature(const fairmesh_mesh &mesh) {
+    std::vector<double> all(mesh.positions.count);
+    auto out = scalars_out(all.data(), all.size());
+    detail::call(fairmesh_mean_curvature, &mesh, &out);
+    return all;
+}
+
+/** Fairing in steps; see fairmesh_solver_new. Used by one thread at a time. */
+class solver {
+public:
+    solver(const fairmesh_mesh &mesh, const fairmesh_selection &selection = interior(), const options &asked = options())
+        : relay_(std::make_unique<detail::relay>()) {
+        auto plain = detail::with(asked, *relay_);
+        detail::call(fairmesh_solver_new, &mesh, &selection, &plain, &handle_);
+    }
+    solver(solver &&other) noexcept
+        : relay_(std::move(other.relay_)), handle_(std::exchange(other.handle_, nullptr)) {}
+    solver &operator=(solver &&other) noexcept {
+        std::swap(relay_, other.relay_);
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~solver() { fairmesh_solver_free(handle_); }
+
+    fairmesh_solver *get() const noexcept { return handle_; }
+
+    fairmesh_report run(std::uint64_t iterations = UINT64_MAX) {
+        auto report = detail::sized<fairmesh_report>();
+        detail::call(fairmesh_solver_run, handle_, iterations, &report);
+        relay_->rethrow();
+        return report;
+    }
+    void set_normals(const fairmesh_normals &normals) { detail::call(fairmesh_solver_set_normals, handle_, &normals); }
+    void set_target(const fairmesh_target &target) { detail::call(fairmesh_solver_set_target, handle_, &target); }
+    void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_solver_positions, handle_, &out); }
+    void mean_curvature(const fairmesh_scalars_out &out) const {
+        detail::call(fairmesh_solver_mean_curvature, handle_, &out);
+    }
+    fairmesh_report report() const {
+        auto made = detail::sized<fairmesh_report>();
+        detail::call(fairmesh_solver_report, handle_, &made);
+        return made;
+    }
+    result snapshot() const {
+        fairmesh_result *handle = nullptr;
+        detail::call(fairmesh_solver_result, handle_, &handle);
+        return result(handle);
+    }
+
+private:
+    /** Stays where it is when the solver moves: the library knows its address. */
+    std::unique_ptr<detail::relay> relay_;
+    fairmesh_solver *handle_ = nullptr;
+};
+
+/** The border loops of a mesh; see fairmesh_border_loops. */
+inline result border_loops(const fairmesh_mesh &mesh) {
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_border_loops, &mesh, &handle);
+    return result(handle);
+}
+
+/** fairmesh_fill_options with their defaults. */
+struct fill_options : fairmesh_fill_options {
+    fill_options() : fairmesh_fill_options() {
+        fairmesh_error why = detail::no_error();
+        detail::check(fairmesh_fill_options_init(this, sizeof(fairmesh_fill_options)), why);
+    }
+};
+
+/** Fills holes; see fairmesh_fill_holes. */
+inline result fill_holes(const fairmesh_mesh &mesh, const fill_options &fill = fill_options(),
+                         const options &asked = options()) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_fill_holes, &mesh, static_cast<const fairmesh_fill_options *>(&fill), &plain, &handle);
+    result made(handle);
+    relay.rethrow();
+    return made;
+}
+
+/** fairmesh_remesh_options with their defaults. */
+struct remesh_options : fairmesh_remesh_options {
+    remesh_options() : fairmesh_remesh_options() {
+        fairmesh_error why = detail::no_error();
+        detail::check(fairmesh_remesh_options_init(this, sizeof(fairmesh_remesh_options)), why);
+    }
+};
+
+/** Triangulates a region anew; see fairmesh_remesh. */
+inline result remesh(const fairmesh_mesh &mesh, const fairmesh_selection &selection,
+                     const remesh_options &asked = remesh_options()) {
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&asked), &handle);
+    return result(handle);
+}
+
+/** The version of the library that runs, such as "0.1.0". */
+inline std::string version() { return fairmesh_version_string(); }
+
+} // namespace fairmesh
+
+#endif

@@ -1,0 +1,132 @@
+//! One call: fairing, and the mean curvature of a whole mesh.
+
+use std::sync::Arc;
+
+use super::guard::{guarded, point};
+use super::input::{MeshIn, SelectionIn};
+use super::need;
+use super::options::{OptionsIn, Teller};
+use super::outputs::*;
+use super::report;
+use super::results::Content;
+use super::status::*;
+use super::types::*;
+use super::views::*;
+use crate::discrete::mesh_curvature::mean_curvature;
+use crate::fairing::{Progress, Solution, fair, with_threads};
+
+/// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
+/// fixed vertices, with tangent continuity there.
+///
+/// `selection` may be NULL: all vertices that are not on the border of the mesh are free. `options` may be NULL: the
+/// defaults. `positions_out` gets all vertices, as many as the mesh has; it may be the mesh's own positions (same address,
+/// stride and scalar), then only free vertices are written. `report` may be NULL. `result`, which may be NULL, gets a handle with
+/// everything else that was found; free it. `positions_out` may be NULL.
+///
+/// The outcome in the report says how it ended; the positions are usable in every case.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fair(
+    mesh: *const fairmesh_mesh,
+    selection: *const fairmesh_selection,
+    options: *const fairmesh_options,
+    positions_out: *const fairmesh_points_out,
+    report: *mut fairmesh_report,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
+        let out = match positions_out.is_null() {
+            true => None,
+            false => {
+                let out = NumbersOut::points(positions_out, Argument(4))?;
+                out.check_count(mesh.vertices(), Argument(4))?;
+                spans.input(positions_out, size_of::<fairmesh_points_out>());
+                Some(out)
+            }
+        };
+        let in_place = out.as_ref().is_some_and(|out| out.same_as(&mesh.positions));
+        if let (Some(out), false) = (&out, in_place) {
+            spans.output(out.array.data, out.array.bytes, Argument(4))?;
+        }
+        let report_out = StructOut::optional(report, Argument(5), &mut spans)?;
+        if !result.is_null() {
+            check_slot(result, Argument(6), &mut spans)?;
+        }
+        spans.error(error, Argument(7))?;
+
+        let selected = selection.read(&mesh)?;
+        let normals = asked.normals.read(mesh.vertices())?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let _reserve = need::reserve(need::of_fairing(&mesh, &selected, asked.threads)?)?;
+        let teller = asked.teller.fresh();
+        point();
+        let solution = {
+            let mut tell = |progress: &Progress| teller.tell(progress);
+            let options = asked.options(&normals, Some(&mut tell));
+            fair(&positions, &triangles, selected.selection(), options)?
+        };
+        drop((positions, triangles));
+        teller.memory()?;
+        if let Some(out) = &out {
+            out.check_range(solution.positions.iter().copied().enumerate())?;
+        }
+        let content = Arc::new(Content::Faired(solution));
+        if !result.is_null() {
+            publish(content.clone(), result, &teller)?;
+        }
+        if let (Some(out), Content::Faired(solution)) = (&out, &*content) {
+            write_positions(out, solution, in_place);
+        }
+        let told = report::report(content.report(0)?);
+        if let Some(out) = report_out {
+            out.write(&told);
+        }
+        Ok(())
+    })
+}
+
+fn write_positions(out: &NumbersOut<3>, solution: &Solution, only_free: bool) {
+    if only_free {
+        for &(v, _) in &solution.mean_curvature {
+            out.set(v as usize, solution.positions[v as usize]);
+        }
+    } else {
+        for (v, p) in solution.positions.iter().enumerate() {
+            out.set(v, *p);
+        }
+    }
+}
+
+/// Mean curvature at every vertex of a mesh, in 1 / length; negative on a sphere with outward normals. `out` gets as many numbers
+/// as there are vertices, NaN at vertices without triangles. The mesh need not be a manifold.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_mean_curvature(
+    mesh: *const fairmesh_mesh,
+    out: *const fairmesh_scalars_out,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let out = NumbersOut::scalars(out, Argument(2))?;
+        out.check_count(mesh.vertices(), Argument(2))?;
+        spans.output(out.array.data, out.array.bytes, Argument(2))?;
+        spans.error(error, Argument(3))?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let _reserve = need::reserve(need::of_whole_mesh(&mesh, 0))?;
+        let teller = Teller::new(None, core::ptr::null_mut());
+        point();
+        // Not on the global pool, whose threads would outlive the library.
+        let curvature = with_threads(0, |pool| pool.install(|| mean_curvature(&positions, &triangles)))??;
+        teller.memory()?;
+        out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
+        curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
+        Ok(())
+    })
+}

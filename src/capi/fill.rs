@@ -1,0 +1,195 @@
+//! Border loops, hole filling, remeshing.
+
+use core::mem::offset_of;
+use std::sync::Arc;
+
+use super::about::{default_fill_options, default_remesh_options};
+use super::guard::{guarded, point};
+use super::input::{MeshIn, SelectionIn};
+use super::need;
+use super::options::{OptionsIn, Teller};
+use super::outputs::*;
+use super::results::Content;
+use super::status::*;
+use super::types::*;
+use super::views::*;
+use crate::fairing::Progress;
+use crate::holes::{FillOptions, LoopKind, Loops, RemeshOptions, border_loops, fill_holes, remesh_region};
+
+use fairmesh_status as Status;
+
+/// Finds the border loops of a mesh: holes and outer borders. `result` gets a handle; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_border_loops(
+    mesh: *const fairmesh_mesh,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        check_slot(result, Argument(2), &mut spans)?;
+        spans.error(error, Argument(3))?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let _reserve = need::reserve(need::of_whole_mesh(&mesh, 1))?;
+        let teller = Teller::new(None, core::ptr::null_mut());
+        point();
+        let loops = border_loops(&positions, &triangles)?;
+        publish(Arc::new(Content::Loops(loops)), result, &teller)
+    })
+}
+
+/// Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
+/// ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+///
+/// `fill` may be NULL: all holes, edges as long as those beside the rims. `options` may be NULL: the defaults of the fairing;
+/// given normals are those of rim vertices. `result` gets a handle; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_holes(
+    mesh: *const fairmesh_mesh,
+    fill: *const fairmesh_fill_options,
+    options: *const fairmesh_options,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let fill_view = if fill.is_null() {
+            default_fill_options()
+        } else {
+            read_struct(fill, Argument(2))?
+        };
+        check_density(
+            fill_view.density,
+            Argument(2).field(offset_of!(fairmesh_fill_options, density)),
+        )?;
+        let named = indices_in(
+            &fill_view.loops,
+            1,
+            Argument(2).field(offset_of!(fairmesh_fill_options, loops)),
+        )?;
+        spans.input(
+            fill,
+            size_of::<fairmesh_fill_options>() * usize::from(!fill.is_null()),
+        );
+        spans.input(named.data, named.bytes);
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
+        check_slot(result, Argument(4), &mut spans)?;
+        spans.error(error, Argument(5))?;
+
+        let normals = asked.normals.read(mesh.vertices())?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let mut numbers: Vec<usize> = room(named.count)?;
+        numbers.extend((0..named.count).map(|k| named.index::<1>(k)[0] as usize));
+        let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let most = count(fill_view.max_new_vertices);
+        let teller = asked.teller.fresh();
+        // How large the patches will be is known by the loops.
+        let (new_vertices, longest) = {
+            let _reserve = need::reserve(need::of_whole_mesh(&mesh, 1))?;
+            let loops = border_loops(&positions, &triangles)?;
+            teller.memory()?;
+            if let Some(&missing) = numbers.iter().find(|&&l| l >= loops.len()) {
+                let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
+                let failure = Failure::new(Status::SelectionOutOfRange, why);
+                return Err(failure.at(fairmesh_element::Loop, missing));
+            }
+            let up_to = count(fill_view.max_edges);
+            let chosen = |l: usize| match numbers.is_empty() {
+                true => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= up_to,
+                false => numbers.contains(&l),
+            };
+            let edges = (0..loops.len())
+                .filter(|&l| chosen(l))
+                .map(|l| loops[l].vertices.len());
+            // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
+            let area = |n: usize| (n * n) as f64 * (fill_view.density * fill_view.density).max(0.5) / 4.0;
+            let new = edges.clone().map(area).sum::<f64>();
+            ((new as usize).min(most), edges.max().unwrap_or(0))
+        };
+        let bytes = need::of_filling(&mesh, new_vertices.saturating_add(1000), longest, asked.threads);
+        let _reserve = need::reserve(bytes)?;
+        point();
+        let filled = {
+            let mut tell = |progress: &Progress| teller.tell(progress);
+            let asked = FillOptions {
+                loops: if named.count > 0 {
+                    Loops::Chosen(&numbers)
+                } else {
+                    Loops::UpTo(count(fill_view.max_edges))
+                },
+                density: fill_view.density,
+                max_new_vertices: most,
+                fair: fill_view.fair != 0,
+                fairing: asked.options(&normals, Some(&mut tell)),
+            };
+            fill_holes(&positions, &triangles, asked)?
+        };
+        teller.memory()?;
+        let content = Content::Filled {
+            filled,
+            vertices: positions.len(),
+            triangles: triangles.len(),
+        };
+        publish(Arc::new(content), result, &teller)
+    })
+}
+
+fn check_density(density: f64, place: Place) -> Outcome {
+    if (0.1..=10.0).contains(&density) {
+        return Ok(());
+    }
+    Err(place.refuse(Status::BadOption, format_args!("has to be between 0.1 and 10")))
+}
+
+/// Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
+/// FREE_VERTICES of the result as selection. `selection` and `options` may be NULL. `result` gets a handle; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_remesh(
+    mesh: *const fairmesh_mesh,
+    selection: *const fairmesh_selection,
+    options: *const fairmesh_remesh_options,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
+        let view = if options.is_null() {
+            default_remesh_options()
+        } else {
+            read_struct(options, Argument(3))?
+        };
+        check_reserved(
+            view.reserved,
+            Argument(3).field(offset_of!(fairmesh_remesh_options, reserved)),
+        )?;
+        check_density(
+            view.density,
+            Argument(3).field(offset_of!(fairmesh_remesh_options, density)),
+        )?;
+        spans.input(
+            options,
+            size_of::<fairmesh_remesh_options>() * usize::from(!options.is_null()),
+        );
+        check_slot(result, Argument(4), &mut spans)?;
+        spans.error(error, Argument(5))?;
+        let selected = selection.read(&mesh)?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let most = usize::try_from(view.max_vertices).unwrap_or(usize::MAX);
+        let _reserve = need::reserve(need::of_remeshing(&mesh, &selected, most)?)?;
+        let teller = Teller::new(None, core::ptr::null_mut());
+        point();
+        let asked = RemeshOptions {
+            density: view.density,
+            max_vertices: most,
+        };
+        let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
+        publish(Arc::new(Content::Remeshed(remeshed)), result, &teller)
+    })
+}

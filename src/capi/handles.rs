@@ -1,0 +1,58 @@
+//! Handles are numbers that look like pointers: nothing is ever read at their address, so that a wrong one is found out.
+
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::status::{Failure, Outcome, fairmesh_status as Status};
+use super::views::Argument;
+
+type Table = BTreeMap<usize, Arc<dyn Any + Send + Sync>>;
+
+static TABLE: Mutex<Table> = Mutex::new(BTreeMap::new());
+/// Never used twice. Not in the first page, and odd: no address of an object.
+static NEXT: AtomicUsize = AtomicUsize::new(0x10001);
+
+fn table() -> std::sync::MutexGuard<'static, Table> {
+    TABLE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Makes a handle.
+pub fn add<H, T: Any + Send + Sync>(thing: Arc<T>) -> *mut H {
+    let number = NEXT.fetch_add(2, Ordering::SeqCst);
+    table().insert(number, thing);
+    core::ptr::without_provenance_mut(number)
+}
+
+/// What the handle stands for.
+pub fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> Outcome<Arc<T>> {
+    if handle.is_null() {
+        return Err(argument
+            .itself()
+            .refuse(Status::NullPointer, format_args!("NULL")));
+    }
+    let found = table().get(&(handle as usize)).cloned();
+    found
+        .and_then(|thing| thing.downcast().ok())
+        .ok_or_else(|| wrong(argument))
+}
+
+/// Takes it out of the table; with the last user it ends.
+pub fn remove<H>(handle: *const H) {
+    let mut table = table();
+    let gone = table.remove(&(handle as usize));
+    if table.is_empty() {
+        // Its last node.
+        *table = BTreeMap::new();
+    }
+    drop(table);
+    drop(gone);
+}
+
+fn wrong(argument: Argument) -> Failure {
+    argument.itself().refuse(
+        Status::BadHandle,
+        format_args!("not a living handle of this kind"),
+    )
+}

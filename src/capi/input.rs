@@ -1,0 +1,293 @@
+//! What the caller hands over, checked and turned into what the library takes.
+
+use core::mem::offset_of;
+use std::borrow::Cow;
+
+use super::status::{Failure, Outcome, fairmesh_element, fairmesh_status as Status};
+use super::types::*;
+use super::views::{
+    Argument, Array, Place, PointsIn, Spans, check_count, check_reserved, entries, indices_in, read_struct,
+    room,
+};
+use crate::fairing::{BorderNormals, Selection};
+
+/// A mesh, checked but not read.
+pub struct MeshIn {
+    pub positions: PointsIn,
+    pub triangles: Array,
+}
+
+impl MeshIn {
+    pub fn new(mesh: *const fairmesh_mesh, argument: Argument, spans: &mut Spans) -> Outcome<Self> {
+        let view = read_struct(mesh, argument)?;
+        check_reserved(view.reserved, argument.field(offset_of!(fairmesh_mesh, reserved)))?;
+        let positions = PointsIn::new(
+            &view.positions,
+            argument.field(offset_of!(fairmesh_mesh, positions)),
+        )?;
+        let triangles = indices_in(
+            &view.triangles,
+            3,
+            argument.field(offset_of!(fairmesh_mesh, triangles)),
+        )?;
+        for (count, what) in [
+            (positions.array.count, "vertices"),
+            (triangles.count, "triangles"),
+        ] {
+            if count > (u32::MAX / 3) as usize {
+                let why = format_args!("{count} {what}: more than 32-bit indices can name");
+                return Err(Failure::new(Status::TooLarge, why));
+            }
+        }
+        spans.input(mesh, size_of::<fairmesh_mesh>());
+        spans.input(positions.array.data, positions.array.bytes);
+        spans.input(triangles.data, triangles.bytes);
+        Ok(Self { positions, triangles })
+    }
+
+    pub fn vertices(&self) -> usize {
+        self.positions.array.count
+    }
+}
+
+/// A selection in the caller's memory.
+pub struct SelectionIn {
+    kind: fairmesh_selection_kind,
+    array: Array,
+}
+
+/// A selection as the library takes it.
+pub enum Selected {
+    Mask(Vec<bool>),
+    Vertices(Cow<'static, [[u32; 1]]>),
+    Faces(Vec<u32>),
+}
+
+impl SelectionIn {
+    pub fn new(
+        selection: *const fairmesh_selection,
+        argument: Argument,
+        mesh: &MeshIn,
+        spans: &mut Spans,
+    ) -> Outcome<Self> {
+        use fairmesh_selection_kind as Kind;
+        let nothing = Array {
+            data: core::ptr::null_mut(),
+            count: 0,
+            stride: 1,
+            bytes: 0,
+        };
+        if selection.is_null() {
+            return Ok(Self {
+                kind: Kind::Interior,
+                array: nothing,
+            });
+        }
+        let view = read_struct(selection, argument)?;
+        let kind = match view.kind {
+            0 => Kind::Interior,
+            1 => Kind::FreeMask,
+            2 => Kind::FixedMask,
+            3 => Kind::FreeVertices,
+            4 => Kind::Faces,
+            other => {
+                let place = argument.field(offset_of!(fairmesh_selection, kind));
+                return Err(place.refuse(
+                    Status::BadEnum,
+                    format_args!("{other} is no fairmesh_selection_kind"),
+                ));
+            }
+        };
+        let place = argument.field(offset_of!(fairmesh_selection, count));
+        let array = match kind {
+            Kind::Interior => {
+                check_count(view.count, 0, place)?;
+                nothing
+            }
+            Kind::FreeMask | Kind::FixedMask => {
+                check_count(view.count, mesh.vertices(), place)?;
+                entries(&view, 1, argument)?
+            }
+            Kind::FreeVertices | Kind::Faces => entries(&view, 4, argument)?,
+        };
+        spans.input(selection, size_of::<fairmesh_selection>());
+        spans.input(array.data, array.bytes);
+        Ok(Self { kind, array })
+    }
+
+    pub fn read(&self, mesh: &MeshIn) -> Outcome<Selected> {
+        use fairmesh_selection_kind as Kind;
+        let array = &self.array;
+        Ok(match self.kind {
+            Kind::Interior => {
+                let mut faces = room(mesh.triangles.count)?;
+                faces.extend(0..mesh.triangles.count as u32);
+                Selected::Faces(faces)
+            }
+            Kind::FreeMask | Kind::FixedMask => {
+                let free = self.kind == Kind::FreeMask;
+                let mut mask = room(array.count)?;
+                mask.extend((0..array.count).map(|k| (array.byte(k) != 0) == free));
+                Selected::Mask(mask)
+            }
+            Kind::FreeVertices => {
+                let list = array.rows::<1>()?;
+                Self::check(list.iter().flatten(), mesh.vertices(), fairmesh_element::Vertex)?;
+                Selected::Vertices(list)
+            }
+            Kind::Faces => {
+                let mut faces = room(array.count)?;
+                faces.extend((0..array.count).map(|k| array.index::<1>(k)[0]));
+                Self::check(faces.iter(), mesh.triangles.count, fairmesh_element::Triangle)?;
+                Selected::Faces(faces)
+            }
+        })
+    }
+
+    fn check<'a>(list: impl Iterator<Item = &'a u32>, count: usize, kind: fairmesh_element) -> Outcome {
+        for &index in list {
+            if index as usize >= count {
+                let why = format_args!("the selection names element {index}, but there are only {count}");
+                return Err(Failure::new(Status::SelectionOutOfRange, why).at(kind, index as usize));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Selected {
+    pub fn selection(&self) -> Selection<'_> {
+        match self {
+            Self::Mask(mask) => Selection::Mask(mask),
+            Self::Vertices(list) => Selection::Vertices(list.as_flattened()),
+            Self::Faces(list) => Selection::Faces(list),
+        }
+    }
+
+    /// Marks the vertices that may turn out to be free.
+    pub fn candidates(&self, mesh: &MeshIn) -> Outcome<Vec<bool>> {
+        let mut marked = room(mesh.vertices())?;
+        match self {
+            Self::Mask(mask) => marked.extend_from_slice(mask),
+            Self::Vertices(list) => {
+                marked.resize(mesh.vertices(), false);
+                list.iter().for_each(|v| marked[v[0] as usize] = true);
+            }
+            Self::Faces(list) => {
+                marked.resize(mesh.vertices(), false);
+                for v in list.iter().flat_map(|&t| mesh.triangles.index::<3>(t as usize)) {
+                    // What is out of range is found later.
+                    if let Some(marked) = marked.get_mut(v as usize) {
+                        *marked = true;
+                    }
+                }
+            }
+        }
+        Ok(marked)
+    }
+}
+
+/// Border normals, checked but not read.
+pub struct NormalsIn {
+    kind: fairmesh_normals_kind,
+    vectors: Option<PointsIn>,
+    vertices: Array,
+}
+
+/// Border normals as the library takes them.
+pub enum NormalsRead {
+    Fitted,
+    Averaged,
+    Given(Vec<(u32, [f64; 3])>),
+}
+
+impl NormalsIn {
+    pub fn new(view: &fairmesh_normals, base: Place, vertices: usize, spans: &mut Spans) -> Outcome<Self> {
+        use fairmesh_normals_kind as Kind;
+        check_reserved(view.reserved, base.plus(offset_of!(fairmesh_normals, reserved)))?;
+        let kind = match view.kind {
+            0 => Kind::Fitted,
+            1 => Kind::Averaged,
+            2 => Kind::Given,
+            other => {
+                let place = base.plus(offset_of!(fairmesh_normals, kind));
+                return Err(place.refuse(
+                    Status::BadEnum,
+                    format_args!("{other} is no fairmesh_normals_kind"),
+                ));
+            }
+        };
+        let list = indices_in(
+            &view.vertices,
+            1,
+            base.plus(offset_of!(fairmesh_normals, vertices)),
+        )?;
+        if kind != Kind::Given {
+            return Ok(Self {
+                kind,
+                vectors: None,
+                vertices: list,
+            });
+        }
+        let at = offset_of!(fairmesh_normals, vectors);
+        let vectors = PointsIn::new(&view.vectors, base.plus(at))?;
+        let wanted = if view.vertices.data.is_null() {
+            vertices
+        } else {
+            list.count
+        };
+        check_count(
+            vectors.array.count,
+            wanted,
+            base.plus(at + offset_of!(fairmesh_points, count)),
+        )?;
+        spans.input(vectors.array.data, vectors.array.bytes);
+        spans.input(list.data, list.bytes);
+        Ok(Self {
+            kind,
+            vectors: Some(vectors),
+            vertices: list,
+        })
+    }
+
+    pub fn read(&self, vertices: usize) -> Outcome<NormalsRead> {
+        let Some(vectors) = &self.vectors else {
+            return Ok(match self.kind {
+                fairmesh_normals_kind::Averaged => NormalsRead::Averaged,
+                _ => NormalsRead::Fitted,
+            });
+        };
+        let listed = !self.vertices.data.is_null();
+        let count = vectors.array.count;
+        let is_given = |n: &[f64; 3]| listed || *n != [0.0; 3];
+        let mut given = room((0..count).filter(|&k| is_given(&vectors.get(k))).count())?;
+        for k in 0..count {
+            let n = vectors.get(k);
+            let vertex = if listed {
+                self.vertices.index::<1>(k)[0]
+            } else {
+                k as u32
+            };
+            if vertex as usize >= vertices {
+                let why =
+                    format_args!("a normal is given for vertex {vertex}, but there are only {vertices}");
+                let failure = Failure::new(Status::SelectionOutOfRange, why);
+                return Err(failure.at(fairmesh_element::Vertex, vertex as usize));
+            }
+            if is_given(&n) {
+                given.push((vertex, n));
+            }
+        }
+        Ok(NormalsRead::Given(given))
+    }
+}
+
+impl NormalsRead {
+    pub fn normals(&self) -> BorderNormals<'_> {
+        match self {
+            Self::Fitted => BorderNormals::Fitted,
+            Self::Averaged => BorderNormals::Averaged,
+            Self::Given(list) => BorderNormals::Given(list),
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! The structs of the header that results are told in.
+
+use core::ffi::c_char;
+
+/// How a run ended that did what it was asked. Numbers are never reused. The positions are usable in every case.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_outcome {
+    /// Tolerance met, and the surface is sound: the only case without reservation.
+    Converged = 0,
+    /// Tolerance met, but triangles are flipped or have an angle below one degree (list POOR_TRIANGLES).
+    ConvergedPoorTriangles = 1,
+    /// A sound surface with a reservation, told in `reason`.
+    ConvergedLoosely = 2,
+    /// No surface with these border normals was found; the surface of the linear problem is returned. `reached` of the
+    /// way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
+    NormalsNotReachable = 3,
+    /// A surface was found for the part `reached` of the target only; that of the linear problem is returned.
+    TargetNotReachable = 4,
+    /// No sound surface was found; that of the linear problem is returned.
+    NotConverged = 5,
+    /// The iterations ran out; the best surface so far is returned.
+    IterationLimit = 6,
+    /// The callback stopped the run; the best surface so far is returned.
+    Cancelled = 7,
+    /// An outcome that this version of the header does not know.
+    Other = 255,
+}
+
+/// How it went. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_report {
+    /// `sizeof(fairmesh_report)`.
+    pub struct_size: u32,
+    /// A `fairmesh_outcome`.
+    pub outcome: u32,
+    /// Nonlinear iterations.
+    pub iterations: u64,
+    /// Defect of the equation: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
+    pub defect: f64,
+    /// The last step norm, in diagonals; NaN if there was none.
+    pub step: f64,
+    /// The diagonal of the region's bounding box, in the unit of the positions.
+    pub diagonal: f64,
+    /// How much of the border normals or the target was reached, 0 to 1; 1 where all of it.
+    pub reached: f64,
+    /// Free vertices.
+    pub free_vertices: u64,
+    /// Not 0: the surface is that of the linear problem.
+    pub linear_surface: u32,
+    /// Levels of the paper's scheme; 0 for the fast solver.
+    pub level_count: u32,
+    /// Free vertices that took fallback weights of inner fairness.
+    pub fallback_weights: u64,
+    /// Sizes of the lists POOR_TRIANGLES, FLIPPED_TRIANGLES, NEEDLES, SUSPICIOUS_NORMALS, UNREACHED_VERTICES.
+    pub poor_triangle_count: u64,
+    /// See above.
+    pub flipped_count: u64,
+    /// See above.
+    pub needle_count: u64,
+    /// See above.
+    pub suspicious_normal_count: u64,
+    /// See above.
+    pub unreached_vertex_count: u64,
+    /// The smallest angle of a triangle of the region, in degrees, and the triangle.
+    pub worst_angle: f64,
+    /// See above.
+    pub worst_triangle: u64,
+    /// The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
+    pub h_inside: [f64; 2],
+    /// The same at border vertices.
+    pub h_border: [f64; 2],
+    /// The largest angle, in degrees, between a border normal and the triangles of the region there, and the vertex.
+    pub normal_deviation: f64,
+    /// See above.
+    pub normal_deviation_vertex: u64,
+    /// The root mean square of those angles.
+    pub normal_deviation_rms: f64,
+    /// Wall seconds: half-edges and normals.
+    pub seconds_setup: f64,
+    /// The start surface.
+    pub seconds_start: f64,
+    /// The iterations.
+    pub seconds_iterate: f64,
+    /// The figures.
+    pub seconds_quality: f64,
+    /// All of it.
+    pub seconds_total: f64,
+    /// What `FAIRMESH_OUTCOME_CONVERGED_LOOSELY` is about; otherwise empty. English, UTF-8.
+    pub reason: [c_char; 160],
+}
+
+/// What was done on one level of the paper's scheme. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_level {
+    /// `sizeof(fairmesh_level)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Vertices of the region: free and border.
+    pub vertices: u64,
+    /// Triangles of the region.
+    pub triangles: u64,
+    /// Updates of the mesh.
+    pub updates: u64,
+    /// The defect at the end.
+    pub defect: f64,
+}
+
+/// What kind of gap a border loop is.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_loop_kind {
+    /// A gap in the surface.
+    Hole = 0,
+    /// The outline of an open surface. Filled only if it is named.
+    OuterBorder = 1,
+    /// It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
+    NonManifold = 2,
+    /// A kind that this version of the header does not know.
+    Other = 255,
+}
+
+/// A border loop. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_loop {
+    /// `sizeof(fairmesh_loop)`.
+    pub struct_size: u32,
+    /// A `fairmesh_loop_kind`.
+    pub kind: u32,
+    /// Size of the list LOOP_VERTICES.
+    pub vertex_count: u64,
+    /// Size of the list LOOP_TOUCHING.
+    pub touching_count: u64,
+    /// The sum of the edge lengths.
+    pub length: f64,
+    /// The length of the vector area.
+    pub area: f64,
+    /// The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90 for
+    /// the end of a tube, 180 for the outline of a plane sheet.
+    pub turn: f64,
+    /// The bad edge of a non-manifold loop, otherwise UINT32_MAX.
+    pub edge_a: u32,
+    /// Its other end.
+    pub edge_b: u32,
+}
+
+/// How the filling of a loop ended. Numbers are never reused.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_fill_outcome {
+    /// Filled with a faired surface; its report says with which reservations.
+    Faired = 0,
+    /// Filled with the surface of the linear problem, or the best one when the iterations ran out.
+    Linear = 1,
+    /// Filled with the triangulation, refined, but not faired; `reason` says why.
+    Flat = 2,
+    /// Left as it was; `reason` says why.
+    LeftOpen = 3,
+    /// An outcome that this version of the header does not know.
+    Other = 255,
+}
+
+/// Why a patch is flat or a loop open. Numbers are never reused.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_fill_reason {
+    /// There is nothing to say.
+    None = 0,
+    /// Open: the loop runs into a bad edge.
+    NonManifold = 1,
+    /// Open: the loop encloses the mesh and was not named.
+    OuterBorder = 2,
+    /// Open: the loop has more than `max_edges`.
+    TooManyEdges = 3,
+    /// Open: every triangulation has an edge or triangle that the mesh has already.
+    NoTriangulation = 4,
+    /// Open: a vertex is NaN or infinite, or all are the same point.
+    NotFinite = 5,
+    /// Open: the callback stopped the run before.
+    Cancelled = 6,
+    /// Flat: `fair` was 0.
+    NotAsked = 32,
+    /// Flat: the patch has no inner vertex.
+    NoInnerVertex = 33,
+    /// Flat: the fairing was refused with `refused_status`.
+    Refused = 34,
+    /// Flat: the fairing found no sound surface; the report says how.
+    Unsound = 35,
+    /// A reason that this version of the header does not know.
+    Other = 255,
+}
+
+/// What became of a loop. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_fill_report {
+    /// `sizeof(fairmesh_fill_report)`.
+    pub struct_size: u32,
+    /// A `fairmesh_fill_outcome`.
+    pub outcome: u32,
+    /// A `fairmesh_fill_reason`.
+    pub reason: u32,
+    /// The `fairmesh_status` that the fairing was refused with, or OK.
+    pub refused_status: i32,
+    /// The loop, as `fairmesh_border_loops` numbers it.
+    pub loop_index: u64,
+    /// Its edges.
+    pub edge_count: u64,
+    /// The first new vertex, and how many. Indices of the filled mesh.
+    pub first_vertex: u64,
+    /// See above.
+    pub vertex_count: u64,
+    /// The first new triangle, and how many.
+    pub first_triangle: u64,
+    /// See above.
+    pub triangle_count: u64,
+    /// The smallest angle of the new triangles, in degrees.
+    pub worst_angle: f64,
+    /// New vertices that lie far outside the loop's bounding box: size of the list OUTSIDE_VERTICES.
+    pub outside_count: u64,
+    /// Not 0: `max_new_vertices` made the patch coarser.
+    pub coarsened: u32,
+    /// Not 0: there is a report of the fairing, see `fairmesh_result_report`.
+    pub has_report: u32,
+    /// Wall seconds.
+    pub seconds: f64,
+}
+
+/// What a result is of.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_result_kind {
+    /// A faired mesh.
+    Faired = 0,
+    /// Border loops.
+    Loops = 1,
+    /// A mesh with filled holes.
+    Filled = 2,
+    /// A mesh with a new triangulation of a region.
+    Remeshed = 3,
+}
+
+/// The sizes of a result. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_info {
+    /// `sizeof(fairmesh_result_info)`.
+    pub struct_size: u32,
+    /// A `fairmesh_result_kind`.
+    pub kind: u32,
+    /// Vertices of the mesh; 0 for loops.
+    pub vertex_count: u64,
+    /// Triangles of the mesh; 0 for loops, and where they are those given.
+    pub triangle_count: u64,
+    /// The last so many of the vertices are new.
+    pub new_vertex_count: u64,
+    /// The last so many of the triangles are new.
+    pub new_triangle_count: u64,
+    /// Loops found, or filled.
+    pub loop_count: u64,
+    /// Border vertices with their normals, see FAIRMESH_VECTORS_BORDER_NORMALS.
+    pub border_vertex_count: u64,
+}
+
+/// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_list {
+    /// Triangles that are flipped or have an angle below one degree, where the outcome is about them.
+    PoorTriangles = 0,
+    /// Triangles whose normal points away from those of their vertices.
+    FlippedTriangles = 1,
+    /// Triangles with an angle below one degree.
+    Needles = 2,
+    /// Border vertices whose normal contradicts the surface or its neighbours'.
+    SuspiciousNormals = 3,
+    /// Border vertices whose normals stood farthest away, worst first.
+    UnreachedVertices = 4,
+    /// Faired meshes: the border vertices, ascending.
+    BorderVertices = 16,
+    /// Loops: the vertices in the direction of triangles that fill it.
+    LoopVertices = 32,
+    /// Loops: vertices that belong to another loop, too.
+    LoopTouching = 33,
+    /// Filled meshes: new vertices of the loop far outside its bounding box.
+    OutsideVertices = 48,
+    /// Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+    Parents = 49,
+    /// Remeshed meshes: the free vertices.
+    FreeVertices = 64,
+    /// Remeshed meshes: per vertex that is left its number before.
+    KeptVertices = 65,
+    /// Remeshed meshes: per triangle that is left its number before.
+    KeptTriangles = 66,
+}
+
+/// Vectors in a result.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_vectors {
+    /// Faired meshes: the unit normals that were used at the border, in the order of the list BORDER_VERTICES.
+    BorderNormals = 0,
+    /// Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+    ParentWeights = 1,
+}
+
+/// Numbers per vertex in a result.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_scalars {
+    /// Mean curvature, in 1 / length: negative on a sphere with outward normals. NaN where no vertex is free.
+    MeanCurvature = 0,
+    /// Gaussian curvature, in 1 / length^2. NaN where no vertex is free.
+    GaussianCurvature = 1,
+}

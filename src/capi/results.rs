@@ -1,0 +1,207 @@
+//! What results hold, and how it is read out of them.
+
+use super::report;
+use super::status::{Failure, Outcome, fairmesh_status as Status};
+use super::types::*;
+use crate::fairing::{Report, Solution};
+use crate::holes::{BorderLoop, Filled, Parents, Remeshed};
+
+/// How many, and which by its number.
+type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
+
+/// What a handle of a result stands for. It never changes.
+#[allow(clippy::large_enum_variant, reason = "one per handle")]
+pub enum Content {
+    Faired(Solution),
+    Loops(Vec<BorderLoop>),
+    Filled {
+        filled: Filled,
+        vertices: usize,
+        triangles: usize,
+    },
+    Remeshed(Remeshed),
+}
+
+fn not_available(what: &str) -> Failure {
+    Failure::new(Status::NotAvailable, format_args!("this result has no {what}"))
+}
+
+/// The entry of a list, if there is one.
+fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> Outcome<&'a T> {
+    usize::try_from(index)
+        .ok()
+        .and_then(|k| list.get(k))
+        .ok_or_else(|| {
+            let why = format_args!("there is no {what} {index}: there are {}", list.len());
+            Failure::new(Status::NotAvailable, why)
+        })
+}
+
+impl Content {
+    pub fn info(&self) -> fairmesh_info {
+        let mut info = fairmesh_info {
+            struct_size: size_of::<fairmesh_info>() as u32,
+            kind: fairmesh_result_kind::Faired as u32,
+            vertex_count: 0,
+            triangle_count: 0,
+            new_vertex_count: 0,
+            new_triangle_count: 0,
+            loop_count: 0,
+            border_vertex_count: 0,
+        };
+        match self {
+            Self::Faired(solution) => {
+                info.vertex_count = solution.positions.len() as u64;
+                info.border_vertex_count = solution.border_normals.len() as u64;
+            }
+            Self::Loops(loops) => {
+                info.kind = fairmesh_result_kind::Loops as u32;
+                info.loop_count = loops.len() as u64;
+            }
+            Self::Filled {
+                filled,
+                vertices,
+                triangles,
+            } => {
+                info.kind = fairmesh_result_kind::Filled as u32;
+                info.vertex_count = filled.positions.len() as u64;
+                info.triangle_count = filled.triangles.len() as u64;
+                info.new_vertex_count = (filled.positions.len() - vertices) as u64;
+                info.new_triangle_count = (filled.triangles.len() - triangles) as u64;
+                info.loop_count = filled.loops.len() as u64;
+            }
+            Self::Remeshed(mesh) => {
+                info.kind = fairmesh_result_kind::Remeshed as u32;
+                info.vertex_count = mesh.positions.len() as u64;
+                info.triangle_count = mesh.triangles.len() as u64;
+                info.new_vertex_count = (mesh.positions.len() - mesh.kept_vertices.len()) as u64;
+                info.new_triangle_count = (mesh.triangles.len() - mesh.kept_triangles.len()) as u64;
+            }
+        }
+        info
+    }
+
+    pub fn report(&self, index: u64) -> Outcome<&Report> {
+        match self {
+            Self::Faired(solution) => entry(std::slice::from_ref(&solution.report), index, "report"),
+            Self::Filled { filled, .. } => {
+                let of = entry(&filled.loops, index, "loop")?;
+                of.fairing
+                    .as_ref()
+                    .ok_or_else(|| not_available("report of this loop: it was not faired"))
+            }
+            _ => Err(not_available("report")),
+        }
+    }
+
+    pub fn level(&self, index: u64) -> Outcome<fairmesh_level> {
+        let report = self.report(0)?;
+        entry(&report.levels, index, "level").map(report::level)
+    }
+
+    pub fn border_loop(&self, index: u64) -> Outcome<fairmesh_loop> {
+        match self {
+            Self::Loops(loops) => entry(loops, index, "loop").map(report::border_loop),
+            _ => Err(not_available("border loops")),
+        }
+    }
+
+    pub fn filled_loop(&self, index: u64) -> Outcome<fairmesh_fill_report> {
+        match self {
+            Self::Filled { filled, .. } => entry(&filled.loops, index, "loop").map(report::filled_loop),
+            _ => Err(not_available("filled loops")),
+        }
+    }
+
+    pub fn positions(&self) -> Outcome<&[[f64; 3]]> {
+        match self {
+            Self::Faired(solution) => Ok(&solution.positions),
+            Self::Filled { filled, .. } => Ok(&filled.positions),
+            Self::Remeshed(mesh) => Ok(&mesh.positions),
+            Self::Loops(_) => Err(not_available("positions")),
+        }
+    }
+
+    pub fn triangles(&self) -> Outcome<&[[u32; 3]]> {
+        match self {
+            Self::Filled { filled, .. } => Ok(&filled.triangles),
+            Self::Remeshed(mesh) => Ok(&mesh.triangles),
+            _ => Err(not_available("triangles: they are those given")),
+        }
+    }
+
+    /// Numbers at some vertices, of so many in all.
+    pub fn scalars(&self, which: u32) -> Outcome<(&[(u32, f64)], usize)> {
+        let Self::Faired(solution) = self else {
+            return Err(not_available("numbers per vertex"));
+        };
+        let vertices = solution.positions.len();
+        match which {
+            0 => Ok((&solution.mean_curvature, vertices)),
+            1 => Ok((&solution.gaussian_curvature, vertices)),
+            _ => Err(unknown(which, "fairmesh_scalars")),
+        }
+    }
+
+    fn parents(&self) -> Outcome<&[Parents]> {
+        match self {
+            Self::Filled { filled, .. } => Ok(&filled.parents),
+            Self::Remeshed(mesh) => Ok(&mesh.parents),
+            _ => Err(not_available("parents")),
+        }
+    }
+
+    /// Vectors by their number, and how many.
+    pub fn vectors(&self, which: u32) -> Outcome<Numbered<'_, [f64; 3]>> {
+        match which {
+            0 => match self {
+                Self::Faired(solution) => {
+                    let normals = &solution.border_normals;
+                    Ok((normals.len(), Box::new(|k| normals[k].1)))
+                }
+                _ => Err(not_available("border normals")),
+            },
+            1 => {
+                let parents = self.parents()?;
+                Ok((parents.len(), Box::new(|k| parents[k].weights)))
+            }
+            _ => Err(unknown(which, "fairmesh_vectors")),
+        }
+    }
+
+    /// Indices by their number, and how many.
+    pub fn list(&self, which: u32, index: u64) -> Outcome<Numbered<'_, u32>> {
+        fn of(list: &[u32]) -> Numbered<'_, u32> {
+            (list.len(), Box::new(|k| list[k]))
+        }
+        match (which, self) {
+            (0, _) => self.report(index).map(|r| of(report::poor(r))),
+            (1, _) => self.report(index).map(|r| of(&r.quality.flipped)),
+            (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
+            (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
+            (4, _) => self.report(index).map(|r| of(report::unreached(r))),
+            (16, Self::Faired(solution)) => {
+                let normals = &solution.border_normals;
+                Ok((normals.len(), Box::new(|k| normals[k].0)))
+            }
+            (32, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.vertices)),
+            (33, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.touching)),
+            (48, Self::Filled { filled, .. }) => entry(&filled.loops, index, "loop").map(|l| of(&l.outside)),
+            (49, _) => {
+                let parents = self.parents()?;
+                Ok((3 * parents.len(), Box::new(|k| parents[k / 3].vertices[k % 3])))
+            }
+            (64, Self::Remeshed(mesh)) => Ok(of(&mesh.free)),
+            (65, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_vertices)),
+            (66, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_triangles)),
+            (16 | 32 | 33 | 48 | 64..=66, _) => Err(not_available("such list")),
+            _ => Err(unknown(which, "fairmesh_list")),
+        }
+    }
+}
+
+fn unknown(which: u32, of: &str) -> Failure {
+    super::views::Argument(2)
+        .itself()
+        .refuse(Status::BadEnum, format_args!("{which} is no {of}"))
+}

@@ -1,0 +1,43 @@
+//! What a handle of a solver stands for.
+
+use std::sync::{Mutex, MutexGuard, TryLockError};
+
+use super::memory::Reserve;
+use super::options::Teller;
+use super::status::{Failure, Outcome, fairmesh_status as Status};
+use crate::fairing::Session;
+
+/// One user at a time. Who panics with the lock poisons it.
+pub struct Shared(Mutex<Solver>);
+
+pub struct Solver {
+    pub session: Session,
+    pub teller: Teller,
+    pub vertices: usize,
+    /// What each call sets aside.
+    pub need: usize,
+    /// For the thread that waits between the calls. Last, so that it outlives the session.
+    pub _standing: Reserve,
+}
+
+impl Shared {
+    pub fn new(solver: Solver) -> Self {
+        Self(Mutex::new(solver))
+    }
+
+    /// The solver, if nobody uses it.
+    pub fn take(&self) -> Outcome<MutexGuard<'_, Solver>> {
+        self.0.try_lock().map_err(|why| match why {
+            TryLockError::WouldBlock => Failure::new(Status::Busy, format_args!("the solver is in use")),
+            TryLockError::Poisoned(_) => Failure::new(
+                Status::Internal,
+                format_args!("a bug has broken this solver; free it"),
+            ),
+        })
+    }
+
+    /// Whether somebody uses it.
+    pub fn is_busy(&self) -> bool {
+        matches!(self.0.try_lock(), Err(TryLockError::WouldBlock))
+    }
+}

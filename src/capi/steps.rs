@@ -1,0 +1,260 @@
+//! Solvers: fairing in steps.
+
+use core::mem::offset_of;
+use std::sync::Arc;
+
+use super::guard::{guarded, point};
+use super::handles;
+use super::input::{MeshIn, NormalsIn, SelectionIn};
+use super::need;
+use super::options::{OptionsIn, target};
+use super::outputs::*;
+use super::report;
+use super::results::Content;
+use super::solvers::{Shared, Solver};
+use super::status::*;
+use super::types::*;
+use super::views::*;
+use crate::fairing::{Progress, Session};
+
+use fairmesh_status as Status;
+
+/// Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in
+/// `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
+/// find what `fairmesh_fair` finds, to the last bit. `solver` gets a handle; free it by `fairmesh_solver_free`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_new(
+    mesh: *const fairmesh_mesh,
+    selection: *const fairmesh_selection,
+    options: *const fairmesh_options,
+    solver: *mut *mut fairmesh_solver,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
+        if asked.solver != crate::fairing::Solver::Fast {
+            let place = Argument(3).field(offset_of!(fairmesh_options, solver));
+            return Err(place.refuse(
+                Status::BadOption,
+                format_args!("only the fast solver runs in steps"),
+            ));
+        }
+        check_slot(solver, Argument(4), &mut spans)?;
+        spans.error(error, Argument(5))?;
+
+        let selected = selection.read(&mesh)?;
+        let normals = asked.normals.read(mesh.vertices())?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let need = need::of_fairing(&mesh, &selected, asked.threads)?;
+        let _reserve = need::reserve(need)?;
+        let standing = need::reserve(need::STANDING)?;
+        let teller = asked.teller.fresh();
+        point();
+        let session = Session::new(
+            &positions,
+            &triangles,
+            selected.selection(),
+            &asked.options(&normals, None),
+        )?;
+        let made = Solver {
+            session,
+            teller,
+            vertices: mesh.vertices(),
+            need,
+            _standing: standing,
+        };
+        let handle = handles::add::<fairmesh_solver, _>(Arc::new(Shared::new(made)));
+        if let Err(failure) = teller.memory() {
+            handles::remove(handle);
+            return Err(failure);
+        }
+        write(solver, handle);
+        Ok(())
+    })
+}
+
+/// Runs at most `iterations` nonlinear iterations (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
+/// CANCELLED says that a further run goes on from here; after any other one the end is reached, and a further run
+/// does nothing until something is changed. `report` may be NULL. On OUT_OF_MEMORY the solver has stopped early; it can go on.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_run(
+    solver: *mut fairmesh_solver,
+    iterations: u64,
+    report: *mut fairmesh_report,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        if iterations == 0 {
+            return Err(Argument(2)
+                .itself()
+                .refuse(Status::BadOption, format_args!("has to be at least 1")));
+        }
+        let report_out = StructOut::optional(report, Argument(3), &mut spans)?;
+        spans.error(error, Argument(4))?;
+        let mut solver = shared.take()?;
+        let _reserve = need::reserve(solver.need)?;
+        let teller = solver.teller.fresh();
+        point();
+        let mut tell = |progress: &Progress| teller.tell(progress);
+        let iterations = usize::try_from(iterations).unwrap_or(usize::MAX);
+        let told = report::report(&solver.session.run(iterations, Some(&mut tell))?.report);
+        teller.memory()?;
+        if let Some(out) = report_out {
+            out.write(&told);
+        }
+        Ok(())
+    })
+}
+
+/// Asks for other border normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_set_normals(
+    solver: *mut fairmesh_solver,
+    normals: *const fairmesh_normals,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        check_pointer(normals, Argument(2))?;
+        let mut solver = shared.take()?;
+        spans.input(normals, size_of::<fairmesh_normals>());
+        let asked = NormalsIn::new(&read(normals), Argument(2).field(0), solver.vertices, &mut spans)?;
+        spans.error(error, Argument(3))?;
+        let asked = asked.read(solver.vertices)?;
+        let _reserve = need::reserve(solver.need)?;
+        let teller = solver.teller.fresh();
+        point();
+        solver.session.set_border_normals(asked.normals())?;
+        teller.memory()
+    })
+}
+
+/// Asks for another target from now on. The next run starts at the surface at hand, with the matrices at hand.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_set_target(
+    solver: *mut fairmesh_solver,
+    new_target: *const fairmesh_target,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        check_pointer(new_target, Argument(2))?;
+        let asked = target(&read(new_target), Argument(2).field(0))?;
+        spans.input(new_target, size_of::<fairmesh_target>());
+        spans.error(error, Argument(3))?;
+        let mut solver = shared.take()?;
+        let _reserve = need::reserve(solver.need)?;
+        let teller = solver.teller.fresh();
+        point();
+        solver.session.set_target(asked)?;
+        teller.memory()
+    })
+}
+
+/// All positions as they stand: of the last iteration run; before the first one, the input's.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_positions(
+    solver: *const fairmesh_solver,
+    out: *const fairmesh_points_out,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = NumbersOut::points(out, Argument(2))?;
+        spans.output(out.array.data, out.array.bytes, Argument(2))?;
+        spans.error(error, Argument(3))?;
+        let solver = shared.take()?;
+        point();
+        put_positions(&out, &solver.session.solution().positions, Argument(2))
+    })
+}
+
+/// The mean curvature of the surface as it stands, one number per vertex; NaN where no vertex is free.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_mean_curvature(
+    solver: *const fairmesh_solver,
+    out: *const fairmesh_scalars_out,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = NumbersOut::scalars(out, Argument(2))?;
+        spans.output(out.array.data, out.array.bytes, Argument(2))?;
+        spans.error(error, Argument(3))?;
+        let solver = shared.take()?;
+        point();
+        put_scalars(
+            &out,
+            &solver.session.solution().mean_curvature,
+            solver.vertices,
+            Argument(2),
+        )
+    })
+}
+
+/// The report of the last run; before the first one, of the input.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_report(
+    solver: *const fairmesh_solver,
+    report: *mut fairmesh_report,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = StructOut::new(report, Argument(2), &mut spans)?;
+        spans.error(error, Argument(3))?;
+        let solver = shared.take()?;
+        point();
+        out.write(&report::report(&solver.session.solution().report));
+        Ok(())
+    })
+}
+
+/// A copy of everything that is known of the surface as it stands: curvatures, lists, border normals. `result` gets a
+/// handle of its own; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_result(
+    solver: *const fairmesh_solver,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        check_slot(result, Argument(2), &mut spans)?;
+        spans.error(error, Argument(3))?;
+        let solver = shared.take()?;
+        let _reserve = need::reserve(solver.need)?;
+        let teller = solver.teller.fresh();
+        point();
+        let content = Content::Faired(solver.session.solution().clone());
+        publish(Arc::new(content), result, &teller)
+    })
+}
+
+/// Frees a solver. NULL is allowed. BUSY while it is in use, also from its own callback; nothing is freed then.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_free(solver: *mut fairmesh_solver) -> fairmesh_status {
+    guarded(core::ptr::null_mut(), || {
+        if solver.is_null() {
+            return Ok(());
+        }
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        if shared.is_busy() {
+            return Err(Failure::new(Status::Busy, format_args!("the solver is in use")));
+        }
+        handles::remove(solver);
+        Ok(())
+    })
+}

@@ -1,0 +1,227 @@
+//! Places in the arguments, pointers, structs of all versions, and what may not overlap.
+
+use core::mem::{MaybeUninit, size_of};
+
+use super::status::{FAIRMESH_NO_ELEMENT, Failure, Outcome, fairmesh_element, fairmesh_status as Status};
+use super::types::Versioned;
+
+/// An argument, counted from 1.
+#[derive(Clone, Copy)]
+pub struct Argument(pub usize);
+
+impl Argument {
+    /// The field at this offset of the struct that the argument points to.
+    pub fn field(self, offset: usize) -> Place {
+        Place(self.0, offset as u64)
+    }
+
+    pub fn itself(self) -> Place {
+        Place(self.0, FAIRMESH_NO_ELEMENT)
+    }
+}
+
+/// An argument, or a field in it.
+#[derive(Clone, Copy)]
+pub struct Place(usize, u64);
+
+impl Place {
+    /// A field of a struct that is a field itself.
+    pub fn plus(self, offset: usize) -> Self {
+        Self(self.0, self.1.wrapping_add(offset as u64))
+    }
+
+    pub fn refuse(self, status: Status, why: std::fmt::Arguments<'_>) -> Failure {
+        let mut failure = if self.1 == FAIRMESH_NO_ELEMENT {
+            Failure::new(status, format_args!("argument {}: {why}", self.0))
+        } else {
+            Failure::new(
+                status,
+                format_args!("argument {}, field at offset {}: {why}", self.0, self.1),
+            )
+        };
+        failure.other = self.1;
+        failure.at(fairmesh_element::Argument, self.0)
+    }
+}
+
+pub fn aligned<T>(pointer: *const T, to: usize) -> bool {
+    (pointer as usize).is_multiple_of(to)
+}
+
+/// Checks a pointer to something.
+pub fn check_pointer<T>(pointer: *const T, argument: Argument) -> Outcome {
+    if pointer.is_null() {
+        return Err(argument
+            .itself()
+            .refuse(Status::NullPointer, format_args!("NULL")));
+    }
+    if !aligned(pointer, align_of::<T>()) {
+        return Err(argument
+            .itself()
+            .refuse(Status::Misaligned, format_args!("misaligned")));
+    }
+    Ok(())
+}
+
+/// Larger than any version of a struct will be.
+const LARGEST: usize = 1 << 16;
+
+fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> Outcome<usize> {
+    check_pointer(pointer, argument)?;
+    // SAFETY: not NULL and aligned; by contract it is a struct that begins with its size.
+    let size = unsafe { pointer.cast::<u32>().read() } as usize;
+    check_size::<T>(size, argument.field(0))
+}
+
+pub fn check_size<T: Versioned>(size: usize, place: Place) -> Outcome<usize> {
+    if size < T::FIRST || size > LARGEST || !size.is_multiple_of(8) {
+        let (first, known) = (T::FIRST, size_of::<T>());
+        return Err(place.refuse(
+            Status::BadStructSize,
+            format_args!("struct_size is {size}; this library knows {first} to {known}"),
+        ));
+    }
+    Ok(size)
+}
+
+/// Reads a struct of any version. Fields that it does not have yet are zero; fields that this library does not know yet
+/// have to be.
+pub fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -> Outcome<T> {
+    let size = size_of_struct(pointer, argument)?;
+    let known = size.min(size_of::<T>());
+    let mut value = MaybeUninit::<T>::zeroed();
+    // SAFETY: by contract the caller's struct has `size` bytes; every bit pattern is a value.
+    unsafe {
+        pointer
+            .cast::<u8>()
+            .copy_to_nonoverlapping(value.as_mut_ptr().cast(), known);
+        for k in known..size {
+            if pointer.cast::<u8>().add(k).read() != 0 {
+                let place = argument.field(k);
+                return Err(place.refuse(
+                    Status::BadReserved,
+                    format_args!("unknown to this library, and not zero"),
+                ));
+            }
+        }
+        Ok(value.assume_init())
+    }
+}
+
+/// Where a struct of any version goes.
+pub struct StructOut<T> {
+    pointer: *mut T,
+    size: usize,
+}
+
+impl<T: Versioned> StructOut<T> {
+    pub fn new(pointer: *mut T, argument: Argument, spans: &mut Spans) -> Outcome<Self> {
+        let size = size_of_struct(pointer, argument)?;
+        spans.output(pointer.cast(), size, argument)?;
+        Ok(Self { pointer, size })
+    }
+
+    pub fn optional(pointer: *mut T, argument: Argument, spans: &mut Spans) -> Outcome<Option<Self>> {
+        if pointer.is_null() {
+            Ok(None)
+        } else {
+            Self::new(pointer, argument, spans).map(Some)
+        }
+    }
+
+    /// Writes what the caller's version has. `struct_size` stays the caller's.
+    pub fn write(&self, value: &T) {
+        let known = self.size.min(size_of::<T>());
+        // SAFETY: by contract the caller's struct has `size` bytes.
+        unsafe {
+            let (from, to) = ((value as *const T).cast::<u8>(), self.pointer.cast::<u8>());
+            to.add(4).copy_from_nonoverlapping(from.add(4), known - 4);
+            to.add(known).write_bytes(0, self.size - known);
+        }
+    }
+}
+
+/// Fills a struct of this size with a value; for the `init` functions.
+pub fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T) -> Outcome {
+    check_pointer(pointer, Argument(1))?;
+    check_size::<T>(size, Argument(2).itself())?;
+    StructOut { pointer, size }.write(value);
+    // SAFETY: as above.
+    unsafe { pointer.cast::<u32>().write(size as u32) };
+    Ok(())
+}
+
+/// Where a pointer to a handle goes.
+pub fn check_slot<T>(slot: *mut *mut T, argument: Argument, spans: &mut Spans) -> Outcome {
+    check_pointer(slot, argument)?;
+    spans.output(slot.cast(), size_of::<*mut T>(), argument)
+}
+
+/// The memory that a call reads and writes: outputs overlap nothing.
+pub struct Spans {
+    inputs: [(usize, usize); 12],
+    input_count: usize,
+    outputs: [(usize, usize); 6],
+    output_count: usize,
+}
+
+impl Spans {
+    pub fn new() -> Self {
+        Self {
+            inputs: [(0, 0); 12],
+            input_count: 0,
+            outputs: [(0, 0); 6],
+            output_count: 0,
+        }
+    }
+
+    pub fn input<T>(&mut self, pointer: *const T, bytes: usize) {
+        if bytes > 0 {
+            self.inputs[self.input_count] = (pointer as usize, pointer as usize + bytes);
+            self.input_count += 1;
+        }
+    }
+
+    /// Inputs have to be told before.
+    pub fn output(&mut self, pointer: *mut u8, bytes: usize, argument: Argument) -> Outcome {
+        let (start, end) = (pointer as usize, pointer as usize + bytes);
+        let others = self.inputs[..self.input_count]
+            .iter()
+            .chain(&self.outputs[..self.output_count]);
+        for &(a, b) in others {
+            if start < b && a < end {
+                let why = format_args!("overlaps what another argument points to");
+                return Err(argument.itself().refuse(Status::Aliasing, why));
+            }
+        }
+        if bytes > 0 {
+            self.outputs[self.output_count] = (start, end);
+            self.output_count += 1;
+        }
+        Ok(())
+    }
+
+    /// The error detail is an output of nearly every function.
+    pub fn error(&mut self, error: *mut super::status::fairmesh_error, argument: Argument) -> Outcome {
+        if error.is_null() {
+            return Ok(());
+        }
+        self.output(error.cast(), size_of::<super::status::fairmesh_error>(), argument)
+            .map_err(|failure| Failure {
+                silent: true,
+                ..failure
+            })
+    }
+}
+
+/// Reads from a place that was checked.
+pub fn read<T: Copy>(from: *const T) -> T {
+    // SAFETY: every caller has checked it for NULL and alignment; integers, floats and pointers, of any bits.
+    unsafe { from.read() }
+}
+
+/// Writes to a place that was checked.
+pub fn write<T>(to: *mut T, value: T) {
+    // SAFETY: every caller has checked it for NULL and alignment; by contract it is ours to write.
+    unsafe { to.write(value) }
+}

@@ -1,0 +1,364 @@
+//! Arrays of the caller: checked before they are read, and read or written element by element.
+
+use core::ffi::c_void;
+use std::borrow::Cow;
+
+use super::memory;
+use super::status::{Failure, Outcome, fairmesh_element, fairmesh_status as Status};
+pub use super::structs::*;
+use super::types::*;
+
+/// What is known of an array after the checks.
+#[derive(Clone, Copy)]
+pub struct Array {
+    pub data: *mut u8,
+    pub count: usize,
+    pub stride: usize,
+    /// Bytes from the first to behind the last.
+    pub bytes: usize,
+}
+
+/// Checks an array of rows of `width` numbers, `size` bytes each. `at` are the places of data, count and stride.
+fn array(
+    data: *const c_void,
+    count: usize,
+    stride: usize,
+    width: usize,
+    size: usize,
+    at: [Place; 3],
+) -> Outcome<Array> {
+    let row = width * size;
+    if data.is_null() && count > 0 {
+        return Err(at[0].refuse(
+            Status::NullPointer,
+            format_args!("NULL, but the count is {count}"),
+        ));
+    }
+    if !aligned(data, size) {
+        return Err(at[0].refuse(
+            Status::Misaligned,
+            format_args!("data has to be aligned to {size} bytes"),
+        ));
+    }
+    let stride = if stride == 0 { row } else { stride };
+    if stride < row {
+        return Err(at[2].refuse(
+            Status::BadStride,
+            format_args!("stride {stride} is less than {row}"),
+        ));
+    }
+    if !stride.is_multiple_of(size) {
+        return Err(at[2].refuse(
+            Status::Misaligned,
+            format_args!("stride {stride} is no multiple of {size}"),
+        ));
+    }
+    let bytes = match count {
+        0 => Some(0),
+        n => (n - 1).checked_mul(stride).and_then(|b| b.checked_add(row)),
+    };
+    let fits = bytes.filter(|&b| b <= isize::MAX as usize && (data as usize).checked_add(b).is_some());
+    let Some(bytes) = fits else {
+        return Err(at[1].refuse(
+            Status::CountOverflow,
+            format_args!("{count} times {stride} bytes is too much"),
+        ));
+    };
+    Ok(Array {
+        data: data as *mut u8,
+        count,
+        stride,
+        bytes,
+    })
+}
+
+fn numbers_size(scalar: u32, place: Place) -> Outcome<usize> {
+    match scalar {
+        1 => Ok(4),
+        2 => Ok(8),
+        other => Err(place.refuse(Status::BadEnum, format_args!("{other} is no fairmesh_scalar"))),
+    }
+}
+
+pub fn check_reserved(reserved: u32, place: Place) -> Outcome {
+    if reserved == 0 {
+        return Ok(());
+    }
+    Err(place.refuse(Status::BadReserved, format_args!("reserved, but {reserved}")))
+}
+
+/// Places of the fields of an array struct that begins at `base`.
+macro_rules! places {
+    ($type:ident, $base:expr) => {
+        [
+            $base.plus(core::mem::offset_of!($type, data)),
+            $base.plus(core::mem::offset_of!($type, count)),
+            $base.plus(core::mem::offset_of!($type, stride)),
+        ]
+    };
+}
+
+/// Rows of three numbers to be read.
+#[derive(Clone, Copy)]
+pub struct PointsIn {
+    pub array: Array,
+    pub double: bool,
+}
+
+impl PointsIn {
+    pub fn new(view: &fairmesh_points, base: Place) -> Outcome<Self> {
+        check_reserved(
+            view.reserved,
+            base.plus(core::mem::offset_of!(fairmesh_points, reserved)),
+        )?;
+        let size = numbers_size(
+            view.scalar,
+            base.plus(core::mem::offset_of!(fairmesh_points, scalar)),
+        )?;
+        let array = array(
+            view.data,
+            view.count,
+            view.stride,
+            3,
+            size,
+            places!(fairmesh_points, base),
+        )?;
+        Ok(Self {
+            array,
+            double: size == 8,
+        })
+    }
+
+    pub fn get(&self, k: usize) -> [f64; 3] {
+        debug_assert!(k < self.array.count);
+        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
+        unsafe {
+            let row = self.array.data.add(k * self.array.stride);
+            if self.double {
+                row.cast::<[f64; 3]>().read()
+            } else {
+                row.cast::<[f32; 3]>().read().map(f64::from)
+            }
+        }
+    }
+
+    /// As the library wants them: without a copy where they are so already.
+    pub fn read<'a>(&self) -> Outcome<Cow<'a, [[f64; 3]]>> {
+        if self.array.count == 0 {
+            return Ok(Cow::Borrowed(&[]));
+        }
+        if self.double && self.array.stride == 24 {
+            // SAFETY: checked for NULL, alignment and size; nobody writes it during the call, by contract.
+            return Ok(Cow::Borrowed(unsafe {
+                std::slice::from_raw_parts(self.array.data.cast(), self.array.count)
+            }));
+        }
+        let mut points = room(self.array.count)?;
+        points.extend((0..self.array.count).map(|k| self.get(k)));
+        Ok(Cow::Owned(points))
+    }
+}
+
+/// A vector with room for so many.
+pub fn room<T>(count: usize) -> Outcome<Vec<T>> {
+    let mut vec = Vec::new();
+    let reserved = memory::without_reserve(|| vec.try_reserve_exact(count));
+    reserved.map_err(|_| Failure::out_of_memory())?;
+    Ok(vec)
+}
+
+/// Rows of indices to be read.
+pub fn indices_in(view: &fairmesh_indices, width: usize, base: Place) -> Outcome<Array> {
+    array(
+        view.data.cast(),
+        view.count,
+        view.stride,
+        width,
+        4,
+        places!(fairmesh_indices, base),
+    )
+}
+
+impl Array {
+    /// Row `k` of `N` indices.
+    pub fn index<const N: usize>(&self, k: usize) -> [u32; N] {
+        debug_assert!(k < self.count);
+        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
+        unsafe { self.data.add(k * self.stride).cast::<[u32; N]>().read() }
+    }
+
+    pub fn byte(&self, k: usize) -> u8 {
+        debug_assert!(k < self.count);
+        // SAFETY: as above.
+        unsafe { self.data.add(k * self.stride).read() }
+    }
+
+    /// As the library wants them: without a copy where they are so already.
+    pub fn rows<'a, const N: usize>(&self) -> Outcome<Cow<'a, [[u32; N]]>> {
+        if self.count == 0 {
+            return Ok(Cow::Borrowed(&[]));
+        }
+        if self.stride == 4 * N {
+            // SAFETY: checked for NULL, alignment and size; nobody writes it during the call, by contract.
+            return Ok(Cow::Borrowed(unsafe {
+                std::slice::from_raw_parts(self.data.cast(), self.count)
+            }));
+        }
+        let mut rows = room(self.count)?;
+        rows.extend((0..self.count).map(|k| self.index::<N>(k)));
+        Ok(Cow::Owned(rows))
+    }
+}
+
+/// The entries of a selection: bytes or indices.
+pub fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> Outcome<Array> {
+    let at = places!(fairmesh_selection, argument.field(0));
+    array(selection.data, selection.count, selection.stride, 1, size, at)
+}
+
+/// Numbers to be written, rows of `N`.
+pub struct NumbersOut<const N: usize> {
+    pub array: Array,
+    pub double: bool,
+}
+
+impl NumbersOut<3> {
+    pub fn points(view: *const fairmesh_points_out, argument: Argument) -> Outcome<Self> {
+        check_pointer(view, argument)?;
+        // SAFETY: not NULL, aligned.
+        let view = unsafe { view.read() };
+        let base = argument.field(0);
+        check_reserved(
+            view.reserved,
+            base.plus(core::mem::offset_of!(fairmesh_points_out, reserved)),
+        )?;
+        let size = numbers_size(
+            view.scalar,
+            base.plus(core::mem::offset_of!(fairmesh_points_out, scalar)),
+        )?;
+        let array = array(
+            view.data,
+            view.count,
+            view.stride,
+            3,
+            size,
+            places!(fairmesh_points_out, base),
+        )?;
+        Ok(Self {
+            array,
+            double: size == 8,
+        })
+    }
+}
+
+impl NumbersOut<1> {
+    pub fn scalars(view: *const fairmesh_scalars_out, argument: Argument) -> Outcome<Self> {
+        check_pointer(view, argument)?;
+        // SAFETY: not NULL, aligned.
+        let view = unsafe { view.read() };
+        let base = argument.field(0);
+        check_reserved(
+            view.reserved,
+            base.plus(core::mem::offset_of!(fairmesh_scalars_out, reserved)),
+        )?;
+        let size = numbers_size(
+            view.scalar,
+            base.plus(core::mem::offset_of!(fairmesh_scalars_out, scalar)),
+        )?;
+        let array = array(
+            view.data,
+            view.count,
+            view.stride,
+            1,
+            size,
+            places!(fairmesh_scalars_out, base),
+        )?;
+        Ok(Self {
+            array,
+            double: size == 8,
+        })
+    }
+}
+
+impl<const N: usize> NumbersOut<N> {
+    /// Exactly so many rows.
+    pub fn check_count(&self, count: usize, argument: Argument) -> Outcome {
+        check_count(self.array.count, count, argument.field(size_of::<usize>()))
+    }
+
+    /// Whether all of these can be written. Infinity is no number, except where the library says so itself.
+    pub fn check_range(&self, rows: impl Iterator<Item = (usize, [f64; N])>) -> Outcome {
+        if self.double {
+            return Ok(());
+        }
+        for (v, row) in rows {
+            if row.iter().any(|x| x.is_finite() && !(*x as f32).is_finite()) {
+                let failure =
+                    Failure::new(Status::NotFinite, format_args!("vertex {v} does not fit a float"));
+                return Err(failure.at(fairmesh_element::Vertex, v));
+            }
+        }
+        Ok(())
+    }
+
+    pub fn set(&self, k: usize, row: [f64; N]) {
+        debug_assert!(k < self.array.count);
+        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it and is ours to write.
+        unsafe {
+            let to = self.array.data.add(k * self.array.stride);
+            if self.double {
+                to.cast::<[f64; N]>().write(row);
+            } else {
+                to.cast::<[f32; N]>().write(row.map(|x| x as f32));
+            }
+        }
+    }
+
+    pub fn same_as(&self, points: &PointsIn) -> bool {
+        self.array.data == points.array.data
+            && self.array.stride == points.array.stride
+            && self.array.count == points.array.count
+            && self.double == points.double
+    }
+}
+
+/// Triangles to be written.
+pub struct TrianglesOut(pub Array);
+
+impl TrianglesOut {
+    pub fn new(view: *const fairmesh_indices_out, argument: Argument) -> Outcome<Self> {
+        check_pointer(view, argument)?;
+        // SAFETY: not NULL, aligned.
+        let view = unsafe { view.read() };
+        let at = places!(fairmesh_indices_out, argument.field(0));
+        Ok(Self(array(view.data.cast(), view.count, view.stride, 3, 4, at)?))
+    }
+
+    pub fn set(&self, k: usize, row: [u32; 3]) {
+        debug_assert!(k < self.0.count);
+        // SAFETY: row k of an array that was checked; by contract the caller's memory holds it and is ours to write.
+        unsafe { self.0.data.add(k * self.0.stride).cast::<[u32; 3]>().write(row) };
+    }
+}
+
+/// A list of indices to be written.
+pub fn list_out(data: *mut u32, capacity: usize) -> Outcome<Array> {
+    let [at, count] = [Argument(4).itself(), Argument(5).itself()];
+    array(data.cast(), capacity, 0, 1, 4, [at, count, count])
+}
+
+pub fn put_index(out: &Array, k: usize, index: u32) {
+    debug_assert!(k < out.count);
+    // SAFETY: entry k of an array that was checked; by contract the caller's memory holds it and is ours to write.
+    unsafe { out.data.cast::<u32>().add(k).write(index) };
+}
+
+pub fn check_count(got: usize, wanted: usize, place: Place) -> Outcome {
+    if got == wanted {
+        return Ok(());
+    }
+    Err(place.refuse(
+        Status::CountMismatch,
+        format_args!("{got}, but it has to be {wanted}"),
+    ))
+}

@@ -1,0 +1,870 @@
+/* Bad inputs in classes: each has its exact status and element, and leaves every output as it was. */
+#include "common.h"
+
+enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32 };
+#define REGION (FAIR | SOLVER | REMESH)
+#define ALL (REGION | FILL | LOOPS | CURVATURE)
+#define SIDE 9
+#define NONE FAIRMESH_NO_ELEMENT
+
+/* Everything that a call takes and gives. */
+typedef struct {
+    Cap cap;
+    fairmesh_mesh mesh;
+    fairmesh_selection selection;
+    fairmesh_options options;
+    fairmesh_fill_options fill;
+    fairmesh_remesh_options remesh;
+    fairmesh_points_out out;
+    fairmesh_scalars_out numbers;
+    double *outputs;
+    fairmesh_report report;
+    fairmesh_result *result;
+    fairmesh_solver *solver;
+    uint32_t list[8];
+    double normals[3 * SIDE * SIDE];
+    /* What is handed over; NULL where a mutation says so. */
+    const fairmesh_mesh *p_mesh;
+    const fairmesh_selection *p_selection;
+    const fairmesh_options *p_options;
+    const fairmesh_fill_options *p_fill;
+    const fairmesh_remesh_options *p_remesh;
+    const fairmesh_points_out *p_out;
+    const fairmesh_scalars_out *p_numbers;
+    fairmesh_report *p_report;
+    fairmesh_result **p_result;
+    fairmesh_solver **p_solver;
+} Call;
+
+/* What has to come of it. */
+typedef struct {
+    int32_t status;
+    uint32_t kind;
+    uint64_t element, other;
+} Expected;
+
+static Expected expect(int32_t status, uint32_t kind, uint64_t element, uint64_t other) {
+    Expected e;
+    e.status = status;
+    e.kind = kind;
+    e.element = element;
+    e.other = other;
+    return e;
+}
+
+static Expected argument(int32_t status, uint64_t number, uint64_t offset) {
+    return expect(status, FAIRMESH_ELEMENT_ARGUMENT, number, offset);
+}
+
+/* The numbers of the arguments. */
+static uint64_t selection_argument(int function) {
+    (void)function;
+    return 2;
+}
+
+static uint64_t options_argument(int function) {
+    (void)function;
+    return 3;
+}
+
+#define OFFSET(type, a) ((uint64_t)offsetof(type, a))
+#define OFFSET2(type, a, inner, b) ((uint64_t)(offsetof(type, a) + offsetof(inner, b)))
+
+static void call_init(Call *call) {
+    memset(call, 0, sizeof *call);
+    call->cap = cap_new(SIDE);
+    call->mesh = call->cap.mesh;
+    call->selection = call->cap.selection;
+    OK(fairmesh_options_init(&call->options, sizeof call->options));
+    call->options.threads = 1;
+    OK(fairmesh_fill_options_init(&call->fill, sizeof call->fill));
+    OK(fairmesh_remesh_options_init(&call->remesh, sizeof call->remesh));
+    call->outputs = (double *)must(malloc(3 * SIDE * SIDE * sizeof(double)));
+    memset(call->outputs, 0x5a, 3 * SIDE * SIDE * sizeof(double));
+    call->out = points_out_of(call->outputs, SIDE * SIDE);
+    call->numbers = scalars_out_of(call->outputs, SIDE * SIDE);
+    memset(&call->report, 0x5a, sizeof call->report);
+    call->report.struct_size = sizeof call->report;
+    call->result = (fairmesh_result *)(uintptr_t)0x5a5a;
+    call->solver = (fairmesh_solver *)(uintptr_t)0x5a5a;
+    call->p_mesh = &call->mesh;
+    call->p_selection = &call->selection;
+    call->p_options = &call->options;
+    call->p_fill = &call->fill;
+    call->p_remesh = &call->remesh;
+    call->p_out = &call->out;
+    call->p_numbers = &call->numbers;
+    call->p_report = &call->report;
+    call->p_result = &call->result;
+    call->p_solver = &call->solver;
+}
+
+static void call_free(Call *call) {
+    cap_free(&call->cap);
+    free(call->outputs);
+}
+
+static int32_t call_run(Call *c, int function, fairmesh_error *error) {
+    switch (function) {
+    case FAIR:
+        return fairmesh_fair(c->p_mesh, c->p_selection, c->p_options, c->p_out, c->p_report, c->p_result, error);
+    case SOLVER: return fairmesh_solver_new(c->p_mesh, c->p_selection, c->p_options, c->p_solver, error);
+    case REMESH: return fairmesh_remesh(c->p_mesh, c->p_selection, c->p_remesh, c->p_result, error);
+    case FILL: return fairmesh_fill_holes(c->p_mesh, c->p_fill, c->p_options, c->p_result, error);
+    case LOOPS: return fairmesh_border_loops(c->p_mesh, c->p_result, error);
+    default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
+    }
+}
+
+/* Mutations. Each gets the number of its variant and says what has to come of it. */
+typedef Expected (*Mutation)(Call *c, int function, int k);
+
+static Expected null_mesh(Call *c, int f, int k) {
+    (void)f, (void)k;
+    c->p_mesh = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, 1, NONE);
+}
+static Expected null_data(Call *c, int f, int k) {
+    (void)f;
+    if (k == 0) {
+        c->mesh.positions.data = NULL;
+        return argument(FAIRMESH_STATUS_NULL_POINTER, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, data));
+    }
+    c->mesh.triangles.data = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, 1, OFFSET2(fairmesh_mesh, triangles, fairmesh_indices, data));
+}
+static Expected null_result(Call *c, int f, int k) {
+    (void)k;
+    c->p_result = NULL;
+    c->p_solver = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS ? 2 : 4, NONE);
+}
+static Expected null_selection_data(Call *c, int f, int k) {
+    c->selection.kind = (uint32_t)(k + 1);
+    c->selection.data = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, selection_argument(f), OFFSET(fairmesh_selection, data));
+}
+static Expected null_output(Call *c, int f, int k) {
+    (void)k;
+    c->out.data = NULL;
+    c->numbers.data = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, data));
+}
+static Expected null_numbers(Call *c, int f, int k) {
+    (void)f, (void)k;
+    c->p_numbers = NULL;
+    return argument(FAIRMESH_STATUS_NULL_POINTER, 2, NONE);
+}
+static Expected null_normals(Call *c, int f, int k) {
+    (void)k;
+    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    c->options.normals.vectors = points_of(NULL, SIDE * SIDE);
+    return argument(FAIRMESH_STATUS_NULL_POINTER, options_argument(f),
+                    OFFSET2(fairmesh_options, normals, fairmesh_normals, vectors));
+}
+
+static Expected misaligned_struct(Call *c, int f, int k) {
+    static union { double align; char bytes[1024]; } room;
+    int off = 1 + k % 7;
+    (void)f;
+    memcpy(room.bytes + off, &c->mesh, sizeof c->mesh);
+    c->p_mesh = (const fairmesh_mesh *)(const void *)(room.bytes + off);
+    return argument(FAIRMESH_STATUS_MISALIGNED, 1, NONE);
+}
+static Expected misaligned_options(Call *c, int f, int k) {
+    c->p_options = (const fairmesh_options *)(const void *)((const char *)&c->options + 1 + k % 7);
+    return argument(FAIRMESH_STATUS_MISALIGNED, options_argument(f), NONE);
+}
+static Expected misaligned_positions(Call *c, int f, int k) {
+    (void)f;
+    c->mesh.positions.data = (const char *)c->mesh.positions.data + 1 + k % 7;
+    c->mesh.positions.count--;
+    return argument(FAIRMESH_STATUS_MISALIGNED, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, data));
+}
+static Expected misaligned_triangles(Call *c, int f, int k) {
+    (void)f;
+    c->mesh.triangles.data = (const uint32_t *)(const void *)((const char *)c->cap.corners + 1 + k % 3);
+    return argument(FAIRMESH_STATUS_MISALIGNED, 1, OFFSET2(fairmesh_mesh, triangles, fairmesh_indices, data));
+}
+static Expected misaligned_stride(Call *c, int f, int k) {
+    (void)f;
+    c->mesh.positions.stride = (size_t)(25 + k % 7);
+    return argument(FAIRMESH_STATUS_MISALIGNED, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, stride));
+}
+static Expected misaligned_output(Call *c, int f, int k) {
+    c->out.data = (char *)c->out.data + 1 + k % 7;
+    c->numbers.data = c->out.data;
+    return argument(FAIRMESH_STATUS_MISALIGNED, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, data));
+}
+static Expected misaligned_selection(Call *c, int f, int k) {
+    c->selection.kind = k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    c->selection.data = (const char *)c->list + 1 + k / 2;
+    c->selection.count = 2;
+    return argument(FAIRMESH_STATUS_MISALIGNED, selection_argument(f), OFFSET(fairmesh_selection, data));
+}
+
+static Expected short_stride(Call *c, int f, int k) {
+    (void)f;
+    if (k % 2) {
+        c->mesh.triangles.stride = (size_t)(4 * (1 + k / 2 % 2));
+        return argument(FAIRMESH_STATUS_BAD_STRIDE, 1, OFFSET2(fairmesh_mesh, triangles, fairmesh_indices, stride));
+    }
+    c->mesh.positions.stride = (size_t)(8 * (1 + k / 2 % 2));
+    return argument(FAIRMESH_STATUS_BAD_STRIDE, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, stride));
+}
+static Expected short_stride_elsewhere(Call *c, int f, int k) {
+    if (k == 0) {
+        c->selection.kind = FAIRMESH_SELECTION_KIND_FACES;
+        c->selection.data = c->list;
+        c->selection.count = 2;
+        c->selection.stride = 2;
+        return argument(FAIRMESH_STATUS_BAD_STRIDE, selection_argument(f), OFFSET(fairmesh_selection, stride));
+    }
+    c->out.stride = 16;
+    c->numbers.stride = 4;
+    return argument(FAIRMESH_STATUS_BAD_STRIDE, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, stride));
+}
+
+static Expected overflow(Call *c, int f, int k) {
+    static const size_t counts[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 12, SIZE_MAX / 24, (size_t)1 << 62};
+    (void)f;
+    if (k % 2) {
+        c->mesh.triangles.count = counts[k / 2];
+        if (k / 2 == 4) c->mesh.triangles.count *= 3;
+        return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 1, OFFSET2(fairmesh_mesh, triangles, fairmesh_indices, count));
+    }
+    c->mesh.positions.count = counts[k / 2];
+    return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, count));
+}
+static Expected overflow_stride(Call *c, int f, int k) {
+    (void)f;
+    c->mesh.positions.stride = (SIZE_MAX >> (k % 6)) & ~(size_t)7;
+    return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, count));
+}
+static Expected too_large(Call *c, int f, int k) {
+    (void)f;
+    if (k) c->mesh.triangles.count = 0xffffffff;
+    else c->mesh.positions.count = 0xffffffff;
+    return expect(FAIRMESH_STATUS_TOO_LARGE, FAIRMESH_ELEMENT_NONE, NONE, NONE);
+}
+
+static Expected count_mismatch(Call *c, int f, int k) {
+    static const int by[] = {-81, -1, 1, 80, 1000};
+    if (k < 10) {
+        c->selection.kind = (uint32_t)(1 + k % 2);
+        c->selection.count += (size_t)by[k / 2];
+        return argument(FAIRMESH_STATUS_COUNT_MISMATCH, selection_argument(f), OFFSET(fairmesh_selection, count));
+    }
+    c->selection.kind = FAIRMESH_SELECTION_KIND_INTERIOR;
+    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, selection_argument(f), OFFSET(fairmesh_selection, count));
+}
+static Expected count_mismatch_out(Call *c, int f, int k) {
+    static const int by[] = {-81, -80, -1, 1, 7};
+    c->out.count += (size_t)by[k];
+    c->numbers.count += (size_t)by[k];
+    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, count));
+}
+static Expected count_mismatch_normals(Call *c, int f, int k) {
+    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    c->options.normals.vectors = points_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
+    if (k > 2) {
+        c->options.normals.vertices.data = c->list;
+        c->options.normals.vertices.count = 2;
+        c->options.normals.vectors.count = (size_t)k;
+    }
+    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
+                    OFFSET2(fairmesh_options, normals, fairmesh_normals, vectors) + offsetof(fairmesh_points, count));
+}
+
+static Expected index_out_of_range(Call *c, int f, int k) {
+    static const uint32_t wrong[] = {SIDE * SIDE, SIDE * SIDE + 1, 0x7fffffff, 0xffffffff};
+    uint64_t t = (uint64_t)(k * 17) % c->cap.triangles;
+    (void)f;
+    c->cap.corners[3 * t + (uint64_t)(k % 3)] = wrong[k % 4];
+    return expect(FAIRMESH_STATUS_INDEX_OUT_OF_RANGE, FAIRMESH_ELEMENT_TRIANGLE, t, wrong[k % 4]);
+}
+static Expected selection_out_of_range(Call *c, int f, int k) {
+    uint32_t count = k % 2 ? (uint32_t)c->cap.triangles : SIDE * SIDE;
+    uint32_t wrong = k / 2 % 2 ? 0xffffffff - (uint32_t)k : count + (uint32_t)k;
+    (void)f;
+    c->selection.kind = k % 2 ? FAIRMESH_SELECTION_KIND_FACES : FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+    c->list[0] = 40;
+    c->list[1] = wrong;
+    c->selection.data = c->list;
+    c->selection.count = 2;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, k % 2 ? FAIRMESH_ELEMENT_TRIANGLE : FAIRMESH_ELEMENT_VERTEX,
+                  wrong, NONE);
+}
+static Expected loop_out_of_range(Call *c, int f, int k) {
+    (void)f;
+    c->list[0] = 0;
+    c->list[1] = (uint32_t)(1 + 1000 * k);
+    c->fill.loops.data = c->list;
+    c->fill.loops.count = 2;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, c->list[1], NONE);
+}
+static Expected normal_out_of_range(Call *c, int f, int k) {
+    (void)f;
+    c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
+    c->normals[2] = 1.0;
+    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    c->options.normals.vectors = points_of(c->normals, 1);
+    c->options.normals.vertices.data = c->list;
+    c->options.normals.vertices.count = 1;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
+}
+
+/* Free vertices of the grid of 9: 3 to 5 in both directions; 2 and 6 are their border. */
+static uint64_t inner(int k) { return (uint64_t)((2 + k % 5) + SIDE * (2 + k / 5 % 5)); }
+
+static Expected not_finite(Call *c, int f, int k) {
+    uint64_t v = inner(k);
+    (void)f;
+    c->cap.positions[3 * v + (uint64_t)(k % 3)] = k % 2 ? NAN : k % 4 ? INFINITY : -INFINITY;
+    return expect(FAIRMESH_STATUS_NOT_FINITE, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+static Expected bad_normal(Call *c, int f, int k) {
+    static const double wrong[] = {2.0, 0.5, 0.99, 1.01, 1e300, 1e-300, NAN, INFINITY, -2.0};
+    uint32_t v = 2 + SIDE * 3;
+    (void)f;
+    c->list[0] = v;
+    c->normals[2] = wrong[k];
+    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    c->options.normals.vectors = points_of(c->normals, 1);
+    c->options.normals.vertices.data = c->list;
+    c->options.normals.vertices.count = 1;
+    return expect(FAIRMESH_STATUS_BAD_NORMAL, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+
+/* A triangle of the region. */
+static uint64_t region_triangle(int k) {
+    return (uint64_t)(2 * ((3 + k % 3) + (SIDE - 1) * (3 + k / 3 % 3)) + k % 2);
+}
+
+static Expected repeated_index(Call *c, int f, int k) {
+    uint64_t t = region_triangle(k);
+    uint32_t *corner = c->cap.corners + 3 * t;
+    uint32_t v = corner[(k + 1) % 3];
+    (void)f;
+    /* It has to keep a free vertex, or nobody looks at it. */
+    if (!c->cap.free_mask[v] && !c->cap.free_mask[corner[(k + 2) % 3]]) v = corner[(k + 1) % 3] = corner[k % 3];
+    else corner[k % 3] = v;
+    return expect(FAIRMESH_STATUS_REPEATED_INDEX, FAIRMESH_ELEMENT_TRIANGLE, t, v);
+}
+static Expected duplicate_triangle(Call *c, int f, int k) {
+    uint64_t t = region_triangle(k);
+    uint32_t *corners = c->cap.corners;
+    uint64_t last = c->cap.triangles - 1;
+    int r;
+    (void)f;
+    /* In the place of the last triangle, turned. */
+    for (r = 0; r < 3; r++) corners[3 * last + (uint64_t)r] = corners[3 * t + (uint64_t)((r + k) % 3)];
+    return expect(FAIRMESH_STATUS_DUPLICATE_TRIANGLE, FAIRMESH_ELEMENT_TRIANGLE, last, t);
+}
+static Expected non_manifold_edge(Call *c, int f, int k) {
+    uint64_t t = region_triangle(k), last = c->cap.triangles - 1;
+    uint32_t *corners = c->cap.corners, a = corners[3 * t], b = corners[3 * t + 1];
+    uint32_t *extra = corners + 3 * last;
+    (void)f;
+    extra[0] = a, extra[1] = b, extra[2] = SIDE * SIDE - 1;
+    return expect(FAIRMESH_STATUS_NON_MANIFOLD_EDGE, FAIRMESH_ELEMENT_EDGE, a < b ? a : b, a < b ? b : a);
+}
+static Expected orientation(Call *c, int f, int k) {
+    uint64_t t = region_triangle(k);
+    uint32_t *corner = c->cap.corners + 3 * t, swap = corner[1];
+    (void)f;
+    corner[1] = corner[2];
+    corner[2] = swap;
+    /* Which of its edges is told is not said: a later check. */
+    return expect(FAIRMESH_STATUS_INCONSISTENT_ORIENTATION, FAIRMESH_ELEMENT_EDGE, NONE - 1, NONE - 1);
+}
+static Expected non_manifold_vertex(Call *c, int f, int k) {
+    /* The last triangle hangs at a border vertex of the region by its corner alone. */
+    uint32_t *extra = c->cap.corners + 3 * (c->cap.triangles - 1);
+    uint32_t v = (uint32_t)((k % 2 ? 2 : 6) + SIDE * (3 + k / 2));
+    (void)f;
+    extra[0] = v, extra[1] = SIDE * SIDE - 1, extra[2] = SIDE - 1;
+    return expect(FAIRMESH_STATUS_NON_MANIFOLD_VERTEX, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+static Expected free_on_border(Call *c, int f, int k) {
+    uint64_t v = (uint64_t)(k % 4 == 0 ? k + 1 : k % 4 == 1 ? SIDE * (1 + k % 7) : k % 4 == 2 ? SIDE * (2 + k % 6) - 1
+                                                                            : SIDE * (SIDE - 1) + 1 + k % 6);
+    (void)f;
+    c->cap.free_mask[v] = 1;
+    return expect(FAIRMESH_STATUS_FREE_VERTEX_ON_BORDER, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+static Expected free_without_triangle(Call *c, int f, int k) {
+    uint64_t v = (uint64_t)(1 + k), t;
+    (void)f;
+    c->cap.free_mask[v] = 1;
+    for (t = 0; t < 3 * c->cap.triangles; t++) {
+        /* Its triangles become others, far away and the same as none. */
+        if (c->cap.corners[t] == v) {
+            c->mesh.triangles.data = c->cap.corners + 3 * 2 * (SIDE - 1);
+            c->mesh.triangles.count = c->cap.triangles - 2 * (SIDE - 1);
+            break;
+        }
+    }
+    return expect(FAIRMESH_STATUS_FREE_VERTEX_WITHOUT_TRIANGLE, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+static Expected empty_region(Call *c, int f, int k) {
+    (void)f;
+    if (k == 0) memset(c->cap.free_mask, 0, SIDE * SIDE);
+    else if (k == 1) c->selection.kind = FAIRMESH_SELECTION_KIND_FACES, c->selection.count = 0;
+    else if (k == 2) c->selection.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES, c->selection.count = 0;
+    else c->selection.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK, memset(c->cap.free_mask, 1, SIDE * SIDE);
+    return expect(FAIRMESH_STATUS_EMPTY_REGION, FAIRMESH_ELEMENT_NONE, NONE, NONE);
+}
+static Expected nothing_fixed(Call *c, int f, int k) {
+    /* An octahedron, all of it free, at the beginning of the vertices. */
+    static const double at[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+    static const uint32_t faces[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    int i;
+    (void)f;
+    memcpy(c->cap.positions, at, sizeof at);
+    for (i = 0; i < 24; i++) c->cap.corners[i] = faces[(i + 3 * k) % 24];
+    c->mesh.triangles.count = 8;
+    memset(c->cap.free_mask, 0, SIDE * SIDE);
+    memset(c->cap.free_mask, 1, 6);
+    return expect(FAIRMESH_STATUS_NOTHING_FIXED, FAIRMESH_ELEMENT_VERTEX, 0, NONE);
+}
+
+static const uint32_t sizes[] = {0, 1, 4, 7, 8, 12, 0x10001, 0x7fffffff, 0xffffffff, 0x10008};
+static Expected mesh_size(Call *c, int f, int k) {
+    (void)f;
+    c->mesh.struct_size = sizes[k];
+    return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, 1, 0);
+}
+static Expected selection_size(Call *c, int f, int k) {
+    c->selection.struct_size = sizes[k];
+    return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, selection_argument(f), 0);
+}
+static Expected options_size(Call *c, int f, int k) {
+    c->options.struct_size = k == 7 ? (uint32_t)sizeof c->options - 8 : k == 3 ? (uint32_t)sizeof c->options + 1 : sizes[k];
+    return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, options_argument(f), 0);
+}
+static Expected other_sizes(Call *c, int f, int k) {
+    if (f == FAIR) c->report.struct_size = sizes[k];
+    c->fill.struct_size = sizes[k];
+    c->remesh.struct_size = sizes[k];
+    return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, f == FAIR ? 5 : f == FILL ? 2 : 3, 0);
+}
+static Expected future_fields(Call *c, int f, int k) {
+    static union { double align; struct { fairmesh_mesh mesh; char more[64]; } s; } room;
+    (void)f;
+    memset(&room, 0, sizeof room);
+    room.s.mesh = c->mesh;
+    room.s.mesh.struct_size = sizeof(fairmesh_mesh) + 64;
+    room.s.more[9 * k] = 1;
+    c->p_mesh = &room.s.mesh;
+    return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, sizeof(fairmesh_mesh) + (uint64_t)(9 * k));
+}
+
+static const uint32_t numbers[] = {5, 9, 77, 0x7fffffff, 0xffffffff};
+static Expected option_enums(Call *c, int f, int k) {
+    uint32_t n = numbers[k % 5];
+    uint64_t at = 0;
+    switch (k / 5) {
+    case 0: c->options.inner_fairness = n, at = OFFSET(fairmesh_options, inner_fairness); break;
+    case 1: c->options.normals.kind = n, at = OFFSET(fairmesh_options, normals); break;
+    case 2: c->options.target.kind = n, at = OFFSET(fairmesh_options, target); break;
+    case 3: c->options.interior_normals = n, at = OFFSET(fairmesh_options, interior_normals); break;
+    case 4: c->options.discretization = n, at = OFFSET(fairmesh_options, discretization); break;
+    case 5: c->options.solver = n, at = OFFSET(fairmesh_options, solver); break;
+    default:
+        c->options.solver = FAIRMESH_SOLVER_KIND_PAPER;
+        c->options.paper_estimate = n, at = OFFSET(fairmesh_options, paper_estimate);
+    }
+    return argument(FAIRMESH_STATUS_BAD_ENUM, options_argument(f), at);
+}
+static Expected scalar_enum(Call *c, int f, int k) {
+    static const uint32_t wrong[] = {0, 3, 8, 0xffffffff};
+    (void)f;
+    c->mesh.positions.scalar = wrong[k];
+    return argument(FAIRMESH_STATUS_BAD_ENUM, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, scalar));
+}
+static Expected selection_enum(Call *c, int f, int k) {
+    c->selection.kind = numbers[k];
+    return argument(FAIRMESH_STATUS_BAD_ENUM, selection_argument(f), OFFSET(fairmesh_selection, kind));
+}
+static Expected output_enum(Call *c, int f, int k) {
+    static const uint32_t wrong[] = {0, 3, 8, 0xffffffff};
+    c->out.scalar = c->numbers.scalar = wrong[k];
+    return argument(FAIRMESH_STATUS_BAD_ENUM, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, scalar));
+}
+static Expected reserved(Call *c, int f, int k) {
+    (void)f;
+    if (k == 0) {
+        c->mesh.reserved = 1;
+        return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, OFFSET(fairmesh_mesh, reserved));
+    }
+    c->mesh.positions.reserved = 7;
+    return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, reserved));
+}
+
+static Expected option_ranges(Call *c, int f, int k) {
+    static const double tolerances[] = {0.0, -1.0, 1.0, 2.0, NAN, INFINITY, -INFINITY, -1e-300};
+    if (k < 8) {
+        c->options.tolerance = tolerances[k];
+        return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, tolerance));
+    }
+    if (k == 8) {
+        c->options.max_iterations = 0;
+        return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, max_iterations));
+    }
+    if (k < 12) {
+        c->options.threads = k == 9 ? 1025 : k == 10 ? 0x7fffffff : 0xffffffff;
+        return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, threads));
+    }
+    c->options.target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
+    c->options.target.constant = k == 12 ? NAN : k == 13 ? INFINITY : -INFINITY;
+    return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f),
+                    OFFSET2(fairmesh_options, target, fairmesh_target, constant));
+}
+static Expected paper_ranges(Call *c, int f, int k) {
+    static const double wrong[] = {0.0, -1.0, NAN, -INFINITY};
+    uint64_t at;
+    c->options.solver = FAIRMESH_SOLVER_KIND_PAPER;
+    if (k < 4) c->options.paper_damping = wrong[k], at = OFFSET(fairmesh_options, paper_damping);
+    else if (k < 8) c->options.paper_defect = wrong[k - 4], at = OFFSET(fairmesh_options, paper_defect);
+    else if (k < 12) c->options.paper_laplacian = wrong[k - 8], at = OFFSET(fairmesh_options, paper_laplacian);
+    else if (k == 12) c->options.paper_max_updates = 0, at = OFFSET(fairmesh_options, paper_max_updates);
+    else if (k == 13) c->options.paper_estimate_iterations = 0, at = OFFSET(fairmesh_options, paper_estimate_iterations);
+    else c->options.paper_damping = 1.5, at = OFFSET(fairmesh_options, paper_damping);
+    return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), at);
+}
+static Expected paper_in_steps(Call *c, int f, int k) {
+    (void)k;
+    c->options.solver = FAIRMESH_SOLVER_KIND_PAPER;
+    return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, solver));
+}
+static Expected density(Call *c, int f, int k) {
+    static const double wrong[] = {0.0, -1.0, 0.09, 10.1, NAN, INFINITY, -INFINITY, 1e-300};
+    c->fill.density = c->remesh.density = wrong[k];
+    return argument(FAIRMESH_STATUS_BAD_OPTION, f == FILL ? 2 : 3,
+                    f == FILL ? OFFSET(fairmesh_fill_options, density) : OFFSET(fairmesh_remesh_options, density));
+}
+
+static Expected aliasing(Call *c, int f, int k) {
+    (void)f;
+    switch (k) {
+    case 0: c->out.data = c->cap.positions + 3, c->out.count = SIDE * SIDE; break;
+    case 1: c->out.data = c->cap.positions, c->out.stride = 32; break;
+    case 2: c->out.data = c->cap.positions, c->out.scalar = FAIRMESH_SCALAR_FLOAT32; break;
+    case 3: c->out.data = c->cap.corners; break;
+    case 4: c->out.data = (void *)&c->mesh; break;
+    case 5: c->out.data = (void *)&c->options; break;
+    case 6:
+        c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+        c->options.normals.vectors = points_of(c->normals, SIDE * SIDE);
+        c->out.data = c->normals;
+        break;
+    default: c->out.data = (void *)&c->selection;
+    }
+    return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
+}
+static Expected aliased_outputs(Call *c, int f, int k) {
+    (void)f;
+    if (k == 0) {
+        c->out.data = (void *)&c->report;
+        return argument(FAIRMESH_STATUS_ALIASING, 5, NONE);
+    }
+    if (k == 1) {
+        c->p_result = (fairmesh_result **)(void *)&c->report.defect;
+        return argument(FAIRMESH_STATUS_ALIASING, 6, NONE);
+    }
+    c->p_result = (fairmesh_result **)(void *)(c->cap.positions + k);
+    return argument(FAIRMESH_STATUS_ALIASING, 6, NONE);
+}
+static Expected aliased_numbers(Call *c, int f, int k) {
+    (void)f;
+    c->numbers.data = k ? (void *)c->cap.positions : (void *)c->cap.corners;
+    return argument(FAIRMESH_STATUS_ALIASING, 2, NONE);
+}
+
+typedef struct {
+    const char *class_name, *name;
+    Mutation mutate;
+    int functions, variants;
+} Row;
+
+static const Row table[] = {
+    {"null", "mesh", null_mesh, ALL, 1},
+    {"null", "mesh data", null_data, ALL, 2},
+    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS, 1},
+    {"null", "selection data", null_selection_data, REGION, 4},
+    {"null", "output data", null_output, FAIR | CURVATURE, 1},
+    {"null", "output view", null_numbers, CURVATURE, 1},
+    {"null", "normals", null_normals, FAIR | SOLVER | FILL, 1},
+    {"alignment", "mesh struct", misaligned_struct, ALL, 2},
+    {"alignment", "options struct", misaligned_options, FAIR | SOLVER | FILL, 3},
+    {"alignment", "positions", misaligned_positions, ALL, 3},
+    {"alignment", "triangles", misaligned_triangles, ALL, 3},
+    {"alignment", "stride", misaligned_stride, ALL, 3},
+    {"alignment", "output", misaligned_output, FAIR | CURVATURE, 7},
+    {"alignment", "selection", misaligned_selection, REGION, 6},
+    {"stride", "mesh", short_stride, ALL, 4},
+    {"stride", "elsewhere", short_stride_elsewhere, FAIR, 2},
+    {"overflow", "counts", overflow, ALL, 10},
+    {"overflow", "stride", overflow_stride, ALL, 4},
+    {"overflow", "32 bits", too_large, ALL, 2},
+    {"counts", "mask", count_mismatch, REGION, 11},
+    {"counts", "output", count_mismatch_out, FAIR | CURVATURE, 5},
+    {"counts", "normals", count_mismatch_normals, FAIR | SOLVER | FILL, 5},
+    {"index", "triangle", index_out_of_range, ALL, 12},
+    {"index", "selection", selection_out_of_range, REGION, 8},
+    {"index", "loop", loop_out_of_range, FILL, 3},
+    {"index", "normal", normal_out_of_range, FAIR | SOLVER | FILL, 3},
+    {"not finite", "position", not_finite, REGION | CURVATURE, 25},
+    {"not finite", "normal", bad_normal, FAIR | SOLVER, 9},
+    {"degenerate", "repeated index", repeated_index, REGION, 9},
+    {"duplicate", "triangle", duplicate_triangle, REGION, 9},
+    {"non-manifold edge", "fin", non_manifold_edge, REGION, 9},
+    {"non-manifold vertex", "bow-tie", non_manifold_vertex, REGION, 6},
+    {"orientation", "one turned", orientation, REGION, 9},
+    {"region", "free on border", free_on_border, REGION, 8},
+    {"region", "free without triangle", free_without_triangle, REGION, 7},
+    {"region", "empty", empty_region, REGION, 4},
+    {"region", "nothing fixed", nothing_fixed, REGION, 8},
+    {"struct size", "mesh", mesh_size, ALL, 10},
+    {"struct size", "selection", selection_size, REGION, 10},
+    {"struct size", "options", options_size, FAIR | SOLVER | FILL, 10},
+    {"struct size", "others", other_sizes, FAIR | FILL | REMESH, 10},
+    {"struct size", "later fields", future_fields, ALL, 7},
+    {"enum", "options", option_enums, FAIR | FILL, 35},
+    {"enum", "options", option_enums, SOLVER, 30},
+    {"enum", "scalar", scalar_enum, ALL, 4},
+    {"enum", "selection", selection_enum, REGION, 5},
+    {"enum", "output", output_enum, FAIR | CURVATURE, 4},
+    {"reserved", "mesh", reserved, ALL, 2},
+    {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 15},
+    {"option range", "paper", paper_ranges, FAIR | FILL, 15},
+    {"option range", "paper in steps", paper_in_steps, SOLVER, 1},
+    {"option range", "density", density, FILL | REMESH, 8},
+    {"aliasing", "positions", aliasing, FAIR, 8},
+    {"aliasing", "outputs", aliased_outputs, FAIR, 4},
+    {"aliasing", "numbers", aliased_numbers, CURVATURE, 2},
+};
+
+static size_t failures, cases;
+
+static void complain(const char *class_name, const char *name, int function, int variant, const char *what) {
+    fprintf(stderr, "%s, %s, function %d, variant %d: %s\n", class_name, name, function, variant, what);
+    failures++;
+}
+
+/* One case: status, element, and every byte that the library could reach is as before. */
+static void check_case(const Row *row, int function, int variant) {
+    Call call, before;
+    fairmesh_error error;
+    Expected expected;
+    int32_t status;
+    double *positions, *outputs;
+    uint32_t *corners;
+    uint8_t *mask;
+    size_t bytes = 3 * SIDE * SIDE * sizeof(double);
+    char text[400];
+    call_init(&call);
+    memset(&error, 0x5a, sizeof error);
+    expected = row->mutate(&call, function, variant);
+    memcpy(&before, &call, sizeof call);
+    positions = (double *)must(malloc(bytes));
+    outputs = (double *)must(malloc(bytes));
+    corners = (uint32_t *)must(malloc(12 * call.cap.triangles));
+    mask = (uint8_t *)must(malloc(SIDE * SIDE));
+    memcpy(positions, call.cap.positions, bytes);
+    memcpy(outputs, call.outputs, bytes);
+    memcpy(corners, call.cap.corners, 12 * call.cap.triangles);
+    memcpy(mask, call.cap.free_mask, SIDE * SIDE);
+    status = call_run(&call, function, &error);
+    cases++;
+    if (status != expected.status) {
+        sprintf(text, "status %d (%.150s), not %d", (int)status, error.message, (int)expected.status);
+        complain(row->class_name, row->name, function, variant, text);
+    }
+    {
+        int any = expected.element == NONE - 1;
+        if (error.status != status || error.element_kind != expected.kind ||
+            (!any && (error.element != expected.element || error.other != expected.other))) {
+            sprintf(text, "kind %u element %llu other %llu (%.150s)", (unsigned)error.element_kind,
+                    (unsigned long long)error.element, (unsigned long long)error.other, error.message);
+            complain(row->class_name, row->name, function, variant, text);
+        }
+        if (strlen(error.message) < 5 || strlen(error.message) >= sizeof error.message) {
+            complain(row->class_name, row->name, function, variant, "no message");
+        }
+    }
+    if (memcmp(&before, &call, sizeof call) != 0 || memcmp(positions, call.cap.positions, bytes) != 0 ||
+        memcmp(outputs, call.outputs, bytes) != 0 || memcmp(corners, call.cap.corners, 12 * call.cap.triangles) != 0 ||
+        memcmp(mask, call.cap.free_mask, SIDE * SIDE) != 0) {
+        complain(row->class_name, row->name, function, variant, "something was written");
+    }
+    /* The same without an error detail. */
+    if (status != call_run(&call, function, NULL)) {
+        complain(row->class_name, row->name, function, variant, "another status without error detail");
+    }
+    free(positions);
+    free(outputs);
+    free(corners);
+    free(mask);
+    call_free(&call);
+}
+
+static void expect_handle(int32_t status, const fairmesh_error *error, int32_t wanted, const char *what) {
+    cases++;
+    if (status != wanted || error->status != wanted || error->element_kind != FAIRMESH_ELEMENT_ARGUMENT ||
+        error->element != 1 || error->other != NONE) {
+        fprintf(stderr, "handles, %s: %d (%s)\n", what, (int)status, error->message);
+        failures++;
+    }
+}
+
+/* Every function that takes a handle gets it; the outputs stay as they are. */
+static void check_handle(void *handle, int is_solver, int32_t wanted, const char *what) {
+    const fairmesh_result *r = (const fairmesh_result *)handle;
+    fairmesh_solver *s = (fairmesh_solver *)handle;
+    double number = 0.25;
+    uint32_t index = 7;
+    size_t size = 99;
+    fairmesh_points_out points = points_out_of(NULL, 0);
+    fairmesh_scalars_out scalars = scalars_out_of(&number, 1);
+    fairmesh_indices_out triangles = {NULL, 0, 0};
+    fairmesh_report report, report_before;
+    fairmesh_info info;
+    fairmesh_level level;
+    fairmesh_loop border;
+    fairmesh_fill_report filled;
+    fairmesh_error e;
+    fairmesh_normals normals;
+    fairmesh_target target;
+    fairmesh_result *result = NULL;
+    memset(&normals, 0, sizeof normals);
+    memset(&target, 0, sizeof target);
+    memset(&report, 0x5a, sizeof report);
+    report.struct_size = sizeof report;
+    report_before = report;
+    info.struct_size = sizeof info;
+    level.struct_size = sizeof level;
+    border.struct_size = sizeof border;
+    filled.struct_size = sizeof filled;
+    if (is_solver) {
+        expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_set_normals(s, &normals, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_result(s, &result, &e), &e, wanted, what);
+        if (handle != NULL) {
+            cases++;
+            CHECK(fairmesh_solver_free(s) == wanted);
+        }
+    } else {
+        expect_handle(fairmesh_result_info(r, &info, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_loop(r, 0, &border, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_vectors(r, 0, &points, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_list(r, 0, 0, &index, 1, &size, &e), &e, wanted, what);
+        if (handle != NULL) {
+            cases++;
+            CHECK(fairmesh_result_free((fairmesh_result *)handle) == wanted);
+        }
+    }
+    CHECK(number == 0.25 && index == 7 && size == 99 && result == NULL);
+    CHECK(memcmp(&report, &report_before, sizeof report) == 0);
+}
+
+static void handles(void) {
+    Cap cap = cap_new(SIDE);
+    fairmesh_solver *solver = NULL;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    char thing[64] = {0};
+    fairmesh_options options;
+    OK(fairmesh_options_init(&options, sizeof options));
+    options.threads = 1;
+    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
+    OK(fairmesh_solver_result(solver, &result, &error));
+    check_handle(NULL, 1, FAIRMESH_STATUS_NULL_POINTER, "NULL solver");
+    check_handle(NULL, 0, FAIRMESH_STATUS_NULL_POINTER, "NULL result");
+    check_handle(thing, 1, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as solver");
+    check_handle(thing, 0, FAIRMESH_STATUS_BAD_HANDLE, "any pointer as result");
+    check_handle((void *)(uintptr_t)1, 1, FAIRMESH_STATUS_BAD_HANDLE, "1 as solver");
+    check_handle((void *)UINTPTR_MAX, 0, FAIRMESH_STATUS_BAD_HANDLE, "-1 as result");
+    check_handle(result, 1, FAIRMESH_STATUS_BAD_HANDLE, "a result as solver");
+    check_handle(solver, 0, FAIRMESH_STATUS_BAD_HANDLE, "a solver as result");
+    OK(fairmesh_solver_free(solver));
+    OK(fairmesh_result_free(result));
+    check_handle(solver, 1, FAIRMESH_STATUS_BAD_HANDLE, "a freed solver");
+    check_handle(result, 0, FAIRMESH_STATUS_BAD_HANDLE, "a freed result");
+    cap_free(&cap);
+}
+
+/* Results are asked for what they do not have. */
+static void not_available(void) {
+    Cap cap = cap_new(SIDE);
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    fairmesh_loop border;
+    fairmesh_report report;
+    uint32_t which, index = 7;
+    size_t size = 99;
+    border.struct_size = sizeof border;
+    report.struct_size = sizeof report;
+    OK(fairmesh_border_loops(&cap.mesh, &result, &error));
+    CHECK(fairmesh_result_loop(result, 1, &border, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_loop(result, UINT64_MAX, &border, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_report(result, 0, &report, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_list(result, FAIRMESH_LIST_LOOP_VERTICES, 0, &index, 1, &size, &error) ==
+          FAIRMESH_STATUS_BUFFER_TOO_SMALL);
+    CHECK(index == 7 && size == 4 * (SIDE - 1));
+    cases += 4;
+    for (which = 0; which < 100; which++) {
+        int32_t status = fairmesh_result_list(result, which, 0, NULL, 0, &size, &error);
+        int known = which <= 4 || which == 16 || which == 48 || which == 49 || (which >= 64 && which <= 66);
+        int mine = which == 32 || which == 33;
+        cases++;
+        CHECK(status == (mine ? FAIRMESH_STATUS_OK : known ? FAIRMESH_STATUS_NOT_AVAILABLE : FAIRMESH_STATUS_BAD_ENUM));
+    }
+    OK(fairmesh_result_free(result));
+    cap_free(&cap);
+}
+
+/* The error detail itself may not lie in what is read: then nothing is written at all. */
+static void error_in_the_way(void) {
+    Cap cap = cap_new(SIDE);
+    size_t bytes = 24 * cap.vertices;
+    double *kept = (double *)must(malloc(bytes));
+    fairmesh_result *result = NULL;
+    memcpy(kept, cap.positions, bytes);
+    CHECK(fairmesh_border_loops(&cap.mesh, &result, (fairmesh_error *)(void *)cap.positions) == FAIRMESH_STATUS_ALIASING);
+    CHECK(fairmesh_border_loops(&cap.mesh, &result, (fairmesh_error *)(void *)((char *)cap.positions + 1)) ==
+          FAIRMESH_STATUS_MISALIGNED);
+    CHECK(memcmp(kept, cap.positions, bytes) == 0 && result == NULL);
+    cases += 2;
+    free(kept);
+    cap_free(&cap);
+}
+
+int main(void) {
+    size_t k, classes = 2;
+    for (k = 0; k < sizeof table / sizeof *table; k++) {
+        int function, variant;
+        for (function = 1; function <= CURVATURE; function *= 2) {
+            if (!(table[k].functions & function)) continue;
+            for (variant = 0; variant < table[k].variants; variant++) check_case(&table[k], function, variant);
+        }
+        classes += k == 0 || strcmp(table[k].class_name, table[k - 1].class_name) != 0;
+    }
+    handles();
+    not_available();
+    error_in_the_way();
+    printf("bad inputs: %u cases in %u classes, %u failures\n", (unsigned)cases, (unsigned)classes, (unsigned)failures);
+    CHECK(cases >= 500 && classes >= 12 && failures == 0);
+    return 0;
+}

@@ -1,0 +1,430 @@
+/* Calls every function of the header with good arguments, and checks the answers. Compiled as C99, C11 and C++17. */
+#include "common.h"
+
+static void versions(void) {
+    uint32_t version = fairmesh_version();
+    char text[32];
+    CHECK(version >> 16 == FAIRMESH_VERSION_MAJOR && (version >> 8 & 255) == FAIRMESH_VERSION_MINOR);
+    CHECK((version & 255) == FAIRMESH_VERSION_PATCH);
+    sprintf(text, "%d.%d.%d", FAIRMESH_VERSION_MAJOR, FAIRMESH_VERSION_MINOR, FAIRMESH_VERSION_PATCH);
+    CHECK(strcmp(text, fairmesh_version_string()) == 0);
+    CHECK(strcmp(fairmesh_status_name(FAIRMESH_STATUS_BUSY), "busy") == 0);
+    CHECK(strcmp(fairmesh_status_name(-7), "unknown status") == 0);
+    CHECK(strcmp(fairmesh_outcome_name(FAIRMESH_OUTCOME_CONVERGED), "converged") == 0);
+    CHECK(strcmp(fairmesh_outcome_name(999), "unknown_outcome") == 0);
+}
+
+typedef struct {
+    uint64_t calls, stop_at, last;
+    double fraction;
+} Watch;
+
+static int32_t watch(const fairmesh_progress *progress, void *user_data) {
+    Watch *w = (Watch *)user_data;
+    CHECK(progress->struct_size == sizeof *progress);
+    CHECK(progress->fraction >= w->fraction && progress->fraction <= 1.0);
+    CHECK(progress->iterations >= w->last && strlen(progress->stage) > 3);
+    w->fraction = progress->fraction;
+    w->last = progress->iterations;
+    w->calls++;
+    return w->stop_at != 0 && progress->iterations >= w->stop_at;
+}
+
+static fairmesh_options quick(void) {
+    fairmesh_options options;
+    OK(fairmesh_options_init(&options, sizeof options));
+    CHECK(options.struct_size == sizeof options && options.tolerance == 1e-8 && options.max_iterations == 500);
+    options.threads = 2;
+    return options;
+}
+
+static void one_shot(void) {
+    Cap cap = cap_new(15);
+    fairmesh_options options = quick();
+    fairmesh_report report;
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_info info;
+    size_t bytes = 3 * cap.vertices * sizeof(double), v, size = 0;
+    double *out = (double *)must(malloc(bytes)), *in_place, *h, *k, *normals;
+    uint32_t *border;
+    fairmesh_points_out to = points_out_of(out, cap.vertices);
+    fairmesh_scalars_out numbers;
+    Watch w;
+    memset(&w, 0, sizeof w);
+    report.struct_size = sizeof report;
+    options.progress = watch;
+    options.user_data = &w;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, &report, &result, &error));
+    CHECK(error.status == 0 && error.element == FAIRMESH_NO_ELEMENT && error.message[0] == 0);
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.reached == 1.0 && report.reason[0] == 0);
+    CHECK(report.iterations > 2 && w.last == report.iterations && w.calls >= w.last);
+    CHECK(off_sphere(out, cap.vertices) < 2e-3);
+    for (v = 0; v < cap.vertices; v++) {
+        if (!cap.free_mask[v]) CHECK(memcmp(out + 3 * v, cap.positions + 3 * v, 24) == 0);
+    }
+
+    /* The rest of what was found. */
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_FAIRED && info.vertex_count == cap.vertices);
+    h = (double *)must(malloc(cap.vertices * sizeof(double)));
+    k = (double *)must(malloc(cap.vertices * sizeof(double)));
+    numbers = scalars_out_of(h, cap.vertices);
+    OK(fairmesh_result_scalars(result, FAIRMESH_SCALARS_MEAN_CURVATURE, &numbers, &error));
+    numbers.data = k;
+    OK(fairmesh_result_scalars(result, FAIRMESH_SCALARS_GAUSSIAN_CURVATURE, &numbers, &error));
+    for (v = 0; v < cap.vertices; v++) {
+        if (cap.free_mask[v]) {
+            CHECK(fabs(h[v] + 1.0) < 0.02 && fabs(k[v] - 1.0) < 0.05);
+        } else {
+            CHECK(h[v] != h[v] && k[v] != k[v]);
+        }
+    }
+    CHECK(info.border_vertex_count > 0);
+    border = (uint32_t *)must(malloc((size_t)info.border_vertex_count * 4));
+    normals = (double *)must(malloc((size_t)info.border_vertex_count * 24));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BORDER_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size == info.border_vertex_count);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BORDER_VERTICES, 0, border, size, &size, &error));
+    {
+        fairmesh_points_out vectors = points_out_of(normals, size);
+        OK(fairmesh_result_vectors(result, FAIRMESH_VECTORS_BORDER_NORMALS, &vectors, &error));
+    }
+    for (v = 0; v < size; v++) {
+        const double *p = cap.positions + 3 * border[v], *n = normals + 3 * v;
+        CHECK(!cap.free_mask[border[v]]);
+        CHECK(p[0] * n[0] + p[1] * n[1] + p[2] * n[2] > 0.999);
+    }
+    {
+        fairmesh_report again;
+        again.struct_size = sizeof again;
+        OK(fairmesh_result_report(result, 0, &again, &error));
+        CHECK(memcmp(&again, &report, sizeof report) == 0);
+        OK(fairmesh_result_list(result, FAIRMESH_LIST_NEEDLES, 0, NULL, 0, &size, NULL));
+        CHECK(size == report.needle_count);
+    }
+    {
+        double *copy = (double *)must(malloc(bytes));
+        fairmesh_points_out into = points_out_of(copy, cap.vertices);
+        OK(fairmesh_result_positions(result, &into, &error));
+        CHECK(memcmp(copy, out, bytes) == 0);
+        free(copy);
+    }
+    OK(fairmesh_result_free(result));
+    CHECK(fairmesh_result_free(result) == FAIRMESH_STATUS_BAD_HANDLE);
+    OK(fairmesh_result_free(NULL));
+
+    /* The border normals as used, given back: the same bits. */
+    {
+        double *again = (double *)must(malloc(bytes));
+        fairmesh_points_out into = points_out_of(again, cap.vertices);
+        options = quick();
+        options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+        options.normals.vectors = points_of(normals, (size_t)info.border_vertex_count);
+        options.normals.vertices.data = border;
+        options.normals.vertices.count = (size_t)info.border_vertex_count;
+        OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, NULL));
+        for (v = 0; v < 3 * cap.vertices; v++) CHECK(fabs(again[v] - out[v]) < 1e-7);
+        free(again);
+    }
+
+    /* In place; other selections; floats with a stride. */
+    in_place = (double *)must(malloc(bytes));
+    memcpy(in_place, cap.positions, bytes);
+    {
+        fairmesh_mesh mesh = cap.mesh;
+        fairmesh_points_out same = points_out_of(in_place, cap.vertices);
+        fairmesh_selection list = cap.selection;
+        uint32_t *vertices = (uint32_t *)must(malloc(cap.vertices * 4));
+        mesh.positions.data = in_place;
+        list.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+        list.data = vertices;
+        list.count = 0;
+        for (v = 0; v < cap.vertices; v++) {
+            if (cap.free_mask[v]) vertices[list.count++] = (uint32_t)v;
+        }
+        OK(fairmesh_fair(&mesh, &list, NULL, &same, NULL, NULL, &error));
+        CHECK(memcmp(in_place, out, bytes) == 0);
+        free(vertices);
+    }
+    {
+        struct vertex {
+            uint16_t colour[2];
+            float at[3];
+            float weight;
+        } *vs = (struct vertex *)must(malloc(cap.vertices * sizeof *vs));
+        uint32_t *rows = (uint32_t *)must(malloc(cap.triangles * 20));
+        uint8_t *fixed = (uint8_t *)must(malloc(cap.vertices * 3));
+        fairmesh_mesh mesh;
+        fairmesh_selection others;
+        fairmesh_points_out floats;
+        memset(&mesh, 0, sizeof mesh);
+        mesh.struct_size = sizeof mesh;
+        mesh.positions.data = vs[0].at;
+        mesh.positions.count = cap.vertices;
+        mesh.positions.stride = sizeof *vs;
+        mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT32;
+        mesh.triangles.data = rows + 1;
+        mesh.triangles.count = cap.triangles;
+        mesh.triangles.stride = 20;
+        for (v = 0; v < cap.vertices; v++) {
+            int c;
+            for (c = 0; c < 3; c++) vs[v].at[c] = (float)cap.positions[3 * v + (size_t)c];
+            vs[v].colour[0] = vs[v].colour[1] = (uint16_t)v;
+            vs[v].weight = 0.5f;
+            fixed[3 * v] = !cap.free_mask[v];
+        }
+        for (v = 0; v < cap.triangles; v++) memcpy(rows + 5 * v + 1, cap.corners + 3 * v, 12);
+        others = cap.selection;
+        others.kind = FAIRMESH_SELECTION_KIND_FIXED_MASK;
+        others.data = fixed;
+        others.stride = 3;
+        memset(&floats, 0, sizeof floats);
+        floats.data = vs[0].at;
+        floats.count = cap.vertices;
+        floats.stride = sizeof *vs;
+        floats.scalar = FAIRMESH_SCALAR_FLOAT32;
+        OK(fairmesh_fair(&mesh, &others, NULL, &floats, NULL, NULL, &error));
+        for (v = 0; v < cap.vertices; v++) {
+            int c;
+            CHECK(vs[v].weight == 0.5f && vs[v].colour[0] == (uint16_t)v);
+            for (c = 0; c < 3; c++) CHECK(fabs(vs[v].at[c] - out[3 * v + (size_t)c]) < 2e-6);
+        }
+        free(vs);
+        free(rows);
+        free(fixed);
+    }
+
+    /* Everything but the outline is free, cancelled after one iteration. */
+    memset(&w, 0, sizeof w);
+    w.stop_at = 1;
+    options = quick();
+    options.progress = watch;
+    options.user_data = &w;
+    report.struct_size = sizeof report;
+    OK(fairmesh_fair(&cap.mesh, NULL, &options, NULL, &report, NULL, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CANCELLED && report.iterations == 1);
+    CHECK(report.free_vertices == 13 * 13);
+
+    /* The paper's scheme, with its levels. */
+    options = quick();
+    options.solver = FAIRMESH_SOLVER_KIND_PAPER;
+    options.paper_defect = 1e-4;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, &report, &result, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.level_count >= 1);
+    {
+        fairmesh_level level;
+        level.struct_size = sizeof level;
+        OK(fairmesh_result_level(result, report.level_count - 1, &level, &error));
+        CHECK(level.vertices > report.free_vertices && level.defect <= 1e-4);
+        CHECK(fairmesh_result_level(result, report.level_count, &level, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    }
+    OK(fairmesh_result_free(result));
+
+    numbers = scalars_out_of(h, cap.vertices);
+    OK(fairmesh_mean_curvature(&cap.mesh, &numbers, &error));
+    for (v = 0; v < cap.vertices; v++) CHECK(h[v] == h[v]);
+    free(out);
+    free(in_place);
+    free(h);
+    free(k);
+    free(border);
+    free(normals);
+    cap_free(&cap);
+}
+
+static void in_steps(void) {
+    Cap cap = cap_new(15);
+    fairmesh_options options = quick();
+    fairmesh_solver *solver = NULL;
+    fairmesh_result *result = NULL;
+    fairmesh_report report;
+    fairmesh_error error;
+    fairmesh_target target;
+    fairmesh_normals normals;
+    size_t bytes = 3 * cap.vertices * sizeof(double), v;
+    double *whole = (double *)must(malloc(bytes)), *steps = (double *)must(malloc(bytes));
+    double *h = (double *)must(malloc(cap.vertices * sizeof(double)));
+    fairmesh_points_out to = points_out_of(whole, cap.vertices);
+    fairmesh_scalars_out numbers = scalars_out_of(h, cap.vertices);
+    uint64_t runs = 0;
+    report.struct_size = sizeof report;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, NULL, NULL, &error));
+    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
+    to.data = steps;
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    CHECK(memcmp(steps, cap.positions, bytes) == 0);
+    do {
+        OK(fairmesh_solver_run(solver, 1, &report, &error));
+        runs++;
+    } while (report.outcome == FAIRMESH_OUTCOME_ITERATION_LIMIT);
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && runs >= report.iterations);
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    CHECK(memcmp(steps, whole, bytes) == 0);
+    OK(fairmesh_solver_mean_curvature(solver, &numbers, &error));
+    for (v = 0; v < cap.vertices; v++) {
+        if (cap.free_mask[v]) CHECK(fabs(h[v] + 1.0) < 0.02);
+    }
+    memset(&target, 0, sizeof target);
+    target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
+    target.constant = 2.0;
+    OK(fairmesh_solver_set_target(solver, &target, &error));
+    OK(fairmesh_solver_run(solver, 1000, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    CHECK(off_sphere(steps, cap.vertices) > 1e-4);
+    target.kind = FAIRMESH_TARGET_KIND_HARMONIC;
+    OK(fairmesh_solver_set_target(solver, &target, &error));
+    memset(&normals, 0, sizeof normals);
+    normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    /* One vector per vertex: those of the sphere. */
+    normals.vectors = points_of(cap.positions, cap.vertices);
+    {
+        double *unit = (double *)must(malloc(bytes));
+        memcpy(unit, cap.positions, bytes);
+        for (v = 0; v < cap.vertices; v++) {
+            if (cap.free_mask[v]) memset(unit + 3 * v, 0, 24);
+        }
+        normals.vectors.data = unit;
+        OK(fairmesh_solver_set_normals(solver, &normals, &error));
+        free(unit);
+    }
+    OK(fairmesh_solver_run(solver, 1000, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    CHECK(off_sphere(steps, cap.vertices) < 2e-3);
+    {
+        fairmesh_report again;
+        again.struct_size = sizeof again;
+        OK(fairmesh_solver_report(solver, &again, &error));
+        CHECK(memcmp(&again, &report, sizeof report) == 0);
+    }
+    OK(fairmesh_solver_result(solver, &result, &error));
+    OK(fairmesh_solver_free(solver));
+    CHECK(fairmesh_solver_free(solver) == FAIRMESH_STATUS_BAD_HANDLE);
+    CHECK(fairmesh_solver_run(solver, 1, NULL, NULL) == FAIRMESH_STATUS_BAD_HANDLE);
+    OK(fairmesh_result_positions(result, &to, &error));
+    CHECK(off_sphere(steps, cap.vertices) < 2e-3);
+    OK(fairmesh_result_free(result));
+    OK(fairmesh_solver_free(NULL));
+    free(whole);
+    free(steps);
+    free(h);
+    cap_free(&cap);
+}
+
+static void holes(void) {
+    Cap cap = cap_new(15);
+    fairmesh_mesh mesh = cap.mesh;
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_remesh_options again;
+    fairmesh_result *loops = NULL, *filled = NULL, *remeshed = NULL;
+    fairmesh_info info;
+    fairmesh_loop border;
+    fairmesh_fill_report what;
+    fairmesh_error error;
+    fairmesh_report report;
+    size_t t, kept = 0, size = 0, v;
+    uint64_t l, hole = 99;
+    uint32_t chosen, *list, *corners;
+    double *positions, *weights;
+    /* The dent goes, and leaves a hole. */
+    for (t = 0; t < cap.triangles; t++) {
+        const uint32_t *c = cap.corners + 3 * t;
+        if (!cap.free_mask[c[0]] && !cap.free_mask[c[1]] && !cap.free_mask[c[2]]) {
+            memmove(cap.corners + 3 * kept++, c, 12);
+        }
+    }
+    mesh.triangles.count = kept;
+    OK(fairmesh_border_loops(&mesh, &loops, &error));
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(loops, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_LOOPS && info.loop_count == 2);
+    border.struct_size = sizeof border;
+    for (l = 0; l < 2; l++) {
+        OK(fairmesh_result_loop(loops, l, &border, &error));
+        OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_VERTICES, l, NULL, 0, &size, &error));
+        CHECK(size == border.vertex_count && border.edge_a == UINT32_MAX);
+        if (border.kind == FAIRMESH_LOOP_KIND_HOLE) hole = l;
+        OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_TOUCHING, l, NULL, 0, &size, &error));
+        CHECK(size == 0);
+    }
+    CHECK(hole < 2);
+    OK(fairmesh_result_free(loops));
+
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    chosen = (uint32_t)hole;
+    fill.loops.data = &chosen;
+    fill.loops.count = 1;
+    OK(fairmesh_fill_holes(&mesh, &fill, &options, &filled, &error));
+    OK(fairmesh_result_info(filled, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_FILLED && info.loop_count == 1);
+    CHECK(info.new_vertex_count > 5 && info.new_triangle_count > 20);
+    what.struct_size = sizeof what;
+    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == hole && what.has_report);
+    CHECK(what.first_vertex == cap.vertices && what.vertex_count == info.new_vertex_count);
+    report.struct_size = sizeof report;
+    OK(fairmesh_result_report(filled, 0, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
+    corners = (uint32_t *)must(malloc((size_t)info.triangle_count * 12));
+    {
+        fairmesh_points_out to = points_out_of(positions, (size_t)info.vertex_count);
+        fairmesh_indices_out into;
+        memset(&into, 0, sizeof into);
+        into.data = corners;
+        into.count = (size_t)info.triangle_count;
+        OK(fairmesh_result_positions(filled, &to, &error));
+        OK(fairmesh_result_triangles(filled, &into, &error));
+    }
+    CHECK(memcmp(corners, cap.corners, kept * 12) == 0);
+    CHECK(memcmp(positions, cap.positions, cap.vertices * 24) == 0);
+    CHECK(off_sphere(positions + 3 * cap.vertices, (size_t)info.new_vertex_count) < 5e-3);
+    OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, NULL, 0, &size, &error));
+    CHECK(size == 3 * info.new_vertex_count);
+    list = (uint32_t *)must(malloc(size * 4));
+    weights = (double *)must(malloc(size * 8));
+    OK(fairmesh_result_list(filled, FAIRMESH_LIST_PARENTS, 0, list, size, &size, &error));
+    {
+        fairmesh_points_out to = points_out_of(weights, size / 3);
+        OK(fairmesh_result_vectors(filled, FAIRMESH_VECTORS_PARENT_WEIGHTS, &to, &error));
+    }
+    for (v = 0; v < size; v += 3) {
+        CHECK(list[v] < cap.vertices && fabs(weights[v] + weights[v + 1] + weights[v + 2] - 1.0) < 1e-9);
+    }
+    OK(fairmesh_result_list(filled, FAIRMESH_LIST_OUTSIDE_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size == what.outside_count);
+    OK(fairmesh_result_free(filled));
+    free(positions);
+    free(corners);
+    free(list);
+    free(weights);
+    cap_free(&cap);
+
+    cap = cap_new(15);
+    OK(fairmesh_remesh_options_init(&again, sizeof again));
+    again.density *= 1.5;
+    OK(fairmesh_remesh(&cap.mesh, &cap.selection, &again, &remeshed, &error));
+    OK(fairmesh_result_info(remeshed, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_REMESHED && info.vertex_count > cap.vertices);
+    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_KEPT_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size + info.new_vertex_count == info.vertex_count);
+    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error));
+    CHECK(size + info.new_triangle_count == info.triangle_count);
+    OK(fairmesh_result_list(remeshed, FAIRMESH_LIST_FREE_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size > 25);
+    OK(fairmesh_result_free(remeshed));
+    cap_free(&cap);
+}
+
+int main(void) {
+    versions();
+    one_shot();
+    in_steps();
+    holes();
+    puts("calls: passed");
+    return 0;
+}

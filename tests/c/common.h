@@ -1,0 +1,140 @@
+/* What the C tests share: a mesh whose answer is known, and checks. Valid C99 and C++17. */
+#ifndef COMMON_H
+#define COMMON_H
+
+#include <fairmesh.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__GNUC__)
+#define COMMON_MAY_STAY_UNUSED __attribute__((unused))
+#else
+#define COMMON_MAY_STAY_UNUSED
+#endif
+
+#define CHECK(condition)                                                                    \
+    do {                                                                                    \
+        if (!(condition)) {                                                                 \
+            fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);         \
+            exit(1);                                                                        \
+        }                                                                                   \
+    } while (0)
+
+#define OK(call)                                                                            \
+    do {                                                                                    \
+        int32_t status_ = (int32_t)(call);                                                  \
+        if (status_ != FAIRMESH_STATUS_OK) {                                                \
+            fprintf(stderr, "%s:%d: %s: %s\n", __FILE__, __LINE__, #call,                   \
+                    fairmesh_status_name(status_));                                         \
+            exit(1);                                                                        \
+        }                                                                                   \
+    } while (0)
+
+/* A grid on the unit sphere, side * side vertices; the middle, which is free, is dented. */
+typedef struct {
+    size_t side, vertices, triangles;
+    double *positions;
+    uint32_t *corners;
+    uint8_t *free_mask;
+    fairmesh_mesh mesh;
+    fairmesh_selection selection;
+} Cap;
+
+static void *must(void *block) {
+    CHECK(block != NULL);
+    return block;
+}
+
+/* Whether a vertex is in the dent; a few rows around it stay. */
+static int cap_is_free(size_t side, size_t v) {
+    size_t i = v % side, j = v / side, frame = side / 4;
+    return i > frame && i + frame + 1 < side && j > frame && j + frame + 1 < side;
+}
+
+COMMON_MAY_STAY_UNUSED static fairmesh_points points_of(const double *data, size_t count) {
+    fairmesh_points points;
+    memset(&points, 0, sizeof points);
+    points.data = data;
+    points.count = count;
+    points.scalar = FAIRMESH_SCALAR_FLOAT64;
+    return points;
+}
+
+COMMON_MAY_STAY_UNUSED static fairmesh_points_out points_out_of(double *data, size_t count) {
+    fairmesh_points_out points;
+    memset(&points, 0, sizeof points);
+    points.data = data;
+    points.count = count;
+    points.scalar = FAIRMESH_SCALAR_FLOAT64;
+    return points;
+}
+
+COMMON_MAY_STAY_UNUSED static fairmesh_scalars_out scalars_out_of(double *data, size_t count) {
+    fairmesh_scalars_out numbers;
+    memset(&numbers, 0, sizeof numbers);
+    numbers.data = data;
+    numbers.count = count;
+    numbers.scalar = FAIRMESH_SCALAR_FLOAT64;
+    return numbers;
+}
+
+static Cap cap_new(size_t side) {
+    Cap cap;
+    size_t v, i, j, t = 0;
+    memset(&cap, 0, sizeof cap);
+    cap.side = side;
+    cap.vertices = side * side;
+    cap.triangles = 2 * (side - 1) * (side - 1);
+    cap.positions = (double *)must(malloc(3 * cap.vertices * sizeof(double)));
+    cap.corners = (uint32_t *)must(malloc(3 * cap.triangles * sizeof(uint32_t)));
+    cap.free_mask = (uint8_t *)must(malloc(cap.vertices));
+    for (v = 0; v < cap.vertices; v++) {
+        double x = 1.2 * (double)(v % side) / (double)(side - 1) - 0.6;
+        double y = 1.2 * (double)(v / side) / (double)(side - 1) - 0.6;
+        double z = sqrt(1.0 - x * x - y * y), dent = 1.0;
+        cap.free_mask[v] = (uint8_t)cap_is_free(side, v);
+        if (cap.free_mask[v]) dent = 0.9 + 0.004 * (double)(v % 7);
+        cap.positions[3 * v] = x * dent;
+        cap.positions[3 * v + 1] = y * dent;
+        cap.positions[3 * v + 2] = z * dent;
+    }
+    for (j = 0; j + 1 < side; j++) {
+        for (i = 0; i + 1 < side; i++) {
+            uint32_t a = (uint32_t)(j * side + i), s = (uint32_t)side;
+            uint32_t quad[6] = {a, a + 1, a + s + 1, a, a + s + 1, a + s};
+            memcpy(cap.corners + 3 * t, quad, sizeof quad);
+            t += 2;
+        }
+    }
+    cap.mesh.struct_size = sizeof cap.mesh;
+    cap.mesh.positions = points_of(cap.positions, cap.vertices);
+    cap.mesh.triangles.data = cap.corners;
+    cap.mesh.triangles.count = cap.triangles;
+    cap.selection.struct_size = sizeof cap.selection;
+    cap.selection.kind = FAIRMESH_SELECTION_KIND_FREE_MASK;
+    cap.selection.data = cap.free_mask;
+    cap.selection.count = cap.vertices;
+    return cap;
+}
+
+static void cap_free(Cap *cap) {
+    free(cap->positions);
+    free(cap->corners);
+    free(cap->free_mask);
+}
+
+/* The largest distance from the unit sphere. */
+COMMON_MAY_STAY_UNUSED static double off_sphere(const double *positions, size_t vertices) {
+    double worst = 0.0;
+    size_t v;
+    for (v = 0; v < vertices; v++) {
+        const double *p = positions + 3 * v;
+        double off = fabs(sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - 1.0);
+        if (!(off <= worst)) worst = off;
+    }
+    return worst;
+}
+
+#endif

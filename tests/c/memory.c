@@ -1,0 +1,209 @@
+/* Lets every allocation in turn fail, once and for ever (feature capi-hooks): a status, no abort, no leak, inputs as before;
+ * and panics on purpose: INTERNAL, and a poisoned solver. */
+#define _POSIX_C_SOURCE 200809L
+#include "common.h"
+#include <time.h>
+
+extern uint64_t fairmesh_test_refuse(int64_t after, int64_t refusals);
+extern uint64_t fairmesh_test_reserve_blocks(void);
+extern int64_t fairmesh_test_blocks(void);
+extern uint64_t fairmesh_test_reserve_peak(uint64_t *aside);
+extern void fairmesh_test_panic(int64_t after);
+
+#define SIDE 9
+
+typedef struct {
+    Cap cap;
+    fairmesh_options options;
+    double *out, *kept;
+    uint32_t *kept_corners;
+    size_t out_of_memory, good;
+} Scene;
+
+/* The good and the expected end; anything else is a failure of the test. */
+static int passed(Scene *s, int32_t status, const fairmesh_error *error) {
+    CHECK(error->status == status);
+    if (status == FAIRMESH_STATUS_OK) {
+        s->good++;
+        return 1;
+    }
+    if (status != FAIRMESH_STATUS_OUT_OF_MEMORY) {
+        fprintf(stderr, "status %d: %s\n", (int)status, error->message);
+        exit(1);
+    }
+    s->out_of_memory++;
+    return 0;
+}
+
+static void fair_once(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
+    memset(s->out, 0x5a, 24 * s->cap.vertices);
+    if (passed(s, fairmesh_fair(&s->cap.mesh, &s->cap.selection, &s->options, &out, NULL, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    } else {
+        size_t k;
+        CHECK(result == NULL);
+        for (k = 0; k < 24 * s->cap.vertices; k++) CHECK(((unsigned char *)s->out)[k] == 0x5a);
+    }
+}
+
+static void steps(Scene *s) {
+    fairmesh_error error;
+    fairmesh_solver *solver = NULL;
+    fairmesh_result *result = NULL;
+    fairmesh_target target = {FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0};
+    fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
+    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error), &error)) {
+        CHECK(solver == NULL);
+        return;
+    }
+    passed(s, fairmesh_solver_run(solver, 2, NULL, &error), &error);
+    passed(s, fairmesh_solver_set_target(solver, &target, &error), &error);
+    passed(s, fairmesh_solver_run(solver, 100, NULL, &error), &error);
+    OK(fairmesh_solver_positions(solver, &out, &error));
+    if (passed(s, fairmesh_solver_result(solver, &result, &error), &error)) OK(fairmesh_result_free(result));
+    OK(fairmesh_solver_free(solver));
+}
+
+static void loops(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    if (passed(s, fairmesh_border_loops(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+}
+
+static void remesh(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_remesh_options options;
+    OK(fairmesh_remesh_options_init(&options, sizeof options));
+    options.density *= 2.0;
+    if (passed(s, fairmesh_remesh(&s->cap.mesh, &s->cap.selection, &options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
+static void fill(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_mesh mesh = s->cap.mesh;
+    uint32_t *holed = (uint32_t *)must(malloc(12 * s->cap.triangles));
+    size_t t, kept = 0;
+    for (t = 0; t < s->cap.triangles; t++) {
+        const uint32_t *c = s->cap.corners + 3 * t;
+        if (!s->cap.free_mask[c[0]] && !s->cap.free_mask[c[1]] && !s->cap.free_mask[c[2]]) {
+            memcpy(holed + 3 * kept++, c, 12);
+        }
+    }
+    mesh.triangles.data = holed;
+    mesh.triangles.count = kept;
+    if (passed(s, fairmesh_fill_holes(&mesh, NULL, &s->options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+    free(holed);
+}
+
+static void curvature(Scene *s) {
+    fairmesh_error error;
+    fairmesh_scalars_out out = scalars_out_of(s->out, s->cap.vertices);
+    passed(s, fairmesh_mean_curvature(&s->cap.mesh, &out, &error), &error);
+}
+
+static double seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void every_allocation(Scene *s, void (*work)(Scene *), const char *name, int64_t by) {
+    int64_t count, n;
+    uint64_t peak, aside, most = 0, of = 1;
+    int64_t before;
+    double start = seconds();
+    int mode;
+    work(s);
+    s->good = s->out_of_memory = 0;
+    fairmesh_test_refuse(-1, 0);
+    work(s);
+    count = (int64_t)fairmesh_test_refuse(-1, 0);
+    CHECK(s->out_of_memory == 0);
+    fairmesh_test_reserve_peak(&aside);
+    before = fairmesh_test_blocks();
+    for (mode = 0; mode < 2; mode++) {
+        for (n = 0; n < count; n += by) {
+            fairmesh_test_refuse(n, mode == 0 ? 1 : INT64_MAX);
+            work(s);
+            fairmesh_test_refuse(-1, 0);
+            CHECK(fairmesh_test_reserve_blocks() == 0);
+            /* The collector of the threads' queues holds a few blocks back for later. */
+            CHECK(fairmesh_test_blocks() <= before + 16);
+            CHECK(memcmp(s->kept, s->cap.positions, 24 * s->cap.vertices) == 0);
+            CHECK(memcmp(s->kept_corners, s->cap.corners, 12 * s->cap.triangles) == 0);
+            peak = fairmesh_test_reserve_peak(&aside);
+            if (aside > 0 && peak * of >= most * aside) most = peak, of = aside;
+        }
+    }
+    printf("%s: %d allocations failing, %u times out of memory, %u calls good, reserve %.1f of %.1f kB (%.0f %%), %.1f s\n",
+           name, (int)count, (unsigned)s->out_of_memory, (unsigned)s->good, (double)most / 1e3, (double)of / 1e3,
+           100.0 * (double)most / (double)of, seconds() - start);
+    CHECK(s->out_of_memory > 0);
+}
+
+static void panics(Scene *s) {
+    fairmesh_error error;
+    fairmesh_solver *solver = NULL;
+    fairmesh_result *result = NULL;
+    fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
+    memset(s->out, 0x5a, 24 * s->cap.vertices);
+    fairmesh_test_panic(0);
+    CHECK(fairmesh_fair(&s->cap.mesh, &s->cap.selection, &s->options, &out, NULL, &result, &error) ==
+          FAIRMESH_STATUS_INTERNAL);
+    CHECK(result == NULL && strstr(error.message, "a test asked for this") != NULL && s->out[0] == s->out[1]);
+    OK(fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error));
+    fairmesh_test_panic(0);
+    CHECK(fairmesh_solver_run(solver, 1, NULL, &error) == FAIRMESH_STATUS_INTERNAL);
+    CHECK(fairmesh_solver_run(solver, 1, NULL, &error) == FAIRMESH_STATUS_INTERNAL);
+    CHECK(fairmesh_solver_positions(solver, &out, &error) == FAIRMESH_STATUS_INTERNAL);
+    CHECK(strstr(error.message, "free it") != NULL);
+    OK(fairmesh_solver_free(solver));
+    OK(fairmesh_border_loops(&s->cap.mesh, &result, &error));
+    fairmesh_test_panic(0);
+    {
+        fairmesh_info info;
+        info.struct_size = sizeof info;
+        CHECK(fairmesh_result_info(result, &info, &error) == FAIRMESH_STATUS_INTERNAL);
+        OK(fairmesh_result_info(result, &info, &error));
+    }
+    OK(fairmesh_result_free(result));
+}
+
+int main(int count, char **arguments) {
+    Scene s;
+    /* Every how manieth; a large mesh tests the size of the reserve. */
+    int64_t by = count > 1 ? atoi(arguments[1]) : 1;
+    size_t side = count > 2 ? (size_t)atoi(arguments[2]) : SIDE;
+    memset(&s, 0, sizeof s);
+    s.cap = cap_new(side);
+    OK(fairmesh_options_init(&s.options, sizeof s.options));
+    s.options.threads = count > 3 ? (uint32_t)atoi(arguments[3]) : 1;
+    s.out = (double *)must(malloc(24 * s.cap.vertices));
+    s.kept = (double *)must(malloc(24 * s.cap.vertices));
+    s.kept_corners = (uint32_t *)must(malloc(12 * s.cap.triangles));
+    memcpy(s.kept, s.cap.positions, 24 * s.cap.vertices);
+    memcpy(s.kept_corners, s.cap.corners, 12 * s.cap.triangles);
+    panics(&s);
+    every_allocation(&s, fair_once, "fair", by);
+    every_allocation(&s, steps, "solver", by);
+    if (count > 4) return 0;
+    every_allocation(&s, loops, "loops", by);
+    every_allocation(&s, curvature, "mean curvature", by);
+    every_allocation(&s, remesh, "remesh", by);
+    every_allocation(&s, fill, "fill", by);
+    free(s.out);
+    free(s.kept);
+    free(s.kept_corners);
+    cap_free(&s.cap);
+    puts("memory: passed");
+    return 0;
+}

@@ -1,0 +1,163 @@
+// The C++ layer: everything in it is used, errors carry their detail, exceptions cross the callback intact.
+#include "../c/common.h"
+#include <fairmesh.hpp>
+
+namespace {
+
+struct broken : std::runtime_error {
+    int number;
+    explicit broken(int number) : std::runtime_error("broken"), number(number) {}
+};
+
+using positions_t = std::vector<std::array<double, 3>>;
+
+struct scene {
+    positions_t positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::uint8_t> mask;
+};
+
+scene cap(std::size_t side) {
+    Cap c = cap_new(side);
+    scene s;
+    for (std::size_t v = 0; v < c.vertices; v++) {
+        s.positions.push_back({c.positions[3 * v], c.positions[3 * v + 1], c.positions[3 * v + 2]});
+        s.mask.push_back(c.free_mask[v]);
+    }
+    for (std::size_t t = 0; t < c.triangles; t++) {
+        s.triangles.push_back({c.corners[3 * t], c.corners[3 * t + 1], c.corners[3 * t + 2]});
+    }
+    cap_free(&c);
+    return s;
+}
+
+void fairing() {
+    auto s = cap(15);
+    auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    auto found = fairmesh::fair(mesh, fairmesh::free_mask(s.mask));
+    CHECK(found.report().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    CHECK(found.info().kind == FAIRMESH_RESULT_KIND_FAIRED);
+    auto x = found.positions();
+    CHECK(off_sphere(x.data()->data(), x.size()) < 2e-3);
+    auto border = found.list(FAIRMESH_LIST_BORDER_VERTICES);
+    auto normals = found.vectors(FAIRMESH_VECTORS_BORDER_NORMALS);
+    CHECK(border.size() == normals.size() && !border.empty());
+    auto h = found.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
+    CHECK(h.size() == s.positions.size());
+
+    // In place, with a callback, and by a list.
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t v = 0; v < s.mask.size(); v++) {
+        if (s.mask[v]) list.push_back(v);
+    }
+    fairmesh::options options;
+    int calls = 0;
+    options.on_progress = [&](const fairmesh_progress &) { return ++calls, true; };
+    auto report = fairmesh::fair(mesh, fairmesh::free_vertices(list), options,
+                                 fairmesh::points_out(s.positions.data()->data(), s.positions.size()));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && calls > 0 && s.positions == x);
+    CHECK(fairmesh::mean_curvature(mesh).size() == s.positions.size());
+    std::vector<std::uint32_t> all(s.triangles.size());
+    for (std::uint32_t t = 0; t < all.size(); t++) all[t] = t;
+    CHECK(fairmesh::fair(mesh, fairmesh::faces(all)).report().free_vertices == 13 * 13);
+    CHECK(fairmesh::fair(mesh).report().free_vertices == 13 * 13);
+
+    options.on_progress = nullptr;
+    options.solver = FAIRMESH_SOLVER_KIND_PAPER;
+    options.paper_defect = 1e-3;
+    auto slow = fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options);
+    CHECK(slow.level(0).vertices > 0);
+}
+
+void errors() {
+    auto s = cap(9);
+    s.triangles[17][1] = 4711;
+    try {
+        fairmesh::fair(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask));
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        CHECK(e.status() == FAIRMESH_STATUS_INDEX_OUT_OF_RANGE && e.detail().element == 17);
+        CHECK(e.detail().element_kind == FAIRMESH_ELEMENT_TRIANGLE && std::string(e.what()).find("4711") != std::string::npos);
+    }
+}
+
+void exceptions() {
+    auto s = cap(15);
+    auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    fairmesh::options options;
+    std::uint64_t seen = 0;
+    bool armed = true;
+    options.on_progress = [&](const fairmesh_progress &p) -> bool {
+        seen = p.iterations;
+        if (armed && p.iterations == 2) throw broken(42);
+        return true;
+    };
+    auto before = s.positions;
+    try {
+        fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options);
+        CHECK(false);
+    } catch (const broken &b) {
+        CHECK(b.number == 42 && seen == 2 && s.positions == before);
+    }
+    // A solver outlives it, also when it moves.
+    fairmesh::solver first(mesh, fairmesh::free_mask(s.mask), options);
+    fairmesh::solver solver(std::move(first));
+    try {
+        solver.run();
+        CHECK(false);
+    } catch (const broken &b) {
+        CHECK(b.number == 42 && seen == 2);
+    }
+    armed = false;
+    CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    auto found = solver.snapshot().positions();
+    CHECK(off_sphere(found.data()->data(), found.size()) < 2e-3);
+}
+
+void stepping() {
+    auto s = cap(15);
+    fairmesh::solver solver(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask));
+    CHECK(solver.run(1).outcome == FAIRMESH_OUTCOME_ITERATION_LIMIT && solver.report().iterations == 1);
+    CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    solver.set_target(fairmesh_target{FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0});
+    CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    solver.set_normals(fairmesh_normals{FAIRMESH_NORMALS_KIND_AVERAGED, 0, {}, {}});
+    CHECK(solver.run().outcome != FAIRMESH_OUTCOME_CANCELLED);
+    std::vector<float> x(3 * s.positions.size()), h(s.positions.size());
+    solver.positions(fairmesh::points_out(x.data(), h.size()));
+    solver.mean_curvature(fairmesh::scalars_out(h.data(), h.size()));
+    CHECK(x[0] == static_cast<float>(s.positions[0][0]) && h[112] < 0.0f);
+}
+
+void holes() {
+    auto s = cap(15);
+    std::vector<std::array<std::uint32_t, 3>> left;
+    for (auto &t : s.triangles) {
+        if (!s.mask[t[0]] && !s.mask[t[1]] && !s.mask[t[2]]) left.push_back(t);
+    }
+    auto mesh = fairmesh::mesh(s.positions, left);
+    auto loops = fairmesh::border_loops(mesh);
+    CHECK(loops.info().loop_count == 2 && loops.loop(0).vertex_count == loops.list(FAIRMESH_LIST_LOOP_VERTICES, 0).size());
+    fairmesh::fill_options fill;
+    fill.density = 2.0;
+    auto filled = fairmesh::fill_holes(mesh, fill);
+    CHECK(filled.triangles().size() == filled.info().triangle_count && filled.positions().size() > s.positions.size());
+    CHECK(filled.list(FAIRMESH_LIST_PARENTS).size() == 3 * filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS).size());
+    bool faired = false;
+    for (std::uint64_t k = 0; k < 2; k++) faired |= filled.fill_report(k).outcome == FAIRMESH_FILL_OUTCOME_FAIRED;
+    CHECK(faired);
+    auto anew = fairmesh::remesh(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask));
+    CHECK(!anew.list(FAIRMESH_LIST_FREE_VERTICES).empty());
+}
+
+} // namespace
+
+int main() {
+    CHECK(fairmesh::version() == fairmesh_version_string());
+    fairing();
+    errors();
+    exceptions();
+    stepping();
+    holes();
+    std::puts("wrapper: passed");
+}
