@@ -21,5 +21,5 @@ for target in ${2:-structured raw}; do
         $out/$host/release/libfairmesh.a -lgcc_s -lutil -lrt -lpthread -lm -ldl -o $out/$target
     mkdir -p $out/corpus-$target
     $out/$target -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
-        -artifact_prefix=$out/ $out/corpus-$target fuzz/corpus/$target 2>&1 | grep -v "^#\|NEW_FUNC" | tail -25
+        -artifact_prefix=$out/ $out/corpus-$target fuzz/corpus/$target 2>&1 | grep -v "^#\|NEW_FUNC\|# Uses" | tail -8
 done

@@ -2,7 +2,7 @@
  * R. Schneider, L. Kobbelt, "Geometric fairing of irregular meshes for free-form surface design", CAGD 18, 2001.
  *
  * Arrays are the caller's: read or written during the call, never kept, never freed. Inputs are never written. Outputs
- * are written last, and only if the status is FAIRMESH_STATUS_OK; the fairmesh_error is always written.
+ * are written last, and only if the status is FAIRMESH_STATUS_OK; the fairmesh_error is written by every call.
  * A pointer is an error when NULL, unless its description says that it may be.
  * Any function may be called from any thread at any time. One solver is used by one call at a time, others are answered
  * FAIRMESH_STATUS_BUSY; a result may be read by any number of threads.
@@ -1301,7 +1301,8 @@ typedef struct fairmesh_report {
 } fairmesh_report;
 
 /**
- * What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it, with
+ * What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
+ * overlaps something else), with
  * status OK, NO_ELEMENT and an empty message when it succeeds.
  */
 typedef struct fairmesh_error {

@@ -163,7 +163,7 @@ fn covariance<const N: usize>(factor: &[[Lanes<1>; N]; N], squared: &NormalEquat
     squared.quadratic_form(&z).0[0]
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "shapes"))]
 mod tests {
     use super::*;
     use crate::mesh::{Region, Selection};

@@ -4,7 +4,7 @@
 /// The most vertices of an island: with one more a normal can be fitted to the others.
 const LARGEST: usize = 6;
 
-/// Which of the `outside` triangles belong to islands: groups connected by vertices, of at most [`LARGEST`] border vertices
+/// Which of the `outside` triangles belong to islands: groups connected by vertices, of at most six border vertices
 /// and no others, with a triangle on both sides of every edge. `inside` are the triangles of the region.
 pub fn islands(inside: &[[u32; 3]], outside: &[[u32; 3]], is_border: impl Fn(u32) -> bool) -> Vec<bool> {
     let mut on_island = vec![false; outside.len()];

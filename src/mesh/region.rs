@@ -68,7 +68,7 @@ impl Region {
     }
 
     /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
-    /// number); those are border then, and have a local number for each side. See [`cut`](super::cut).
+    /// number); those are border then, and have a local number for each side.
     ///
     /// # Errors
     /// As [`Region::new`].

@@ -18,7 +18,7 @@ const REFINED: f64 = 1e-7;
 const MOST_ITERATIONS: usize = 16;
 /// So does a step longer than this. A step of conjugate gradients is at most `1 / l` long, `l` the least eigenvalue of the
 /// preconditioned matrix, 1 for an exact factor: in some low mode the normal step would be too short by this factor or more.
-const LONGEST_STEP: f64 = 3.0;
+const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 
