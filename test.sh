@@ -38,7 +38,8 @@ install_c_tools() {
     command -v c++ >/dev/null || missing+=(g++)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
-    ls /usr/lib/llvm-*/lib/libclang*.so* >/dev/null 2>&1 || missing+=(libclang-dev)
+    compgen -G '/usr/lib/llvm-*/lib/libclang[.-][0-9s]*' >/dev/null &&
+        compgen -G '/usr/lib/llvm-*/lib/clang/*/include/stddef.h' >/dev/null || missing+=(libclang-dev)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
