@@ -106,7 +106,7 @@ public:
         all.reserve(3 * mesh_.n_vertices());
         for (std::size_t v = 0; v < mesh_.n_vertices(); v++) {
             const auto &vector = mesh_.property(property, openmesh_vertex(v));
-            for (int k = 0; k < 3; k++) all.push_back(static_cast<scalar>(vector[k]));
+            for (std::size_t k = 0; k < 3; k++) all.push_back(static_cast<scalar>(vector[k]));
         }
         return all;
     }
@@ -136,7 +136,7 @@ private:
         positions_.reserve(3 * mesh_.n_vertices());
         for (std::size_t v = 0; v < mesh_.n_vertices(); v++) {
             const auto &point = mesh_.point(openmesh_vertex(v));
-            for (int k = 0; k < 3; k++) positions_.push_back(point[k]);
+            for (std::size_t k = 0; k < 3; k++) positions_.push_back(point[k]);
         }
     }
 
@@ -309,7 +309,7 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
         curvature.write(h);
         for (std::size_t v = 0; v < free.size(); v++) {
             if (!free[v]) continue;
-            for (int k = 0; k < 3; k++) points[static_cast<int>(v)][k] = positions[3 * v + static_cast<std::size_t>(k)];
+            for (std::size_t k = 0; k < 3; k++) points[static_cast<int>(v)][k] = positions[3 * v + k];
         }
         return told;
     } catch (const error &caught) {
