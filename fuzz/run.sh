@@ -20,6 +20,6 @@ for target in ${2:-structured raw}; do
     clang -std=c11 -O1 -g -Wall -Wextra -Werror -fsanitize=fuzzer,address -Iinclude fuzz/$target.c \
         $out/$host/release/libfairmesh.a -lgcc_s -lutil -lrt -lpthread -lm -ldl -o $out/$target
     mkdir -p $out/corpus-$target
-    $out/$target -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
+    $out/$target -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
         -artifact_prefix=$out/ $out/corpus-$target fuzz/corpus/$target 2>&1 | grep -v "^#\|NEW_FUNC\|# Uses" | tail -8
 done

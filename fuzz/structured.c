@@ -28,6 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     size_t side = 3 + next(&bytes) % (MOST - 2), vertices = side * side, count = 0, v, edits;
     double bend = unit(&bytes), bump = unit(&bytes);
     fairmesh_options options;
+    fairmesh_fill_options fill;
     fairmesh_mesh mesh;
     fairmesh_selection selection;
     fairmesh_points_out to;
@@ -93,7 +94,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     to.scalar = FAIRMESH_SCALAR_FLOAT64;
     report.struct_size = sizeof report;
     if (what & 64) {
-        status = fairmesh_fill_holes(&mesh, NULL, &options, &result, &error);
+        fairmesh_fill_options_init(&fill, sizeof fill);
+        fill.max_new_vertices = 200;
+        status = fairmesh_fill_holes(&mesh, &fill, &options, &result, &error);
     } else {
         status = fairmesh_fair(&mesh, what & 32 ? NULL : &selection, &options, &to, &report, &result, &error);
     }

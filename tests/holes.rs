@@ -6,7 +6,7 @@ mod common;
 use std::collections::BTreeMap;
 
 use common::fairing::{Bars, angle, irregular, vector};
-use fairmesh::shapes::{Sampling, Shape, cylinder_band, sphere_with_hole};
+use fairmesh::shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
 use fairmesh::{
     Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, Loops, OpenReason, Options, Outcome,
     border_loops, fill_holes,
@@ -701,4 +701,31 @@ fn a_run_can_be_stopped() {
     check(&x, &t, &filled);
     let cancelled = FillOutcome::LeftOpen(OpenReason::Cancelled);
     assert!(filled.loops.iter().any(|l| l.outcome == cancelled));
+}
+
+/// A rim of a few edges, one of them astronomically short, asks for as many vertices as there are numbers.
+#[test]
+fn a_short_edge_does_not_flood_its_hole() {
+    let shape = sphere_cap(60.0, 500, Sampling::Regular, 4);
+    let (mut x, mut triangles) = (shape.positions.clone(), shape.triangles.clone());
+    let top = (0..x.len() as u32)
+        .max_by(|a, b| x[*a as usize][2].total_cmp(&x[*b as usize][2]))
+        .unwrap();
+    triangles.retain(|t| !t.contains(&top));
+    let loops = border_loops(&x, &triangles).unwrap();
+    let hole = loops.iter().min_by_key(|l| l.vertices.len()).unwrap();
+    let (a, b) = (hole.vertices[0] as usize, hole.vertices[1] as usize);
+    for (axis, part) in [1e-9, 1e-12, 1e-15].into_iter().enumerate() {
+        x[b] = x[a];
+        x[b][axis] += part;
+        let options = FillOptions {
+            loops: Loops::UpTo(hole.vertices.len()),
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&x, &triangles, options).unwrap();
+        let new = filled.positions.len() - x.len();
+        println!("{part:.0e}: {new} new vertices");
+        assert!(new <= 1_000 + 2 * hole.vertices.len().pow(2));
+        assert!(filled.positions.iter().flatten().all(|c| c.is_finite()));
+    }
 }

@@ -30,13 +30,19 @@ pub struct FillOptions<'a> {
     /// long as those of the mesh beside the rim; at twice that, half as long. Between 0.1 and 10.
     pub density: f64,
     /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their rims.
-    /// Smaller loops are served first. Default 200,000.
+    /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
+    /// square of a density above 1: a round hole takes a tenth, but one edge can be astronomically short.
     pub max_new_vertices: usize,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
     /// For the fairing. Normals are those of the rim, by default fitted to the surroundings. `progress` is told about the
     /// whole call, with the fraction of all loops.
     pub fairing: Options<'a>,
+}
+
+/// See [`FillOptions::max_new_vertices`].
+fn largest_patch(edges: usize, density: f64) -> usize {
+    1_000 + (edges as f64 * density.max(1.0)).powi(2).round() as usize
 }
 
 impl Default for FillOptions<'_> {
@@ -213,7 +219,9 @@ impl Run<'_, '_> {
         let task = Task {
             surroundings: &surroundings,
             factor: std::f64::consts::SQRT_2 / self.options.density,
-            most: self.left,
+            most: self
+                .left
+                .min(largest_patch(border.vertices.len(), self.options.density)),
             fair: self.options.fair,
             normals: self.options.fairing.normals,
             target: self.options.fairing.target,
