@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes fairmesh_fair through the C interface: structured meshes and raw bytes, with AddressSanitizer and coverage.
 #   fuzz/run.sh [seconds for each target, default 60] [structured|raw]     new inputs go to target/fuzz/
+# FUZZ_SEED=0 draws another sequence every time; the default is one that can be repeated.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
@@ -20,6 +21,6 @@ for target in ${2:-structured raw}; do
     clang -std=c11 -O1 -g -Wall -Wextra -Werror -fsanitize=fuzzer,address -Iinclude fuzz/$target.c \
         $out/$host/release/libfairmesh.a -lgcc_s -lutil -lrt -lpthread -lm -ldl -o $out/$target
     mkdir -p $out/corpus-$target
-    $out/$target -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
+    $out/$target -max_total_time="$seconds" -timeout=60 -seed="${FUZZ_SEED:-1}" -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
         -artifact_prefix=$out/ $out/corpus-$target fuzz/corpus/$target 2>&1 | grep -v "^#\|NEW_FUNC\|# Uses" | tail -8
 done
