@@ -1,5 +1,5 @@
 //! The C interface as C and C++ programs see it: installed by `make install`, found through pkg-config and CMake, linked
-//! shared and static. Needs a C and C++ compiler, make, binutils; CMake, valgrind and abidiff where they are.
+//! shared and static. Needs a C and C++ compiler, make, binutils, CMake, valgrind and abidiff.
 #![cfg(all(unix, feature = "cli"))]
 #![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
@@ -37,11 +37,14 @@ fn run(command: &mut Command) -> String {
     out
 }
 
-fn has(tool: &str) -> bool {
-    Command::new(tool)
-        .arg("--version")
-        .output()
-        .is_ok_and(|o| o.status.success())
+/// A tool that is not there is an error, and says where it comes from.
+fn needs(tool: &str, package: &str) {
+    let found = Command::new(tool).arg("--version").output();
+    let works = found.is_ok_and(|o| o.status.success());
+    assert!(
+        works,
+        "{tool} is missing: apt-get install {package}, or run ./test.sh, which does"
+    );
 }
 
 /// The target directory that this test was built in: the libraries are built beside it.
@@ -228,10 +231,7 @@ fn exported_symbols_are_the_functions_of_the_header() {
 /// `FAIRMESH_WRITE_ABI=1` writes the description anew: for a new major version only.
 #[test]
 fn the_binary_interface_is_still_the_first_one() {
-    if !has("abidw") {
-        println!("there is no abidw");
-        return;
-    }
+    needs("abidw", "abigail-tools");
     prefix();
     let (library, stored) = (
         work().join("libfairmesh.so"),
@@ -304,10 +304,7 @@ fn allocations_that_fail_and_panics_become_a_status() {
 
 #[test]
 fn examples_build_with_cmake() {
-    if !has("cmake") {
-        println!("there is no cmake");
-        return;
-    }
+    needs("cmake", "cmake");
     for (example, program) in [("c", "smooth_dent"), ("cpp", "fill_hole")] {
         for kind in ["OFF", "ON"] {
             let build = work().join(format!("cmake-{example}-{kind}"));
@@ -329,10 +326,7 @@ fn examples_build_with_cmake() {
 
 #[test]
 fn the_calls_through_cmake_are_all() {
-    if !has("cmake") {
-        println!("there is no cmake");
-        return;
-    }
+    needs("cmake", "cmake");
     let source = work().join("cmake-calls-source");
     fs::create_dir_all(&source).unwrap();
     let tests = root().join("tests");
@@ -366,10 +360,7 @@ fn the_calls_through_cmake_are_all() {
 
 #[test]
 fn valgrind_has_nothing_to_say() {
-    if !has("valgrind") {
-        println!("there is no valgrind");
-        return;
-    }
+    needs("valgrind", "valgrind");
     for source in ["tests/c/calls.c", "tests/c/bad_inputs.c"] {
         let program = compile("cc", "c11", source, Linked::Static);
         run(Command::new("valgrind")
