@@ -1,0 +1,139 @@
+"""What is raised when a call was refused."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from enum import Enum
+from typing import Any, NoReturn
+
+from . import _abi
+from ._abi import fairmesh_status as Status
+from ._library import Library
+
+__all__ = [
+    "ElementKind",
+    "FairmeshError",
+    "InputError",
+    "OutOfMemoryError",
+    "Status",
+    "call",
+]
+
+
+class ElementKind(str, Enum):
+    """What ``FairmeshError.element`` counts."""
+
+    NONE = "none"
+    VERTEX = "vertex"
+    TRIANGLE = "triangle"
+    #: ``element`` and ``other`` are the edge's vertices, the smaller first.
+    EDGE = "edge"
+    #: A parameter; ``argument`` is its name.
+    ARGUMENT = "argument"
+    LOOP = "loop"
+
+
+class FairmeshError(Exception):
+    """The library refused a call. Nothing was written.
+
+    ``status`` says why (`Status`). ``element_kind`` and ``element`` say which vertex, triangle, edge or loop is to
+    blame, ``other`` is a second index where the status has one (the vertex that a triangle names wrongly, the other end
+    of an edge); both are None where there is none. ``argument`` is the name of the parameter to blame, or None.
+    """
+
+    def __init__(
+        self,
+        status: Status,
+        message: str,
+        *,
+        element_kind: ElementKind = ElementKind.NONE,
+        element: int | None = None,
+        other: int | None = None,
+        argument: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.status = status
+        self.message = message
+        self.element_kind = element_kind
+        self.element = element
+        self.other = other
+        self.argument = argument
+
+
+class InputError(FairmeshError, ValueError):
+    """The mesh, the selection, a normal or an option is wrong."""
+
+
+class OutOfMemoryError(FairmeshError, MemoryError):
+    """Memory ran out; everything that the call had allocated is free again."""
+
+
+_INPUT = {
+    Status.BAD_OPTION,
+    Status.BAD_ENUM,
+    Status.COUNT_MISMATCH,
+    Status.TOO_LARGE,
+    Status.NOT_FINITE,
+    Status.INDEX_OUT_OF_RANGE,
+    Status.REPEATED_INDEX,
+    Status.DUPLICATE_TRIANGLE,
+    Status.NON_MANIFOLD_EDGE,
+    Status.NON_MANIFOLD_VERTEX,
+    Status.INCONSISTENT_ORIENTATION,
+    Status.FREE_VERTEX_ON_BORDER,
+    Status.FREE_VERTEX_WITHOUT_TRIANGLE,
+    Status.NOTHING_FIXED,
+    Status.EMPTY_REGION,
+    Status.SELECTION_OUT_OF_RANGE,
+    Status.BAD_NORMAL,
+    Status.NO_NORMAL,
+}
+
+# C structs and fields that are called otherwise in Python.
+_C_ARGUMENT = re.compile(r"^argument \d+(, field at offset \d+)?: ")
+_NAMES = {"positions": "vertices", "triangles": "faces"}
+
+
+def call(library: Library, name: str, *arguments: Any) -> None:
+    """Calls a function of the library that ends with a `fairmesh_error`; raises what it was refused with."""
+    why = _abi.fairmesh_error()
+    status = getattr(library, name)(*arguments, ctypes.byref(why))
+    if status != Status.OK:
+        _refuse(name, status, why)
+
+
+def error_of(name: str, status: int, why: _abi.fairmesh_error) -> FairmeshError:
+    """The exception for a refused call of the function ``name``."""
+    known = Status(status) if status in Status.__members__.values() else Status.INTERNAL
+    kind = ElementKind[_abi.fairmesh_element(why.element_kind).name]
+    element = None if why.element == _abi.NO_ELEMENT else why.element
+    other = None if why.other == _abi.NO_ELEMENT else why.other
+    message = why.message.decode("utf-8", "replace") or known.name.replace("_", " ").lower()
+    argument = None
+    if kind is ElementKind.ARGUMENT and element is not None:
+        # Numbers of C arguments and offsets of fields say nothing to Python programs.
+        argument = _argument(name, element, other)
+        element = other = None
+        if argument is not None:
+            message = _C_ARGUMENT.sub(f"{argument}: ", message)
+    if known is Status.OUT_OF_MEMORY:
+        made: type[FairmeshError] = OutOfMemoryError
+    else:
+        made = InputError if known in _INPUT else FairmeshError
+    return made(known, message, element_kind=kind, element=element, other=other, argument=argument)
+
+
+def _refuse(name: str, status: int, why: _abi.fairmesh_error) -> NoReturn:
+    raise error_of(name, status, why)
+
+
+def _argument(function: str, number: int, offset: int | None) -> str | None:
+    """The Python name of a function's argument (from 1), or of the field of its struct at ``offset``."""
+    struct = getattr(_abi.FUNCTIONS[function][1][number - 1], "_type_", None)
+    if offset is None or not (isinstance(struct, type) and issubclass(struct, ctypes.Structure)):
+        return None
+    for field in reversed(struct._fields_):
+        if getattr(struct, field[0]).offset <= offset:
+            return _NAMES.get(field[0], field[0])
+    return None
