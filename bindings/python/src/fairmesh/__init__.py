@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from . import _abi
 from ._curvature import mean_curvature
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError, Status
 from ._fairing import Result, Solver, fair
@@ -55,4 +56,5 @@ __all__ = [
     "remesh",
     "version",
 ]
-__version__ = "0.1.0"
+#: The version of this package, which is that of the library it was written for.
+__version__ = f"{_abi.VERSION_MAJOR}.{_abi.VERSION_MINOR}.{_abi.VERSION_PATCH}"

@@ -47,13 +47,15 @@ def _address(array: NDArray[Any]) -> int | None:
 def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
     """Points or vectors, (n, 3), float32 or float64; other real numbers become float64."""
     array = np.asarray(given)
-    if array.dtype not in _SCALARS:
-        if array.dtype.kind not in "iuf" and array.size:
+    native = array.dtype.newbyteorder("=")
+    if native not in _SCALARS:
+        if native.kind not in "iuf":
             raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
-        array = array.astype(np.float32 if array.dtype == np.float32 else np.float64)
+        native = np.dtype(np.float64)
+    array = array.astype(native, copy=False)
     if array.ndim != 2 or array.shape[1] != 3:
         if array.shape == (0,):
-            return np.empty((0, 3))
+            return np.empty((0, 3), native)
         raise ValueError(f"{name}: the shape has to be (n, 3), not {array.shape}")
     if rows is not None and len(array) != rows:
         raise ValueError(f"{name}: {len(array)} rows, but {rows} are needed")

@@ -5,9 +5,12 @@ from __future__ import annotations
 import ctypes
 import itertools
 import threading
+import weakref
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol, Union
+
+import numpy as np
 
 from . import _abi
 
@@ -104,7 +107,7 @@ ProgressCallback = Callable[[Progress], Union[bool, None]]
 class Relay:
     """Hands the library's callback on to what the caller gave, and keeps exceptions on this side of the library.
 
-    A context: inside, the library knows it by the number `user_data`.
+    It has to live as long as the library may call: the library knows it by the number `user_data` only.
     """
 
     def __init__(self, progress: ProgressCallback | None, cancel: Event | None) -> None:
@@ -114,8 +117,9 @@ class Relay:
             raise TypeError(f"cancel: an object with is_set() is needed, not {type(cancel).__name__}")
         self.progress = progress
         self.cancel = cancel
-        self.thrown: BaseException | None = None
+        self._thrown: BaseException | None = None
         self.user_data = next(_numbers)
+        _relays[self.user_data] = self
 
     def install(self, options: _abi.fairmesh_options) -> None:
         """Puts the callback into the options, if there is something to be told or asked.
@@ -126,16 +130,24 @@ class Relay:
             options.progress = _tell
             options.user_data = self.user_data
 
-    def __enter__(self) -> Relay:
-        _relays[self.user_data] = self
-        self.thrown = None
-        return self
+    def take(self) -> BaseException | None:
+        """What a callback threw, once."""
+        thrown, self._thrown = self._thrown, None
+        return thrown
 
-    def __exit__(self, kind: Any, why: BaseException | None, trace: Any) -> None:
-        del _relays[self.user_data]
-        thrown, self.thrown = self.thrown, None
-        if thrown is not None and why is None:
-            raise thrown
+    def rethrow(self) -> None:
+        """Raises what a callback threw, if it did."""
+        thrown = self.take()
+        if thrown is not None:
+            try:
+                raise thrown
+            finally:
+                # No cycle of the exception and this frame.
+                del thrown
+
+    def keep(self, thrown: BaseException) -> None:
+        """Remembers what a callback threw."""
+        self._thrown = thrown
 
     def tell(self, progress: _abi.fairmesh_progress) -> bool:
         """True stops the run."""
@@ -148,24 +160,25 @@ class Relay:
             phase = (progress.stage or b"").decode("utf-8", "replace")
             told = Progress(phase, progress.iterations, progress.step, progress.fraction)
             answer = self.progress(told)
-            stop = stop or (answer is not None and not answer)
+            # Only False itself: what a progress bar's method happens to return is no wish to stop.
+            stop = stop or (isinstance(answer, (bool, np.bool_)) and not answer)
         return stop
 
 
-# One callback for all runs: user_data is the number of its relay.
-_relays: dict[int, Relay] = {}
+# One callback for all runs: user_data is the number of its relay. Weak: a solver that only its own callback still refers to
+# can be collected.
+_relays: weakref.WeakValueDictionary[int, Relay] = weakref.WeakValueDictionary()
 _numbers = itertools.count(1)
 
 
 def _dispatch(progress: Any, user_data: int) -> int:
+    relay = _relays.get(user_data)
+    if relay is None:
+        return 1
     try:
-        relay = _relays[user_data]
-        try:
-            return int(relay.tell(progress.contents))
-        except BaseException as why:  # an interrupt too: it is raised again by the call
-            relay.thrown = why
-            return 1
-    except BaseException:
+        return int(relay.tell(progress.contents))
+    except BaseException as why:  # an interrupt too: the call raises it again
+        relay.keep(why)
         return 1
 
 
