@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Builds the shared library with cargo and prints its path.
 
-By default as the rest of the repository does, for this machine. With --portable: for any Linux x86_64 with glibc 2.28 or
-newer, with zig as the linker (from PyPI, in a virtual environment under target/), stripped and checked.
+By default as the rest of the repository does, for this machine. With --portable: for any Linux x86_64 with glibc 2.28
+or newer, with zig as the linker (from PyPI, in a virtual environment under target/), stripped and checked.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ TRIPLE = "x86_64-unknown-linux-gnu"
 GLIBC = (2, 28)
 BUILD = ["--release", "--locked", "--lib", "--no-default-features", "--features", "capi"]
 # The libraries that every Linux has, of the policy manylinux_2_28.
-SYSTEM = {f"lib{name}" for name in ("c.so.6", "m.so.6", "dl.so.2", "pthread.so.0", "rt.so.1", "util.so.1", "gcc_s.so.1")}
+SYSTEM = {
+    f"lib{name}" for name in ("c.so.6", "m.so.6", "dl.so.2", "pthread.so.0", "rt.so.1", "util.so.1", "gcc_s.so.1")
+}
 SYSTEM.add("ld-linux-x86-64.so.2")
 
 
@@ -65,7 +67,7 @@ def build_portable() -> Path:
 
 
 def check_portable(library: Path) -> None:
-    """Raises SystemExit if the library needs a newer glibc or other libraries than every Linux has, or shows too much."""
+    """Raises SystemExit if the library does not fit every Linux with this glibc, or shows more than its functions."""
     _need("objdump", "readelf", "nm")
     symbols = _output("objdump", "-T", library)
     versions = {tuple(map(int, number.split("."))) for number in re.findall(r"GLIBC_([0-9.]+)", symbols)}

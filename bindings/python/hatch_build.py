@@ -13,11 +13,11 @@ from typing import Any
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import build_library  # noqa: E402
+import build_library
 
 
 class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
-    """Builds the library with cargo, unless FAIRMESH_WHEEL_LIBRARY names one and FAIRMESH_WHEEL_PLATFORM its platform."""
+    """Builds the library with cargo, unless FAIRMESH_WHEEL_LIBRARY (and _PLATFORM) name one."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Called by hatchling before a build."""

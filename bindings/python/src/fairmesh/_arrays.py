@@ -118,10 +118,8 @@ def _first_outside(array: NDArray[Any]) -> int | None:
 
 
 def _as_uint32(array: NDArray[Any]) -> UInt32:
-    if array.dtype.itemsize == 4 and array.dtype.isnative:
-        array = array.view(np.uint32)
-    else:
-        array = array.astype(np.uint32)
+    whole = array.dtype.itemsize == 4 and array.dtype.isnative
+    array = array.view(np.uint32) if whole else array.astype(np.uint32)
     return array if _readable(array) else np.ascontiguousarray(array)
 
 

@@ -15,8 +15,11 @@ from ._library import load
 def mean_curvature(vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
     """Mean curvature H at every vertex of a mesh, (n,), in 1 / length.
 
-    Negative on a sphere with outward normals (faces counter-clockwise seen from outside). NaN at vertices without faces.
-    The mesh need not be a manifold.
+    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`. Negative on a sphere with outward normals, that is with faces
+    counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a manifold.
+
+    Raises:
+        InputError: An index or a coordinate is wrong; it says where.
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)

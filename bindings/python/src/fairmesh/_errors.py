@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Any, NoReturn
 
 from . import _abi
-from ._abi import fairmesh_status as Status
+from ._abi import fairmesh_status as Status  # noqa: N812
 from ._library import Library
 
 __all__ = [

@@ -14,7 +14,7 @@ from . import _abi, _arrays
 from ._errors import FairmeshError, Status, call
 from ._handles import ResultHandle, sized
 from ._library import load
-from ._options import Normals, NormalsView, Options, Target, target_struct, whole
+from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Outcome, Report, report_of
 
@@ -43,7 +43,9 @@ class Result:
 
     @cached_property
     def mean_curvature(self) -> NDArray[np.float64]:
-        """Mean curvature H, (n,), in 1 / length: negative on a sphere with outward normals. NaN where no vertex is free."""
+        """Mean curvature H, (n,), in 1 / length: negative on a sphere with outward normals. NaN at vertices not in the
+        region.
+        """
         return self._handle.scalars(_abi.fairmesh_scalars.MEAN_CURVATURE, len(self.vertices))
 
     @cached_property
@@ -98,9 +100,12 @@ class Result:
 
     def __repr__(self) -> str:
         report = self.report
-        return f"<fairmesh.Result: {report.outcome}, {report.free_vertices} free vertices, {report.iterations} iterations>"
+        return (
+            f"<fairmesh.Result: {report.outcome}, {report.free_vertices} free vertices, {report.iterations} iterations>"
+        )
 
 
+@with_options
 def fair(
     vertices: ArrayLike,
     faces: ArrayLike,
@@ -112,7 +117,38 @@ def fair(
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
 ) -> Result:
-    """TODO."""
+    """Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what ``target`` asks.
+
+    The surface passes through the fixed vertices with tangent continuity. A run that ends badly is an `Outcome`, no
+    exception: ``result.vertices`` is usable in every case. The interpreter lock is released; any number of threads may
+    call this at once.
+
+    Args:
+        vertices: (n, 3) float32 or float64, any unit of length; other real numbers are converted to float64. Not
+            written.
+        faces: (m, 3) integers from 0, counter-clockwise seen from the side that normals point to.
+        free: The vertices that may move: a mask (n,) of bool, or indices in any order.
+        fixed: In its place the vertices that may not.
+        free_faces: In its place a mask (m,) or indices of faces: free are vertices that have no other faces and are not
+            on the border of the mesh. With none of the three: all vertices that are not on the border of the mesh.
+        progress: Called with a `Progress` after every iteration and at stages of the preparation, on this thread. False
+            stops the run; an exception stops it too, and is raised again by this function.
+        cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
+            run before the next iteration, with the outcome CANCELLED.
+        **options: How fairing is done: normals, target, tolerance, threads, ..., see `FairingOptions`. None is the
+            default.
+
+    Returns:
+        `Result`: the vertices in the type given, the report, curvatures and lists.
+
+    Raises:
+        InputError: The mesh around the region, the selection, a normal or an option is wrong; it says which vertex or
+            face.
+        FairmeshError: Another refusal, see `Status`.
+        TypeError, ValueError: An array has the wrong type or shape, an option is none of the known names.
+        LibraryError: The shared library was not found, or is of another version.
+
+    """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     region = _arrays.Region(mesh, free, fixed, free_faces)
@@ -137,8 +173,16 @@ def fair(
 
 
 class Solver:
-    """TODO."""
+    """Fairing in steps: run some iterations, look, change the normals or the target, go on.
 
+    Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
+    is used by one thread at a time; others get a FairmeshError with `Status.BUSY`, and so does its own callback. It
+    holds memory and idle threads until it is closed, also by ``with``, or collected.
+
+    Arguments and errors are those of `fair`.
+    """
+
+    @with_options
     def __init__(
         self,
         vertices: ArrayLike,
@@ -178,7 +222,11 @@ class Solver:
         call(self._library, function, self._address, *arguments)
 
     def run(self, iterations: int | None = None) -> Report:
-        """Runs at most so many nonlinear iterations, at least one; None: to the end."""
+        """Runs at most so many nonlinear iterations, at least one; None: to the end.
+
+        The outcome ITERATION_LIMIT or CANCELLED says that a further run goes on from here; after any other one the end
+        is reached, and a further run does nothing until something is changed.
+        """
         report = sized(_abi.fairmesh_report)
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         try:
@@ -191,17 +239,17 @@ class Solver:
         return report_of(report)
 
     def set_normals(self, normals: Normals) -> None:
-        """Asks for other border normals from now on."""
+        """Asks for other border normals from now on, given as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
         self._call("fairmesh_solver_set_normals", ctypes.byref(view.struct))
 
     def set_target(self, target: Target) -> None:
-        """Asks for another target from now on."""
+        """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""
         self._call("fairmesh_solver_set_target", ctypes.byref(target_struct(target)))
 
     @property
     def vertices(self) -> NDArray[Any]:
-        """All vertices as they stand."""
+        """All vertices as they stand, (n, 3), in the type given; before the first run, those given."""
         made = np.empty(self._shape, self._dtype)
         self._call("fairmesh_solver_positions", ctypes.byref(_arrays.points_out(made)))
         return made

@@ -15,7 +15,7 @@ from . import _abi, _arrays
 from ._errors import Status, call
 from ._handles import ResultHandle, sized
 from ._library import load
-from ._options import Options, initial, real, whole
+from ._options import Options, initial, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Report
 
@@ -115,7 +115,10 @@ class Loop:
 
 
 def border_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
-    """The border loops of a mesh: holes and outer borders. TODO"""
+    """The border loops of a mesh: holes and outer borders. ``vertices`` and ``faces`` as in `fair`.
+
+    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
+    """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     address = ctypes.c_void_p()
@@ -251,6 +254,7 @@ class Remeshed(_NewMesh):
         return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
 
 
+@with_options
 def fill_holes(
     vertices: ArrayLike,
     faces: ArrayLike,
@@ -264,7 +268,28 @@ def fill_holes(
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
 ) -> Filled:
-    """TODO."""
+    """Fills holes: triangulates, refines and fairs each.
+
+    Vertices and faces given keep their numbers and bits; new ones follow. A loop that cannot be filled says so in its
+    `LoopReport` and does not affect the others. Outlines of open surfaces are filled only if they are named.
+
+    Args:
+        vertices, faces: As in `fair`.
+        loops: Only these loops, as `border_loops` numbers them. Default: all holes.
+        max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
+        density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
+            beside the rim; at twice that, half as long.
+        max_new_vertices: At most this many new vertices. Default 200000.
+        fair: False: patches are triangulated and refined only. Default True.
+        progress, cancel, **options: As in `fair`.
+
+    Returns:
+        `Filled`: the mesh in the types given, and what became of each loop.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     fill = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
@@ -309,7 +334,22 @@ def remesh(
     density: float | None = None,
     max_vertices: int | None = None,
 ) -> Remeshed:
-    """TODO."""
+    """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
+
+    To fair the new mesh: ``fair(new.vertices, new.faces, free=new.free_vertices)``.
+
+    Args:
+        vertices, faces, free, fixed, free_faces: As in `fair`.
+        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
+        max_vertices: At most this many vertices inside the region. Default 200000.
+
+    Returns:
+        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     region = _arrays.Region(mesh, free, fixed, free_faces)

@@ -99,6 +99,7 @@ def load(path: PathLike | None = None) -> Library:
 
     Raises:
         LibraryError: not found, of another version, or no fairmesh library.
+
     """
     global _loaded
     with _lock:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import inspect
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Union
 
 import numpy as np
@@ -13,7 +14,7 @@ from ._errors import Status, error_of
 from ._library import Library, load
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
 InnerFairness = Literal["uniform", "conformal", "convex"]
 InteriorNormals = Literal["smooth", "input"]
@@ -27,42 +28,70 @@ Target = Union[Literal["harmonic", "minimal_energy"], float]
 
 
 class FairingOptions(TypedDict, total=False):
-    """How fairing is done. What is missing or None has the library's default, see `default_options`."""
+    """How fairing is done: the keywords that `fair`, `fill_holes` and `Solver` have in common. None is the default.
 
-    #: Unit normals at the border of the region, see `Normals`. Default: "fitted" to the surface outside.
+    Keywords:
+        normals: Unit normals at the border of the region, pointing to the side that faces are counter-clockwise
+            seen from: "fitted" (default) to second order to the surface outside; "averaged" over the faces outside;
+            an array (n, 3), one row per vertex, zeros or NaN where none is given; or a pair (indices (k,), vectors
+            (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
+        target: The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3, a
+            positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
+        inner_fairness: How vertices are distributed within the surface: "uniform" (default), evenly; "conformal",
+            with the least distortion of the input's triangles; "convex", near conformal with positive weights for
+            any input.
+        interior_normals: Normals of fixed vertices inside the region that have none given: "smooth" (default), the
+            surface's own; "input", the average of their faces in the input.
+        tolerance: Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's
+            bounding box) is below this; in (0, 1). Default 1e-8; 1e-6 is enough for interactive use.
+        max_iterations: At most this many nonlinear iterations, at least 1. Default 500.
+        threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
+            bits.
+        discretization: Of normals and mean curvature: "second_order" (default) on irregular meshes; "paper", that
+            of Schneider and Kobbelt (2001).
+        solver: "fast" (default); "paper", the scheme of Schneider and Kobbelt (2001): slow, a yardstick.
+        paper_estimate: Of the solver "paper", as all that follow: how it estimates the mean curvature:
+            "alternating" (default), "gauss_seidel" or "conjugate_gradients".
+        paper_estimate_iterations: Iterations of the estimate. Default 10.
+        paper_damping: The part of each normal step that is taken, in (0, 1]. Default 0.9.
+        paper_levels: Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
+        paper_base: Vertices of the base mesh; 0 (default): two and a half times the border.
+        paper_defect: Stop when ``defect`` of the report is at most this. Default 1e-6.
+        paper_laplacian: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
+        paper_max_updates: At most this many updates on all levels. Default 20000.
+    """
+
     normals: Normals | None
-    #: What the Laplacian of the mean curvature has to be, see `Target`. Default: "harmonic", zero.
     target: Target | None
-    #: How vertices are distributed within the surface. Default: "uniform".
     inner_fairness: InnerFairness | None
-    #: Normals of fixed vertices inside the region that have none given. Default: "smooth".
     interior_normals: InteriorNormals | None
-    #: Stop when the step norm, in diagonals of the region, is below this. Default 1e-8; in (0, 1).
     tolerance: float | None
-    #: At most this many nonlinear iterations. Default 500.
     max_iterations: int | None
-    #: Worker threads, at most 1024; 0, the default: as many as the machine has. Any number gives the same bits.
     threads: int | None
-    #: How normals and mean curvature are discretized. Default: "second_order".
     discretization: Discretization | None
-    #: Default: "fast". "paper" is the scheme of Schneider and Kobbelt (2001): slow, a yardstick.
     solver: SolverKind | None
-    #: Of the solver "paper" only, as all that follow: how the mean curvature is estimated. Default: "alternating".
     paper_estimate: Estimate | None
-    #: Iterations of the estimate. Default 10.
     paper_estimate_iterations: int | None
-    #: The part of each normal step that is taken. Default 0.9; in (0, 1].
     paper_damping: float | None
-    #: Levels of the hierarchy; 1: none; 0, the default: as many as make each level four times as large.
     paper_levels: int | None
-    #: Vertices of the base mesh; 0, the default: two and a half times the border.
     paper_base: int | None
-    #: Stop when the report's defect is at most this. Default 1e-6.
     paper_defect: float | None
-    #: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
     paper_laplacian: float | None
-    #: At most this many updates on all levels. Default 20000.
     paper_max_updates: int | None
+
+
+Function = TypeVar("Function", bound="Callable[..., Any]")
+
+
+def with_options(function: Function) -> Function:
+    """Shows the fairing options in the signature that ``help`` prints."""
+    signature = inspect.signature(function)
+    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    named = [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in FairingOptions.__annotations__
+    ]
+    function.__signature__ = signature.replace(parameters=own + named)  # type: ignore[attr-defined]
+    return function
 
 
 class FillOptions(TypedDict):
@@ -207,7 +236,8 @@ def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
 
 def default_options() -> FairingOptions:
     """All fairing options with their defaults, read from the library: ``fair(v, f, **default_options())`` is
-    ``fair(v, f)``."""
+    ``fair(v, f)``.
+    """
     struct = initial(load(), "fairmesh_options_init", _abi.fairmesh_options)
     options: dict[str, Any] = {
         "normals": _abi.fairmesh_normals_kind(struct.normals.kind).name.lower(),
