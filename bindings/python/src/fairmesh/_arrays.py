@@ -36,6 +36,11 @@ def _readable(array: NDArray[Any]) -> bool:
     )
 
 
+def _packed(array: NDArray[Any]) -> NDArray[Any]:
+    """A copy, aligned and with nothing between (`numpy.ascontiguousarray` keeps misaligned arrays)."""
+    return np.array(array, order="C")
+
+
 def _stride(array: NDArray[Any]) -> int:
     return array.strides[0] if len(array) > 1 else 0
 
@@ -59,7 +64,7 @@ def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
         raise ValueError(f"{name}: the shape has to be (n, 3), not {array.shape}")
     if rows is not None and len(array) != rows:
         raise ValueError(f"{name}: {len(array)} rows, but {rows} are needed")
-    return array if _readable(array) else np.ascontiguousarray(array)
+    return array if _readable(array) else _packed(array)
 
 
 def triangles(given: ArrayLike) -> tuple[UInt32, np.dtype[Any]]:
@@ -98,7 +103,6 @@ def indices(given: ArrayLike, name: str) -> UInt32:
             f"{name} names element {int(array[at])}",
             element_kind=ElementKind.TRIANGLE if name == "free_faces" else ElementKind.VERTEX,
             element=int(array[at]),
-            argument=name,
         )
     return _as_uint32(array)
 
@@ -120,7 +124,7 @@ def _first_outside(array: NDArray[Any]) -> int | None:
 def _as_uint32(array: NDArray[Any]) -> UInt32:
     whole = array.dtype.itemsize == 4 and array.dtype.isnative
     array = array.view(np.uint32) if whole else array.astype(np.uint32)
-    return array if _readable(array) else np.ascontiguousarray(array)
+    return array if _readable(array) else _packed(array)
 
 
 def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
@@ -130,7 +134,7 @@ def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
         if array.shape != (count,):
             raise ValueError(f"{name}: a mask has to have the shape ({count},), not {array.shape}")
         mask = array.view(np.uint8)
-        return mask if _readable(mask) else np.ascontiguousarray(mask)
+        return mask if _readable(mask) else _packed(mask)
     if array.dtype.kind in "iu" and array.itemsize == 1:
         raise TypeError(f"{name}: {array.dtype} is neither a mask (bool) nor indices (16 bits and more)")
     return indices(array, name)
@@ -204,7 +208,6 @@ def _fixed_mask(fixed: ArrayLike, count: int) -> NDArray[np.uint8]:
             f"the selection names element {index}, but there are only {count}",
             element_kind=ElementKind.VERTEX,
             element=index,
-            argument="fixed",
         )
     mask = np.zeros(count, np.uint8)
     mask[chosen] = 1

@@ -20,6 +20,7 @@ def mean_curvature(vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]
 
     Raises:
         InputError: An index or a coordinate is wrong; it says where.
+
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)

@@ -90,6 +90,8 @@ _INPUT = {
     Status.NO_NORMAL,
 }
 
+_KNOWN = {int(member): member for member in Status}
+_KINDS = {int(member): ElementKind[member.name] for member in _abi.fairmesh_element}
 # C structs and fields that are called otherwise in Python.
 _C_ARGUMENT = re.compile(r"^argument \d+(, field at offset \d+)?: ")
 _NAMES = {"positions": "vertices", "triangles": "faces"}
@@ -105,11 +107,13 @@ def call(library: Library, name: str, *arguments: Any) -> None:
 
 def error_of(name: str, status: int, why: _abi.fairmesh_error) -> FairmeshError:
     """The exception for a refused call of the function ``name``."""
-    known = Status(status) if status in Status.__members__.values() else Status.INTERNAL
-    kind = ElementKind[_abi.fairmesh_element(why.element_kind).name]
+    known = _KNOWN.get(status, Status.INTERNAL)
+    kind = _KINDS.get(why.element_kind, ElementKind.NONE)
     element = None if why.element == _abi.NO_ELEMENT else why.element
     other = None if why.other == _abi.NO_ELEMENT else why.other
-    message = why.message.decode("utf-8", "replace") or known.name.replace("_", " ").lower()
+    message = why.message.decode("utf-8", "replace")
+    if not message:
+        message = f"unknown status {status}" if status not in _KNOWN else known.name.replace("_", " ").lower()
     argument = None
     if kind is ElementKind.ARGUMENT and element is not None:
         # Numbers of C arguments and offsets of fields say nothing to Python programs.
@@ -130,6 +134,8 @@ def _refuse(name: str, status: int, why: _abi.fairmesh_error) -> NoReturn:
 
 def _argument(function: str, number: int, offset: int | None) -> str | None:
     """The Python name of a function's argument (from 1), or of the field of its struct at ``offset``."""
+    if (function, number) == ("fairmesh_solver_run", 2):
+        return "iterations"
     struct = getattr(_abi.FUNCTIONS[function][1][number - 1], "_type_", None)
     if offset is None or not (isinstance(struct, type) and issubclass(struct, ctypes.Structure)):
         return None

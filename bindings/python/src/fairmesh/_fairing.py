@@ -276,8 +276,11 @@ class Solver:
         return Result(handle, handle.positions(self._shape[0], self._dtype))
 
     def close(self) -> None:
-        """Frees the solver's memory and threads. Closing twice is allowed."""
-        self._finalizer()
+        """Frees the solver's memory and threads. Closing twice is allowed; while it runs, it is refused with BUSY."""
+        if self._finalizer.alive:
+            if self._library.fairmesh_solver_free(self._address) == Status.BUSY:
+                raise FairmeshError(Status.BUSY, "the solver is in use")
+            self._finalizer.detach()
 
     def __enter__(self) -> Solver:
         return self

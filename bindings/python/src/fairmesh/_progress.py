@@ -165,8 +165,8 @@ class Relay:
         return stop
 
 
-# One callback for all runs: user_data is the number of its relay. Weak: a solver that only its own callback still refers
-# to can be collected.
+# One callback for all runs: user_data is the number of its relay. Weak: a solver that only its own callback still
+# refers to can be collected.
 _relays: weakref.WeakValueDictionary[int, Relay] = weakref.WeakValueDictionary()
 _numbers = itertools.count(1)
 
