@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fairing of selected regions, filling of holes and curvature display with the fairmesh library.
+
+An add-on for Blender 3.4 to 4.1 (`bl_info`) and an extension for 4.2 and later (blender_manifest.toml).
+"""
+
+import sys
+
+bl_info = {
+    "name": "Fairmesh",
+    "description": "Fairs selected regions to harmonic mean curvature, fills holes smoothly, shows curvature",
+    "author": "fairmesh developers",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "Edit Mode: Mesh > Clean Up, Vertex menu, Sidebar > Fairmesh",
+    "category": "Mesh",
+    "support": "COMMUNITY",
+}
+
+# Blender reloads this file alone after an update: without this the old modules would stay in use.
+for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:
+    del sys.modules[_name]
+
+from . import curvature_operator, fair_operator, fill_operator, found, job, panel, settings  # noqa: E402
+
+_PARTS = (settings, found, fair_operator, fill_operator, curvature_operator, panel)
+
+
+def register():
+    for part in _PARTS:
+        part.register()
+
+
+def unregister():
+    # No thread may be inside the library when its code goes away.
+    job.stop_all()
+    for part in reversed(_PARTS):
+        part.unregister()

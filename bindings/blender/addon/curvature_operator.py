@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh > Clean Up > Show Curvature: mean curvature as colours."""
+
+import bmesh
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
+
+from . import fairmesh, messages, native, snapshot
+
+COLORS = "Mean Curvature"
+VALUES = "mean_curvature"
+
+# Blue, white, red: end points and middle of a diverging map (Moreland 2009), linear RGB.
+_BLUE, _WHITE, _RED = np.array([[0.044, 0.072, 0.527], [0.725, 0.725, 0.725], [0.456, 0.001, 0.019]])
+_GREY = np.array([0.05, 0.05, 0.05])
+
+
+class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
+    """Store the mean curvature H of the whole mesh as the colour attribute "Mean Curvature" and show it.
+
+    Red bulges out (H negative with outward normals), blue is hollow, white is the middle of the range"""
+
+    bl_idname = "mesh.fairmesh_show_curvature"
+    bl_label = "Show Curvature"
+    bl_options = {"REGISTER", "UNDO"}
+
+    scale: EnumProperty(
+        name="Range",
+        description="Which curvatures the ends of the colour map stand for",
+        items=(
+            ("AUTO", "Automatic", "98 of 100 vertices are within the range"),
+            ("MANUAL", "Manual", "Half Width is given"),
+        ),
+        default="AUTO",
+    )
+    half_width: FloatProperty(
+        name="Half Width",
+        description="The ends of the map are this far from its middle, in 1 / length",
+        default=1.0,
+        min=1e-9,
+        soft_max=100.0,
+        precision=3,
+    )
+    middle: EnumProperty(
+        name="Middle",
+        description="The curvature that is white",
+        items=(
+            ("ZERO", "Flat", "H = 0"),
+            ("MEDIAN", "Median", "The median of H: shows how even a surface is curved"),
+        ),
+        default="ZERO",
+    )
+    values: BoolProperty(
+        name="Store Values",
+        description='Store H itself, too, as the attribute "mean_curvature" for geometry nodes and scripts',
+        default=False,
+    )
+    show: BoolProperty(
+        name="Show in Viewport",
+        description="Switch solid shading to the colours",
+        default=True,
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode in {"EDIT_MESH", "OBJECT"} and context.object is not None and context.object.type == "MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "scale")
+        if self.scale == "MANUAL":
+            layout.prop(self, "half_width")
+        layout.prop(self, "middle")
+        layout.prop(self, "values")
+        layout.prop(self, "show")
+
+    def execute(self, context):
+        objects = context.objects_in_mode_unique_data if context.mode == "EDIT_MESH" else [context.object]
+        try:
+            native.load()
+            curvatures = [_curvature(obj) for obj in objects]
+        except fairmesh.FairmeshError as why:
+            self.report({"ERROR"}, messages.refused(why, getattr(why, "subject", None)))
+            return {"CANCELLED"}
+        except (fairmesh.LibraryError, MemoryError) as why:
+            self.report({"ERROR"}, f"{self.bl_label}: {why}")
+            return {"CANCELLED"}
+        known = np.concatenate([h[np.isfinite(h)] for h in curvatures])
+        if not len(known):
+            self.report({"ERROR"}, "The mesh has no faces to take the curvature of")
+            return {"CANCELLED"}
+        middle = float(np.median(known)) if self.middle == "MEDIAN" else 0.0
+        width = self.half_width if self.scale == "MANUAL" else float(np.percentile(np.abs(known - middle), 98))
+        # A plane, or a perfect sphere around its median: rounding is not to be blown up to colours.
+        width = max(width, 1e-4 * float(np.abs(known).max()), 1e-12)
+        for obj, h in zip(objects, curvatures):
+            _store(obj, colors_of((h - middle) / width), h if self.values else None)
+        if self.show:
+            _show(context)
+        self.report(
+            {"INFO"}, f"H from {known.min():.4g} to {known.max():.4g}; colours: {middle - width:.4g} to {middle + width:.4g}"
+        )
+        return {"FINISHED"}
+
+
+def _curvature(obj):
+    mesh = snapshot.read(obj)
+    with messages.about(mesh):
+        return fairmesh.mean_curvature(mesh.vertices, mesh.triangles)
+
+
+def colors_of(scaled):
+    """(n, 4) linear colours: -1 red, 0 white, 1 blue; NaN dark grey."""
+    side = np.clip(np.nan_to_num(scaled), -1, 1)[:, None]
+    colors = np.where(side < 0, _WHITE + (_RED - _WHITE) * -side, _WHITE + (_BLUE - _WHITE) * side)
+    colors[np.isnan(scaled)] = _GREY
+    return np.column_stack([colors, np.ones(len(colors))]).astype(np.float32)
+
+
+def _store(obj, colors, curvature):
+    mesh = obj.data
+    _attribute(mesh, COLORS, "FLOAT_COLOR")
+    if curvature is not None:
+        _attribute(mesh, VALUES, "FLOAT")
+    # Adding moves the data: attributes are looked up when all are there.
+    mesh.color_attributes.active_color = mesh.color_attributes[COLORS]
+    if obj.mode != "EDIT":
+        mesh.attributes[COLORS].data.foreach_set("color", colors.ravel())
+        if curvature is not None:
+            mesh.attributes[VALUES].data.foreach_set("value", np.nan_to_num(curvature).astype(np.float32))
+        mesh.update()
+        return
+    edit_mesh = bmesh.from_edit_mesh(mesh)
+    layer = edit_mesh.verts.layers.float_color[COLORS]
+    for vertex, color in zip(edit_mesh.verts, colors.tolist()):
+        vertex[layer] = color
+    if curvature is not None:
+        layer = edit_mesh.verts.layers.float[VALUES]
+        for vertex, value in zip(edit_mesh.verts, np.nan_to_num(curvature).tolist()):
+            vertex[layer] = value
+    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+
+
+def _attribute(mesh, name, kind):
+    """An attribute of vertices, made if there is none; one of another kind with this name is replaced."""
+    there = mesh.attributes.get(name)
+    if there is not None and (there.domain != "POINT" or there.data_type != kind):
+        mesh.attributes.remove(there)
+        there = None
+    if there is None:
+        collection = mesh.color_attributes if kind == "FLOAT_COLOR" else mesh.attributes
+        collection.new(name, kind, "POINT")
+
+
+def _show(context):
+    space = context.space_data
+    if space is not None and space.type == "VIEW_3D":
+        space.shading.color_type = "VERTEX"
+        if space.shading.type not in {"SOLID", "WIREFRAME"}:
+            space.shading.type = "SOLID"
+
+
+def _menu(self, context):
+    self.layout.operator(MESH_OT_fairmesh_show_curvature.bl_idname)
+
+
+def register():
+    bpy.utils.register_class(MESH_OT_fairmesh_show_curvature)
+    bpy.types.VIEW3D_MT_edit_mesh_clean.append(_menu)
+
+
+def unregister():
+    bpy.types.VIEW3D_MT_edit_mesh_clean.remove(_menu)
+    bpy.utils.unregister_class(MESH_OT_fairmesh_show_curvature)

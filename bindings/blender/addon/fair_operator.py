@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh > Clean Up > Fair Selection."""
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from bpy.props import EnumProperty
+
+from . import fairmesh, found, messages, region, snapshot
+from .job import Background
+from .settings import FairingOptions
+
+
+@dataclass
+class Region:
+    """What is to be faired of one object."""
+
+    mesh: snapshot.Snapshot
+    free: np.ndarray
+    symmetry: region.Symmetry
+    keywords: dict
+    result: object = None
+
+
+class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
+    """Replace the selected region by the smoothest surface that meets its surroundings tangentially.
+
+    In face select mode the outline of the selected faces stays where it is and the vertices inside move.
+    In vertex and edge select mode, also if combined with faces, the selected vertices move.
+    The border of the mesh, hidden vertices and vertices of hidden faces stay"""
+
+    bl_idname = "mesh.fairmesh_fair"
+    bl_label = "Fair Selection"
+    bl_options = {"REGISTER", "UNDO"}
+
+    region: EnumProperty(
+        name="Region",
+        description="Which vertices may move",
+        items=(
+            ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
+            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the outline of the selection stays"),
+            ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
+        ),
+        default="AUTO",
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "EDIT_MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "region")
+        self.draw_fairing(layout)
+
+    def prepare(self, context):
+        found.remember(None)
+        regions = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
+        regions = [r for r in regions if r.free.any()]
+        if not regions:
+            self.report({"ERROR"}, self._nothing(context))
+            return None
+
+        def work(monitor):
+            for part in regions:
+                with messages.about(part.mesh):
+                    part.result = fairmesh.fair(
+                        part.mesh.seen(), part.mesh.triangles, free=part.free, cancel=monitor, **part.keywords
+                    )
+            return regions
+
+        return work
+
+    def _region(self, context, obj):
+        mesh = snapshot.read(obj)
+        free = region.free_mask(mesh, self._by_faces(context))
+        symmetry = region.Symmetry(mesh, free)
+        return Region(mesh, free, symmetry, self.fairing_keywords(region.diagonal(mesh, free)))
+
+    def _by_faces(self, context):
+        if self.region == "AUTO":
+            return tuple(context.tool_settings.mesh_select_mode) == (False, False, True)
+        return self.region == "FACES"
+
+    def _nothing(self, context):
+        if self._by_faces(context):
+            return (
+                "No vertex can move: the outline of the selected faces stays, and nothing is inside. "
+                "Select more faces, or set Region to Selected Vertices"
+            )
+        return "No vertex can move: select vertices inside the mesh. Its border and vertices of hidden faces stay"
+
+    def finish(self, context, regions):
+        moved = [_positions(part) for part in regions]
+        for part in regions:
+            snapshot.edit_mesh(part.mesh)  # all are still there, before the first is changed
+        for part, (indices, positions) in zip(regions, moved):
+            snapshot.write_positions(part.mesh, indices, positions)
+        for part in regions:
+            kind, text = messages.faired(part.result.report)
+            name = f"{part.mesh.object.name}: " if len(regions) > 1 else ""
+            self.report({kind}, name + text)
+            _remember(part)
+        return {"FINISHED"}
+
+
+def _positions(part):
+    """The free vertices and their new positions in the object's coordinates."""
+    mesh = part.mesh
+    indices = np.flatnonzero(part.free)
+    if not part.symmetry.axes:
+        return indices, mesh.unseen(part.result.vertices[indices])
+    return indices, part.symmetry.apply(mesh.unseen(part.result.vertices))[indices]
+
+
+def _remember(part):
+    """Offers to select what the result has reservations about."""
+    mesh, result = part.mesh, part.result
+    if len(result.poor_triangles):
+        faces = np.unique(mesh.face_of[result.poor_triangles])
+        found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} poor faces", faces=faces))
+    elif len(result.unreached_vertices):
+        vertices = result.unreached_vertices
+        what = f"{len(vertices)} border vertices with unreachable normals"
+        found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
+
+
+def _menu(self, context):
+    self.layout.operator(MESH_OT_fairmesh_fair.bl_idname)
+
+
+_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_vertices")
+
+
+def register():
+    bpy.utils.register_class(MESH_OT_fairmesh_fair)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).append(_menu)
+
+
+def unregister():
+    for menu in _MENUS:
+        getattr(bpy.types, menu).remove(_menu)
+    bpy.utils.unregister_class(MESH_OT_fairmesh_fair)

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the new vertices and faces of filled holes into an edit mesh, with everything that the mesh stores on them.
+
+New vertices have three parents among the old ones, with weights: what can be interpolated, is. New faces take material,
+shading and other values from a face at their hole's rim.
+"""
+
+import bmesh
+import numpy as np
+
+from . import snapshot
+
+
+def add(mesh, filled):
+    """Adds what a `fairmesh.Filled` has more than the `Snapshot` it was made of, and selects it."""
+    edit_mesh = snapshot.edit_mesh(mesh)
+    positions = mesh.unseen(filled.vertices[filled.new_vertices])
+    triangles = filled.faces[filled.new_faces]
+    used = np.unique(np.concatenate([filled.parents.ravel(), triangles.ravel()]))
+    patch = _Patch(edit_mesh, mesh, used[used < len(mesh.vertices)], filled.parents, filled.parent_weights)
+    try:
+        patch.add_vertices(positions)
+        patch.add_faces(triangles)
+    except BaseException:
+        patch.remove()
+        raise
+    finally:
+        bmesh.update_edit_mesh(mesh.object.data, loop_triangles=True, destructive=True)
+
+
+class _Patch:
+    def __init__(self, edit_mesh, mesh, olds, parents, weights):
+        self.edit_mesh = edit_mesh
+        self.mesh = mesh
+        self.parents = parents
+        self.weights = weights
+        self.new = []
+        self.faces = []
+        # Before anything is added: the old vertices, and the corner of an old face that speaks for each.
+        self.old = {int(old): edit_mesh.verts[old] for old in olds}
+        self.corner = {old: _corner(vertex) for old, vertex in self.old.items()}
+
+    def remove(self):
+        """Takes everything back."""
+        bmesh.ops.delete(self.edit_mesh, geom=self.faces, context="FACES_ONLY")
+        bmesh.ops.delete(self.edit_mesh, geom=self.new, context="VERTS")
+
+    def add_vertices(self, positions):
+        verts = self.edit_mesh.verts
+        helper = verts.new()
+        for position, parents, weights in zip(positions.tolist(), self.parents.tolist(), self.weights.tolist()):
+            first, second, third = (self.old[parent] for parent in parents)
+            # From its main parent: what cannot be interpolated.
+            new = verts.new(position, (first, second, third)[weights.index(max(weights))])
+            _interpolate(helper, first, second, weights[0], weights[1])
+            _interpolate(new, helper, third, weights[0] + weights[1], weights[2])
+            new.hide = False
+            self.new.append(new)
+        verts.remove(helper)
+        self._shape_keys(positions)
+
+    def _shape_keys(self, positions):
+        """In other shape keys the patch is moved as its parents are."""
+        shapes = self.edit_mesh.verts.layers.shape
+        for layer in shapes.values():
+            key = self.mesh.object.data.shape_keys.key_blocks.get(layer.name)
+            active = key == self.mesh.object.active_shape_key
+            for at, new in enumerate(self.new):
+                new[layer] = positions[at] if active else positions[at] + self._offset(layer, at)
+
+    def _offset(self, layer, at):
+        offset = np.zeros(3)
+        for parent, weight in zip(self.parents[at], self.weights[at]):
+            vertex = self.old[int(parent)]
+            offset += weight * np.subtract(vertex[layer], vertex.co)
+        return offset
+
+    def add_faces(self, triangles):
+        old = len(self.mesh.vertices)
+        values = self._corner_values()
+        for triangle in triangles.tolist():
+            main = self._main_corner(triangle, old)
+            verts = [self.new[v - old] if v >= old else self.old[v] for v in triangle]
+            face = self.edit_mesh.faces.new(verts, main.face)
+            face.hide = False
+            self.faces.append(face)
+            for corner, vertex in zip(face.loops, triangle):
+                self._write_corner(corner, vertex, old, values)
+        for face in self.faces:
+            face.select_set(True)
+        self.edit_mesh.select_flush_mode()
+
+    def _main_corner(self, triangle, old):
+        """The old corner that says most about a new triangle."""
+        for vertex in triangle:
+            if vertex < old:
+                return self.corner[vertex]
+        parents, weights = self.parents[triangle[0] - old], self.weights[triangle[0] - old]
+        return self.corner[int(parents[np.argmax(weights)])]
+
+    def _corner_values(self):
+        """Per layer of corners that can be interpolated: (layer, setter, values at the new vertices)."""
+        made = []
+        for layer, get, put in _corner_layers(self.edit_mesh):
+            known = {old: get(corner, layer) for old, corner in self.corner.items()}
+            at_parents = np.array([[known[parent] for parent in three] for three in self.parents.tolist()])
+            if len(at_parents):
+                values = np.einsum("ij,ij...->i...", self.weights, at_parents).tolist()
+            else:
+                values = []
+            made.append((layer, put, values))
+        return made
+
+    def _write_corner(self, corner, vertex, old, values):
+        if vertex < old:
+            corner.copy_from(self.corner[vertex])
+            return
+        parents, weights = self.parents[vertex - old], self.weights[vertex - old]
+        corner.copy_from(self.corner[int(parents[np.argmax(weights)])])
+        for layer, put, at_new in values:
+            put(corner, layer, at_new[vertex - old])
+
+
+def _corner(vertex):
+    """A corner of a face at the vertex; beside the hole if there is one."""
+    for edge in vertex.link_edges:
+        if edge.is_boundary:
+            loop = edge.link_loops[0]
+            return loop if loop.vert == vertex else loop.link_loop_next
+    return vertex.link_loops[0]
+
+
+def _interpolate(target, first, second, weight_first, weight_second):
+    total = weight_first + weight_second
+    if first is second or first == second or total <= 0:
+        target.copy_from(first)
+    else:
+        target.copy_from_vert_interp((first, second), weight_second / total)
+
+
+def _corner_layers(edit_mesh):
+    layers = edit_mesh.loops.layers
+    for layer in layers.uv.values():
+        yield layer, _get_uv, _put_uv
+    for name in ("color", "float_color", "float_vector", "float"):
+        for layer in getattr(layers, name).values():
+            yield layer, _get, _put
+
+
+def _get_uv(corner, layer):
+    return tuple(corner[layer].uv)
+
+
+def _put_uv(corner, layer, value):
+    corner[layer].uv = value
+
+
+def _get(corner, layer):
+    value = corner[layer]
+    return value if isinstance(value, float) else tuple(value)
+
+
+def _put(corner, layer, value):
+    corner[layer] = value

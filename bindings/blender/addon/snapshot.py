@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh in Edit or Object mode as arrays for the library, and positions back into it.
+
+Faces of any number of corners become triangles for the computation only; the mesh keeps its faces.
+"""
+
+from dataclasses import dataclass
+
+import bmesh
+import numpy as np
+
+
+class Stale(Exception):
+    """The mesh is not any more what was read."""
+
+
+@dataclass
+class Snapshot:
+    """What was read. n vertices, m triangles, p faces, e edges; hidden geometry included."""
+
+    object: object
+    #: (n, 3) float64, in the object's coordinates; of the active shape key.
+    vertices: np.ndarray
+    #: (m, 3) int32, and the face that each is a part of, (m,).
+    triangles: np.ndarray
+    face_of: np.ndarray
+    #: (n,) and (p,) masks.
+    vertex_selected: np.ndarray
+    vertex_hidden: np.ndarray
+    face_selected: np.ndarray
+    face_hidden: np.ndarray
+    #: (e, 2) int32, (e,) mask, and how many faces each edge has, (e,).
+    edges: np.ndarray
+    edge_selected: np.ndarray
+    edge_faces: np.ndarray
+    #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
+    shape: object
+
+    @property
+    def counts(self):
+        """Vertices, edges, faces."""
+        return len(self.vertices), len(self.edges), len(self.face_selected)
+
+    def seen(self):
+        """The vertices as they are seen in the scene, up to place, direction and size."""
+        return self.vertices if self.shape is None else self.vertices @ self.shape.T
+
+    def unseen(self, positions):
+        """Such positions in the object's coordinates."""
+        return positions if self.shape is None else np.linalg.solve(self.shape, positions.T).T
+
+
+def read(obj):
+    """Reads the mesh of an object."""
+    mesh = obj.data
+    editing = obj.mode == "EDIT"
+    if editing:
+        # foreach_get sees the mesh as it was when Edit mode was entered, until this.
+        obj.update_from_editmode()
+    mesh.calc_loop_triangles()
+    corners = _get(mesh.loops, "vertex_index", np.int32)
+    triangle_loops = _get(mesh.loop_triangles, "loops", np.int32, 3)
+    sizes = _get(mesh.polygons, "loop_total", np.int32)
+    edge_of_corner = _get(mesh.loops, "edge_index", np.int32)
+    return Snapshot(
+        object=obj,
+        vertices=_positions(obj, mesh, editing),
+        triangles=corners[triangle_loops],
+        # A face of k corners has k - 2 triangles, and they stand in the order of the faces.
+        face_of=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
+        vertex_selected=_get(mesh.vertices, "select", bool),
+        vertex_hidden=_get(mesh.vertices, "hide", bool),
+        face_selected=_get(mesh.polygons, "select", bool),
+        face_hidden=_get(mesh.polygons, "hide", bool),
+        edges=_get(mesh.edges, "vertices", np.int32, 2),
+        edge_selected=_get(mesh.edges, "select", bool),
+        edge_faces=np.bincount(edge_of_corner, minlength=len(mesh.edges)),
+        shape=_shape(obj),
+    )
+
+
+def _get(collection, name, kind, width=1):
+    values = np.empty(len(collection) * width, kind)
+    collection.foreach_get(name, values)
+    return values if width == 1 else values.reshape(-1, width)
+
+
+def _positions(obj, mesh, editing):
+    if editing and mesh.shape_keys:
+        # The mesh has the basis; what is edited is the active key, and only the edit mesh has that.
+        edit_mesh = bmesh.from_edit_mesh(mesh)
+        flat = np.fromiter((x for v in edit_mesh.verts for x in v.co), np.float64, 3 * len(edit_mesh.verts))
+        return flat.reshape(-1, 3)
+    return _get(mesh.vertices, "co", np.float32, 3).astype(np.float64)
+
+
+def _shape(obj):
+    """The object's scale and shear where they change angles; a reflection is taken out."""
+    matrix = np.array(obj.matrix_world, np.float64)[:3, :3]
+    size = np.cbrt(np.linalg.det(matrix))
+    if size == 0:
+        return None
+    matrix /= size
+    return None if np.allclose(matrix @ matrix.T, np.eye(3), rtol=0, atol=1e-5) else matrix
+
+
+def edit_mesh(snapshot):
+    """The edit mesh, if it still is the one that was read."""
+    obj = snapshot.object
+    try:
+        if obj.mode != "EDIT":
+            raise Stale
+        found = bmesh.from_edit_mesh(obj.data)
+    except ReferenceError:
+        raise Stale from None
+    if (len(found.verts), len(found.edges), len(found.faces)) != snapshot.counts:
+        raise Stale
+    found.verts.ensure_lookup_table()
+    return found
+
+
+def write_positions(snapshot, indices, positions):
+    """Moves the vertices `indices` (k,) to `positions` (k, 3), in the object's coordinates."""
+    found = edit_mesh(snapshot)
+    vertices = found.verts
+    for index, position in zip(indices.tolist(), positions.tolist()):
+        vertices[index].co = position
+    bmesh.update_edit_mesh(snapshot.object.data, loop_triangles=True, destructive=False)

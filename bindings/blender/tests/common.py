@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests and measurements share. They run in Blender (blender --python) and in the module bpy (python)."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy  # isort: skip  (the module bpy brings bmesh along)
+import bmesh
+import numpy as np
+
+EXTENSIONS = bpy.app.version >= (4, 2, 0)
+
+
+def private_folders(folder):
+    """User files go to `folder`, never to the user's own: set before Blender starts."""
+    return {"BLENDER_USER_RESOURCES": str(folder), "BLENDER_USER_SCRIPTS": str(Path(folder) / "scripts")}
+
+
+def install(zip_path):
+    """Installs and enables the zip through Blender's own operators; returns the module's name."""
+    if EXTENSIONS:
+        # The module bpy has the add-on for extensions, but does not start it.
+        bpy.ops.preferences.addon_enable(module="bl_pkg")
+        bpy.ops.extensions.package_install_files(filepath=str(zip_path), repo="user_default", enable_on_install=True)
+        name = "bl_ext.user_default.fairmesh"
+    else:
+        bpy.ops.preferences.addon_install(filepath=str(zip_path), overwrite=True)
+        name = "fairmesh_blender"
+        bpy.ops.preferences.addon_enable(module=name)
+    assert name in bpy.context.preferences.addons, f"{name} is not enabled"
+    return name
+
+
+def clear():
+    """An empty scene in Object mode."""
+    if bpy.context.object and bpy.context.object.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    for mesh in list(bpy.data.meshes):
+        bpy.data.meshes.remove(mesh)
+
+
+def add(name, vertices, faces, edges=()):
+    """A new active object with this mesh."""
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata([tuple(v) for v in vertices], list(edges), [tuple(f) for f in faces])
+    obj = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(obj)
+    activate(obj)
+    return obj
+
+
+def activate(obj):
+    bpy.context.view_layer.objects.active = obj
+    obj.select_set(True)
+
+
+def coordinates(obj):
+    """(n, 3) float64, as stored; also in Edit mode."""
+    if obj.mode == "EDIT":
+        return np.array([v.co[:] for v in bmesh.from_edit_mesh(obj.data).verts])
+    flat = np.empty(3 * len(obj.data.vertices), np.float32)
+    obj.data.vertices.foreach_get("co", flat)
+    return flat.reshape(-1, 3).astype(np.float64)
+
+
+def move(obj, positions):
+    """In Object mode."""
+    obj.data.vertices.foreach_set("co", np.asarray(positions, np.float32).ravel())
+    obj.data.update()
+
+
+def uv_sphere(segments, rings, radius=1.0):
+    """Blender's own UV sphere."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=rings, radius=radius)
+    return bpy.context.object
+
+
+def irregular_sphere(count, seed=1, radius=1.0):
+    """Random points on the sphere, Delaunay: the convex hull. float32 as Blender stores them."""
+    points = np.random.default_rng(seed).normal(size=(count, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    hull = bmesh.new()
+    for point in points:
+        hull.verts.new(point)
+    bmesh.ops.convex_hull(hull, input=hull.verts)
+    mesh = bpy.data.meshes.new("irregular")
+    hull.to_mesh(mesh)
+    hull.free()
+    obj = bpy.data.objects.new("irregular", mesh)
+    bpy.context.collection.objects.link(obj)
+    activate(obj)
+    exact = coordinates(obj)
+    move(obj, exact / np.linalg.norm(exact, axis=1)[:, None] * radius)
+    return obj
+
+
+def edit(obj, mode="FACE"):
+    """Edit mode with this select mode and nothing selected."""
+    activate(obj)
+    if obj.mode != "EDIT":
+        bpy.ops.object.mode_set(mode="EDIT")
+    bpy.context.tool_settings.mesh_select_mode = (mode == "VERT", mode == "EDGE", mode == "FACE")
+    bpy.ops.mesh.select_all(action="DESELECT")
+
+
+def select_faces(obj, chosen):
+    """Selects faces in Edit mode: `chosen(face)`."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    for face in mesh.faces:
+        if chosen(face):
+            face.select_set(True)
+    mesh.select_flush_mode()
+    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
+
+
+def select_vertices(obj, chosen):
+    """Selects vertices in Edit mode: `chosen(vertex)`."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    for vertex in mesh.verts:
+        if chosen(vertex):
+            vertex.select_set(True)
+    mesh.select_flush_mode()
+    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
+
+
+def flatten_cap(obj, height=0.2, offset=(0.0, 0.0, 0.0)):
+    """Selects the faces above `height` of a unit sphere at `offset` and lays the vertices inside flat, in Edit mode.
+
+    Returns the free vertices.
+    """
+    offset = np.asarray(offset)
+    move(obj, coordinates(obj) + offset)
+    edit(obj)
+    select_faces(obj, lambda face: all(v.co.z - offset[2] > height for v in face.verts))
+    mesh = bmesh.from_edit_mesh(obj.data)
+    free = [v for v in mesh.verts if v.select and all(f.select for f in v.link_faces)]
+    for vertex in free:
+        vertex.co.z = height + offset[2]
+    bmesh.update_edit_mesh(obj.data, destructive=False)
+    return np.array([v.index for v in free])
+
+
+def radial_error(obj, free, offset=(0.0, 0.0, 0.0)):
+    """The largest distance of the free vertices from the unit sphere."""
+    radius = np.linalg.norm(coordinates(obj)[free] - np.asarray(offset), axis=1)
+    return float(np.abs(radius - 1).max())
+
+
+def leave(code):
+    """Ends the process with this code, whichever way it was started."""
+    sys.stdout.flush()
+    os._exit(code)
