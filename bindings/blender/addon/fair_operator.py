@@ -7,9 +7,12 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty
 
-from . import fairmesh, found, messages, region, snapshot
+from . import fairmesh, found, messages, region, snapshot, triangulation
 from .job import Background
 from .settings import FairingOptions
+
+#: The library's reports of the last run, one per object.
+last_reports = []
 
 
 @dataclass
@@ -77,6 +80,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         mesh = snapshot.read(obj)
         free = region.free_mask(mesh, self._by_faces(context))
         symmetry = region.Symmetry(mesh, free)
+        mesh.triangles = triangulation.cut_evenly(mesh, free)
         return Region(mesh, free, symmetry, self.fairing_keywords(region.diagonal(mesh, free)))
 
     def _by_faces(self, context):
@@ -98,6 +102,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
             snapshot.edit_mesh(part.mesh)  # all are still there, before the first is changed
         for part, (indices, positions) in zip(regions, moved):
             snapshot.write_positions(part.mesh, indices, positions)
+        last_reports[:] = [part.result.report for part in regions]
         for part in regions:
             kind, text = messages.faired(part.result.report)
             name = f"{part.mesh.object.name}: " if len(regions) > 1 else ""

@@ -159,7 +159,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
 
 def _selected(mesh, loops):
     """Loops whose edges are all selected; else those with a selected edge; else those with a selected vertex."""
-    selected = np.sort(_keys(mesh.edges[mesh.edge_selected], len(mesh.vertices)))
+    selected = _keys(snapshot.selected_edges(mesh.object), len(mesh.vertices))
     marks = []
     for _, loop in loops:
         ends = np.stack([loop.vertices, np.roll(loop.vertices, -1)], axis=1)

@@ -27,8 +27,7 @@ def movable_mask(snapshot):
     """The vertices that are free if they are selected, (n,)."""
     movable = _corners(snapshot, snapshot.triangles) & ~snapshot.vertex_hidden
     movable &= ~_corners(snapshot, snapshot.triangles[snapshot.face_hidden[snapshot.face_of]])
-    movable[snapshot.edges[snapshot.edge_faces == 1]] = False
-    return movable
+    return movable & ~snapshot.on_border
 
 
 def _corners(snapshot, triangles):
@@ -54,6 +53,7 @@ class Symmetry:
         if not self.axes:
             return
         self._vertices = snapshot.vertices
+        self._selected = free.copy()
         self._tree = _tree(snapshot.vertices)
         movable = movable_mask(snapshot)
         # The second round finds images of images.
@@ -78,10 +78,16 @@ class Symmetry:
         return found
 
     def apply(self, positions):
-        """The positions of all vertices, (n, 3), made symmetric; in the object's coordinates."""
+        """The positions of all vertices, (n, 3), made symmetric; in the object's coordinates.
+
+        One side is copied, the one that was selected. A mean of both would not lie on the surface where vertices are spread
+        differently within it.
+        """
         for axis, left, right in self._pairs:
-            # A vertex on the plane is its own image: the mean with its reflection puts it there.
-            positions[left] = (positions[left] + _reflected(positions[right], axis)) / 2
+            as_selected = self._selected[left] == self._selected[right]
+            copied = np.where(as_selected, self._vertices[left, axis] < 0, self._selected[right])
+            positions[left[copied]] = _reflected(positions[right[copied]], axis)
+            positions[left[left == right], axis] = 0
         return positions
 
 

@@ -29,17 +29,20 @@ class Snapshot:
     vertex_hidden: np.ndarray
     face_selected: np.ndarray
     face_hidden: np.ndarray
-    #: (e, 2) int32, (e,) mask, and how many faces each edge has, (e,).
-    edges: np.ndarray
-    edge_selected: np.ndarray
+    #: The corners of all faces one after the other: their vertices and edges, and where each face begins, (p + 1,).
+    corners: np.ndarray
+    edge_of_corner: np.ndarray
+    corner_starts: np.ndarray
+    #: How many faces each edge has, (e,), and the vertices at edges with one, (n,).
     edge_faces: np.ndarray
+    on_border: np.ndarray
     #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
     shape: object
 
     @property
     def counts(self):
         """Vertices, edges, faces."""
-        return len(self.vertices), len(self.edges), len(self.face_selected)
+        return len(self.vertices), len(self.edge_faces), len(self.face_selected)
 
     def seen(self):
         """The vertices as they are seen in the scene, up to place, direction and size."""
@@ -59,24 +62,39 @@ def read(obj):
         obj.update_from_editmode()
     mesh.calc_loop_triangles()
     corners = _get(mesh.loops, "vertex_index", np.int32)
-    triangle_loops = _get(mesh.loop_triangles, "loops", np.int32, 3)
-    sizes = _get(mesh.polygons, "loop_total", np.int32)
     edge_of_corner = _get(mesh.loops, "edge_index", np.int32)
+    edge_faces = np.bincount(edge_of_corner, minlength=len(mesh.edges))
+    sizes = _get(mesh.polygons, "loop_total", np.int32)
     return Snapshot(
         object=obj,
         vertices=_positions(obj, mesh, editing),
-        triangles=corners[triangle_loops],
+        triangles=corners[_get(mesh.loop_triangles, "loops", np.int32, 3)],
         # A face of k corners has k - 2 triangles, and they stand in the order of the faces.
         face_of=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         vertex_selected=_get(mesh.vertices, "select", bool),
         vertex_hidden=_get(mesh.vertices, "hide", bool),
         face_selected=_get(mesh.polygons, "select", bool),
         face_hidden=_get(mesh.polygons, "hide", bool),
-        edges=_get(mesh.edges, "vertices", np.int32, 2),
-        edge_selected=_get(mesh.edges, "select", bool),
-        edge_faces=np.bincount(edge_of_corner, minlength=len(mesh.edges)),
+        corners=corners,
+        edge_of_corner=edge_of_corner,
+        corner_starts=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),
+        edge_faces=edge_faces,
+        on_border=_on_border(mesh, edge_faces),
         shape=_shape(obj),
     )
+
+
+def _on_border(mesh, edge_faces):
+    mask = np.zeros(len(mesh.vertices), bool)
+    for edge in np.flatnonzero(edge_faces == 1).tolist():
+        mask[list(mesh.edges[edge].vertices)] = True
+    return mask
+
+
+def selected_edges(obj):
+    """(k, 2): the ends of the selected edges, of a mesh that was just read."""
+    mesh = obj.data
+    return _get(mesh.edges, "vertices", np.int32, 2)[_get(mesh.edges, "select", bool)]
 
 
 def _get(collection, name, kind, width=1):

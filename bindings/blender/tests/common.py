@@ -72,28 +72,64 @@ def move(obj, positions):
     obj.data.update()
 
 
-def uv_sphere(segments, rings, radius=1.0):
-    """Blender's own UV sphere."""
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=rings, radius=radius)
-    return bpy.context.object
+def uv_sphere(segments, rings):
+    """Blender's own UV sphere of radius 1, put onto the sphere: with many vertices it is off by up to 2e-5."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=rings)
+    return _on_sphere(bpy.context.object)
 
 
-def irregular_sphere(count, seed=1, radius=1.0):
-    """Random points on the sphere, Delaunay: the convex hull. float32 as Blender stores them."""
-    points = np.random.default_rng(seed).normal(size=(count, 3))
-    points /= np.linalg.norm(points, axis=1)[:, None]
-    hull = bmesh.new()
-    for point in points:
-        hull.verts.new(point)
-    bmesh.ops.convex_hull(hull, input=hull.verts)
-    mesh = bpy.data.meshes.new("irregular")
-    hull.to_mesh(mesh)
-    hull.free()
-    obj = bpy.data.objects.new("irregular", mesh)
-    bpy.context.collection.objects.link(obj)
-    activate(obj)
+def irregular_sphere(frequency, seed=1):
+    """A geodesic sphere of 10 frequency^2 + 2 vertices, a sixth of its edges turned, then shaken by a sixth of an edge."""
+    random = np.random.default_rng(seed)
+    vertices, faces = geodesic(frequency)
+    obj = add("irregular", vertices, faces)
+    mesh = bmesh.new()
+    mesh.from_mesh(obj.data)
+    edges = list(mesh.edges)
+    used = set()
+    turned = []
+    for index in random.permutation(len(edges))[: len(edges) // 4]:
+        edge = edges[index]
+        around = {v.index for f in edge.link_faces for v in f.verts}
+        if not around & used:
+            used |= {v.index for v in edge.verts}
+            turned.append(edge)
+    bmesh.ops.rotate_edges(mesh, edges=turned, use_ccw=True)
+    mesh.to_mesh(obj.data)
+    mesh.free()
+    move(obj, coordinates(obj) + random.uniform(-1, 1, (len(vertices), 3)) * 1.1 / frequency / 6)
+    return _on_sphere(obj)
+
+
+def geodesic(frequency):
+    """The icosahedron with edges cut into so many parts, on the unit sphere: vertices, triangles."""
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=1)
+    assert len(bpy.context.object.data.polygons) == 20
+    ico = bpy.context.object
+    corners = coordinates(ico)
+    points, faces = [], []
+    for polygon in ico.data.polygons:
+        a, b, c = (corners[v] for v in polygon.vertices)
+        start = len(points)
+        number = {}
+        for i in range(frequency + 1):
+            for j in range(frequency + 1 - i):
+                number[i, j] = start + len(number)
+                points.append(a + (b - a) * i / frequency + (c - a) * j / frequency)
+        for i, j in number:
+            if (i + 1, j) in number and (i, j + 1) in number:
+                faces.append((number[i, j], number[i + 1, j], number[i, j + 1]))
+            if (i + 1, j) in number and (i, j + 1) in number and (i + 1, j + 1) in number:
+                faces.append((number[i + 1, j], number[i + 1, j + 1], number[i, j + 1]))
+    bpy.data.objects.remove(ico)
+    points = np.array(points)
+    _, first, inverse = np.unique(np.round(points * 1e5).astype(np.int64), axis=0, return_index=True, return_inverse=True)
+    return points[first], inverse.ravel()[np.array(faces)]
+
+
+def _on_sphere(obj):
     exact = coordinates(obj)
-    move(obj, exact / np.linalg.norm(exact, axis=1)[:, None] * radius)
+    move(obj, exact / np.linalg.norm(exact, axis=1)[:, None])
     return obj
 
 
