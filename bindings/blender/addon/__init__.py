@@ -20,6 +20,7 @@ bl_info = {
 # Blender reloads this file alone after an update: without this the old modules would stay in use.
 for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:
     del sys.modules[_name]
+    globals().pop(_name.rpartition(".")[2], None)
 
 from . import curvature_operator, fair_operator, fill_operator, found, job, panel, settings  # noqa: E402
 

@@ -49,15 +49,21 @@ class _Patch:
         verts = self.edit_mesh.verts
         helper = verts.new()
         for position, parents, weights in zip(positions.tolist(), self.parents.tolist(), self.weights.tolist()):
-            first, second, third = (self.old[parent] for parent in parents)
-            # From its main parent: what cannot be interpolated.
-            new = verts.new(position, (first, second, third)[weights.index(max(weights))])
-            _interpolate(helper, first, second, weights[0], weights[1])
-            _interpolate(new, helper, third, weights[0] + weights[1], weights[2])
+            # What cannot be interpolated comes from the main parent.
+            new = verts.new(position, self.old[parents[weights.index(max(weights))]])
+            _interpolate(new, helper, self._shares(parents, weights))
             new.hide = False
             self.new.append(new)
         verts.remove(helper)
         self._shape_keys(positions)
+
+    def _shares(self, parents, weights):
+        """The different parents that count: [(vertex, weight)]."""
+        shares = {}
+        for parent, weight in zip(parents, weights):
+            if weight > 0:
+                shares[parent] = shares.get(parent, 0.0) + weight
+        return [(self.old[parent], weight) for parent, weight in shares.items()]
 
     def _shape_keys(self, positions):
         """In other shape keys the patch is moved as its parents are."""
@@ -99,26 +105,22 @@ class _Patch:
         return self.corner[int(parents[np.argmax(weights)])]
 
     def _corner_values(self):
-        """Per layer of corners that can be interpolated: (layer, setter, values at the new vertices)."""
+        """Per layer of corners: (layer, setter, values at the old corners, values at the new vertices)."""
         made = []
-        for layer, get, put in _corner_layers(self.edit_mesh):
+        main = [int(three[at]) for three, at in zip(self.parents, self.weights.argmax(axis=1))]
+        for layer, get, put, mixes in _corner_layers(self.edit_mesh):
             known = {old: get(corner, layer) for old, corner in self.corner.items()}
-            at_parents = np.array([[known[parent] for parent in three] for three in self.parents.tolist()])
-            if len(at_parents):
+            if mixes and len(main):
+                at_parents = np.array([[known[parent] for parent in three] for three in self.parents.tolist()])
                 values = np.einsum("ij,ij...->i...", self.weights, at_parents).tolist()
             else:
-                values = []
-            made.append((layer, put, values))
+                values = [known[parent] for parent in main]
+            made.append((layer, put, known, values))
         return made
 
     def _write_corner(self, corner, vertex, old, values):
-        if vertex < old:
-            corner.copy_from(self.corner[vertex])
-            return
-        parents, weights = self.parents[vertex - old], self.weights[vertex - old]
-        corner.copy_from(self.corner[int(parents[np.argmax(weights)])])
-        for layer, put, at_new in values:
-            put(corner, layer, at_new[vertex - old])
+        for layer, put, known, at_new in values:
+            put(corner, layer, known[vertex] if vertex < old else at_new[vertex - old])
 
 
 def _corner(vertex):
@@ -130,21 +132,29 @@ def _corner(vertex):
     return vertex.link_loops[0]
 
 
-def _interpolate(target, first, second, weight_first, weight_second):
-    total = weight_first + weight_second
-    if first is second or first == second or total <= 0:
-        target.copy_from(first)
-    else:
-        target.copy_from_vert_interp((first, second), weight_second / total)
+def _interpolate(target, helper, shares):
+    """Values of up to three vertices with their weights; Blender mixes two at a time."""
+    if len(shares) < 2:
+        return
+    (first, a), (second, b) = shares[:2]
+    mixed = target if len(shares) == 2 else helper
+    mixed.copy_from_vert_interp((first, second), b / (a + b))
+    if len(shares) == 3:
+        third, c = shares[2]
+        target.copy_from_vert_interp((helper, third), c / (a + b + c))
 
 
 def _corner_layers(edit_mesh):
+    """(layer, getter, setter, can be mixed). BMLoop.copy_from would copy what Python knows the corner by, too."""
     layers = edit_mesh.loops.layers
     for layer in layers.uv.values():
-        yield layer, _get_uv, _put_uv
+        yield layer, _get_uv, _put_uv, True
     for name in ("color", "float_color", "float_vector", "float"):
         for layer in getattr(layers, name).values():
-            yield layer, _get, _put
+            yield layer, _get, _put, True
+    for name in ("int", "bool", "string"):
+        for layer in getattr(layers, name).values() if hasattr(layers, name) else ():
+            yield layer, _get, _put, False
 
 
 def _get_uv(corner, layer):
@@ -157,7 +167,7 @@ def _put_uv(corner, layer, value):
 
 def _get(corner, layer):
     value = corner[layer]
-    return value if isinstance(value, float) else tuple(value)
+    return value if isinstance(value, (float, int, bytes)) else tuple(value)
 
 
 def _put(corner, layer, value):

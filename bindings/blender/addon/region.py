@@ -44,7 +44,7 @@ def diagonal(snapshot, free):
 
 
 class Symmetry:
-    """Mirror editing: free vertices on both sides, and a result that is the same on both sides to the last bit."""
+    """Mirror editing: free vertices on both sides, and a result that is the same on both sides."""
 
     def __init__(self, snapshot, free):
         """Adds the mirror images of the free vertices to the mask `free`, if mirror editing is on."""
@@ -80,14 +80,15 @@ class Symmetry:
     def apply(self, positions):
         """The positions of all vertices, (n, 3), made symmetric; in the object's coordinates.
 
-        One side is copied, the one that was selected. A mean of both would not lie on the surface where vertices are spread
-        differently within it.
+        The side that was selected is copied. Not where the region crosses the plane: there the surface is symmetric as it is, and
+        vertices that are spread differently within it on both sides would be torn off it.
         """
         for axis, left, right in self._pairs:
+            if (left == right).any():
+                continue
             as_selected = self._selected[left] == self._selected[right]
             copied = np.where(as_selected, self._vertices[left, axis] < 0, self._selected[right])
             positions[left[copied]] = _reflected(positions[right[copied]], axis)
-            positions[left[left == right], axis] = 0
         return positions
 
 

@@ -4,6 +4,7 @@
 Blender's Python has no pytest. The exit code is 0 only if tests have run and all have passed; the last line says how many.
 """
 
+import faulthandler
 import os
 import sys
 import time
@@ -16,6 +17,8 @@ def run(module):
     only = os.environ.get("FAIRMESH_ONLY", "")
     tests = [(name, f) for name, f in vars(module).items() if name.startswith("test_") and callable(f) and only in name]
     failed = 0
+    # A test that hangs says where.
+    faulthandler.dump_traceback_later(int(os.environ.get("FAIRMESH_SECONDS", "400")), exit=True)
     for name, test in tests:
         common.clear()
         start = time.process_time()

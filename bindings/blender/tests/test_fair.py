@@ -233,7 +233,7 @@ def test_mirror_editing_across_the_plane():
     bpy.context.tool_settings.mesh_select_mode = (True, False, False)
     bmesh.update_edit_mesh(obj.data)
     fair()
-    assert radial_error(obj, free) < BAR
+    assert radial_error(obj, free) < BAR, radial_error(obj, free)
 
 
 def test_two_regions():
@@ -305,11 +305,12 @@ def test_suzanne():
     for polygon in mesh.polygons:
         polygon.use_smooth = bool(polygon.index % 3)
     # The back of the head, spoilt.
-    positions = coordinates(obj)
-    positions[positions[:, 1] > 0.35] *= random.uniform(0.9, 1.1, (np.count_nonzero(positions[:, 1] > 0.35), 1))
-    common.move(obj, positions)
     edit(obj)
-    common.select_faces(obj, lambda f: f.calc_center_median().y > 0.25 and abs(f.calc_center_median().x) < 0.7)
+    common.select_faces(obj, lambda f: f.calc_center_median().y > 0.1 and abs(f.calc_center_median().x) < 0.8)
+    for vertex in bmesh.from_edit_mesh(mesh).verts:
+        if vertex.link_faces and all(f.select for f in vertex.link_faces):
+            vertex.co *= random.uniform(0.9, 1.1)
+    bmesh.update_edit_mesh(mesh)
     bpy.ops.object.mode_set(mode="OBJECT")
     before, quads = stored(obj), sum(p.loop_total == 4 for p in mesh.polygons)
     start = coordinates(obj)
@@ -325,8 +326,8 @@ def test_suzanne():
     for name in before:
         assert after[name] == before[name], name
     assert quads == sum(p.loop_total == 4 for p in mesh.polygons) == 468
-    print(np.count_nonzero((coordinates(obj) != start).any(axis=1)))
-    assert 30 < np.count_nonzero((coordinates(obj) != start).any(axis=1)) < 200
+    print(report.free_vertices)
+    assert 20 < report.free_vertices == np.count_nonzero((coordinates(obj) != start).any(axis=1))
     assert len(after["uv UVMap"]) == len(mesh.loops) and len(after["a"]) == 507
 
 

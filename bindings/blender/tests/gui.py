@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on in Blender's window: sidebar, run with progress, ESC, undo, redo with another option, disabled in mid-run.
+
+Started by gui.sh under Xvfb: blender --enable-event-simulate --python gui.py -- ZIP FOLDER. Pictures go to FOLDER.
+Each step is a generator that yields seconds to wait, as Blender has to draw and handle events in between.
+"""
+
+import subprocess
+import sys
+import time
+import traceback
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import bpy  # isort: skip
+import common
+import numpy as np
+
+ZIP, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
+NAME = common.install(ZIP)
+# Blender ends a modal operator's timer loop between two of these.
+POLL = 0.01
+
+
+def part(name):
+    return sys.modules[f"{NAME}.{name}"]
+
+
+def view():
+    """What operators called from a timer need to find."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(a for a in window.screen.areas if a.type == "VIEW_3D")
+    region = next(r for r in area.regions if r.type == "WINDOW")
+    return {"window": window, "area": area, "region": region}
+
+
+def call(operator, *arguments, **keywords):
+    with bpy.context.temp_override(**view()):
+        return operator(*arguments, **keywords)
+
+
+def picture(name):
+    subprocess.run(["import", "-window", "root", str(Path(FOLDER) / f"{name}.png")], check=True)
+
+
+def press(key, **modifiers):
+    window = view()["window"]
+    x, y = 500, 400
+    window.event_simulate(type=key, value="PRESS", x=x, y=y, **modifiers)
+    window.event_simulate(type=key, value="RELEASE", x=x, y=y, **modifiers)
+
+
+def click(x, y):
+    window = view()["window"]
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+    window.event_simulate(type="LEFTMOUSE", value="PRESS", x=x, y=y)
+    window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=x, y=y)
+
+
+def running():
+    return bool(part("job")._modal)
+
+
+def scene(frequency):
+    """An irregular sphere with its cap flat and selected; seen from above at an angle."""
+    common.clear()
+    obj = common.irregular_sphere(frequency)
+    free = common.flatten_cap(obj)
+    space = view()["area"].spaces.active
+    space.show_region_ui = True
+    space.overlay.show_extras = False
+    space.region_3d.view_distance = 4
+    with bpy.context.temp_override(**view()):
+        bpy.ops.ed.undo_push(message="scene")
+    return obj, free
+
+
+def wait_until(condition, seconds):
+    end = time.perf_counter() + seconds
+    while not condition():
+        assert time.perf_counter() < end, "it takes too long"
+        yield POLL
+
+
+def steps():
+    obj, free = scene(158)
+    name = obj.name
+    yield 2.0
+    # The tab of the add-on: the last one of the sidebar.
+    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
+    click(sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - 250)
+    yield 1.0
+    picture("panel")
+
+    print(f"{len(free)} free vertices")
+    before = common.coordinates(obj)
+    assert call(bpy.ops.mesh.fairmesh_fair, "INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    yield 0.8
+    assert running()
+    picture("running")
+    pressed = time.perf_counter()
+    press("ESC")
+    yield from wait_until(lambda: not running(), 10)
+    escaped = time.perf_counter() - pressed
+    print(f"ESC to the end of the operator: {escaped:.3f} s")
+    assert escaped < 0.2
+    assert np.array_equal(common.coordinates(obj), before), "ESC has changed the mesh"
+    yield 0.5
+    picture("escaped")
+    yield from wait_until(lambda: not part("job")._running, 10)
+    print(f"and to the end of its thread: {time.perf_counter() - pressed:.3f} s")
+    assert np.array_equal(common.coordinates(obj), before)
+
+    assert call(bpy.ops.mesh.fairmesh_fair, "INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    # Whatever is pressed meanwhile must not reach the mesh: X would delete, G would move.
+    for key in ("X", "G", "TAB"):
+        press(key)
+    yield from wait_until(lambda: not running(), 100)
+    yield 0.5
+    assert obj.mode == "EDIT"
+    error = common.radial_error(obj, free)
+    print(f"radial error {error:.1e}")
+    assert error < 1e-5
+    picture("faired")
+    after = common.coordinates(obj)
+
+    press("Z", ctrl=True)
+    yield 1.0
+    obj = bpy.data.objects[name]
+    assert np.array_equal(common.coordinates(obj), before), "one undo step does not bring the mesh back"
+    press("Z", ctrl=True, shift=True)
+    yield 1.0
+    obj = bpy.data.objects[name]
+    assert np.array_equal(common.coordinates(obj), after), "redo does not bring the result back"
+
+    yield from small_region()
+    yield from curvature()
+    yield from disabled_in_mid_run()
+
+
+def small_region():
+    """A small region is done at once; F9's panel runs it again with other options."""
+    obj, free = scene(16)
+    name = obj.name
+    yield 0.5
+    assert call(bpy.ops.mesh.fairmesh_fair, "INVOKE_DEFAULT") == {"FINISHED"}
+    yield 0.5
+    assert common.radial_error(bpy.data.objects[name], free) < 1e-5
+    first = common.coordinates(bpy.data.objects[name])
+    last = bpy.context.window_manager.operators[-1]
+    assert last.bl_idname == "MESH_OT_fairmesh_fair"
+    last.inner_fairness = "CONFORMAL"
+    call(bpy.ops.ed.undo_redo)
+    yield 0.5
+    last.max_iterations = 400
+    press("F9")
+    yield 0.7
+    picture("redo")
+    press("ESC")
+    yield 0.3
+    assert np.isfinite(first).all()
+
+
+def curvature():
+    obj, _ = scene(40)
+    yield 0.3
+    call(bpy.ops.mesh.select_all, action="DESELECT")
+    assert call(bpy.ops.mesh.fairmesh_show_curvature) == {"FINISHED"}
+    yield 1.0
+    picture("curvature_edit")
+    call(bpy.ops.object.mode_set, mode="OBJECT")
+    yield 1.0
+    picture("curvature_object")
+
+
+def disabled_in_mid_run():
+    scene(158)
+    yield 0.5
+    assert call(bpy.ops.mesh.fairmesh_fair, "INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+    yield 0.5
+    assert running()
+    bpy.ops.preferences.addon_disable(module=NAME)
+    # Time for events to go where the operator was.
+    press("A")
+    yield 1.0
+    press("ESC")
+    yield 1.0
+    bpy.ops.preferences.addon_enable(module=NAME)
+    yield 0.5
+    picture("enabled_again")
+
+
+def drive():
+    try:
+        return next(_steps)
+    except StopIteration:
+        print("The window test has passed", flush=True)
+        common.leave(0)
+    except BaseException:
+        traceback.print_exc()
+        picture("failed")
+        common.leave(1)
+
+
+_steps = steps()
+bpy.app.timers.register(drive, first_interval=2.0)

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on disabled, enabled, updated over itself and removed, while it has been and is being used: no crash."""
+
+import sys
+import threading
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import bpy  # isort: skip
+import common
+import runner
+
+ZIP = runner.arguments()[0]
+OPERATORS = ("fairmesh_fair", "fairmesh_fill_holes", "fairmesh_show_curvature", "fairmesh_select_found")
+MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_vertices")
+
+
+def registered():
+    return [name for name in OPERATORS if hasattr(bpy.types, f"MESH_OT_{name}")]
+
+
+def use():
+    common.clear()
+    obj = common.irregular_sphere(16)
+    free = common.flatten_cap(obj)
+    assert bpy.ops.mesh.fairmesh_fair() == {"FINISHED"}
+    assert common.radial_error(obj, free) < 1e-5
+
+
+def module():
+    return sys.modules[NAME]
+
+
+def mapped():
+    """The files of the library that this process has mapped."""
+    lines = Path("/proc/self/maps").read_text().splitlines()
+    return {line.split(maxsplit=5)[5] for line in lines if "libfairmesh" in line}
+
+
+NAME = common.install(ZIP)
+
+
+def test_the_library_runs_from_a_file_that_nobody_can_write_over():
+    use()
+    assert mapped() and all(path.endswith("(deleted)") for path in mapped()), mapped()
+    installed = Path(module().__file__).parent / "lib" / "linux-x64" / "libfairmesh.so"
+    content = installed.read_bytes()
+    # Cut short and written again, in place: that kills a process that has the file mapped.
+    with installed.open("r+b") as file:
+        file.truncate(0)
+    use()
+    installed.write_bytes(content)
+    use()
+
+
+def test_disabled_and_enabled():
+    for _ in range(3):
+        use()
+        bpy.ops.preferences.addon_disable(module=NAME)
+        assert not registered() and not hasattr(bpy.types.Scene, "fairmesh")
+        bpy.ops.preferences.addon_enable(module=NAME)
+        assert registered() == list(OPERATORS)
+    use()
+
+
+def test_updated_over_itself():
+    for _ in range(2):
+        use()
+        before = module().fair_operator
+        assert common.install(ZIP) == NAME
+        assert registered() == list(OPERATORS)
+        assert module().fair_operator is not before, "the old modules are still in use"
+        use()
+
+
+def test_disabled_while_the_library_works():
+    obj = common.irregular_sphere(100)
+    common.flatten_cap(obj)
+    jobs, library = module().job, module().fairmesh
+    module().native.load()
+    mesh = module().snapshot.read(obj)
+    free = module().region.free_mask(mesh, True)
+    job = jobs.Job(lambda monitor: library.fair(mesh.vertices, mesh.triangles, free=free, cancel=monitor))
+    job.start()
+    time.sleep(0.05)
+    bpy.ops.preferences.addon_disable(module=NAME)
+    assert not [t for t in threading.enumerate() if t.name == "fairmesh"]
+    assert job.result().outcome == "cancelled"
+    bpy.ops.preferences.addon_enable(module=NAME)
+    use()
+
+
+def test_the_menus_are_left_as_they_were():
+    bpy.ops.preferences.addon_disable(module=NAME)
+    bpy.ops.preferences.addon_enable(module=NAME)
+    for menu in MENUS:
+        drawn = getattr(bpy.types, menu).draw._draw_funcs
+        ours = [f for f in drawn if f.__module__.startswith(NAME)]
+        assert len(ours) == (3 if menu.endswith("clean") else 1), ours
+
+
+def test_removed():
+    use()
+    if common.EXTENSIONS:
+        repositories = bpy.context.preferences.extensions.repos
+        index = [r.module for r in repositories].index("user_default")
+        bpy.ops.extensions.package_uninstall(repo_index=index, pkg_id="fairmesh")
+    else:
+        # The operator redraws the area that it is called from.
+        window = bpy.context.window_manager.windows[0]
+        with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
+            bpy.ops.preferences.addon_remove(module=NAME)
+    assert not registered()
+    assert NAME not in bpy.context.preferences.addons
+    # And back.
+    assert common.install(ZIP) == NAME
+    use()
+
+
+if __name__ == "__main__":
+    runner.run(sys.modules[__name__])
