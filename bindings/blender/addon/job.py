@@ -19,6 +19,8 @@ _NAVIGATION = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", 
                "TRACKPADZOOM", "MOUSEROTATE", "NDOF_MOTION"}  # fmt: skip
 
 _running = set()
+#: The last text in the status bar.
+shown = ""
 
 
 class Job:
@@ -129,12 +131,12 @@ class Background:
         return self.prepare(context)
 
     def _show(self):
+        global shown
         monitor = self._job.monitor
         self._window_manager.progress_update(int(100 * monitor.fraction))
         iteration = f", iteration {monitor.iteration}" if monitor.iteration else ""
-        self._workspace.status_text_set(
-            f"{self.bl_label}: {100 * monitor.fraction:.0f} %, {monitor.phase}{iteration}     ESC: cancel"
-        )
+        shown = f"{self.bl_label}: {100 * monitor.fraction:.0f} %, {monitor.phase}{iteration}     ESC: cancel"
+        self._workspace.status_text_set(shown)
 
     def _escape(self):
         # The thread ends before its next iteration; its result is nobody's then.
