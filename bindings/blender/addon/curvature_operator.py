@@ -100,7 +100,8 @@ class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
         if self.show:
             _show(context)
         self.report(
-            {"INFO"}, f"H from {known.min():.4g} to {known.max():.4g}; colours: {middle - width:.4g} to {middle + width:.4g}"
+            {"INFO"},
+            f"H from {known.min():.4g} to {known.max():.4g}; colours: {middle - width:.4g} to {middle + width:.4g}",
         )
         return {"FINISHED"}
 

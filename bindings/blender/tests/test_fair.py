@@ -133,6 +133,7 @@ def test_the_border_of_the_mesh_stays():
 def test_ngons_and_quads_stay_faces():
     obj, free = dented()
     mesh = bmesh.from_edit_mesh(obj.data)
+
     # Every second edge between two parallel circles goes: quads become hexagons.
     def between(edge):
         around = [np.arctan2(v.co.y, v.co.x) / (2 * np.pi) * 64 for v in edge.verts]
