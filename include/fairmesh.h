@@ -1077,7 +1077,8 @@ typedef struct fairmesh_fill_options {
      */
     double density;
     /**
-     * At most this many new vertices. Default 200000.
+     * At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times
+     * the square of a density above 1.
      */
     uint64_t max_new_vertices;
 } fairmesh_fill_options;
