@@ -487,7 +487,7 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_ITERATION_LIMIT = 6,
     /**
-     * The callback stopped the run; the best surface so far is returned.
+     * The callback stopped the run; the best surface so far is returned, before there is one the input.
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
     /**
