@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the shared library with cargo and prints its path.
+"""Builds the shared library with cargo and prints its path: target/python/native or target/python/portable.
 
 By default as the rest of the repository does, for this machine. With --portable: for any Linux x86_64 with glibc 2.28
 or newer, with zig as the linker (from PyPI, in a virtual environment under target/), stripped and checked.
@@ -49,7 +49,7 @@ def build() -> Path:
     _check_root()
     debug = ["--config", "profile.release.package.fairmesh.debug=2"]
     subprocess.run([cargo(), "build", *BUILD, *debug], cwd=ROOT, check=True, stdout=sys.stderr)
-    return TARGET / "release" / file_name()
+    return _copied(TARGET / "release" / file_name(), "native", strip=True)
 
 
 def build_portable() -> Path:
@@ -61,9 +61,21 @@ def build_portable() -> Path:
     settings = ["--config", "profile.release.strip=true", "--config", "profile.release.debug=false"]
     command = ["cargo-zigbuild", "zigbuild", *BUILD, "--target", target, *settings]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr, env={**os.environ, "PATH": path})
-    library = TARGET / TRIPLE / "release" / "libfairmesh.so"
+    library = _copied(TARGET / TRIPLE / "release" / "libfairmesh.so", "portable", strip=False)
     check_portable(library)
     return library
+
+
+def _copied(library: Path, kind: str, *, strip: bool) -> Path:
+    """A copy in target/python: cargo writes libraries with other features to the same place."""
+    copy = TARGET / "python" / kind / library.name
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    # Written anew, not over: programs may have it loaded.
+    copy.unlink(missing_ok=True)
+    shutil.copy2(library, copy)
+    if strip and sys.platform != "win32" and shutil.which("strip"):
+        subprocess.run(["strip", "-x", "-S", copy], check=True)
+    return copy
 
 
 def check_portable(library: Path) -> None:

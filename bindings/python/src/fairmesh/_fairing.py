@@ -157,18 +157,18 @@ def fair(
     relay.install(asked.struct)
     address = ctypes.c_void_p()
     positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
-    call(
-        library,
-        "fairmesh_fair",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(region.struct),
-        ctypes.byref(asked.struct),
-        ctypes.byref(_arrays.points_out(positions)),
-        None,
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
-    relay.rethrow()
+    with relay:
+        call(
+            library,
+            "fairmesh_fair",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(region.struct),
+            ctypes.byref(asked.struct),
+            ctypes.byref(_arrays.points_out(positions)),
+            None,
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
     return Result(handle, positions)
 
 
@@ -204,17 +204,17 @@ class Solver:
         self._shape = mesh.vertices.shape
         self._dtype = mesh.vertices.dtype
         self._address = ctypes.c_void_p()
-        call(
-            self._library,
-            "fairmesh_solver_new",
-            ctypes.byref(mesh.struct),
-            ctypes.byref(region.struct),
-            ctypes.byref(asked.struct),
-            ctypes.byref(self._address),
-        )
-        self._finalizer = weakref.finalize(self, self._library.fairmesh_solver_free, self._address)
-        self._finalizer.atexit = False
-        self._relay.rethrow()
+        with self._relay:
+            call(
+                self._library,
+                "fairmesh_solver_new",
+                ctypes.byref(mesh.struct),
+                ctypes.byref(region.struct),
+                ctypes.byref(asked.struct),
+                ctypes.byref(self._address),
+            )
+            self._finalizer = weakref.finalize(self, self._library.fairmesh_solver_free, self._address)
+            self._finalizer.atexit = False
 
     def _call(self, function: str, *arguments: Any) -> None:
         if not self._finalizer.alive:
@@ -229,13 +229,8 @@ class Solver:
         """
         report = sized(_abi.fairmesh_report)
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
-        try:
+        with self._relay:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
-        except FairmeshError as why:
-            if why.status is not Status.BUSY:  # else it is another thread's
-                self._relay.take()
-            raise
-        self._relay.rethrow()
         return report_of(report)
 
     def set_normals(self, normals: Normals) -> None:

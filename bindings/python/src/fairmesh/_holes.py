@@ -311,16 +311,16 @@ def fill_holes(
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
     address = ctypes.c_void_p()
-    call(
-        library,
-        "fairmesh_fill_holes",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(fill),
-        ctypes.byref(asked.struct),
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
-    relay.rethrow()
+    with relay:
+        call(
+            library,
+            "fairmesh_fill_holes",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(fill),
+            ctypes.byref(asked.struct),
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
     return Filled(handle, mesh)
 
 
