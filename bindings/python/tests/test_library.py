@@ -88,7 +88,8 @@ def test_vendored_as_a_subpackage(vendored):
 
 
 @pytest.mark.parametrize("version", [(9, 0, 0), (0, 2, 0), (1, 1, 0), (0, 0, 9)])
-def test_another_version_is_refused(tmp_path, version, keep_loaded):
+@pytest.mark.usefixtures("keep_loaded")
+def test_another_version_is_refused(tmp_path, version):
     library = compiled(tmp_path, version_function(*version))
     with pytest.raises(fairmesh.LibraryError) as error:
         fairmesh.load(library)
@@ -96,16 +97,18 @@ def test_another_version_is_refused(tmp_path, version, keep_loaded):
     assert str(error.value) == f"the fairmesh library {library} has version {number}, but 0.1 is needed"
 
 
-def test_a_library_without_a_function_is_refused(tmp_path, keep_loaded):
+@pytest.mark.usefixtures("keep_loaded")
+def test_a_library_without_a_function_is_refused(tmp_path):
     library = compiled(tmp_path, version_function(0, 1, 7))
     with pytest.raises(fairmesh.LibraryError) as error:
         fairmesh.load(library)
     assert str(error.value) == f"{library} is no fairmesh library: it has no function fairmesh_version_string"
 
 
-def test_something_else_is_refused(tmp_path, keep_loaded):
+@pytest.mark.usefixtures("keep_loaded")
+def test_something_else_is_refused(tmp_path):
     other = compiled(tmp_path, "int something_else;\n")
-    with pytest.raises(fairmesh.LibraryError, match="it has no function fairmesh_version$"):
+    with pytest.raises(fairmesh.LibraryError, match=r"it has no function fairmesh_version$"):
         fairmesh.load(other)
     text = tmp_path / "text.so"
     text.write_text("no library")
@@ -123,7 +126,8 @@ def test_a_refused_library_does_not_replace_the_one_in_use(tmp_path):
     assert before.path in repr(before)
 
 
-def test_a_later_patch_is_taken(tmp_path, keep_loaded):
+@pytest.mark.usefixtures("keep_loaded")
+def test_a_later_patch_is_taken(tmp_path):
     functions = "".join(f"void {name}(void) {{}}\n" for name in fairmesh._abi.FUNCTIONS if name != "fairmesh_version")
     library = compiled(tmp_path, version_function(0, 1, 7) + functions)
     assert fairmesh.load(library).version == "0.1.7"

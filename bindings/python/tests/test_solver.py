@@ -72,7 +72,7 @@ def test_errors_of_a_solver():
             use()
         assert error.value.status is fairmesh.Status.BAD_HANDLE
     solver.close()
-    with pytest.raises(fairmesh.InputError, match="nothing is fixed|free vertex 0 lies on the border"):
+    with pytest.raises(fairmesh.InputError, match="free vertex 0 lies on the border"):
         fairmesh.Solver(vertices, faces, free=np.ones(len(vertices), bool))
 
 
@@ -137,7 +137,7 @@ def test_a_solver_that_its_own_callback_refers_to_is_collected(live_handles):
     before = live_handles("solver")
 
     def make():
-        solver = fairmesh.Solver(vertices, faces, free=free, progress=lambda p: solver is None)
+        solver = fairmesh.Solver(vertices, faces, free=free, progress=lambda _: solver is None)
         solver.run(1)
 
     make()

@@ -112,7 +112,8 @@ int main(void) {
     double *positions = malloc(24 * n);
     uint32_t *corners = malloc(12 * m);
     uint8_t *may_move = malloc(n);
-    if (fread(positions, 24, n, stdin) + fread(corners, 12, m, stdin) + fread(may_move, 1, n, stdin) != n + m + n) return 3;
+    if (fread(positions, 24, n, stdin) != n || fread(corners, 12, m, stdin) != m) return 3;
+    if (fread(may_move, 1, n, stdin) != n) return 3;
     fairmesh_mesh mesh = {sizeof mesh, 0, {positions, n, 0, FAIRMESH_SCALAR_FLOAT64, 0}, {corners, m, 0}};
     fairmesh_selection selection = {sizeof selection, FAIRMESH_SELECTION_KIND_FREE_MASK, may_move, n, 0};
     fairmesh_points_out out = {positions, n, 0, FAIRMESH_SCALAR_FLOAT64, 0};

@@ -20,15 +20,18 @@ def pending() -> bool:
 
 
 def _handle(number: int, frame: Any) -> None:
-    # In the caller's own code it is raised at once. Elsewhere it would be raised at the first instruction of the function
-    # that ctypes calls, outside of any `try`, and ctypes drops what it gets.
+    # In the caller's own code it is raised at once. Elsewhere it would be raised at the first instruction of the
+    # function that ctypes calls, outside of any `try`, and ctypes drops what it gets.
     if _State.in_callback:
         signal.default_int_handler(number, frame)
     _State.pending = True
 
 
 class Deferred:
-    """A context on the main thread: Ctrl-C is noted, and raised at the end. Elsewhere, and with other handlers, nothing."""
+    """A context in which Ctrl-C is noted, and raised at its end.
+
+    On other threads, and where the program has a handler of its own, it does nothing.
+    """
 
     def __enter__(self) -> Deferred:
         self._active = (
