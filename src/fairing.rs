@@ -152,7 +152,7 @@ pub enum Outcome {
     NotConverged,
     /// The iteration limit was reached; the best surface so far is returned.
     IterationLimit,
-    /// The progress callback stopped the run; the best surface so far is returned.
+    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled,
 }
 
@@ -404,8 +404,15 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         *h /= frame.scale;
     }
     let mut positions = given.positions.to_vec();
-    for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
-        positions[v as usize] = frame.leave(p);
+    for ((p, before), &v) in solved.x[..region.free]
+        .iter()
+        .zip(given.input)
+        .zip(&region.vertex_ids)
+    {
+        // What has not moved keeps its bits, without the rounding of the frame.
+        if p != before {
+            positions[v as usize] = frame.leave(p);
+        }
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
     let mut border_normals: Vec<(u32, [f64; 3])> = border

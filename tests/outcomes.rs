@@ -6,6 +6,7 @@ mod common;
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::fairing::*;
 use fairmesh::shapes::*;
@@ -64,10 +65,34 @@ fn cancelling() {
         assert_eq!(solution.report.outcome, Outcome::Cancelled);
         assert!(done <= at + 1, "{done} iterations after a break at {at}");
         let after = told.iter().skip_while(|p| p.iterations < at).count();
-        // The start surface is made in two stages, each of which reports.
-        assert!(after <= 3, "{after} calls from the break on");
+        assert_eq!(after, 1, "calls from the break on");
         assert_usable(&shape, &start, &solution);
         assert!(!solution.report.outcome.is_success());
+    }
+}
+
+/// At every call of the callback, with weights whose repair starts anew: the surface is the input or a usable one.
+#[test]
+fn cancelling_at_any_call() {
+    let shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let (_, all) = run_with(&shape, &start, |_| false);
+    assert!(all.len() > 15, "{} calls", all.len());
+    for last in 0..all.len() {
+        let calls = AtomicUsize::new(0);
+        let (solution, told) = run_with(&shape, &start, |_| calls.fetch_add(1, Relaxed) == last);
+        assert_eq!(told.len(), last + 1);
+        assert!(told.is_sorted_by(|a, b| a.fraction <= b.fraction));
+        if solution.report.outcome != Outcome::Cancelled {
+            // The last step had met the tolerance already.
+            assert!(solution.report.outcome.is_success() && last + 1 >= all.len());
+            continue;
+        }
+        assert_usable(&shape, &start, &solution);
+        // Before the start surface is there.
+        if all[last].fraction < 0.3 {
+            assert_eq!(solution.positions, start, "stopped at call {last}");
+        }
     }
 }
 

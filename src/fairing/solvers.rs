@@ -8,6 +8,7 @@ use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::error::Error;
 use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
 use crate::solve::control::Callback;
+use crate::solve::initial::STAGE;
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Solved};
 
@@ -40,6 +41,7 @@ pub(super) fn fast<'a>(
         Discretization::Paper => FreeCurvature::Paper,
     };
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
+    control.stage(0.01, STAGE);
     let mut system = problem.system(curvature);
     let solved = crate::solve::solve(&mut system, &mut control)?;
     system.evaluate(&solved.x);

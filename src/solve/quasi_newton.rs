@@ -138,6 +138,10 @@ fn run(
     if !plan.keep {
         system.rebuild(x, plan.response, |_| 0.0)?;
     }
+    if !control.goes_on(plan.stage) {
+        best.d = f64::NAN;
+        return Ok(End::Stopped);
+    }
     loop {
         let norm = system.step(&mut step, true);
         let d = norm.total();
