@@ -60,6 +60,16 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
         assert len(shown) > 3 and names["result"].outcome.is_success
 
 
+def test_the_program_in_the_top_readme(monkeypatch, capsys):
+    monkeypatch.chdir(PROJECT.parents[1])
+    section = Path("README.md").read_text().split("## From Python\n")[1]
+    (program,) = re.findall(r"^```python\n(.*?)^```", section.split("\n## ")[0], re.M | re.S)
+    names = {}
+    exec(compile(program, "README.md", "exec"), names)
+    assert capsys.readouterr().out.startswith("converged (-1.0000")
+    assert np.abs(np.linalg.norm(names["mesh"].vertices, axis=1) - 1).max() < 1e-8
+
+
 def test_every_public_name_is_described():
     for name in fairmesh.__all__:
         assert getattr(fairmesh, name).__doc__, name
