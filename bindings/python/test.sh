@@ -49,13 +49,14 @@ bin=$target/python/test/bin
 "$bin/ruff" check .
 "$bin/mypy" src
 
+hooks=$(python3 build_library.py --portable --hooks)
 wheel=$(./build_wheel.sh)
 (cd "$root" && cargo build --release --locked --quiet)
 for python in "$bin/python" "$target/python/numpy1/bin/python"; do
     "$python" -m pip --disable-pip-version-check install -q --force-reinstall --no-deps "$wheel"
 done
 
-export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh
+export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh FAIRMESH_TEST_HOOKS=$hooks
 "$bin/python" -m pytest
 # What depends on numpy.
 "$target/python/numpy1/bin/python" -m pytest tests/test_arrays.py tests/test_errors.py tests/test_known_answers.py
