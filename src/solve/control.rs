@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use nalgebra::Vector3;
 
 use super::system::System;
+pub use crate::linear::interrupt::Interrupt;
 
 /// What a stage tells the caller after an iteration.
 pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
@@ -23,6 +24,8 @@ pub struct Control<'a> {
     pub tolerance: f64,
     /// Set when the callback asked to stop.
     pub cancelled: bool,
+    /// Set when the run is to stop, also between two calls of the callback.
+    pub interrupt: Interrupt,
     /// Sees every iteration's surface; none unless set.
     pub watch: Option<&'a mut Watch<'a>>,
     /// The fraction last reported.
@@ -40,6 +43,7 @@ impl<'a> Control<'a> {
             max_iterations,
             tolerance,
             cancelled: false,
+            interrupt: Interrupt::default(),
             watch: None,
             fraction: 0.0,
             step: f64::NAN,

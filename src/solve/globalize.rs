@@ -110,11 +110,13 @@ impl Candidate {
 pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
     let clock = Instant::now();
     control.stage(0.05, STAGE);
-    let linear = system.start(control)?;
+    system.heed(&control.interrupt);
+    let linear = match system.start(control) {
+        Err(collapsed) if control.goes_on(STAGE) => return Err(collapsed),
+        Ok(linear) if control.goes_on(STAGE) => linear,
+        _ => return Ok(unmoved(system, clock)),
+    };
     control.stage(0.3, STAGE);
-    if control.cancelled {
-        return Ok(unmoved(system, clock));
-    }
     let mut solved = Solved {
         x: linear.clone(),
         ending: Ending::Failed,
@@ -124,7 +126,12 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         start_seconds: clock.elapsed().as_secs_f64(),
     };
     let (candidate, ending) = attempts(system, &linear, control);
-    solved.ending = ending;
+    let is_settled = candidate.as_ref().is_some_and(Candidate::is_settled);
+    solved.ending = if control.cancelled && !is_settled {
+        Ending::Stopped
+    } else {
+        ending
+    };
     solved.even = candidate.as_ref().is_some_and(|c| c.even);
     // Stopped on the way over poor triangles: the linear surface is the better one.
     match candidate.filter(|c| c.end != End::Stopped || c.poor.is_empty()) {
@@ -366,7 +373,10 @@ fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Contr
             };
             iterated(system, x, plan, control)
         }
-        Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
+        // Or stopped within a factorization.
+        Ok(false) | Err(Collapsed) if control.exhausted() || !control.goes_on(STAGE) => {
+            judged(system, x, End::Stopped, f64::NAN)
+        }
         Ok(false) | Err(Collapsed) => judged(system, x, End::Stalled, f64::NAN),
     }
 }

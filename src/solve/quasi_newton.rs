@@ -105,6 +105,11 @@ pub fn iterate(
                 x.clone_from(&best.x);
                 return (end, best.d);
             }
+            // Stopped within a factorization.
+            Err(Collapsed) if !control.goes_on(plan.stage) => {
+                x.clone_from(&best.x);
+                return (End::Stopped, f64::NAN);
+            }
             Err(Collapsed) => break,
         }
         x.clone_from(&best.x);
