@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the shared library with cargo and prints its path.
+"""Builds the shared library with cargo and prints its path: target/python/native or target/python/portable.
 
 By default as the rest of the repository does, for this machine. With --portable: for any Linux x86_64 with glibc 2.28
 or newer, with zig as the linker (from PyPI, in a virtual environment under target/), stripped and checked.
@@ -20,7 +20,7 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 TOOLS = ["ziglang==0.17.0", "cargo-zigbuild==0.24.0"]
 TRIPLE = "x86_64-unknown-linux-gnu"
 GLIBC = (2, 28)
-BUILD = ["--release", "--locked", "--lib", "--no-default-features", "--features", "capi"]
+BUILD = ["--release", "--locked", "--lib", "--no-default-features", "--features"]
 # The libraries that every Linux has, of the policy manylinux_2_28.
 SYSTEM = {
     f"lib{name}" for name in ("c.so.6", "m.so.6", "dl.so.2", "pthread.so.0", "rt.so.1", "util.so.1", "gcc_s.so.1")
@@ -48,22 +48,34 @@ def build() -> Path:
     """The library for this machine. The options are those of the Makefile, so that cargo builds it once."""
     _check_root()
     debug = ["--config", "profile.release.package.fairmesh.debug=2"]
-    subprocess.run([cargo(), "build", *BUILD, *debug], cwd=ROOT, check=True, stdout=sys.stderr)
-    return TARGET / "release" / file_name()
+    subprocess.run([cargo(), "build", *BUILD, "capi", *debug], cwd=ROOT, check=True, stdout=sys.stderr)
+    return _copied(TARGET / "release" / file_name(), "native", strip=True)
 
 
-def build_portable() -> Path:
-    """The library for any Linux x86_64 with glibc 2.28."""
+def build_portable(*, hooks: bool = False) -> Path:
+    """The library for any Linux x86_64 with glibc 2.28; with ``hooks`` the one in which tests let things go wrong."""
     _check_root()
     tools = _zig()
     path = f"{tools / 'bin'}{os.pathsep}{Path(cargo()).parent}{os.pathsep}{os.environ['PATH']}"
     target = f"{TRIPLE}.{GLIBC[0]}.{GLIBC[1]}"
     settings = ["--config", "profile.release.strip=true", "--config", "profile.release.debug=false"]
-    command = ["cargo-zigbuild", "zigbuild", *BUILD, "--target", target, *settings]
+    command = ["cargo-zigbuild", "zigbuild", *BUILD, "capi-hooks" if hooks else "capi", "--target", target, *settings]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr, env={**os.environ, "PATH": path})
-    library = TARGET / TRIPLE / "release" / "libfairmesh.so"
+    library = _copied(TARGET / TRIPLE / "release" / "libfairmesh.so", "hooks" if hooks else "portable", strip=False)
     check_portable(library)
     return library
+
+
+def _copied(library: Path, kind: str, *, strip: bool) -> Path:
+    """A copy in target/python: cargo writes libraries with other features to the same place."""
+    copy = TARGET / "python" / kind / library.name
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    # Written anew, not over: programs may have it loaded.
+    copy.unlink(missing_ok=True)
+    shutil.copy2(library, copy)
+    if strip and sys.platform != "win32" and shutil.which("strip"):
+        subprocess.run(["strip", "-x", "-S", copy], check=True)
+    return copy
 
 
 def check_portable(library: Path) -> None:
@@ -115,7 +127,9 @@ def main() -> None:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--portable", action="store_true", help="for glibc 2.28 and newer")
-    print(build_portable() if parser.parse_args().portable else build())
+    parser.add_argument("--hooks", action="store_true", help="with --portable: for tests, can be made to fail")
+    asked = parser.parse_args()
+    print(build_portable(hooks=asked.hooks) if asked.portable else build())
 
 
 if __name__ == "__main__":

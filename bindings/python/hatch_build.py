@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 import sysconfig
 from pathlib import Path
@@ -24,7 +23,7 @@ class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
         if self.target_name != "wheel":
             raise SystemExit("fairmesh has no source distribution: its Rust sources are in the repository")
         given = os.environ.get("FAIRMESH_WHEEL_LIBRARY")
-        library = Path(given) if given else self._stripped(build_library.build())
+        library = Path(given) if given else build_library.build()
         platform = os.environ.get("FAIRMESH_WHEEL_PLATFORM") if given else None
         platform = platform or sysconfig.get_platform().replace("-", "_").replace(".", "_")
         build_data["pure_python"] = False
@@ -37,12 +36,3 @@ class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
         build_data["force_include"][str(library)] = f"fairmesh/lib/{build_library.file_name()}"
         for name in ("LICENSE-MIT", "LICENSE-APACHE"):
             build_data["force_include"][str(build_library.ROOT / name)] = f"fairmesh/lib/{name}"
-
-    def _stripped(self, library: Path) -> Path:
-        """A copy without debug information, where there is a tool for that."""
-        if sys.platform == "win32" or not shutil.which("strip"):
-            return library
-        copy = Path(self.directory).resolve() / library.name
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["strip", "-x", "-S", "-o", copy, library], check=True)
-        return copy

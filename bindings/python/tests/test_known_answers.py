@@ -244,7 +244,7 @@ def test_loops_that_touch_and_loops_at_a_bad_edge():
 
 
 def test_a_remeshed_region_is_faired():
-    vertices, faces, free, exact = dented_sphere()
+    _, faces, free, exact = dented_sphere()
     new = fairmesh.remesh(exact.astype(np.float32), faces.astype(np.int32), free=free, density=2.0)
     assert new.vertices.dtype == np.float32 and new.faces.dtype == np.int32
     kept = ~free[new.kept_vertices]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import weakref
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._errors import FairmeshError, Status, call
 from ._handles import ResultHandle, sized
-from ._library import load
+from ._library import Library, load
 from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Outcome, Report, report_of
@@ -157,19 +158,24 @@ def fair(
     relay.install(asked.struct)
     address = ctypes.c_void_p()
     positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
-    call(
-        library,
-        "fairmesh_fair",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(region.struct),
-        ctypes.byref(asked.struct),
-        ctypes.byref(_arrays.points_out(positions)),
-        None,
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
-    relay.rethrow()
+    with relay:
+        call(
+            library,
+            "fairmesh_fair",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(region.struct),
+            ctypes.byref(asked.struct),
+            ctypes.byref(_arrays.points_out(positions)),
+            None,
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
     return Result(handle, positions)
+
+
+def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
+    """Frees a solver; not in a forked process, where its threads do not exist and would be waited for."""
+    return library.fairmesh_solver_free(address) if os.getpid() == process else int(Status.OK)
 
 
 class Solver:
@@ -177,7 +183,7 @@ class Solver:
 
     Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
     is used by one thread at a time; others get a FairmeshError with `Status.BUSY`, and so does its own callback. It
-    holds memory and idle threads until it is closed, also by ``with``, or collected.
+    holds memory and idle threads until it is closed, also by ``with``, or collected. A forked process cannot use it.
 
     Arguments and errors are those of `fair`.
     """
@@ -204,21 +210,24 @@ class Solver:
         self._shape = mesh.vertices.shape
         self._dtype = mesh.vertices.dtype
         self._address = ctypes.c_void_p()
-        call(
-            self._library,
-            "fairmesh_solver_new",
-            ctypes.byref(mesh.struct),
-            ctypes.byref(region.struct),
-            ctypes.byref(asked.struct),
-            ctypes.byref(self._address),
-        )
-        self._finalizer = weakref.finalize(self, self._library.fairmesh_solver_free, self._address)
-        self._finalizer.atexit = False
-        self._relay.rethrow()
+        with self._relay:
+            call(
+                self._library,
+                "fairmesh_solver_new",
+                ctypes.byref(mesh.struct),
+                ctypes.byref(region.struct),
+                ctypes.byref(asked.struct),
+                ctypes.byref(self._address),
+            )
+            self._process = os.getpid()
+            self._finalizer = weakref.finalize(self, _free, self._library, self._address, self._process)
+            self._finalizer.atexit = False
 
     def _call(self, function: str, *arguments: Any) -> None:
         if not self._finalizer.alive:
             raise FairmeshError(Status.BAD_HANDLE, "the solver is closed")
+        if self._process != os.getpid():
+            raise FairmeshError(Status.BAD_HANDLE, "the solver belongs to the process that this one was forked from")
         call(self._library, function, self._address, *arguments)
 
     def run(self, iterations: int | None = None) -> Report:
@@ -229,13 +238,8 @@ class Solver:
         """
         report = sized(_abi.fairmesh_report)
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
-        try:
+        with self._relay:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
-        except FairmeshError as why:
-            if why.status is not Status.BUSY:  # else it is another thread's
-                self._relay.take()
-            raise
-        self._relay.rethrow()
         return report_of(report)
 
     def set_normals(self, normals: Normals) -> None:
@@ -278,7 +282,7 @@ class Solver:
     def close(self) -> None:
         """Frees the solver's memory and threads. Closing twice is allowed; while it runs, it is refused with BUSY."""
         if self._finalizer.alive:
-            if self._library.fairmesh_solver_free(self._address) == Status.BUSY:
+            if _free(self._library, self._address, self._process) == Status.BUSY:
                 raise FairmeshError(Status.BUSY, "the solver is in use")
             self._finalizer.detach()
 

@@ -279,7 +279,8 @@ def fill_holes(
         max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
             beside the rim; at twice that, half as long.
-        max_new_vertices: At most this many new vertices. Default 200000.
+        max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
+            1000 + n^2, times the square of a density above 1.
         fair: False: patches are triangulated and refined only. Default True.
         progress, cancel, **options: As in `fair`.
 
@@ -311,16 +312,16 @@ def fill_holes(
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
     address = ctypes.c_void_p()
-    call(
-        library,
-        "fairmesh_fill_holes",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(fill),
-        ctypes.byref(asked.struct),
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
-    relay.rethrow()
+    with relay:
+        call(
+            library,
+            "fairmesh_fill_holes",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(fill),
+            ctypes.byref(asked.struct),
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
     return Filled(handle, mesh)
 
 

@@ -13,6 +13,9 @@ from typing import Any, Protocol, Union
 import numpy as np
 
 from . import _abi
+from ._errors import FairmeshError, Status
+from ._interrupts import Deferred, InCallback
+from ._interrupts import pending as interrupted
 
 
 @dataclass(frozen=True)
@@ -107,7 +110,8 @@ ProgressCallback = Callable[[Progress], Union[bool, None]]
 class Relay:
     """Hands the library's callback on to what the caller gave, and keeps exceptions on this side of the library.
 
-    It has to live as long as the library may call: the library knows it by the number `user_data` only.
+    It has to live as long as the library may call: the library knows it by the number `user_data` only. It is a context
+    around each run, which one thread can enter at a time; what a callback threw is raised at its end.
     """
 
     def __init__(self, progress: ProgressCallback | None, cancel: Event | None) -> None:
@@ -115,51 +119,62 @@ class Relay:
             raise TypeError(f"progress: a callable is needed, not {type(progress).__name__}")
         if cancel is not None and not callable(getattr(cancel, "is_set", None)):
             raise TypeError(f"cancel: an object with is_set() is needed, not {type(cancel).__name__}")
-        self.progress = progress
-        self.cancel = cancel
+        self._progress = progress
+        self._cancel = cancel
         self._thrown: BaseException | None = None
-        self.user_data = next(_numbers)
-        _relays[self.user_data] = self
+        self._stopped = False
+        self._running = threading.Lock()
+        self._interrupts = Deferred()
+        self._user_data = next(_numbers)
+        _relays[self._user_data] = self
 
     def install(self, options: _abi.fairmesh_options) -> None:
-        """Puts the callback into the options, if there is something to be told or asked.
+        """Puts the callback into the options."""
+        options.progress = _tell
+        options.user_data = self._user_data
 
-        On the main thread there always is: an interrupt (Ctrl-C) is noticed when Python code runs.
-        """
-        if self.progress or self.cancel or threading.current_thread() is threading.main_thread():
-            options.progress = _tell
-            options.user_data = self.user_data
+    def __enter__(self) -> Relay:
+        if not self._running.acquire(blocking=False):
+            raise FairmeshError(Status.BUSY, "the solver is in use")
+        self._thrown = None
+        self._stopped = False
+        self._interrupts.__enter__()
+        return self
 
-    def take(self) -> BaseException | None:
-        """What a callback threw, once."""
+    def __exit__(self, kind: Any, why: BaseException | None, trace: Any) -> None:
         thrown, self._thrown = self._thrown, None
-        return thrown
-
-    def rethrow(self) -> None:
-        """Raises what a callback threw, if it did."""
-        thrown = self.take()
-        if thrown is not None:
-            try:
+        self._running.release()
+        try:
+            self._interrupts.__exit__()
+            if thrown is not None and why is None:
                 raise thrown
-            finally:
-                # No cycle of the exception and this frame.
-                del thrown
+        finally:
+            # No cycle of the exception and this frame.
+            del thrown, why, trace
 
-    def keep(self, thrown: BaseException) -> None:
-        """Remembers what a callback threw."""
-        self._thrown = thrown
+    def tell(self, progress: _abi.fairmesh_progress) -> int:
+        """Called by the library. Not 0 stops the run."""
+        # Who has asked to stop is not asked again.
+        if not self._stopped:
+            try:
+                self._stopped = self._ask(progress) or interrupted()
+            except BaseException as why:  # an interrupt too: it is raised at the end of the run
+                self._thrown = why
+                self._stopped = True
+        return int(self._stopped)
 
-    def tell(self, progress: _abi.fairmesh_progress) -> bool:
-        """True stops the run."""
+    def _ask(self, progress: _abi.fairmesh_progress) -> bool:
         stop = False
-        if isinstance(self.cancel, Monitor):
-            stop = self.cancel._tell(progress)
-        elif self.cancel is not None:
-            stop = bool(self.cancel.is_set())
-        if self.progress is not None:
+        if isinstance(self._cancel, Monitor):
+            stop = self._cancel._tell(progress)
+        elif self._cancel is not None:
+            with InCallback():
+                stop = bool(self._cancel.is_set())
+        if self._progress is not None:
             phase = (progress.stage or b"").decode("utf-8", "replace")
             told = Progress(phase, progress.iterations, progress.step, progress.fraction)
-            answer = self.progress(told)
+            with InCallback():
+                answer = self._progress(told)
             # Only False itself: what a progress bar's method happens to return is no wish to stop.
             stop = stop or (isinstance(answer, (bool, np.bool_)) and not answer)
         return stop
@@ -173,13 +188,7 @@ _numbers = itertools.count(1)
 
 def _dispatch(progress: Any, user_data: int) -> int:
     relay = _relays.get(user_data)
-    if relay is None:
-        return 1
-    try:
-        return int(relay.tell(progress.contents))
-    except BaseException as why:  # an interrupt too: the call raises it again
-        relay.keep(why)
-        return 1
+    return 1 if relay is None else relay.tell(progress.contents)
 
 
 _tell = _abi.fairmesh_progress_fn(_dispatch)

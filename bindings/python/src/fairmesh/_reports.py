@@ -25,7 +25,7 @@ class Outcome(str, Enum):
     NOT_CONVERGED = "not_converged"
     #: The iterations ran out; the best surface so far is returned.
     ITERATION_LIMIT = "iteration_limit"
-    #: It was cancelled; the best surface so far is returned.
+    #: It was cancelled; the best surface so far is returned, before there is one the input.
     CANCELLED = "cancelled"
     #: An outcome that this version of the package does not know.
     OTHER = "other"
