@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the quads of a region are cut into triangles for the computation.
 
-Blender cuts each quad by its present shape, which says nothing in a region that is to be replaced. The library's curvature is
-most accurate at vertices with six triangles, and only approximate at three and four. So neighbouring quads are cut in
+Blender cuts each quad by its present shape, which says nothing in a region that is to be replaced. The library's curvature
+is most accurate at vertices with six triangles, and only approximate at three and four. So neighbouring quads are cut in
 parallel, which gives six in a grid; where the grid is irregular single diagonals are turned.
 """
 
