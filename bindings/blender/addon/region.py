@@ -80,8 +80,8 @@ class Symmetry:
     def apply(self, positions):
         """The positions of all vertices, (n, 3), made symmetric; in the object's coordinates.
 
-        The side that was selected is copied. Not where the region crosses the plane: there the surface is symmetric as it is,
-        and vertices that are spread differently within it on both sides would be torn off it.
+        The side that was selected is copied. Not where the region crosses the plane: there the surface is symmetric by
+        itself, and vertices that are spread differently within it on both sides would be torn off it.
         """
         for axis, left, right in self._pairs:
             if (left == right).any():

@@ -79,4 +79,5 @@ def main():
                 print(f"| {name} | {place} | {free:,} | {cells[0]} | {cells[1]} |", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()
