@@ -74,6 +74,7 @@ step check_demo
 # With bindings/openmesh-sys, in one build.
 step cargo test --release --locked --workspace
 step bindings/python/test.sh
+step bindings/blender/test.sh
 step tests/sanitize.sh
 step fuzz/run.sh 60
 printf '\nAll tests have passed.\n'
