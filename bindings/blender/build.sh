@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes target/blender/fairmesh_blender-<version>.zip, which Blender 3.4 to 4.1 installs as an add-on and 4.2 and later
-# as an extension. Linux x86_64; needs cargo and python3 with venv. The library inside needs glibc 2.28 or newer.
+# as an extension. Linux x86_64; needs cargo, binutils and python3 with venv. The library inside needs glibc 2.28 or newer.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+PATH=$PATH:$HOME/.cargo/bin
 out=${CARGO_TARGET_DIR:-$PWD/target}/blender
 
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
@@ -19,6 +20,7 @@ top=$stage/fairmesh_blender
 mkdir -p "$top/lib/linux-x64" "$top/fairmesh"
 cp bindings/blender/addon/*.py bindings/blender/addon/blender_manifest.toml bindings/blender/addon/LICENSE "$top"
 cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
+python3 bindings/blender/third_party.py >"$top/lib/THIRD-PARTY.txt"
 cp "$library" "$top/lib/linux-x64/libfairmesh.so"
 
 zip=$out/fairmesh_blender-$version.zip
