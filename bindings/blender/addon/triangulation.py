@@ -46,10 +46,13 @@ def _neighbours(mesh, quads):
 
 def _parallel(neighbours, parity):
     """Per quad 0: cut from corner 0 to 2, 1: from 1 to 3. Across an edge the cuts go through different ends of it."""
-    sides = np.full(len(neighbours), -1, np.int8)
-    for seed in range(len(sides)):
+    # Quads without neighbours are cut either way.
+    sides = np.where((neighbours < 0).all(axis=1), 0, -1).astype(np.int8)
+    seed = 0
+    while True:
+        seed += int(np.argmax(sides[seed:] < 0))
         if sides[seed] >= 0:
-            continue
+            return sides
         sides[seed] = 0
         front = np.array([seed])
         while len(front):
@@ -59,7 +62,6 @@ def _parallel(neighbours, parity):
             beyond, wanted = beyond[new], wanted[new]
             sides[beyond] = wanted
             front = np.unique(beyond)
-    return sides
 
 
 def _write(triangles, first, corners, sides):
