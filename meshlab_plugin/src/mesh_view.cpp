@@ -23,7 +23,7 @@ MeshView::MeshView(const CMeshO &mesh) : host_(mesh) {
 }
 
 fairmesh_mesh MeshView::mesh() const {
-    auto positions = fairmesh::points(host_.vert.front().cP().V(), host_.vert.size(), sizeof(CVertexO));
+    auto positions = fairmesh::points(host_.vert.front().P().V(), host_.vert.size(), sizeof(CVertexO));
     return fairmesh::mesh(positions, fairmesh::indices(triangles_.front().data(), triangles_.size()));
 }
 

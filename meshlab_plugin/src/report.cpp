@@ -28,8 +28,9 @@ long long worst_face(const fairmesh_report &report, const MeshView &view) {
 
 Values values_of(const fairmesh_report &report, const MeshView &view) {
     return {
-        {"outcome", QString(fairmesh_outcome_name(report.outcome))},
-        {"reservation", QString::fromStdString(reservation(report))},
+        // PyMeshLab drops texts: the outcome is a fairmesh_outcome.
+        {"outcome", number(report.outcome)},
+        {"converged", report.outcome == FAIRMESH_OUTCOME_CONVERGED},
         {"iterations", number(report.iterations)},
         {"step", report.step},
         {"defect", report.defect},
