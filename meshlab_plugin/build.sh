@@ -55,7 +55,7 @@ python_of() {
     local venv=$work/venv-$host
     if [ ! -e "$venv/ok-$pypi" ]; then
         python3 -m venv "$venv" || fail "no venv can be made: apt-get install python3-venv"
-        "$venv/bin/pip" install --quiet --disable-pip-version-check "$pypi" numpy==2.2.6
+        "$venv/bin/pip" install --quiet --disable-pip-version-check "$pypi" numpy==1.26.4
         touch "$venv/ok-$pypi"
     fi
     python=$venv/bin/python

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "report.h"
 
+#include <cctype>
 #include <cstdarg>
+#include <cstddef>
 #include <cstdio>
 
 namespace fairmesh_meshlab {
@@ -22,6 +24,31 @@ QVariant number(std::uint64_t count) { return QVariant(static_cast<int>(count));
 /** The face with the smallest angle; -1 where there is none. */
 long long worst_face(const fairmesh_report &report, const MeshView &view) {
     return report.worst_triangle < view.triangles().size() ? view.face(report.worst_triangle) : -1;
+}
+
+/** The parameters that the library checks: its argument (of fair and fill_holes alike), the field's offset there, our name. */
+struct Field {
+    std::uint64_t argument, offset;
+    const char *name;
+};
+constexpr std::uint64_t FILL = 2, OPTIONS = 3;
+constexpr Field FIELDS[] = {
+    {OPTIONS, offsetof(fairmesh_options, tolerance), "tolerance"},
+    {OPTIONS, offsetof(fairmesh_options, max_iterations), "max_iterations"},
+    {OPTIONS, offsetof(fairmesh_options, target) + offsetof(fairmesh_target, constant), "target_constant"},
+    {FILL, offsetof(fairmesh_fill_options, density), "density"},
+    {FILL, offsetof(fairmesh_fill_options, max_new_vertices), "max_new_vertices"},
+};
+
+/** "Argument 3, field at offset 104: has to be ..." with the parameter's name. */
+std::string with_parameter(const fairmesh_error &detail) {
+    for (const Field &field : FIELDS)
+        if (field.argument == detail.element && field.offset == detail.other) {
+            const std::string why = detail.message;
+            const auto colon = why.find(": ");
+            return std::string("Parameter ") + field.name + (colon == std::string::npos ? " is wrong" : why.substr(colon));
+        }
+    return detail.message;
 }
 
 } // namespace
@@ -104,7 +131,8 @@ std::string reservation(const fairmesh_fill_report &report) {
 }
 
 std::string explained(const fairmesh::error &error, const MeshView &view) {
-    std::string why = view.in_host_numbers(error.what());
+    const bool parameter = error.detail().element_kind == FAIRMESH_ELEMENT_ARGUMENT;
+    std::string why = parameter ? with_parameter(error.detail()) : view.in_host_numbers(error.what());
     if (!why.empty()) why[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(why[0])));
     if (!why.empty() && why.back() != '.') why += '.';
     switch (error.status()) {

@@ -82,6 +82,15 @@ def strictly_inside(vertex_count, faces, selected):
     return inside
 
 
+def on_border(vertex_count, faces):
+    """Vertices with an edge that has one face only."""
+    edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    unique, count = np.unique(edges, axis=0, return_counts=True)
+    border = np.zeros(vertex_count, bool)
+    border[unique[count == 1]] = True
+    return border
+
+
 SELECTED = 32  # the bit of MeshLab's flags
 
 

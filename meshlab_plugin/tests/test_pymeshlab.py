@@ -2,8 +2,10 @@
 """The plugin in PyMeshLab: python test_pymeshlab.py PLUGIN"""
 
 import ctypes
+import importlib.metadata
 import pathlib
 import sys
+import tempfile
 import unittest
 
 import meshes
@@ -16,25 +18,16 @@ CURVATURE = "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex"
 PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
 
 
+# What PyMeshLab 2022.2 cannot do by itself: it writes beyond its memory when it is given an attribute of points, takes no texture
+# coordinates from arrays, and its Close Holes does not refine.
+OLD = "2022" in importlib.metadata.version("pymeshlab")
+unless_old = unittest.skipIf(OLD, "PyMeshLab 2022.2 lacks what the test needs, or crashes by itself")
+
+
 def mesh_set(vertices, faces, **more):
     ms = pymeshlab.MeshSet(verbose=False)
     ms.add_mesh(pymeshlab.Mesh(np.array(vertices, float), np.array(faces, np.int32), **more))
     return ms
-
-
-def select(ms, faces):
-    """Selects faces by a mask; the face quality is put back."""
-    mesh = ms.current_mesh()
-    ms.set_selection_none()
-    if not faces.any():
-        return
-    inside = meshes.strictly_inside(mesh.vertex_number(), mesh.face_matrix(), faces)
-    if not inside.any():
-        raise ValueError("this selects by vertices")
-    chosen = "||".join(f"(fi=={i})" for i in np.flatnonzero(faces)) if faces.sum() < 30 else None
-    if chosen is None:
-        raise ValueError("use select_where")
-    ms.compute_selection_by_condition_per_face(condselect=chosen)
 
 
 def state(mesh):
@@ -56,9 +49,6 @@ def state(mesh):
         "face quality": (mesh.has_face_scalar, mesh.face_scalar_array),
     }
     parts.update({name: get() for name, (has, get) in optional.items() if has()})
-    for name in ("number", "other"):
-        if mesh.has_vertex_scalar_attribute(name) if hasattr(mesh, "has_vertex_scalar_attribute") else False:
-            parts[name] = mesh.vertex_custom_scalar_attribute_array(name)
     return {name: np.array(part) for name, part in parts.items()}
 
 
@@ -105,7 +95,7 @@ class Sphere(Case):
     def test_close_holes_then_fair(self):
         ms = mesh_set(*meshes.open_sphere())
         old = ms.current_mesh().vertex_number()
-        if pymeshlab_2025():
+        if not OLD:
             ms.meshing_close_holes(maxholesize=10000, newfaceselected=True, selfintersection=False, refinehole=True)
         else:
             ms.meshing_close_holes(maxholesize=10000, newfaceselected=True, selfintersection=False)
@@ -136,19 +126,23 @@ class Sphere(Case):
             results.append(state(ms.current_mesh()))
         self.same(*results)
 
+    @unless_old
     def test_given_normals(self):
         # A cap that ends at its rim: nothing but the given normals says that it is a sphere.
         vertices, faces = meshes.icosphere(4)
         vertices, faces = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.5)
         normals = 3 * vertices
         flat = vertices.copy()
-        inside = meshes.strictly_inside(len(vertices), faces, np.ones(len(faces), bool))
-        rim = np.bincount(faces.ravel(), minlength=len(vertices)) < 5
-        inside &= ~rim
-        flat[inside, 2] = 0.55
+        flat[~meshes.on_border(len(vertices), faces), 2] = 0.55
+
+        # Meshes made from arrays get normals of their own; those of a file are kept.
+        file = pathlib.Path(tempfile.mkdtemp()) / "cap.ply"
+        own = {f"n{'xyz'[axis]}": ("double", normals[:, axis]) for axis in range(3)}
+        meshes.write_ply(file, flat, faces, vertex=own, kind="double")
 
         def worst(parameters, prepare):
-            ms = mesh_set(flat, faces, v_normals_matrix=normals)
+            ms = pymeshlab.MeshSet(verbose=False)
+            ms.load_new_mesh(str(file))
             prepare(ms.current_mesh())
             ms.set_selection_all()
             ms.apply_filter(FAIR, **parameters)
@@ -223,6 +217,7 @@ def attributes(mesh):
 
 
 class Survives(Case):
+    @unless_old
     def test_fair(self):
         ms, inside = decorated()
         before = {**state(ms.current_mesh()), **attributes(ms.current_mesh())}
@@ -235,9 +230,12 @@ class Survives(Case):
         # Normals are those of the new surface there, of length one for faces, and what they were elsewhere.
         unit = after["vertex normals"] / np.linalg.norm(after["vertex normals"], axis=1)[:, None]
         self.assertLess(np.abs(unit - after["vertices"]).max(), 0.02)
-        middles = after["vertices"][after["faces"]].mean(axis=1)
-        self.assertLess(np.abs(after["face normals"] - middles).max(), 0.02)
+        a, b, c = after["vertices"][after["faces"]].transpose(1, 0, 2)
+        normals = np.cross(b - a, c - a)
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        self.assertLess(np.abs(after["face normals"] - normals).max(), 1e-12)
 
+    @unless_old
     def test_close(self):
         ms, _ = decorated()
         ms.meshing_remove_selected_faces()
@@ -377,21 +375,24 @@ class Refused(Case):
 
     def test_parameters(self):
         ms, _ = dented_sphere()
-        self.refused(ms, FAIR, "tolerance is 2", tolerance=2.0)
-        self.refused(ms, FAIR, "tolerance is 0", tolerance=0.0)
-        self.refused(ms, FAIR, "tolerance is NaN", tolerance=float("nan"))
+        self.refused(ms, FAIR, "Parameter tolerance: has to be greater than 0 and less than 1", tolerance=2.0)
+        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=0.0)
+        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
-        self.refused(ms, FAIR, "target_constant", target="Constant", target_constant=float("inf"))
+        self.refused(ms, FAIR, "Parameter target_constant: ", target="Constant", target_constant=float("inf"))
         self.refused(ms, FAIR, "its name is not given", border_normals="Attribute")
         self.refused(ms, FAIR, "no per-vertex attribute 'there'", border_normals="Attribute", normal_attribute="there")
-        self.refused(ms, CLOSE, "density", density=1000.0)
+        ms = mesh_set(*meshes.open_sphere(3))
+        self.refused(ms, CLOSE, "Parameter density: ", density=1000.0)
         self.refused(ms, CLOSE, "max_edges is 2", "at least 3", max_edges=2)
         self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
+        ms, _ = dented_sphere()
         for wrong in ({"inner_fairness": "None such"}, {"border_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
-            with self.assertRaises(pymeshlab.PyMeshLabException):
+            with self.assertRaises(Exception):  # PyMeshLab has a type for each
                 ms.apply_filter(FAIR, **wrong)
 
+    @unless_old
     def test_nan_normal(self):
         ms, inside = dented_sphere()
         mesh = ms.current_mesh()
@@ -405,14 +406,14 @@ class Refused(Case):
 
 
 class Outcomes(Case):
+    @unless_old
     def test_unreachable_normals_are_told(self):
-        vertices, faces = meshes.icosphere(4)
-        ms, inside = dented_sphere()
+        ms, _ = dented_sphere()
         mesh = ms.current_mesh()
-        mesh.add_vertex_custom_point_attribute(-mesh.vertex_matrix(), "inwards")
-        values = ms.apply_filter(FAIR, border_normals="Attribute", normal_attribute="inwards")
-        self.assertFalse(values["converged"])
-        self.assertIn(values["outcome"], (3, 5))
+        mesh.add_vertex_custom_point_attribute(mesh.vertex_matrix() * [-1, -1, 1], "tilted")
+        values = ms.apply_filter(FAIR, border_normals="Attribute", normal_attribute="tilted")
+        self.assertEqual((values["outcome"], values["converged"]), (3, False))
+        self.assertLess(values["reached"], 1)
         self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())
 
     def test_iterations_run_out(self):
@@ -467,10 +468,6 @@ class Loading(Case):
             close(library._handle)
             self.assertNotIn("copy.so", pathlib.Path("/proc/self/maps").read_text())
         copy.unlink()
-
-
-def pymeshlab_2025():
-    return "refinehole" in str(pymeshlab.MeshSet(verbose=False).filter_parameter_values("meshing_close_holes"))
 
 
 if __name__ == "__main__":
