@@ -27,14 +27,12 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
     for (std::uint32_t i = 0; i < loops.info().loop_count; ++i) {
         const fairmesh_loop loop = loops.loop(i);
         const auto vertices = loops.list(FAIRMESH_LIST_LOOP_VERTICES, i);
-        if (asked.touching_selection &&
-            std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return selected[v] != 0; }))
+        if (asked.touching_selection && std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return selected[v] != 0; }))
             continue;
         if (loop.kind == FAIRMESH_LOOP_KIND_NON_MANIFOLD)
-            host.warn(text("Warning, the hole at vertex %u is left open: its rim runs into the non-manifold edge (%u, %u).", vertices.front(),
-                           loop.edge_a, loop.edge_b));
-        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outlines || loop.kind == FAIRMESH_LOOP_KIND_HOLE))
-            close.push_back(i);
+            host.warn(text("Warning, the hole at vertex %u is left open: its rim runs into the non-manifold edge (%u, %u).",
+                           vertices.front(), loop.edge_a, loop.edge_b));
+        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outlines || loop.kind == FAIRMESH_LOOP_KIND_HOLE)) close.push_back(i);
     }
     return close;
 }
@@ -65,8 +63,8 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
     }
     const int closed = static_cast<int>(info.loop_count) - open;
     host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
-                  static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count),
-                  open, unfair));
+                  static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count), open,
+                  unfair));
     return {{"closed", closed},
             {"left_open", open},
             {"not_fair", unfair},
@@ -84,8 +82,7 @@ void select(CMeshO &mesh, std::size_t count, SelectionAfter wish) {
     for (std::size_t i = 0; i < mesh.face.size(); ++i) {
         if (mesh.face[i].IsD()) continue;
         if (i >= first) mesh.face[i].SetS();
-        else if (wish == SelectionAfter::NewOnly)
-            mesh.face[i].ClearS();
+        else if (wish == SelectionAfter::NewOnly) mesh.face[i].ClearS();
     }
 }
 

@@ -41,8 +41,7 @@ int needs(int) { return MeshModel::MM_FACENUMBER; }
 
 int changes(int filter) {
     switch (filter) {
-    case FairSelection:
-        return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL | MeshModel::MM_VERTQUALITY;
+    case FairSelection: return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL | MeshModel::MM_VERTQUALITY;
     case CloseHoles: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
     default: return MeshModel::MM_VERTQUALITY;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-/** The three filters, independent of the plugin interface. Each throws an exception that tells why it was not applied; the mesh is as it was
- *  then. */
+/** The three filters, independent of the plugin interface. Each throws an exception that tells why it was not applied; the mesh is as it
+ * was then. */
 #ifndef FAIRMESH_MESHLAB_FILTERS_H
 #define FAIRMESH_MESHLAB_FILTERS_H
 

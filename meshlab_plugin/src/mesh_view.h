@@ -17,7 +17,7 @@ namespace fairmesh_meshlab {
 /** Positions are read where they are. Vertices keep their numbers: deleted ones take part as vertices without triangles, which the
  *  library ignores. Deleted faces are left out, so triangles have numbers of their own. */
 class MeshView {
-public:
+  public:
     /** Throws Failure if there is no face. The mesh must outlive the view and not change. */
     explicit MeshView(const CMeshO &mesh);
 
@@ -31,7 +31,7 @@ public:
     /** A text of the library with its triangles' numbers replaced by those of the host's faces. */
     std::string in_host_numbers(const char *text) const;
 
-private:
+  private:
     const CMeshO &host_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<std::uint32_t> faces_;

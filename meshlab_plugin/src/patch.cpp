@@ -23,8 +23,7 @@ std::vector<std::uint32_t> first_faces(const CMeshO &mesh) {
     std::vector<std::uint32_t> faces(mesh.vert.size(), NONE);
     for (std::size_t i = mesh.face.size(); i-- > 0;) {
         if (mesh.face[i].IsD()) continue;
-        for (int k = 0; k < 3; ++k)
-            faces[mesh.face[i].cV(k) - mesh.vert.data()] = static_cast<std::uint32_t>(i);
+        for (int k = 0; k < 3; ++k) faces[mesh.face[i].cV(k) - mesh.vert.data()] = static_cast<std::uint32_t>(i);
     }
     return faces;
 }
@@ -61,10 +60,8 @@ void set_vertex(CMeshO &mesh, const Patch &patch, std::size_t first, std::size_t
     vertex.ClearV();
     vertex.P() = patch.positions[i];
     vertex.C() = mean_color(mesh, patch, i);
-    vertex.Q() = static_cast<CVertexO::QualityType>(
-        mean(patch, i, 0.0, [&](std::uint32_t v) { return double(mesh.vert[v].cQ()); }));
-    if (mesh.vert.IsTexCoordEnabled())
-        vertex.T() = mean_tex_coord(patch, i, near.cT(), [&](std::uint32_t v) { return mesh.vert[v].cT(); });
+    vertex.Q() = static_cast<CVertexO::QualityType>(mean(patch, i, 0.0, [&](std::uint32_t v) { return double(mesh.vert[v].cQ()); }));
+    if (mesh.vert.IsTexCoordEnabled()) vertex.T() = mean_tex_coord(patch, i, near.cT(), [&](std::uint32_t v) { return mesh.vert[v].cT(); });
 }
 
 /** Custom attributes of any type: that of the nearest parent. */
@@ -132,8 +129,7 @@ Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMesh
         const auto &p = positions[mesh.vert.size() + i];
         patch.positions.emplace_back(static_cast<Scalar>(p[0]), static_cast<Scalar>(p[1]), static_cast<Scalar>(p[2]));
         for (double x : p)
-            if (!std::isfinite(static_cast<Scalar>(x)))
-                throw Failure("A new position exceeds this MeshLab's range of numbers.");
+            if (!std::isfinite(static_cast<Scalar>(x))) throw Failure("A new position exceeds this MeshLab's range of numbers.");
         patch.parents.push_back({parents[3 * i], parents[3 * i + 1], parents[3 * i + 2]});
     }
     patch.triangles.assign(triangles.begin() + static_cast<std::ptrdiff_t>(view.triangles().size()), triangles.end());

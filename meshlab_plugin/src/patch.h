@@ -26,8 +26,8 @@ struct Patch {
 /** What filled holes add. Throws Failure if a number exceeds the host's range. */
 Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMeshO &mesh);
 
-/** Adds it. Colours, quality, texture coordinates, normals and attributes of numbers and points are interpolated; everything else comes from
- *  the nearest parent, or the old face there. Returns the vertices of the patch that are new. */
+/** Adds it. Colours, quality, texture coordinates, normals and attributes of numbers and points are interpolated; everything else comes
+ * from the nearest parent, or the old face there. Returns the vertices of the patch that are new. */
 Mask add(CMeshO &mesh, const Patch &patch);
 
 } // namespace fairmesh_meshlab

@@ -23,8 +23,7 @@ void FairmeshPlugin::initParameterSet(QAction *action, MeshDocument &, RichParam
     for (const RichParameter &parameter : parameters(ID(action))) list.addParam(parameter);
 }
 
-bool FairmeshPlugin::applyFilter(QAction *action, MeshDocument &document, const RichParameterList &asked,
-                                 vcg::CallBackPos *progress) {
+bool FairmeshPlugin::applyFilter(QAction *action, MeshDocument &document, const RichParameterList &asked, vcg::CallBackPos *progress) {
     const Host host = {progress, [this](const std::string &line) { Log(GLLogStream::FILTER, line); },
                        [this](const std::string &line) { Log(GLLogStream::WARNING, line); }};
     try {

@@ -10,7 +10,7 @@ class FairmeshPlugin : public QObject, public MeshFilterInterface {
     Q_PLUGIN_METADATA(IID MESH_FILTER_INTERFACE_IID)
     Q_INTERFACES(MeshFilterInterface)
 
-public:
+  public:
     FairmeshPlugin();
 
     QString pluginName() const override;

@@ -23,9 +23,8 @@ int FairmeshPlugin::postCondition(const QAction *action) const { return changes(
 
 RichParameterList FairmeshPlugin::initParameterList(const QAction *action, const MeshDocument &) { return parameters(ID(action)); }
 
-std::map<std::string, QVariant> FairmeshPlugin::applyFilter(const QAction *action, const RichParameterList &asked,
-                                                            MeshDocument &document, unsigned int &changed,
-                                                            vcg::CallBackPos *progress) {
+std::map<std::string, QVariant> FairmeshPlugin::applyFilter(const QAction *action, const RichParameterList &asked, MeshDocument &document,
+                                                            unsigned int &changed, vcg::CallBackPos *progress) {
     const Host host = {progress, [this](const std::string &line) { log(GLLogStream::FILTER, line); },
                        [this](const std::string &line) { log(GLLogStream::WARNING, line); }};
     QString error;

@@ -10,7 +10,7 @@ class FairmeshPlugin : public QObject, public FilterPlugin {
     MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
     Q_INTERFACES(FilterPlugin)
 
-public:
+  public:
     FairmeshPlugin();
 
     QString pluginName() const override;

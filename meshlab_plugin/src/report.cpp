@@ -80,11 +80,12 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
     host.log(text("Fairing %s: %llu free vertices, %llu iterations, last step %.1e of the region's diagonal, harmonic defect %.1e",
                   fairmesh_outcome_name(report.outcome), static_cast<unsigned long long>(report.free_vertices),
                   static_cast<unsigned long long>(report.iterations), report.step, report.defect));
-    host.log(text("Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the border "
-                  "normals at most %.2f degrees (vertex %llu)",
-                  report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
-                  static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1],
-                  report.normal_deviation, static_cast<unsigned long long>(report.normal_deviation_vertex)));
+    host.log(
+        text("Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the border "
+             "normals at most %.2f degrees (vertex %llu)",
+             report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
+             static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
+             static_cast<unsigned long long>(report.normal_deviation_vertex)));
     const std::string but = reservation(report);
     if (!but.empty()) host.warn("Warning, " + std::string(fairmesh_outcome_name(report.outcome)) + ": " + but);
 }
@@ -97,9 +98,10 @@ std::string reservation(const fairmesh_report &report) {
                     static_cast<unsigned long long>(report.poor_triangle_count));
     case FAIRMESH_OUTCOME_CONVERGED_LOOSELY: return report.reason;
     case FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE:
-        return text("no surface with these border normals was found (%.0f %% of the way was possible). The surface of a linear problem with the "
-                    "same border was taken, which is not fair.",
-                    100 * report.reached);
+        return text(
+            "no surface with these border normals was found (%.0f %% of the way was possible). The surface of a linear problem with the "
+            "same border was taken, which is not fair.",
+            100 * report.reached);
     case FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE:
         return text("a surface was found for %.0f %% of the target only. The surface of a linear problem was taken, which is not fair.",
                     100 * report.reached);
@@ -120,8 +122,7 @@ std::string reservation(const fairmesh_fill_report &report) {
     case FAIRMESH_FILL_REASON_NOT_FINITE: return "left open: a coordinate of its rim is not a finite number, or all are the same point.";
     case FAIRMESH_FILL_REASON_CANCELLED: return "left open: cancelled.";
     case FAIRMESH_FILL_REASON_NO_INNER_VERTEX: return ""; // A small hole: its triangulation is all that there can be.
-    case FAIRMESH_FILL_REASON_REFUSED:
-        return text("closed, but not faired: %s.", fairmesh_status_name(report.refused_status));
+    case FAIRMESH_FILL_REASON_REFUSED: return text("closed, but not faired: %s.", fairmesh_status_name(report.refused_status));
     case FAIRMESH_FILL_REASON_UNSOUND: return "closed, but not faired: no sound surface was found.";
     default: return "closed, but not faired.";
     }
@@ -141,8 +142,7 @@ std::string explained(const fairmesh::error &error, const MeshView &view) {
                "more faces.";
     case FAIRMESH_STATUS_NOTHING_FIXED: return why + " Leave a part of it unselected: the surface needs a border.";
     case FAIRMESH_STATUS_NON_MANIFOLD_EDGE:
-    case FAIRMESH_STATUS_NON_MANIFOLD_VERTEX:
-        return why + " Select another region, or clean the mesh there (Cleaning and Repairing).";
+    case FAIRMESH_STATUS_NON_MANIFOLD_VERTEX: return why + " Select another region, or clean the mesh there (Cleaning and Repairing).";
     case FAIRMESH_STATUS_INCONSISTENT_ORIENTATION: return why + " Apply 'Re-Orient all faces coherently' first.";
     default: return why;
     }

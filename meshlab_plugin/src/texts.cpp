@@ -17,18 +17,22 @@ const char FAIR[] =
     "The equation is intrinsic: the shape follows from the border alone, not from what was inside the selection, and hardly from the "
     "triangulation.<br><br>"
     "A vertex moves if all its faces are selected and it is not on the border of the mesh. Connectivity, colours, texture "
-    "coordinates and the selection stay. To fill a hole smoothly, apply 'Close Holes' first, which leaves the new faces selected, or use 'Close "
+    "coordinates and the selection stay. To fill a hole smoothly, apply 'Close Holes' first, which leaves the new faces selected, or use "
+    "'Close "
     "holes and fair (G1)', which makes better triangles, too.<br>";
 
 const char CLOSE[] =
-    "Closes holes with new triangles as large as those beside the rim, whose vertices lie on a fair surface: the mean curvature is harmonic "
-    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the rim are those of the surroundings (G<sup>1</sup>). A piece that was cut out of a "
+    "Closes holes with new triangles as large as those beside the rim, whose vertices lie on a fair surface: the mean curvature is "
+    "harmonic "
+    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the rim are those of the surroundings (G<sup>1</sup>). A piece that was cut out "
+    "of a "
     "sphere is put back.<br><br>"
     "New vertices get colours, quality, texture coordinates and attributes interpolated from the rim. Old vertices and faces stay as "
     "they are. Islands in a hole are not bridged.<br>";
 
 const char CURVATURE[] =
-    "Writes the mean curvature H of every vertex to its quality, in 1 / length. It is fitted to the normal curvatures towards the neighbours "
+    "Writes the mean curvature H of every vertex to its quality, in 1 / length. It is fitted to the normal curvatures towards the "
+    "neighbours "
     "(Moreton and S&eacute;quin's method). H is negative on a sphere with outward normals. Vertices without faces get 0. To see it, apply "
     "'Colorize by vertex quality'.<br>"
     "<br>See:<br><i>Henry P. Moreton and Carlo H. S&eacute;quin</i><br><b>\"Functional optimization for fair surface design\"</b><br>"

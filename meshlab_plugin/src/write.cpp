@@ -17,9 +17,7 @@ Scalar angle(const CFaceO &face, int k) {
     return static_cast<Scalar>(std::atan2((a ^ b).Norm(), a * b));
 }
 
-bool any(const Mask &mask, const std::uint32_t (&corners)[3]) {
-    return mask[corners[0]] || mask[corners[1]] || mask[corners[2]];
-}
+bool any(const Mask &mask, const std::uint32_t (&corners)[3]) { return mask[corners[0]] || mask[corners[1]] || mask[corners[2]]; }
 
 } // namespace
 
@@ -57,11 +55,11 @@ void update_normals(CMeshO &mesh, const Mask &moved, bool keep_fixed) {
             if (any(vertices, corners)) work(face, corners);
         }
     };
-    for_faces_at(moved, [&](CFaceO &face, const std::uint32_t (&corners)[3]) {
+    for_faces_at(moved, [&](CFaceO &face, const std::uint32_t(&corners)[3]) {
         face.N() = vcg::TriangleNormal(face).Normalize();
         for (std::uint32_t v : corners) stale[v] |= !keep_fixed;
     });
-    for_faces_at(stale, [&](CFaceO &face, const std::uint32_t (&corners)[3]) {
+    for_faces_at(stale, [&](CFaceO &face, const std::uint32_t(&corners)[3]) {
         const Point normal = vcg::TriangleNormal(face).Normalize();
         for (int k = 0; k < 3; ++k)
             if (stale[corners[k]]) sums[corners[k]] += normal * angle(face, k);

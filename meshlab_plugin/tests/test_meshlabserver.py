@@ -122,7 +122,7 @@ class Survives(Case):
     def test_fair(self):
         vertices, faces, selected, inside = dented_sphere()
         random = np.random.default_rng(5)
-        colours = random.integers(0, 255, (len(vertices), 3))
+        colours = random.integers(20, 255, (len(vertices), 3))
         marks = {name: ("uchar", colours[:, i]) for i, name in enumerate(("red", "green", "blue"))}
         marks["quality"] = ("float", random.random(len(vertices)).astype(np.float32))
         wedges = random.random((len(faces), 6)).astype(np.float32)
@@ -140,7 +140,7 @@ class Survives(Case):
     def test_close(self):
         vertices, faces = meshes.open_sphere(4)
         random = np.random.default_rng(5)
-        colours = random.integers(0, 255, (len(vertices), 3))
+        colours = random.integers(20, 255, (len(vertices), 3))
         marks = {name: ("uchar", colours[:, i]) for i, name in enumerate(("red", "green", "blue"))}
         marks["quality"] = ("float", random.random(len(vertices)).astype(np.float32))
         wedges = random.random((len(faces), 6)).astype(np.float32)
