@@ -52,6 +52,10 @@ def state(mesh):
     return {name: np.array(part) for name, part in parts.items()}
 
 
+# PyMeshLab's own checks of parameters.
+WRONG_PARAMETER = (pymeshlab.PyMeshLabException, pymeshlab.pmeshlab.InvalidEnumException)
+
+
 class Case(unittest.TestCase):
     def same(self, before, after, but=()):
         self.assertEqual(before.keys(), after.keys())
@@ -389,7 +393,7 @@ class Refused(Case):
         self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
         ms, _ = dented_sphere()
         for wrong in ({"inner_fairness": "None such"}, {"border_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
-            with self.assertRaises(Exception):  # PyMeshLab has a type for each
+            with self.assertRaises(WRONG_PARAMETER):
                 ms.apply_filter(FAIR, **wrong)
 
     @unless_old
