@@ -4,8 +4,10 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 step() {
+    local begin=$SECONDS
     printf '\n== %s\n' "$*"
     "$@"
+    printf '== %s s\n' $((SECONDS - begin))
 }
 
 install_packages() {

@@ -487,7 +487,7 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_ITERATION_LIMIT = 6,
     /**
-     * The callback stopped the run; the best surface so far is returned.
+     * The callback stopped the run; the best surface so far is returned, before there is one the input.
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
     /**
@@ -1077,7 +1077,8 @@ typedef struct fairmesh_fill_options {
      */
     double density;
     /**
-     * At most this many new vertices. Default 200000.
+     * At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times
+     * the square of a density above 1.
      */
     uint64_t max_new_vertices;
 } fairmesh_fill_options;

@@ -18,7 +18,7 @@ use crate::mesh::{Region, Rings};
 use crate::paper::{LevelReport, PaperOptions, Problem};
 use crate::quality::{Quality, Surface};
 use crate::solve::Ending;
-use crate::solve::control::Callback;
+use crate::solve::control::{Callback, Interrupt};
 use crate::solve::globalize::diagonal;
 use frame::Frame;
 pub use normals::{BorderNormals, InteriorNormals};
@@ -85,7 +85,8 @@ pub struct Options<'a> {
     pub max_iterations: usize,
     /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
-    /// Called after every iteration on the calling thread; `Break` stops with the best surface so far.
+    /// Called on the calling thread: after every iteration, more often while the start is made, and every 50 ms where nothing
+    /// is new. `Break` stops the run with the best surface so far; before there is one, with the input.
     pub progress: Option<&'a mut Watcher<'a>>,
 }
 
@@ -152,7 +153,7 @@ pub enum Outcome {
     NotConverged,
     /// The iteration limit was reached; the best surface so far is returned.
     IterationLimit,
-    /// The progress callback stopped the run; the best surface so far is returned.
+    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled,
 }
 
@@ -271,8 +272,10 @@ pub fn fair(
     };
     let progress = options.progress;
     with_threads(options.threads, |pool| match progress {
-        None => pool.install(|| run(&request, None)),
-        Some(callback) => relay(pool, callback, |told| run(&request, Some(told)))?,
+        None => pool.install(|| run(&request, None, &Interrupt::default())),
+        Some(callback) => relay(pool, callback, |told, interrupt| {
+            run(&request, Some(told), interrupt)
+        })?,
     })?
 }
 
@@ -322,7 +325,11 @@ pub(crate) fn check(options: &Options<'_>) -> Result<(), Error> {
     }
 }
 
-fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Result<Solution, Error> {
+fn run<'a>(
+    request: &Request<'_>,
+    progress: Option<&'a mut Callback<'a>>,
+    interrupt: &Interrupt,
+) -> Result<Solution, Error> {
     let clock = Instant::now();
     let mut seconds = Seconds::default();
     let prescribed = given_vertices(request.normals);
@@ -358,7 +365,7 @@ fn run<'a>(request: &Request<'_>, progress: Option<&'a mut Callback<'a>>) -> Res
         right_hand_side: request.target.right_hand_side(frame.scale),
     };
     let faired = match request.solver {
-        Solver::Fast => solvers::fast(&problem, request, progress),
+        Solver::Fast => solvers::fast(&problem, request, progress, interrupt),
         Solver::Paper(options) => solvers::paper(&problem, &options, progress),
     }
     .map_err(|_| Error::NothingFixed { vertex: 0 })?;
@@ -404,8 +411,15 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         *h /= frame.scale;
     }
     let mut positions = given.positions.to_vec();
-    for (p, &v) in solved.x[..region.free].iter().zip(&region.vertex_ids) {
-        positions[v as usize] = frame.leave(p);
+    for ((p, before), &v) in solved.x[..region.free]
+        .iter()
+        .zip(given.input)
+        .zip(&region.vertex_ids)
+    {
+        // What has not moved keeps its bits, without the rounding of the frame.
+        if p != before {
+            positions[v as usize] = frame.leave(p);
+        }
     }
     let border = region.vertex_ids[region.free..region.region_vertices()].iter();
     let mut border_normals: Vec<(u32, [f64; 3])> = border

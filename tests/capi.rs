@@ -1,13 +1,17 @@
 //! The C interface as C and C++ programs see it: installed by `make install`, found through pkg-config and CMake, linked
 //! shared and static. Needs a C and C++ compiler, make, binutils, CMake, valgrind and abidiff.
 #![cfg(all(unix, feature = "cli"))]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
+
+#[path = "common/command.rs"]
+mod command;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
+
+use command::run;
 
 const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
 
@@ -19,22 +23,6 @@ fn work() -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("capi");
     fs::create_dir_all(&path).unwrap();
     path
-}
-
-/// Runs it to a good end, and returns what it printed.
-fn run(command: &mut Command) -> String {
-    let output = command
-        .output()
-        .unwrap_or_else(|why| panic!("{command:?}: {why}"));
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(
-        output.status.success(),
-        "{command:?}: {}\n{out}\n{err}",
-        output.status
-    );
-    print!("{out}");
-    out
 }
 
 /// A tool that is not there is an error, and says where it comes from.

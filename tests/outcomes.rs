@@ -6,6 +6,7 @@ mod common;
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::fairing::*;
 use fairmesh::shapes::*;
@@ -64,11 +65,45 @@ fn cancelling() {
         assert_eq!(solution.report.outcome, Outcome::Cancelled);
         assert!(done <= at + 1, "{done} iterations after a break at {at}");
         let after = told.iter().skip_while(|p| p.iterations < at).count();
-        // The start surface is made in two stages, each of which reports.
-        assert!(after <= 3, "{after} calls from the break on");
+        assert_eq!(after, 1, "calls from the break on");
         assert_usable(&shape, &start, &solution);
         assert!(!solution.report.outcome.is_success());
     }
+}
+
+/// At every call of the callback: the surface is the input or a usable one.
+#[test]
+fn cancelling_at_any_call() {
+    let shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let mut last = 0;
+    loop {
+        let calls = AtomicUsize::new(0);
+        let (solution, told) = run_with(&shape, &start, |_| calls.fetch_add(1, Relaxed) == last);
+        assert!(told.is_sorted_by(|a, b| a.fraction <= b.fraction));
+        if solution.report.outcome != Outcome::Cancelled {
+            // The last step had met the tolerance already.
+            assert!(solution.report.outcome.is_success());
+            break;
+        }
+        assert_eq!(told.len(), last + 1);
+        assert_usable(&shape, &start, &solution);
+        // Before the start surface is there.
+        if told[last].fraction < 0.3 {
+            assert_eq!(solution.positions, start, "stopped at call {last}");
+        }
+        last += 1;
+    }
+    assert!(last > 15, "{last} calls");
+}
+
+#[test]
+fn a_callback_that_panics_ends_the_run() {
+    let shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let run = || run_with(&shape, &start, |p| p.iterations > 1 && panic!("enough"));
+    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).map(|_| ());
+    assert_eq!(panic.unwrap_err().downcast_ref(), Some(&"enough"));
 }
 
 #[test]

@@ -30,11 +30,8 @@ address() {
 }
 
 thread() {
-    # With the standard library: its locks and channels have to be seen.
-    if ! rustup component add rust-src >/dev/null 2>&1; then
-        printf '== NOT RUN: ThreadSanitizer needs the component rust-src, and rustup cannot get it here.\n'
-        return
-    fi
+    # With the standard library: without its source, its locks and channels are not seen, and races found that are none.
+    rustup component add rust-src
     build tsan "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer" -Zbuild-std
     local out=target/tsan runtime
     runtime=$(ls "$(rustc --print sysroot)/lib/rustlib/$host/lib/"librustc-*_rt.tsan.a)

@@ -10,6 +10,7 @@
 
 mod claims;
 mod figures;
+mod machine;
 mod measure;
 mod table;
 mod tool;
@@ -85,11 +86,7 @@ fn main() -> io::Result<()> {
 }
 
 fn head() -> String {
-    let cpu = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = cpu
-        .lines()
-        .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
-        .map_or("an unknown processor", |(_, name)| name.trim());
+    let model = machine::processor();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     format!(
         "# Reproduction\n\n\

@@ -8,7 +8,7 @@ use fairmesh::discrete::equations::FreeCurvature;
 use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
 use fairmesh::mesh::{Region, Rings};
-use fairmesh::solve::System;
+use fairmesh::solve::{Control, System};
 use fairmesh::{InnerFairness, Selection};
 use nalgebra::Vector3;
 
@@ -42,7 +42,7 @@ pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64;
         .collect();
     let mut system = System::new(&region, &rings, &groups, &x, normals, weights, curvature);
     let solved = system
-        .linear_surface()
+        .linear_surface(&mut Control::new(1.0, 1, None))
         .map_err(|_| io::Error::other("the linear problem has no solution"))?;
     let mut positions = case.positions.clone();
     for (p, &v) in solved[..region.free].iter().zip(&region.vertex_ids) {

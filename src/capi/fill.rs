@@ -14,7 +14,9 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 use crate::fairing::Progress;
-use crate::holes::{FillOptions, LoopKind, Loops, RemeshOptions, border_loops, fill_holes, remesh_region};
+use crate::holes::{
+    BorderLoop, FillOptions, LoopKind, Loops, RemeshOptions, border_loops, fill_holes, remesh_region,
+};
 
 use fairmesh_status as Status;
 
@@ -84,33 +86,16 @@ pub extern "C" fn fairmesh_fill_holes(
         let triangles = mesh.triangles.rows::<3>()?;
         let mut numbers: Vec<usize> = room(named.count)?;
         numbers.extend((0..named.count).map(|k| named.index::<1>(k)[0] as usize));
-        let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
         let most = count(fill_view.max_new_vertices);
         let teller = asked.teller.fresh();
-        // How large the patches will be is known by the loops.
         let (new_vertices, longest) = {
             let _reserve = need::reserve(need::of_whole_mesh(&mesh, 1))?;
             let loops = border_loops(&positions, &triangles)?;
             teller.memory()?;
-            if let Some(&missing) = numbers.iter().find(|&&l| l >= loops.len()) {
-                let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
-                let failure = Failure::new(Status::SelectionOutOfRange, why);
-                return Err(failure.at(fairmesh_element::Loop, missing));
-            }
-            let up_to = count(fill_view.max_edges);
-            let chosen = |l: usize| match numbers.is_empty() {
-                true => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= up_to,
-                false => numbers.contains(&l),
-            };
-            let edges = (0..loops.len())
-                .filter(|&l| chosen(l))
-                .map(|l| loops[l].vertices.len());
-            // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
-            let area = |n: usize| (n * n) as f64 * (fill_view.density * fill_view.density).max(0.5) / 4.0;
-            let new = edges.clone().map(area).sum::<f64>();
-            ((new as usize).min(most), edges.max().unwrap_or(0))
+            size_of_patches(&loops, &numbers, &fill_view)?
         };
-        let bytes = need::of_filling(&mesh, new_vertices.saturating_add(1000), longest, asked.threads);
+        let new_vertices = new_vertices.min(most).saturating_add(1000);
+        let bytes = need::of_filling(&mesh, new_vertices, longest, asked.threads);
         let _reserve = need::reserve(bytes)?;
         point();
         let filled = {
@@ -136,6 +121,35 @@ pub extern "C" fn fairmesh_fill_holes(
         };
         publish(Arc::new(content), result, &teller)
     })
+}
+
+fn count(n: u64) -> usize {
+    usize::try_from(n).unwrap_or(usize::MAX)
+}
+
+/// About how many vertices the patches will have that are asked for, and how many edges the longest loop.
+fn size_of_patches(
+    loops: &[BorderLoop],
+    named: &[usize],
+    asked: &fairmesh_fill_options,
+) -> Outcome<(usize, usize)> {
+    if let Some(&missing) = named.iter().find(|&&l| l >= loops.len()) {
+        let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
+        let failure = Failure::new(Status::SelectionOutOfRange, why);
+        return Err(failure.at(fairmesh_element::Loop, missing));
+    }
+    let up_to = count(asked.max_edges);
+    let chosen = |l: usize| match named.is_empty() {
+        true => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= up_to,
+        false => named.contains(&l),
+    };
+    let edges = (0..loops.len())
+        .filter(|&l| chosen(l))
+        .map(|l| loops[l].vertices.len());
+    // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
+    let area = |n: usize| (n * n) as f64 * (asked.density * asked.density).max(0.5) / 4.0;
+    let new = edges.clone().map(area).sum::<f64>();
+    Ok((new as usize, edges.max().unwrap_or(0)))
 }
 
 fn check_density(density: f64, place: Place) -> Outcome {
@@ -181,7 +195,7 @@ pub extern "C" fn fairmesh_remesh(
         let selected = selection.read(&mesh)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let most = usize::try_from(view.max_vertices).unwrap_or(usize::MAX);
+        let most = count(view.max_vertices);
         let _reserve = need::reserve(need::of_remeshing(&mesh, &selected, most)?)?;
         let teller = Teller::new(None, core::ptr::null_mut());
         point();

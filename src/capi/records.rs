@@ -21,7 +21,7 @@ pub enum fairmesh_outcome {
     NotConverged = 5,
     /// The iterations ran out; the best surface so far is returned.
     IterationLimit = 6,
-    /// The callback stopped the run; the best surface so far is returned.
+    /// The callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled = 7,
     /// An outcome that this version of the header does not know.
     Other = 255,

@@ -159,6 +159,24 @@ pub extern "C" fn fairmesh_solver_set_target(
     })
 }
 
+/// Tells something of a solver as it stands: `open` checks where it goes, `put` writes it there.
+fn look<Out>(
+    solver: *const fairmesh_solver,
+    error: *mut fairmesh_error,
+    open: impl FnOnce(&mut Spans) -> Outcome<Out>,
+    put: impl FnOnce(Out, &Solver) -> Outcome,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut spans = Spans::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = open(&mut spans)?;
+        spans.error(error, Argument(3))?;
+        let solver = shared.take()?;
+        point();
+        put(out, &solver)
+    })
+}
+
 /// All positions as they stand: of the last iteration run; before the first one, the input's.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_positions(
@@ -166,14 +184,12 @@ pub extern "C" fn fairmesh_solver_positions(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut spans = Spans::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+    let open = |spans: &mut Spans| {
         let out = NumbersOut::points(out, Argument(2))?;
         spans.output(out.array.data, out.array.bytes, Argument(2))?;
-        spans.error(error, Argument(3))?;
-        let solver = shared.take()?;
-        point();
+        Ok(out)
+    };
+    look(solver, error, open, |out, solver| {
         put_positions(&out, &solver.session.solution().positions, Argument(2))
     })
 }
@@ -185,20 +201,14 @@ pub extern "C" fn fairmesh_solver_mean_curvature(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut spans = Spans::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+    let open = |spans: &mut Spans| {
         let out = NumbersOut::scalars(out, Argument(2))?;
         spans.output(out.array.data, out.array.bytes, Argument(2))?;
-        spans.error(error, Argument(3))?;
-        let solver = shared.take()?;
-        point();
-        put_scalars(
-            &out,
-            &solver.session.solution().mean_curvature,
-            solver.vertices,
-            Argument(2),
-        )
+        Ok(out)
+    };
+    look(solver, error, open, |out, solver| {
+        let curvature = &solver.session.solution().mean_curvature;
+        put_scalars(&out, curvature, solver.vertices, Argument(2))
     })
 }
 
@@ -209,13 +219,8 @@ pub extern "C" fn fairmesh_solver_report(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    guarded(error, || {
-        let mut spans = Spans::new();
-        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = StructOut::new(report, Argument(2), &mut spans)?;
-        spans.error(error, Argument(3))?;
-        let solver = shared.take()?;
-        point();
+    let open = |spans: &mut Spans| StructOut::new(report, Argument(2), spans);
+    look(solver, error, open, |out, solver| {
         out.write(&report::report(&solver.session.solution().report));
         Ok(())
     })

@@ -324,7 +324,8 @@ pub struct fairmesh_fill_options {
     /// How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the rim; at
     /// twice that, half as long. Between 0.1 and 10.
     pub density: f64,
-    /// At most this many new vertices. Default 200000.
+    /// At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times
+    /// the square of a density above 1.
     pub max_new_vertices: u64,
 }
 

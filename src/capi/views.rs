@@ -222,63 +222,29 @@ pub struct NumbersOut<const N: usize> {
     pub double: bool,
 }
 
-impl NumbersOut<3> {
-    pub fn points(view: *const fairmesh_points_out, argument: Argument) -> Outcome<Self> {
-        check_pointer(view, argument)?;
-        // SAFETY: not NULL, aligned.
-        let view = unsafe { view.read() };
-        let base = argument.field(0);
-        check_reserved(
-            view.reserved,
-            base.plus(core::mem::offset_of!(fairmesh_points_out, reserved)),
-        )?;
-        let size = numbers_size(
-            view.scalar,
-            base.plus(core::mem::offset_of!(fairmesh_points_out, scalar)),
-        )?;
-        let array = array(
-            view.data,
-            view.count,
-            view.stride,
-            3,
-            size,
-            places!(fairmesh_points_out, base),
-        )?;
-        Ok(Self {
-            array,
-            double: size == 8,
-        })
-    }
+/// Rows of `$width` numbers from a view of type `$view`.
+macro_rules! numbers_out {
+    ($name:ident, $view:ident, $width:literal) => {
+        impl NumbersOut<$width> {
+            pub fn $name(view: *const $view, argument: Argument) -> Outcome<Self> {
+                check_pointer(view, argument)?;
+                // SAFETY: not NULL, aligned.
+                let view = unsafe { view.read() };
+                let base = argument.field(0);
+                let reserved = base.plus(core::mem::offset_of!($view, reserved));
+                check_reserved(view.reserved, reserved)?;
+                let size = numbers_size(view.scalar, base.plus(core::mem::offset_of!($view, scalar)))?;
+                let at = places!($view, base);
+                let array = array(view.data, view.count, view.stride, $width, size, at)?;
+                let double = size == 8;
+                Ok(Self { array, double })
+            }
+        }
+    };
 }
 
-impl NumbersOut<1> {
-    pub fn scalars(view: *const fairmesh_scalars_out, argument: Argument) -> Outcome<Self> {
-        check_pointer(view, argument)?;
-        // SAFETY: not NULL, aligned.
-        let view = unsafe { view.read() };
-        let base = argument.field(0);
-        check_reserved(
-            view.reserved,
-            base.plus(core::mem::offset_of!(fairmesh_scalars_out, reserved)),
-        )?;
-        let size = numbers_size(
-            view.scalar,
-            base.plus(core::mem::offset_of!(fairmesh_scalars_out, scalar)),
-        )?;
-        let array = array(
-            view.data,
-            view.count,
-            view.stride,
-            1,
-            size,
-            places!(fairmesh_scalars_out, base),
-        )?;
-        Ok(Self {
-            array,
-            double: size == 8,
-        })
-    }
-}
+numbers_out!(points, fairmesh_points_out, 3);
+numbers_out!(scalars, fairmesh_scalars_out, 1);
 
 impl<const N: usize> NumbersOut<N> {
     /// Exactly so many rows.

@@ -1,17 +1,22 @@
 //! Threads: a pool for each call, and the progress callback on the caller's thread.
 
 use std::ops::ControlFlow;
-use std::sync::mpsc;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
 use super::{Progress, Watcher};
 use crate::error::Error;
-use crate::solve::control::Callback;
+use crate::solve::control::{Callback, Interrupt};
 
-/// Runs `work` on the pool and `callback` on this thread, which waits for it in between.
+/// So often the callback is called where the work has nothing to tell: it may want to stop.
+const TICK: Duration = Duration::from_millis(50);
+
+/// Runs `work` on the pool and `callback` on this thread, which waits for it in between. `work` is handed what sends to the
+/// callback, and what is set when the callback stops the run.
 pub(super) fn relay<T: Send>(
     pool: &rayon::ThreadPool,
     callback: &mut Watcher<'_>,
-    work: impl for<'t> FnOnce(&'t mut Callback<'t>) -> T + Send,
+    work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();
     let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
@@ -27,15 +32,34 @@ pub(super) fn relay<T: Send>(
             .and_then(|()| answers.recv().ok())
             .unwrap_or(ControlFlow::Break(()))
     };
+    let interrupt = Interrupt::default();
+    let theirs = interrupt.clone();
     std::thread::scope(|scope| {
         let worker = std::thread::Builder::new()
-            .spawn_scoped(scope, move || pool.install(move || work(&mut tell)))
+            .spawn_scoped(scope, move || pool.install(move || work(&mut tell, &theirs)))
             .map_err(|e| Error::Threads {
                 threads: 1,
                 why: e.to_string(),
             })?;
-        for message in messages {
-            if answer.send(callback(&message)).is_err() {
+        // Dropped when the callback panics, so that the worker does not wait for ever.
+        let (messages, answer) = (messages, answer);
+        let mut last = None;
+        loop {
+            let message = messages.recv_timeout(TICK);
+            if let Ok(message) = &message {
+                last = Some(*message);
+            }
+            let told = match (&message, &last) {
+                (Err(RecvTimeoutError::Disconnected), _) => break,
+                // Who has asked to stop is not asked again.
+                _ if interrupt.is_set() => ControlFlow::Break(()),
+                (_, Some(progress)) => callback(progress),
+                (_, None) => ControlFlow::Continue(()),
+            };
+            if told.is_break() {
+                interrupt.set();
+            }
+            if message.is_ok() && answer.send(told).is_err() {
                 break;
             }
         }

@@ -126,8 +126,9 @@ impl Session {
     }
 
     /// Runs at most this many nonlinear iterations (at least one), and returns the surface: of the last iteration if the
-    /// run was held up ([`IterationLimit`](crate::Outcome::IterationLimit), or [`Cancelled`](crate::Outcome::Cancelled) by the callback), else the final one. The next
-    /// run goes on from there. Once the end is reached, a further run does nothing until something is changed.
+    /// run was held up ([`IterationLimit`](crate::Outcome::IterationLimit), or [`Cancelled`](crate::Outcome::Cancelled) by
+    /// the callback), else the final one. The next run goes on from there. Once the end is reached, a further run does
+    /// nothing until something is changed.
     ///
     /// # Errors
     /// [`Error::NothingFixed`] where not even a linear surface exists.

@@ -7,7 +7,8 @@ use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::error::Error;
 use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
-use crate::solve::control::Callback;
+use crate::solve::control::{Callback, Interrupt};
+use crate::solve::initial::STAGE;
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Solved};
 
@@ -32,6 +33,7 @@ pub(super) fn fast<'a>(
     problem: &Problem<'_>,
     request: &Request<'_>,
     progress: Option<&'a mut Callback<'a>>,
+    interrupt: &Interrupt,
 ) -> Result<Faired, Collapsed> {
     let curvature = match request.discretization {
         Discretization::SecondOrder => FreeCurvature::GradientCorrected {
@@ -40,6 +42,8 @@ pub(super) fn fast<'a>(
         Discretization::Paper => FreeCurvature::Paper,
     };
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
+    control.interrupt = interrupt.clone();
+    control.stage(0.01, STAGE);
     let mut system = problem.system(curvature);
     let solved = crate::solve::solve(&mut system, &mut control)?;
     system.evaluate(&solved.x);

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use super::front::{self, Real};
+use super::interrupt::Interrupt;
 use super::symbolic::{Symbolic, Task};
 
 /// A pivot that is not positive and finite.
@@ -24,6 +25,7 @@ pub struct Cholesky<T> {
     symbolic: Arc<Symbolic>,
     panels: Vec<T>,
     updates: [Vec<T>; 2],
+    interrupt: Interrupt,
 }
 
 /// The vectors that a solve works in. Reuse it: its memory is allocated once.
@@ -56,7 +58,13 @@ impl<T: Real> Cholesky<T> {
             symbolic,
             panels: Vec::new(),
             updates: [Vec::new(), Vec::new()],
+            interrupt: Interrupt::default(),
         }
+    }
+
+    /// Factorizations end early when this is set, with an error at a row that was not reached.
+    pub fn heed(&mut self, interrupt: &Interrupt) {
+        self.interrupt = interrupt.clone();
     }
 
     /// The structure of the factor.
@@ -99,7 +107,12 @@ impl<T: Real> Cholesky<T> {
             return Ok(());
         };
         let [even, odd] = &mut self.updates;
-        run(symbolic, values, root, &mut self.panels, [even, odd]).map_err(|column| NotPositiveDefinite {
+        let job = Job {
+            symbolic,
+            values,
+            interrupt: &self.interrupt,
+        };
+        run(job, root, &mut self.panels, [even, odd]).map_err(|column| NotPositiveDefinite {
             row: symbolic.order[column] as usize,
         })
     }
@@ -211,15 +224,18 @@ fn split<T, const K: usize>(local: &mut [T], stride: usize, length: usize) -> [&
     std::array::from_fn(|_| &mut rest.next().unwrap_or_default()[..length])
 }
 
+/// What all tasks share.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    symbolic: &'a Symbolic,
+    values: &'a [f64],
+    interrupt: &'a Interrupt,
+}
+
 /// Factors the supernodes of a task. `panels` and `updates` are the task's own parts of the memory. The
 /// error is the column of the failing pivot.
-fn run<T: Real>(
-    symbolic: &Symbolic,
-    values: &[f64],
-    task: usize,
-    panels: &mut [T],
-    updates: [&mut [T]; 2],
-) -> Result<(), usize> {
+fn run<T: Real>(job: Job<'_>, task: usize, panels: &mut [T], updates: [&mut [T]; 2]) -> Result<(), usize> {
+    let Job { symbolic, values, .. } = job;
     let Task {
         range,
         top,
@@ -234,14 +250,17 @@ fn run<T: Real>(
         let (even_left, even_right) = even.split_at_mut(next.area[0].start - area[0].start);
         let (odd_left, odd_right) = odd.split_at_mut(next.area[1].start - area[1].start);
         let (a, b) = rayon::join(
-            || run(symbolic, values, left, first, [even_left, odd_left]),
-            || run(symbolic, values, right, rest, [even_right, odd_right]),
+            || run(job, left, first, [even_left, odd_left]),
+            || run(job, right, rest, [even_right, odd_right]),
         );
         a.and(b)?;
     }
     let base = symbolic.panel_start[range.start];
     let mut work = front::Work::default();
     for s in *top..range.end {
+        if job.interrupt.is_set() {
+            return Err(symbolic.first[s] as usize);
+        }
         let panel = &mut panels[symbolic.panel_start[s] - base..symbolic.panel_start[s + 1] - base];
         let (own, below, own_base, below_base) = if symbolic.stack[s] == 0 {
             (&mut *even, &*odd, area[0].start, area[1].start)
@@ -491,6 +510,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn an_interrupt_ends_it_and_a_new_one_does_not() {
+        let (pattern, order) = meshes().swap_remove(4);
+        let values = laplacian(&pattern, 0.5);
+        let mut factor = factored::<f64>(&pattern, &order, &values);
+        let interrupt = Interrupt::default();
+        factor.heed(&interrupt);
+        assert_eq!(factor.factor(&values), Ok(()));
+        interrupt.set();
+        assert!(factor.factor(&values).is_err());
+        factor.heed(&Interrupt::default());
+        assert_eq!(factor.factor(&values), Ok(()));
     }
 
     #[test]

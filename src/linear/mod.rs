@@ -4,6 +4,7 @@ pub mod anderson;
 pub mod cholesky;
 mod elimination;
 mod front;
+pub mod interrupt;
 pub mod ordering;
 pub mod sparse;
 mod supernodes;

@@ -108,7 +108,7 @@ pub fn solve(
     };
     let mut x = match run.coarse(control, &clock)? {
         Some(x) => x,
-        None => run.linear_start(problem, &clock)?,
+        None => run.linear_start(problem, &clock, control)?,
     };
     let mut level = Level::new(problem);
     let goal = Goal {
@@ -118,7 +118,7 @@ pub fn solve(
     };
     let ended = run.iterate(&mut level, &mut x, goal, problem, control);
     if ended.end == End::Diverged {
-        x = linear_start(problem)?;
+        x = linear_start(problem, control)?;
     }
     Ok(Found {
         solved: judged(problem, level, x, &ended, run.start_seconds),
@@ -226,7 +226,7 @@ impl Run<'_> {
             ..*self.problem
         };
         let mut x = if is_base {
-            self.linear_start(&level_problem, clock)?
+            self.linear_start(&level_problem, clock, control)?
         } else {
             gather(&surface.x)
         };
@@ -249,8 +249,9 @@ impl Run<'_> {
         &mut self,
         problem: &Problem<'_>,
         clock: &Instant,
+        control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        let x = linear_start(problem)?;
+        let x = linear_start(problem, control)?;
         self.diagonal = diagonal(&x);
         self.start_seconds = clock.elapsed().as_secs_f64();
         Ok(x)
@@ -329,10 +330,10 @@ fn judged(
 }
 
 /// The linear surface of connectivity and border data, its vertices distributed by inner fairness.
-fn linear_start(problem: &Problem<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
+fn linear_start(problem: &Problem<'_>, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
     let mut system = problem.system(FreeCurvature::Paper);
-    let mut x = system.linear_surface()?;
+    let mut x = system.linear_surface(control)?;
     system.diagonal = diagonal(&x);
-    system.tangential_steps(&mut x);
+    system.tangential_steps(&mut x, control);
     Ok(x)
 }

@@ -53,9 +53,9 @@ pub fn continuation(
     };
 
     system.border_normals = own.clone();
-    let start = system.linear_surface().unwrap_or_else(|_| linear.to_vec());
+    let start = system.linear_surface(control).unwrap_or_else(|_| linear.to_vec());
     let mut x = start;
-    system.tangential_steps(&mut x);
+    system.tangential_steps(&mut x, control);
     let mut step = (FIRST_STEP / widest.max(FIRST_STEP)).min(1.0);
     let mut first = true;
     while step >= SHORTEST && !control.exhausted() {

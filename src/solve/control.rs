@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use nalgebra::Vector3;
 
 use super::system::System;
+pub use crate::linear::interrupt::Interrupt;
 
 /// What a stage tells the caller after an iteration.
 pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
@@ -23,10 +24,14 @@ pub struct Control<'a> {
     pub tolerance: f64,
     /// Set when the callback asked to stop.
     pub cancelled: bool,
+    /// Set when the run is to stop, also between two calls of the callback.
+    pub interrupt: Interrupt,
     /// Sees every iteration's surface; none unless set.
     pub watch: Option<&'a mut Watch<'a>>,
     /// The fraction last reported.
     fraction: f64,
+    /// The step norm last reported.
+    step: f64,
     callback: Option<&'a mut Callback<'a>>,
 }
 
@@ -38,8 +43,10 @@ impl<'a> Control<'a> {
             max_iterations,
             tolerance,
             cancelled: false,
+            interrupt: Interrupt::default(),
             watch: None,
             fraction: 0.0,
+            step: f64::NAN,
             callback,
         }
     }
@@ -47,6 +54,12 @@ impl<'a> Control<'a> {
     /// Reports a stage of the preparation, `fraction` of the whole.
     pub fn stage(&mut self, fraction: f64, stage: &'static str) {
         self.tell(fraction, f64::NAN, stage);
+    }
+
+    /// Shows within a stage that it goes on, so that it can be stopped; returns whether it may.
+    pub fn goes_on(&mut self, stage: &'static str) -> bool {
+        self.tell(self.fraction, self.step, stage);
+        !self.cancelled
     }
 
     /// Counts an iteration with step norm `d` and reports it. The fraction follows the digits gained, from 0.3 to 1.
@@ -71,6 +84,7 @@ impl<'a> Control<'a> {
 
     fn tell(&mut self, fraction: f64, d: f64, stage: &'static str) {
         self.fraction = self.fraction.max(fraction);
+        self.step = d;
         // Who has asked to stop is not asked again.
         if let (false, Some(callback)) = (self.cancelled, &mut self.callback) {
             self.cancelled |= callback(self.fraction, self.iterations, d, stage).is_break();

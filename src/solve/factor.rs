@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork};
+use crate::linear::interrupt::Interrupt;
 use crate::linear::symbolic::Symbolic;
 
 /// Single precision halves the memory traffic of a solve; it suffices wherever the solution is refined or only a
@@ -21,6 +22,14 @@ impl Factor {
             Self::Double(Cholesky::new(symbolic.clone()), SolveWork::default())
         } else {
             Self::Single(Cholesky::new(symbolic.clone()), SolveWork::default())
+        }
+    }
+
+    /// Factorizations fail from when this is set.
+    pub fn heed(&mut self, interrupt: &Interrupt) {
+        match self {
+            Self::Single(c, _) => c.heed(interrupt),
+            Self::Double(c, _) => c.heed(interrupt),
         }
     }
 

@@ -15,6 +15,7 @@ use nalgebra::Vector3;
 
 use super::continuation::continuation;
 use super::control::Control;
+use super::initial::STAGE;
 use super::loading::loading;
 use super::pseudo_time::pseudo_time;
 use super::quasi_newton::{End, Plan, iterate};
@@ -108,9 +109,14 @@ impl Candidate {
 /// [`Collapsed`] where not even the linear surface exists.
 pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
     let clock = Instant::now();
-    control.stage(0.05, "start surface");
-    let linear = system.start()?;
-    control.stage(0.3, "start surface");
+    control.stage(0.05, STAGE);
+    system.heed(&control.interrupt);
+    let linear = match system.start(control) {
+        Err(collapsed) if control.goes_on(STAGE) => return Err(collapsed),
+        Ok(linear) if control.goes_on(STAGE) => linear,
+        _ => return Ok(unmoved(system, clock)),
+    };
+    control.stage(0.3, STAGE);
     let mut solved = Solved {
         x: linear.clone(),
         ending: Ending::Failed,
@@ -120,7 +126,12 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         start_seconds: clock.elapsed().as_secs_f64(),
     };
     let (candidate, ending) = attempts(system, &linear, control);
-    solved.ending = ending;
+    let is_settled = candidate.as_ref().is_some_and(Candidate::is_settled);
+    solved.ending = if control.cancelled && !is_settled {
+        Ending::Stopped
+    } else {
+        ending
+    };
     solved.even = candidate.as_ref().is_some_and(|c| c.even);
     // Stopped on the way over poor triangles: the linear surface is the better one.
     match candidate.filter(|c| c.end != End::Stopped || c.poor.is_empty()) {
@@ -135,6 +146,20 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         }
     }
     Ok(solved)
+}
+
+/// The surface given, for a run that is stopped before there is a better one.
+fn unmoved(system: &mut System<'_>, clock: Instant) -> Solved {
+    let x = system.input[..system.region.region_vertices()].to_vec();
+    system.evaluate(&x);
+    Solved {
+        poor: system.poor(&x, crate::quality::NEEDLE),
+        x,
+        ending: Ending::Stopped,
+        step: f64::NAN,
+        even: false,
+        start_seconds: clock.elapsed().as_secs_f64(),
+    }
 }
 
 /// Goes on from a surface that solved a problem close to this one, with the matrices that are there. None where that
@@ -194,8 +219,8 @@ fn attempts(
         }
     }
     let membrane = system.membrane();
-    if let Ok(mut start) = system.linear_surface_on(&membrane) {
-        system.tangential_steps(&mut start);
+    if let Ok(mut start) = system.linear_surface_on(&membrane, control) {
+        system.tangential_steps(&mut start, control);
         let second = with_repair(
             system,
             start,
@@ -285,7 +310,7 @@ fn settled(candidate: Candidate, ending: Ending) -> (Option<Candidate>, Ending) 
 /// With uniform inner fairness in place of the one that was asked for.
 fn evenly(system: &mut System<'_>, plan: Plan, control: &mut Control<'_>) -> Option<Candidate> {
     let set = system.set_weights(FairnessWeights::uniform());
-    let start = set.and_then(|()| system.start()).ok()?;
+    let start = set.and_then(|()| system.start(control)).ok()?;
     let mut candidate = with_repair(system, start, plan, control);
     candidate.even = true;
     Some(candidate)
@@ -348,7 +373,10 @@ fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Contr
             };
             iterated(system, x, plan, control)
         }
-        Ok(false) if control.exhausted() => judged(system, x, End::Stopped, f64::NAN),
+        // Or stopped within a factorization.
+        Ok(false) | Err(Collapsed) if control.exhausted() || !control.goes_on(STAGE) => {
+            judged(system, x, End::Stopped, f64::NAN)
+        }
         Ok(false) | Err(Collapsed) => judged(system, x, End::Stalled, f64::NAN),
     }
 }
@@ -390,7 +418,8 @@ fn with_repair(
     // The start is distributed almost as the result will be: what folds here would be found after the iterations.
     if !system.poor(&x, THRESHOLDS[0]).is_empty()
         && let Some(weights) = repair.next(system, &x)
-        && let Ok(start) = system.set_weights(weights).and_then(|()| system.start())
+        && let Ok(start) = system.set_weights(weights).and_then(|()| system.start(control))
+        && !control.cancelled
     {
         x = start;
     }
@@ -400,8 +429,14 @@ fn with_repair(
         let Some(weights) = repair.next(system, &last.x) else {
             break;
         };
-        let restarted = system.set_weights(weights).and_then(|()| system.start());
+        let restarted = system.set_weights(weights).and_then(|()| system.start(control));
         let Ok(start) = restarted else { break };
+        if control.cancelled {
+            return Candidate {
+                end: End::Stopped,
+                ..best
+            };
+        }
         last = iterated(
             system,
             start,
@@ -423,10 +458,10 @@ fn with_repair(
 
 impl System<'_> {
     /// Linear surface and tangential steps with the current weights and normals.
-    fn start(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        let mut x = self.linear_surface()?;
+    fn start(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let mut x = self.linear_surface(control)?;
         self.diagonal = diagonal(&x);
-        self.tangential_steps(&mut x);
+        self.tangential_steps(&mut x, control);
         Ok(x)
     }
 

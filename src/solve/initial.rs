@@ -5,6 +5,7 @@
 use nalgebra::Vector3;
 
 use super::bilaplacian::conormal_flux;
+use super::control::Control;
 use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
 use crate::linear::cholesky::Cholesky;
 use crate::linear::ordering::amd;
@@ -21,6 +22,8 @@ const MOST_ITERATIONS: usize = 16;
 const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
+/// What it is called in progress reports.
+pub const STAGE: &str = "start surface";
 
 impl System<'_> {
     /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
@@ -114,23 +117,28 @@ impl System<'_> {
     /// The linear surface: `S_I D (S x - F) = 0` with the fixed positions and the conormal flux `F` of the border normals,
     /// on the metric of connectivity alone. (On the metric of a membrane a tube would pinch: its membrane is a thread,
     /// and a thread is conformally endless.)
-    pub fn linear_surface(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    /// Where the run is stopped meanwhile, it is a surface on the way there.
+    pub fn linear_surface(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
         metric.combinatorial(self.rings, self.groups, &self.weights);
         self.metric = metric;
         self.refactor(|_| 0.0)?;
-        self.linear_solve()
+        self.linear_solve(control)
     }
 
     /// The same on the metric of `membrane`.
-    pub fn linear_surface_on(&mut self, membrane: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    pub fn linear_surface_on(
+        &mut self,
+        membrane: &[Vector3<f64>],
+        control: &mut Control<'_>,
+    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         self.evaluate(membrane);
         self.rebuild(membrane, false, |_| 0.0)?;
-        self.linear_solve()
+        self.linear_solve(control)
     }
 
     /// Solves on the metric that `P` is factored on, by conjugate gradients with that factor.
-    fn linear_solve(&mut self) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    fn linear_solve(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let free = self.region.free;
         let flux = conormal_flux(self.region, self.rings, self.input, &self.border_normals);
         let mut x = vec![[0.0; 3]; self.region.region_vertices()];
@@ -144,9 +152,9 @@ impl System<'_> {
         for r in right.as_flattened_mut() {
             *r = -*r;
         }
-        if !self.conjugate_gradients(&right, &mut x) {
+        if !self.conjugate_gradients(&right, &mut x, control) {
             self.refactor_double()?;
-            if !self.conjugate_gradients(&right, &mut x) {
+            if !self.conjugate_gradients(&right, &mut x, control) {
                 return Err(Collapsed);
             }
         }
@@ -159,8 +167,13 @@ impl System<'_> {
     }
 
     /// Solves `P x = right` at the free vertices, column by column side by side, with the factor as preconditioner: it
-    /// is inexact in its lowest modes only. Returns whether all columns have met [`REFINED`].
-    fn conjugate_gradients(&mut self, right: &[[f64; 3]], x: &mut [[f64; 3]]) -> bool {
+    /// is inexact in its lowest modes only. Returns whether all columns have met [`REFINED`], or the run was stopped.
+    fn conjugate_gradients(
+        &mut self,
+        right: &[[f64; 3]],
+        x: &mut [[f64; 3]],
+        control: &mut Control<'_>,
+    ) -> bool {
         let free = right.len();
         let mut scratch = vec![[0.0; 3]; x.len()];
         let mut direction = vec![[0.0; 3]; x.len()];
@@ -173,6 +186,9 @@ impl System<'_> {
         let mut rho = products(&residual, &preconditioned);
         let first = rho;
         for _ in 0..MOST_ITERATIONS {
+            if !control.goes_on(STAGE) {
+                return true;
+            }
             self.metric
                 .apply(self.rings, &direction, None, &mut scratch, &mut image);
             let curvature = products(&direction[..free], &image);
@@ -203,9 +219,12 @@ impl System<'_> {
     }
 
     /// Tangential steps alone, each as long as the edges allow.
-    pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>]) {
+    pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
         let mut step = vec![0.0; 3 * self.region.free];
         for _ in 0..TANGENTIAL_STEPS {
+            if !control.goes_on(STAGE) {
+                return;
+            }
             self.evaluate_inner(x);
             self.step(&mut step, false);
             let change = self.edge_change(x, &step);

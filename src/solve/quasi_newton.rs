@@ -105,6 +105,11 @@ pub fn iterate(
                 x.clone_from(&best.x);
                 return (end, best.d);
             }
+            // Stopped within a factorization.
+            Err(Collapsed) if !control.goes_on(plan.stage) => {
+                x.clone_from(&best.x);
+                return (End::Stopped, f64::NAN);
+            }
             Err(Collapsed) => break,
         }
         x.clone_from(&best.x);
@@ -137,6 +142,10 @@ fn run(
     }
     if !plan.keep {
         system.rebuild(x, plan.response, |_| 0.0)?;
+    }
+    if !control.goes_on(plan.stage) {
+        best.d = f64::NAN;
+        return Ok(End::Stopped);
     }
     loop {
         let norm = system.step(&mut step, true);

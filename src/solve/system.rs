@@ -12,6 +12,7 @@ use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
+use crate::linear::interrupt::Interrupt;
 use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
 use crate::linear::symbolic::Symbolic;
@@ -61,6 +62,7 @@ pub struct System<'a> {
     p_values: Vec<f64>,
     normal_step: Vec<[f64; 1]>,
     tangential_step: Vec<[f64; 3]>,
+    interrupt: Interrupt,
 }
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
@@ -136,7 +138,15 @@ impl<'a> System<'a> {
             p_symbolic,
             normal_step: vec![[0.0]; free],
             tangential_step: vec![[0.0; 3]; free],
+            interrupt: Interrupt::default(),
         }
+    }
+
+    /// Factorizations fail from when this is set; [`Control::goes_on`](super::Control::goes_on) tells whether it is.
+    pub fn heed(&mut self, interrupt: &Interrupt) {
+        self.interrupt = interrupt.clone();
+        self.g.heed(interrupt);
+        self.p.heed(interrupt);
     }
 
     /// Number of free vertices.
@@ -222,6 +232,7 @@ impl<'a> System<'a> {
     /// Goes over to a 64-bit factor of the same matrix.
     pub fn refactor_double(&mut self) -> Result<(), Collapsed> {
         self.p = Factor::new(&self.p_symbolic, true);
+        self.p.heed(&self.interrupt);
         self.p.factor(&self.p_values).map_err(|_| Collapsed)
     }
 

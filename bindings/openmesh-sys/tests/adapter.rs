@@ -1,10 +1,15 @@
 //! `include/fairmesh_openmesh.hpp` as C++ programs see it: against the installed package, with GCC's sanitizers, and the
 //! example by CMake. Needs a C++ compiler, make, pkg-config and CMake.
 
+#[path = "../../../tests/common/command.rs"]
+mod command;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
+
+use command::run;
 
 /// GCC worries about vectors of OpenMesh that have no value yet.
 const STRICT: [&str; 7] = [
@@ -29,21 +34,6 @@ fn work() -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("openmesh");
     fs::create_dir_all(&path).unwrap();
     path
-}
-
-/// Runs it to a good end, and returns what it printed.
-fn run(command: &mut Command) -> String {
-    let output = command
-        .output()
-        .unwrap_or_else(|why| panic!("{command:?}: {why}"));
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(
-        output.status.success(),
-        "{command:?}: {}\n{out}\n{err}",
-        output.status
-    );
-    out
 }
 
 /// Where `make install` has put fairmesh.

@@ -184,9 +184,7 @@ impl Problem {
             fallback_weights: weights.clamped,
         };
         let first = measured(&system, &x, 0, f64::NAN);
-        let mut first = conclude(&given(target), first, seconds, self.clock);
-        // Without the rounding of the frame.
-        first.positions.clone_from(&self.input.positions);
+        let first = conclude(&given(target), first, seconds, self.clock);
         desk.deliver(Ok(first));
         // Whether x is a surface to start from.
         let (mut warm, mut even, mut ended) = (false, false, None::<Solution>);

@@ -11,6 +11,8 @@
 #[path = "../../comparison/mod.rs"]
 #[allow(dead_code, reason = "the tests use the rest")]
 mod comparison;
+#[path = "../../../../examples/reproduce/machine.rs"]
+mod machine;
 mod pictures;
 
 use std::fmt::Write as _;
@@ -82,11 +84,7 @@ fn main() -> Result<(), Failure> {
 }
 
 fn head() -> String {
-    let cpu = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = cpu
-        .lines()
-        .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
-        .map_or("an unknown processor", |(_, name)| name.trim());
+    let model = machine::processor();
     format!(
         "# Beside OpenMesh's smoother\n\n\
         `OpenMesh::Smoother::JacobiLaplaceSmootherT` with C1 (the umbrella of umbrellas, equal weights, damped Jacobi steps) and\n\
