@@ -74,5 +74,6 @@ step check_demo
 # With bindings/openmesh-sys, in one build.
 step cargo test --release --locked --workspace
 step tests/sanitize.sh
+step meshlab_plugin/test.sh gui
 step fuzz/run.sh 60
 printf '\nAll tests have passed.\n'

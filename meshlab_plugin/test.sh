@@ -35,7 +35,7 @@ install_tools() {
 
 # The linters of the tests, in a pinned version.
 lint() {
-    clang-format --dry-run -Werror src/*.cpp src/*.h
+    clang-format --dry-run -Werror src/*.cpp src/*.h tests/*.cpp
     "$work/venv-pymeshlab/bin/pip" install --quiet --disable-pip-version-check ruff==0.14.5
     "$work/venv-pymeshlab/bin/ruff" check --quiet tests
     "$work/venv-pymeshlab/bin/ruff" format --quiet --check tests
@@ -48,6 +48,8 @@ for host in $HOSTS; do
 done
 lint
 tests/test_build.sh
+cmake --build "$work/build-debian" --target cancel --parallel 2 >"$work/build-cancel.log" || { tail -30 "$work/build-cancel.log" && exit 1; }
+"$work/build-debian/cancel"
 for host in pymeshlab pymeshlab-2022; do
     printf 'in %s\n' "$host"
     "$work/venv-$host/bin/python" tests/test_pymeshlab.py "$work/$host/libfilter_fairmesh.so"

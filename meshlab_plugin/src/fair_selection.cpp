@@ -9,7 +9,8 @@ namespace fairmesh_meshlab {
 fairmesh::progress shown(const Host &host, bool &cancelled) {
     if (!host.progress) return {};
     return [progress = host.progress, &cancelled](const fairmesh_progress &how_far) {
-        cancelled = !progress(static_cast<int>(100 * how_far.fraction), how_far.stage);
+        // The library may tell more before it ends; a host that has once said no is not asked again.
+        cancelled = cancelled || !progress(static_cast<int>(100 * how_far.fraction), how_far.stage);
         return !cancelled;
     };
 }
