@@ -53,7 +53,7 @@ def state(mesh):
 
 
 # PyMeshLab's own checks of parameters.
-WRONG_PARAMETER = (pymeshlab.PyMeshLabException, pymeshlab.pmeshlab.InvalidEnumException)
+WRONG_PARAMETER = (RuntimeError, pymeshlab.PyMeshLabException, pymeshlab.pmeshlab.InvalidEnumException)
 
 
 class Case(unittest.TestCase):
