@@ -93,7 +93,7 @@ need cmake cmake
 need c++ g++
 need make make
 need cargo 'cargo, from https://rustup.rs'
-command -v qmake >/dev/null || command -v qmake6 >/dev/null || [ -d /usr/include/x86_64-linux-gnu/qt5 ] || compgen -G '/usr/include/*/qt5' >/dev/null ||
+compgen -G '/usr/include/*/qt5/QtOpenGL' >/dev/null ||
     fail "Qt 5 is missing: apt-get install qtbase5-dev libqt5opengl5-dev libglew-dev libglu1-mesa-dev libeigen3-dev"
 
 make -C "$root" --silent install PREFIX="$work/fairmesh" >/dev/null
