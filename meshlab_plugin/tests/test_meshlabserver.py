@@ -111,7 +111,7 @@ class CommandLine(Case):
         theirs = meshes.points(meshes.read_ply(result))
         ours = meshes.points(self.applied(selected_file, (FAIR, {}))[0])
         size = np.ptp(vertices, axis=0).max()
-        moved = (theirs != vertices.astype(np.float32)).any(axis=1).sum()
+        moved = (np.abs(theirs - vertices).max(axis=1) > 1e-6 * size).sum()
         worst = np.abs(ours - theirs).max() / size
         print(f"command line, {name}: {moved} vertices moved, largest difference {worst:.1e} of the size")
         self.assertGreater(moved, 100)
@@ -244,7 +244,7 @@ class Refused(Case):
         fin = [[corner[0], corner[1], len(vertices)]]
         file = self.case(np.vstack([vertices, [[0, 0, 3]]]), np.vstack([faces, fin]), np.append(selected, True))
         a, b = sorted((int(corner[0]), int(corner[1])))
-        self.refused(file, FAIR, f"Edge ({a}, {b}) has more than two faces" if False else f"Edge ({a}, {b})")
+        self.refused(file, FAIR, f"Edge ({a}, {b}) has more than two")
 
     def test_not_a_number(self):
         vertices, faces, selected, inside = dented_sphere()
