@@ -73,6 +73,7 @@ step cargo build --release --locked
 step check_demo
 # With bindings/openmesh-sys, in one build.
 step cargo test --release --locked --workspace
+step bindings/python/test.sh
 step tests/sanitize.sh
 step meshlab_plugin/test.sh gui
 step fuzz/run.sh 60

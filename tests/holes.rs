@@ -703,6 +703,41 @@ fn a_run_can_be_stopped() {
     assert!(filled.loops.iter().any(|l| l.outcome == cancelled));
 }
 
+/// One `Break` suffices, whenever it comes: nobody is asked again, and no hole is filled any more.
+#[test]
+fn who_has_stopped_a_run_is_not_asked_again() {
+    let (x, t) = sphere(1_000, irregular(1));
+    let mut stop_at = 0;
+    loop {
+        let mut fractions = Vec::new();
+        let mut once = |p: &fairmesh::Progress| {
+            fractions.push(p.fraction);
+            match fractions.len() == stop_at + 1 {
+                true => std::ops::ControlFlow::Break(()),
+                false => std::ops::ControlFlow::Continue(()),
+            }
+        };
+        let asked = FillOptions {
+            fairing: Options {
+                progress: Some(&mut once),
+                ..Options::default()
+            },
+            ..FillOptions::default()
+        };
+        let filled = fill_holes(&x, &t, asked).unwrap();
+        check(&x, &t, &filled);
+        assert!(fractions.is_sorted(), "{fractions:?}");
+        if fractions.len() <= stop_at {
+            break;
+        }
+        assert_eq!(fractions.len(), stop_at + 1);
+        let cancelled = FillOutcome::LeftOpen(OpenReason::Cancelled);
+        assert!(filled.loops.iter().any(|l| l.outcome == cancelled), "{stop_at}");
+        stop_at += 3;
+    }
+    assert!(stop_at > 20, "{stop_at}");
+}
+
 /// A rim of a few edges, one of them astronomically short, asks for as many vertices as there are numbers.
 #[test]
 fn a_short_edge_does_not_flood_its_hole() {

@@ -43,18 +43,22 @@ pub(super) fn relay<T: Send>(
             })?;
         // Dropped when the callback panics, so that the worker does not wait for ever.
         let (messages, answer) = (messages, answer);
-        let mut last = None;
+        let mut last = Progress {
+            fraction: 0.0,
+            iterations: 0,
+            step: f64::NAN,
+            stage: "setup",
+        };
         loop {
             let message = messages.recv_timeout(TICK);
             if let Ok(message) = &message {
-                last = Some(*message);
+                last = *message;
             }
-            let told = match (&message, &last) {
-                (Err(RecvTimeoutError::Disconnected), _) => break,
+            let told = match message {
+                Err(RecvTimeoutError::Disconnected) => break,
                 // Who has asked to stop is not asked again.
                 _ if interrupt.is_set() => ControlFlow::Break(()),
-                (_, Some(progress)) => callback(progress),
-                (_, None) => ControlFlow::Continue(()),
+                _ => callback(&last),
             };
             if told.is_break() {
                 interrupt.set();

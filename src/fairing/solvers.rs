@@ -4,13 +4,15 @@ use nalgebra::Vector3;
 
 use super::{Discretization, Request};
 use crate::discrete::curvature::TILT_RIDGE;
-use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::discrete::equations::{FreeCurvature, State};
 use crate::error::Error;
 use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
+use crate::quality::{NEEDLE, Surface};
 use crate::solve::control::{Callback, Interrupt};
+use crate::solve::globalize::diagonal;
 use crate::solve::initial::STAGE;
 use crate::solve::system::Collapsed;
-use crate::solve::{Control, Solved};
+use crate::solve::{Control, Ending, Solved};
 
 /// The surface with everything that is reported of it.
 pub(super) struct Faired {
@@ -44,6 +46,9 @@ pub(super) fn fast<'a>(
     let mut control = Control::new(request.tolerance, request.max_iterations, progress);
     control.interrupt = interrupt.clone();
     control.stage(0.01, STAGE);
+    if control.cancelled {
+        return Ok(untouched(problem, curvature));
+    }
     let mut system = problem.system(curvature);
     let solved = crate::solve::solve(&mut system, &mut control)?;
     system.evaluate(&solved.x);
@@ -68,28 +73,59 @@ pub(super) fn paper<'a>(
 ) -> Result<Faired, Collapsed> {
     let mut control = Control::new(options.defect, options.max_updates, progress);
     let found = paper::solve(problem, options, &mut control)?;
-    let equations = Equations {
-        rings: problem.rings,
-        groups: problem.groups,
-        border_normals: problem.border_normals,
-        passing: problem.passing,
-        weights: problem.weights,
-        curvature: FreeCurvature::Paper,
-        right_hand_side: problem.right_hand_side,
-    };
-    let mut state = State::new(problem.groups, problem.region.border);
-    equations.evaluate(&found.solved.x, &mut state);
-    let (defect, _) = equations.defect(&state);
+    let faired = measured(problem, FreeCurvature::Paper, found.solved);
     Ok(Faired {
-        solved: found.solved,
-        border_normals: state.corrected[problem.region.free..].to_vec(),
-        state,
-        defect: defect * found.diagonal,
+        defect: faired.defect * found.diagonal,
         iterations: control.iterations,
         cancelled: control.cancelled,
         levels: found.levels,
         rounding: found.rounding,
+        ..faired
     })
+}
+
+/// The input as it is, for a run that is stopped before the solver has begun.
+fn untouched(problem: &Problem<'_>, curvature: FreeCurvature) -> Faired {
+    let x = problem.input[..problem.region.region_vertices()].to_vec();
+    let unit = diagonal(&x);
+    let solved = Solved {
+        x,
+        ending: Ending::Stopped,
+        step: f64::NAN,
+        poor: Vec::new(),
+        even: false,
+        start_seconds: 0.0,
+    };
+    let mut faired = measured(problem, curvature, solved);
+    let surface = Surface {
+        region: problem.region,
+        x: &faired.solved.x,
+        normals: &faired.state.corrected,
+        border_normals: &faired.border_normals,
+        h: &faired.state.h,
+    };
+    faired.solved.poor = surface.poor(NEEDLE);
+    faired.defect *= unit;
+    faired.cancelled = true;
+    faired
+}
+
+/// A surface, evaluated; its defect still has a unit.
+fn measured(problem: &Problem<'_>, curvature: FreeCurvature, solved: Solved) -> Faired {
+    let equations = problem.equations(curvature);
+    let mut state = State::new(problem.groups, problem.region.border);
+    equations.evaluate(&solved.x, &mut state);
+    let (defect, _) = equations.defect(&state);
+    Faired {
+        solved,
+        border_normals: state.corrected[problem.region.free..].to_vec(),
+        state,
+        defect,
+        iterations: 0,
+        cancelled: false,
+        levels: Vec::new(),
+        rounding: false,
+    }
 }
 
 /// Refuses options out of range.

@@ -203,14 +203,19 @@ impl Run<'_, '_> {
         }
         let (done, total) = (self.done / self.total, border.vertices.len() as f64 / self.total);
         let watcher = &mut self.options.fairing.progress;
-        let mut cancelled = false;
+        let (mut cancelled, mut reached) = (false, 0.0_f64);
         let mut tell = |progress: &Progress| {
+            // Who has asked to stop is not asked again.
+            if cancelled {
+                return ControlFlow::Break(());
+            }
             let Some(watcher) = watcher else {
                 return ControlFlow::Continue(());
             };
-            let fraction = done + total * progress.fraction;
+            // A patch may be faired more than once.
+            reached = reached.max(progress.fraction);
             let answer = watcher(&Progress {
-                fraction,
+                fraction: done + total * reached,
                 ..*progress
             });
             cancelled |= answer.is_break();

@@ -101,6 +101,17 @@ pub(super) struct Task<'a> {
     pub(super) threads: usize,
 }
 
+/// Asks between two parts of the work.
+fn is_stopped(tell: &mut Tell<'_>, fraction: f64) -> bool {
+    tell(&Progress {
+        fraction,
+        iterations: 0,
+        step: f64::NAN,
+        stage: "triangulation",
+    })
+    .is_break()
+}
+
 type Tell<'t> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 't;
 
 impl Task<'_> {
@@ -114,7 +125,13 @@ impl Task<'_> {
             let reason = FlatReason::NotAsked;
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
+        if is_stopped(tell, 0.0) {
+            return Piece::open(OpenReason::Cancelled);
+        }
         self.shape(&mut patch, tell);
+        if is_stopped(tell, COARSE_SHARE) {
+            return Piece::open(OpenReason::Cancelled);
+        }
         let coarsened = !self.refine(&mut patch);
         if patch.x.len() == patch.fixed {
             let reason = FlatReason::NoInnerVertex;
@@ -131,7 +148,7 @@ impl Task<'_> {
             Err(error) => return self.flat(&coarse, FlatReason::Refused(self.in_mesh(error)), None),
         };
         for _ in 0..AGAIN {
-            if best.1.report.quality.worst_angle >= ENOUGH {
+            if best.1.report.quality.worst_angle >= ENOUGH || best.1.report.outcome == Outcome::Cancelled {
                 break;
             }
             let Some(better) = self.again(&best.0, &best.1, &mut last) else {

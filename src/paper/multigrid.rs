@@ -8,7 +8,7 @@ use super::estimate::Residual;
 use super::iteration::{End, Ended, Goal, Level};
 use super::prolongation::Prolongation;
 use super::{LevelReport, PaperOptions};
-use crate::discrete::equations::FreeCurvature;
+use crate::discrete::equations::{Equations, FreeCurvature};
 use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
@@ -46,6 +46,19 @@ pub struct Problem<'a> {
 }
 
 impl<'a> Problem<'a> {
+    /// Both equations.
+    pub fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
+        Equations {
+            rings: self.rings,
+            groups: self.groups,
+            border_normals: self.border_normals,
+            passing: self.passing,
+            weights: self.weights,
+            curvature,
+            right_hand_side: self.right_hand_side,
+        }
+    }
+
     /// The whole system of the default solver for the problem.
     pub fn system(&self, curvature: FreeCurvature) -> System<'a> {
         let mut system = System::new(

@@ -56,9 +56,13 @@ struct Desk<'a> {
 
 impl Desk<'_> {
     fn tell(&self, progress: Progress) {
+        // Who has asked to stop is not asked again.
+        if self.stopped.get() {
+            return;
+        }
         let _ = self.answers.send(Answer::Progress(progress));
         match self.orders.recv() {
-            Ok(Command::GoOn(answer)) => self.stopped.set(self.stopped.get() | answer.is_break()),
+            Ok(Command::GoOn(answer)) => self.stopped.set(answer.is_break()),
             _ => self.close(),
         }
     }

@@ -1,0 +1,60 @@
+"""Fairing of triangle meshes: moves the free vertices of a region until its mean curvature is harmonic."""
+
+from __future__ import annotations
+
+from . import _abi
+from ._curvature import mean_curvature
+from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError, Status
+from ._fairing import Result, Solver, fair
+from ._holes import (
+    Filled,
+    FillOutcome,
+    FillReason,
+    Loop,
+    LoopKind,
+    LoopReport,
+    Remeshed,
+    border_loops,
+    fill_holes,
+    remesh,
+)
+from ._library import LibraryError, load, version
+from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
+from ._progress import Monitor, Progress
+from ._reports import Level, Outcome, Report
+
+__all__ = [
+    "ElementKind",
+    "FairingOptions",
+    "FairmeshError",
+    "FillOutcome",
+    "FillReason",
+    "Filled",
+    "InputError",
+    "Level",
+    "LibraryError",
+    "Loop",
+    "LoopKind",
+    "LoopReport",
+    "Monitor",
+    "OutOfMemoryError",
+    "Outcome",
+    "Progress",
+    "Remeshed",
+    "Report",
+    "Result",
+    "Solver",
+    "Status",
+    "border_loops",
+    "default_fill_options",
+    "default_options",
+    "default_remesh_options",
+    "fair",
+    "fill_holes",
+    "load",
+    "mean_curvature",
+    "remesh",
+    "version",
+]
+#: The version of this package, which is that of the library it was written for.
+__version__ = f"{_abi.VERSION_MAJOR}.{_abi.VERSION_MINOR}.{_abi.VERSION_PATCH}"

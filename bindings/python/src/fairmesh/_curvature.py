@@ -1,0 +1,29 @@
+"""Mean curvature over a whole mesh."""
+
+from __future__ import annotations
+
+import ctypes
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arrays
+from ._errors import call
+from ._library import load
+
+
+def mean_curvature(vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
+    """Mean curvature H at every vertex of a mesh, (n,), in 1 / length.
+
+    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`. Negative on a sphere with outward normals, that is with faces
+    counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a manifold.
+
+    Raises:
+        InputError: An index or a coordinate is wrong; it says where.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    made = np.empty(len(mesh.vertices))
+    call(library, "fairmesh_mean_curvature", ctypes.byref(mesh.struct), ctypes.byref(_arrays.scalars_out(made)))
+    return made

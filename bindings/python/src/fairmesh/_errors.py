@@ -1,0 +1,217 @@
+"""What is raised when a call was refused."""
+
+from __future__ import annotations
+
+import ctypes
+import enum
+import re
+from typing import Any, NoReturn
+
+from . import _abi
+from ._library import Library
+
+__all__ = [
+    "ElementKind",
+    "FairmeshError",
+    "InputError",
+    "OutOfMemoryError",
+    "Status",
+    "call",
+]
+
+
+class Status(enum.IntEnum):
+    """Why a call was refused, as numbered by the C interface."""
+
+    #: Done.
+    OK = 0
+    #: A pointer is NULL that may not be. Element: the argument.
+    NULL_POINTER = 1
+    #: A pointer or a stride does not have the alignment of what it points to. Element: the argument.
+    MISALIGNED = 2
+    #: ``struct_size`` is not one that this library knows. Element: the argument.
+    BAD_STRUCT_SIZE = 3
+    #: A number in the options is out of its range. Element: the argument and the field.
+    BAD_OPTION = 4
+    #: A number is not one of the enumeration that is meant. Element: the argument and the field.
+    BAD_ENUM = 5
+    #: A stride is smaller than what it steps over. Element: the argument and the field.
+    BAD_STRIDE = 6
+    #: A count times its stride exceeds the address space. Element: the argument and the field.
+    COUNT_OVERFLOW = 7
+    #: Two counts differ that have to be the same. Element: the argument and the field.
+    COUNT_MISMATCH = 8
+    #: An output overlaps an input or another output. Only positions may be written over those that were read, with
+    #: the same address, stride and scalar. Element: the argument of the output.
+    ALIASING = 9
+    #: Not a living handle of the kind that is meant: never made, or freed before. Element: the argument.
+    BAD_HANDLE = 10
+    #: The handle is in use: by another thread, or by the call whose callback this call comes from.
+    BUSY = 11
+    #: Memory ran out. Everything that the call had allocated is free again; a solver stays usable.
+    OUT_OF_MEMORY = 12
+    #: The system gave no more threads.
+    THREADS = 13
+    #: More vertices or triangles than 32-bit indices can name.
+    TOO_LARGE = 14
+    #: A coordinate that is needed is NaN or infinite (or does not fit a float on its way out). Element: the vertex.
+    NOT_FINITE = 15
+    #: A triangle names a vertex that does not exist. Element: the triangle; other: the index.
+    INDEX_OUT_OF_RANGE = 16
+    #: A triangle names a vertex twice. Element: the triangle; other: the vertex.
+    REPEATED_INDEX = 17
+    #: Two triangles have the same vertices. Element: the later triangle; other: the earlier one.
+    DUPLICATE_TRIANGLE = 18
+    #: More than two triangles share an edge. Element: the edge.
+    NON_MANIFOLD_EDGE = 19
+    #: The triangles around a vertex are not one fan. Element: the vertex.
+    NON_MANIFOLD_VERTEX = 20
+    #: Two triangles run through an edge in the same direction. Element: the edge.
+    INCONSISTENT_ORIENTATION = 21
+    #: A free vertex is on the border of the mesh. Element: the vertex.
+    FREE_VERTEX_ON_BORDER = 22
+    #: A free vertex has no triangle. Element: the vertex.
+    FREE_VERTEX_WITHOUT_TRIANGLE = 23
+    #: A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
+    NOTHING_FIXED = 24
+    #: No vertex is free.
+    EMPTY_REGION = 25
+    #: The selection names what does not exist. Element: what it names, a vertex, triangle or loop.
+    SELECTION_OUT_OF_RANGE = 26
+    #: A normal is not a finite vector of length one (to 0.001). Element: the vertex.
+    BAD_NORMAL = 27
+    #: No normal can be found for a border vertex: give one. Element: the vertex.
+    NO_NORMAL = 28
+    #: The result has nothing of this kind, or nothing with this index.
+    NOT_AVAILABLE = 29
+    #: The buffer is too small; the size needed has been told.
+    BUFFER_TOO_SMALL = 30
+    #: A number is not what this version asks for: reserved fields have to be zero. Element: the argument and the
+    #: field.
+    BAD_RESERVED = 31
+    #: A bug of fairmesh, caught. The handle, if there was one, answers INTERNAL from now on; free it.
+    INTERNAL = 99
+
+
+class ElementKind(str, enum.Enum):
+    """What ``FairmeshError.element`` counts."""
+
+    NONE = "none"
+    VERTEX = "vertex"
+    TRIANGLE = "triangle"
+    #: ``element`` and ``other`` are the edge's vertices, the smaller first.
+    EDGE = "edge"
+    #: A parameter; ``argument`` is its name.
+    ARGUMENT = "argument"
+    LOOP = "loop"
+
+
+class FairmeshError(Exception):
+    """The library refused a call. Nothing was written.
+
+    ``status`` says why (`Status`). ``element_kind`` and ``element`` say which vertex, triangle, edge or loop is to
+    blame, ``other`` is a second index where the status has one (the vertex that a triangle names wrongly, the other end
+    of an edge); both are None where there is none. ``argument`` is the name of the parameter to blame, or None.
+    """
+
+    def __init__(
+        self,
+        status: Status,
+        message: str,
+        *,
+        element_kind: ElementKind = ElementKind.NONE,
+        element: int | None = None,
+        other: int | None = None,
+        argument: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.status = status
+        self.message = message
+        self.element_kind = element_kind
+        self.element = element
+        self.other = other
+        self.argument = argument
+
+
+class InputError(FairmeshError, ValueError):
+    """The mesh, the selection, a normal or an option is wrong."""
+
+
+class OutOfMemoryError(FairmeshError, MemoryError):
+    """Memory ran out; everything that the call had allocated is free again."""
+
+
+_INPUT = {
+    Status.BAD_OPTION,
+    Status.BAD_ENUM,
+    Status.COUNT_MISMATCH,
+    Status.TOO_LARGE,
+    Status.NOT_FINITE,
+    Status.INDEX_OUT_OF_RANGE,
+    Status.REPEATED_INDEX,
+    Status.DUPLICATE_TRIANGLE,
+    Status.NON_MANIFOLD_EDGE,
+    Status.NON_MANIFOLD_VERTEX,
+    Status.INCONSISTENT_ORIENTATION,
+    Status.FREE_VERTEX_ON_BORDER,
+    Status.FREE_VERTEX_WITHOUT_TRIANGLE,
+    Status.NOTHING_FIXED,
+    Status.EMPTY_REGION,
+    Status.SELECTION_OUT_OF_RANGE,
+    Status.BAD_NORMAL,
+    Status.NO_NORMAL,
+}
+
+_KNOWN = {int(member): member for member in Status}
+_KINDS = {int(member): ElementKind[member.name] for member in _abi.fairmesh_element}
+# C structs and fields that are called otherwise in Python.
+_C_ARGUMENT = re.compile(r"^argument \d+(, field at offset \d+)?: ")
+_NAMES = {"positions": "vertices", "triangles": "faces"}
+
+
+def call(library: Library, name: str, *arguments: Any) -> None:
+    """Calls a function of the library that ends with a `fairmesh_error`; raises what it was refused with."""
+    why = _abi.fairmesh_error()
+    status = getattr(library, name)(*arguments, ctypes.byref(why))
+    if status != Status.OK:
+        _refuse(name, status, why)
+
+
+def error_of(name: str, status: int, why: _abi.fairmesh_error) -> FairmeshError:
+    """The exception for a refused call of the function ``name``."""
+    known = _KNOWN.get(status, Status.INTERNAL)
+    kind = _KINDS.get(why.element_kind, ElementKind.NONE)
+    element = None if why.element == _abi.NO_ELEMENT else why.element
+    other = None if why.other == _abi.NO_ELEMENT else why.other
+    message = why.message.decode("utf-8", "replace")
+    if not message:
+        message = f"unknown status {status}" if status not in _KNOWN else known.name.replace("_", " ").lower()
+    argument = None
+    if kind is ElementKind.ARGUMENT and element is not None:
+        # Numbers of C arguments and offsets of fields say nothing to Python programs.
+        argument = _argument(name, element, other)
+        element = other = None
+        if argument is not None:
+            message = _C_ARGUMENT.sub(f"{argument}: ", message)
+    if known is Status.OUT_OF_MEMORY:
+        made: type[FairmeshError] = OutOfMemoryError
+    else:
+        made = InputError if known in _INPUT else FairmeshError
+    return made(known, message, element_kind=kind, element=element, other=other, argument=argument)
+
+
+def _refuse(name: str, status: int, why: _abi.fairmesh_error) -> NoReturn:
+    raise error_of(name, status, why)
+
+
+def _argument(function: str, number: int, offset: int | None) -> str | None:
+    """The Python name of a function's argument (from 1), or of the field of its struct at ``offset``."""
+    if (function, number) == ("fairmesh_solver_run", 2):
+        return "iterations"
+    struct = getattr(_abi.FUNCTIONS[function][1][number - 1], "_type_", None)
+    if offset is None or not (isinstance(struct, type) and issubclass(struct, ctypes.Structure)):
+        return None
+    for field in reversed(struct._fields_):
+        if getattr(struct, field[0]).offset <= offset:
+            return _NAMES.get(field[0], field[0])
+    return None

@@ -1,0 +1,293 @@
+"""Fairing of a region: at once, and in steps."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import weakref
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._errors import FairmeshError, Status, call
+from ._handles import ResultHandle, sized
+from ._library import Library, load
+from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
+from ._progress import Event, ProgressCallback, Relay
+from ._reports import Level, Outcome, Report, report_of
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import FairingOptions
+
+_lists = _abi.fairmesh_list
+
+
+class Result:
+    """A faired mesh. Arrays are made when they are first asked for, and then kept."""
+
+    def __init__(self, handle: ResultHandle, vertices: NDArray[Any]) -> None:
+        self._handle = handle
+        #: All vertices, (n, 3), in the type given; fixed ones have their bits.
+        self.vertices = vertices
+        #: How it went.
+        self.report: Report = handle.report()
+
+    @property
+    def outcome(self) -> Outcome:
+        """How it ended; the same as ``report.outcome``."""
+        return self.report.outcome
+
+    @cached_property
+    def mean_curvature(self) -> NDArray[np.float64]:
+        """Mean curvature H, (n,), in 1 / length: negative on a sphere with outward normals. NaN at vertices not in the
+        region.
+        """
+        return self._handle.scalars(_abi.fairmesh_scalars.MEAN_CURVATURE, len(self.vertices))
+
+    @cached_property
+    def gaussian_curvature(self) -> NDArray[np.float64]:
+        """Gaussian curvature, (n,), in 1 / length^2. NaN where no vertex is free."""
+        return self._handle.scalars(_abi.fairmesh_scalars.GAUSSIAN_CURVATURE, len(self.vertices))
+
+    @cached_property
+    def border_vertices(self) -> NDArray[np.intp]:
+        """The fixed vertices around and in the region, ascending, (b,)."""
+        return self._handle.list(_lists.BORDER_VERTICES)
+
+    @cached_property
+    def border_normals(self) -> NDArray[np.float64]:
+        """The unit normals that were used there, (b, 3)."""
+        return self._handle.vectors(_abi.fairmesh_vectors.BORDER_NORMALS, len(self.border_vertices))
+
+    @cached_property
+    def poor_triangles(self) -> NDArray[np.intp]:
+        """Triangles that are flipped or have an angle below one degree, where the outcome is about them."""
+        return self._handle.list(_lists.POOR_TRIANGLES)
+
+    @cached_property
+    def flipped_triangles(self) -> NDArray[np.intp]:
+        """Triangles whose normal points away from those of their vertices."""
+        return self._handle.list(_lists.FLIPPED_TRIANGLES)
+
+    @cached_property
+    def needles(self) -> NDArray[np.intp]:
+        """Triangles with an angle below one degree."""
+        return self._handle.list(_lists.NEEDLES)
+
+    @cached_property
+    def suspicious_normals(self) -> NDArray[np.intp]:
+        """Border vertices whose normal contradicts the surface or its neighbours'."""
+        return self._handle.list(_lists.SUSPICIOUS_NORMALS)
+
+    @cached_property
+    def unreached_vertices(self) -> NDArray[np.intp]:
+        """Border vertices whose normals stood farthest away, worst first."""
+        return self._handle.list(_lists.UNREACHED_VERTICES)
+
+    @cached_property
+    def levels(self) -> list[Level]:
+        """What the solver "paper" did on each level, from the base to the mesh given."""
+        made = []
+        for index in range(self.report.level_count):
+            level = sized(_abi.fairmesh_level)
+            self._handle.read("fairmesh_result_level", index, ctypes.byref(level))
+            made.append(Level(level.vertices, level.triangles, level.updates, level.defect))
+        return made
+
+    def __repr__(self) -> str:
+        report = self.report
+        return (
+            f"<fairmesh.Result: {report.outcome}, {report.free_vertices} free vertices, {report.iterations} iterations>"
+        )
+
+
+@with_options
+def fair(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    free: _arrays.Selection = None,
+    fixed: _arrays.Selection = None,
+    free_faces: _arrays.Selection = None,
+    progress: ProgressCallback | None = None,
+    cancel: Event | None = None,
+    **options: Unpack[FairingOptions],
+) -> Result:
+    """Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what ``target`` asks.
+
+    The surface passes through the fixed vertices with tangent continuity. A run that ends badly is an `Outcome`, no
+    exception: ``result.vertices`` is usable in every case. The interpreter lock is released; any number of threads may
+    call this at once.
+
+    Args:
+        vertices: (n, 3) float32 or float64, any unit of length; other real numbers are converted to float64. Not
+            written.
+        faces: (m, 3) integers from 0, counter-clockwise seen from the side that normals point to.
+        free: The vertices that may move: a mask (n,) of bool, or indices in any order.
+        fixed: In its place the vertices that may not.
+        free_faces: In its place a mask (m,) or indices of faces: free are vertices that have no other faces and are not
+            on the border of the mesh. With none of the three: all vertices that are not on the border of the mesh.
+        progress: Called with a `Progress` after every iteration and at stages of the preparation, on this thread. False
+            stops the run; an exception stops it too, and is raised again by this function.
+        cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
+            run before the next iteration, with the outcome CANCELLED.
+        **options: How fairing is done: normals, target, tolerance, threads, ..., see `FairingOptions`. None is the
+            default.
+
+    Returns:
+        `Result`: the vertices in the type given, the report, curvatures and lists.
+
+    Raises:
+        InputError: The mesh around the region, the selection, a normal or an option is wrong; it says which vertex or
+            face.
+        FairmeshError: Another refusal, see `Status`.
+        TypeError, ValueError: An array has the wrong type or shape, an option is none of the known names.
+        LibraryError: The shared library was not found, or is of another version.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    region = _arrays.Region(mesh, free, fixed, free_faces)
+    asked = Options(library, len(mesh.vertices), options)
+    relay = Relay(progress, cancel)
+    relay.install(asked.struct)
+    address = ctypes.c_void_p()
+    positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
+    with relay:
+        call(
+            library,
+            "fairmesh_fair",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(region.struct),
+            ctypes.byref(asked.struct),
+            ctypes.byref(_arrays.points_out(positions)),
+            None,
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
+    return Result(handle, positions)
+
+
+def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
+    """Frees a solver; not in a forked process, where its threads do not exist and would be waited for."""
+    return library.fairmesh_solver_free(address) if os.getpid() == process else int(Status.OK)
+
+
+class Solver:
+    """Fairing in steps: run some iterations, look, change the normals or the target, go on.
+
+    Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
+    is used by one thread at a time; others get a FairmeshError with `Status.BUSY`, and so does its own callback. It
+    holds memory and idle threads until it is closed, also by ``with``, or collected. A forked process cannot use it.
+
+    Arguments and errors are those of `fair`.
+    """
+
+    @with_options
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        *,
+        free: _arrays.Selection = None,
+        fixed: _arrays.Selection = None,
+        free_faces: _arrays.Selection = None,
+        progress: ProgressCallback | None = None,
+        cancel: Event | None = None,
+        **options: Unpack[FairingOptions],
+    ) -> None:
+        self._library = load()
+        mesh = _arrays.Mesh(vertices, faces)
+        region = _arrays.Region(mesh, free, fixed, free_faces)
+        asked = Options(self._library, len(mesh.vertices), options)
+        self._relay = Relay(progress, cancel)
+        self._relay.install(asked.struct)
+        self._shape = mesh.vertices.shape
+        self._dtype = mesh.vertices.dtype
+        self._address = ctypes.c_void_p()
+        with self._relay:
+            call(
+                self._library,
+                "fairmesh_solver_new",
+                ctypes.byref(mesh.struct),
+                ctypes.byref(region.struct),
+                ctypes.byref(asked.struct),
+                ctypes.byref(self._address),
+            )
+            self._process = os.getpid()
+            self._finalizer = weakref.finalize(self, _free, self._library, self._address, self._process)
+            self._finalizer.atexit = False
+
+    def _call(self, function: str, *arguments: Any) -> None:
+        if not self._finalizer.alive:
+            raise FairmeshError(Status.BAD_HANDLE, "the solver is closed")
+        if self._process != os.getpid():
+            raise FairmeshError(Status.BAD_HANDLE, "the solver belongs to the process that this one was forked from")
+        call(self._library, function, self._address, *arguments)
+
+    def run(self, iterations: int | None = None) -> Report:
+        """Runs at most so many nonlinear iterations, at least one; None: to the end.
+
+        The outcome ITERATION_LIMIT or CANCELLED says that a further run goes on from here; after any other one the end
+        is reached, and a further run does nothing until something is changed.
+        """
+        report = sized(_abi.fairmesh_report)
+        count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
+        with self._relay:
+            self._call("fairmesh_solver_run", count, ctypes.byref(report))
+        return report_of(report)
+
+    def set_normals(self, normals: Normals) -> None:
+        """Asks for other border normals from now on, given as in `fair`. The next run starts at the surface at hand."""
+        view = NormalsView(normals, self._shape[0])
+        self._call("fairmesh_solver_set_normals", ctypes.byref(view.struct))
+
+    def set_target(self, target: Target) -> None:
+        """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""
+        self._call("fairmesh_solver_set_target", ctypes.byref(target_struct(target)))
+
+    @property
+    def vertices(self) -> NDArray[Any]:
+        """All vertices as they stand, (n, 3), in the type given; before the first run, those given."""
+        made = np.empty(self._shape, self._dtype)
+        self._call("fairmesh_solver_positions", ctypes.byref(_arrays.points_out(made)))
+        return made
+
+    @property
+    def mean_curvature(self) -> NDArray[np.float64]:
+        """The mean curvature of the surface as it stands, (n,); NaN where no vertex is free."""
+        made = np.empty(self._shape[0])
+        self._call("fairmesh_solver_mean_curvature", ctypes.byref(_arrays.scalars_out(made)))
+        return made
+
+    @property
+    def report(self) -> Report:
+        """The report of the last run; before the first one, of the input."""
+        made = sized(_abi.fairmesh_report)
+        self._call("fairmesh_solver_report", ctypes.byref(made))
+        return report_of(made)
+
+    def result(self) -> Result:
+        """A copy of everything that is known of the surface as it stands."""
+        address = ctypes.c_void_p()
+        self._call("fairmesh_solver_result", ctypes.byref(address))
+        handle = ResultHandle(self._library, address)
+        return Result(handle, handle.positions(self._shape[0], self._dtype))
+
+    def close(self) -> None:
+        """Frees the solver's memory and threads. Closing twice is allowed; while it runs, it is refused with BUSY."""
+        if self._finalizer.alive:
+            if _free(self._library, self._address, self._process) == Status.BUSY:
+                raise FairmeshError(Status.BUSY, "the solver is in use")
+            self._finalizer.detach()
+
+    def __enter__(self) -> Solver:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

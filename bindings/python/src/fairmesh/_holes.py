@@ -1,0 +1,371 @@
+"""Border loops, filling of holes, remeshing of regions."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._errors import Status, call
+from ._handles import ResultHandle, sized
+from ._library import load
+from ._options import Options, initial, real, whole, with_options
+from ._progress import Event, ProgressCallback, Relay
+from ._reports import Report
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import FairingOptions
+
+_lists = _abi.fairmesh_list
+
+
+class LoopKind(str, Enum):
+    """What kind of gap a border loop is."""
+
+    #: A gap in the surface.
+    HOLE = "hole"
+    #: The outline of an open surface. Filled only if it is named.
+    OUTER_BORDER = "outer_border"
+    #: It meets a bad edge. Never filled.
+    NON_MANIFOLD = "non_manifold"
+    OTHER = "other"
+
+    def __str__(self) -> str:
+        return self.value
+
+
+class FillOutcome(str, Enum):
+    """How the filling of a loop ended."""
+
+    #: Filled with a faired surface; its report says with which reservations.
+    FAIRED = "faired"
+    #: Filled with the surface of the linear problem, or the best one when the iterations ran out.
+    LINEAR = "linear"
+    #: Filled with the triangulation, refined, but not faired; ``reason`` says why.
+    FLAT = "flat"
+    #: Left as it was; ``reason`` says why.
+    LEFT_OPEN = "left_open"
+    OTHER = "other"
+
+    def __str__(self) -> str:
+        return self.value
+
+
+class FillReason(str, Enum):
+    """Why a patch is flat or a loop open."""
+
+    NONE = "none"
+    #: Open: the loop runs into a bad edge.
+    NON_MANIFOLD = "non_manifold"
+    #: Open: the loop encloses the mesh and was not named.
+    OUTER_BORDER = "outer_border"
+    #: Open: the loop has more than ``max_edges``.
+    TOO_MANY_EDGES = "too_many_edges"
+    #: Open: every triangulation has an edge or triangle that the mesh has already.
+    NO_TRIANGULATION = "no_triangulation"
+    #: Open: a vertex is NaN or infinite, or all are the same point.
+    NOT_FINITE = "not_finite"
+    #: Open: it was cancelled before.
+    CANCELLED = "cancelled"
+    #: Flat: ``fair`` was False.
+    NOT_ASKED = "not_asked"
+    #: Flat: the patch has no inner vertex.
+    NO_INNER_VERTEX = "no_inner_vertex"
+    #: Flat: the fairing was refused with ``refused``.
+    REFUSED = "refused"
+    #: Flat: the fairing found no sound surface; the report says how.
+    UNSOUND = "unsound"
+    OTHER = "other"
+
+    def __str__(self) -> str:
+        return self.value
+
+
+def _named(numbers: Any, names: Any, number: int) -> Any:
+    known = {member.value: names[member.name] for member in numbers}
+    return known.get(number, names.OTHER)
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A border loop of a mesh."""
+
+    kind: LoopKind
+    #: The vertices in the direction of triangles that fill it.
+    vertices: NDArray[np.intp]
+    #: Vertices that belong to another loop, too.
+    touching: NDArray[np.intp]
+    #: The sum of the edge lengths.
+    length: float
+    #: The length of the vector area.
+    area: float
+    #: The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90
+    #: for the end of a tube, 180 for the outline of a plane sheet.
+    turn: float
+    #: The bad edge of a non-manifold loop, otherwise None.
+    edge: tuple[int, int] | None
+
+
+def border_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
+    """The border loops of a mesh: holes and outer borders. ``vertices`` and ``faces`` as in `fair`.
+
+    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    address = ctypes.c_void_p()
+    call(library, "fairmesh_border_loops", ctypes.byref(mesh.struct), ctypes.byref(address))
+    handle = ResultHandle(library, address)
+    return [_loop(handle, index) for index in range(handle.info().loop_count)]
+
+
+def _loop(handle: ResultHandle, index: int) -> Loop:
+    loop = sized(_abi.fairmesh_loop)
+    handle.read("fairmesh_result_loop", index, ctypes.byref(loop))
+    kind = _named(_abi.fairmesh_loop_kind, LoopKind, loop.kind)
+    return Loop(
+        kind,
+        handle.list(_lists.LOOP_VERTICES, index),
+        handle.list(_lists.LOOP_TOUCHING, index),
+        loop.length,
+        loop.area,
+        loop.turn,
+        (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
+    )
+
+
+class LoopReport:
+    """What became of a loop that was to be filled."""
+
+    def __init__(self, handle: ResultHandle, index: int) -> None:
+        struct = sized(_abi.fairmesh_fill_report)
+        handle.read("fairmesh_result_fill_report", index, ctypes.byref(struct))
+        self._handle = handle
+        self._index = index
+        self.outcome: FillOutcome = _named(_abi.fairmesh_fill_outcome, FillOutcome, struct.outcome)
+        #: Why it is flat or open.
+        self.reason: FillReason = _named(_abi.fairmesh_fill_reason, FillReason, struct.reason)
+        #: The status that the fairing was refused with, or None.
+        self.refused: Status | None = Status(struct.refused_status) if struct.refused_status else None
+        #: The loop, as `border_loops` numbers it.
+        self.loop_index: int = struct.loop_index
+        self.edge_count: int = struct.edge_count
+        #: Its new vertices and triangles, in the arrays of the filled mesh.
+        self.vertices = slice(struct.first_vertex, struct.first_vertex + struct.vertex_count)
+        self.faces = slice(struct.first_triangle, struct.first_triangle + struct.triangle_count)
+        #: The smallest angle of the new triangles, in degrees.
+        self.worst_angle: float = struct.worst_angle
+        #: ``max_new_vertices`` made the patch coarser.
+        self.coarsened = bool(struct.coarsened)
+        #: The report of the fairing, if there was one.
+        self.report: Report | None = handle.report(index) if struct.has_report else None
+        #: Wall seconds.
+        self.seconds: float = struct.seconds
+
+    @cached_property
+    def outside_vertices(self) -> NDArray[np.intp]:
+        """New vertices that lie far outside the loop's bounding box."""
+        return self._handle.list(_lists.OUTSIDE_VERTICES, self._index)
+
+    def __repr__(self) -> str:
+        why = "" if self.reason is FillReason.NONE else f" ({self.reason})"
+        return f"<fairmesh.LoopReport: loop {self.loop_index}, {self.edge_count} edges, {self.outcome}{why}>"
+
+
+class _NewMesh:
+    """A mesh with new vertices at the end of its arrays."""
+
+    def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
+        self._handle = handle
+        info = handle.info()
+        #: All vertices, in the type given.
+        self.vertices: NDArray[Any] = handle.positions(info.vertex_count, mesh.vertices.dtype)
+        #: All triangles, in the type given.
+        self.faces: NDArray[Any] = handle.triangles(info.triangle_count, mesh.index_type)
+        #: The new ones among the vertices and faces.
+        self.new_vertices = slice(info.vertex_count - info.new_vertex_count, info.vertex_count)
+        self.new_faces = slice(info.triangle_count - info.new_triangle_count, info.triangle_count)
+
+    @property
+    def new_vertex_count(self) -> int:
+        """The last so many of the vertices are new."""
+        return int(self.new_vertices.stop - self.new_vertices.start)
+
+    @property
+    def new_face_count(self) -> int:
+        """The last so many of the faces are new."""
+        return int(self.new_faces.stop - self.new_faces.start)
+
+    @cached_property
+    def parents(self) -> NDArray[np.intp]:
+        """Per new vertex the three vertices of the mesh given that it comes from, (k, 3)."""
+        return self._handle.list(_lists.PARENTS).reshape(-1, 3)
+
+    @cached_property
+    def parent_weights(self) -> NDArray[np.float64]:
+        """Their weights, (k, 3); the sum of each row is 1."""
+        return self._handle.vectors(_abi.fairmesh_vectors.PARENT_WEIGHTS, self.new_vertex_count)
+
+
+class Filled(_NewMesh):
+    """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow."""
+
+    @cached_property
+    def loops(self) -> list[LoopReport]:
+        """What became of each loop."""
+        return [LoopReport(self._handle, index) for index in range(self._handle.info().loop_count)]
+
+    @property
+    def outcomes(self) -> list[FillOutcome]:
+        """How the filling of each loop ended."""
+        return [loop.outcome for loop in self.loops]
+
+    def __repr__(self) -> str:
+        return f"<fairmesh.Filled: {len(self.loops)} loops, {self.new_vertex_count} new vertices>"
+
+
+class Remeshed(_NewMesh):
+    """A mesh with a new triangulation of a region."""
+
+    @cached_property
+    def free_vertices(self) -> NDArray[np.intp]:
+        """The free vertices of the new mesh: give them to `fair` as ``free``."""
+        return self._handle.list(_lists.FREE_VERTICES)
+
+    @cached_property
+    def kept_vertices(self) -> NDArray[np.intp]:
+        """Per vertex that is left its number before."""
+        return self._handle.list(_lists.KEPT_VERTICES)
+
+    @cached_property
+    def kept_faces(self) -> NDArray[np.intp]:
+        """Per triangle that is left its number before."""
+        return self._handle.list(_lists.KEPT_TRIANGLES)
+
+    def __repr__(self) -> str:
+        return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
+
+
+@with_options
+def fill_holes(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    loops: ArrayLike | None = None,
+    max_edges: int | None = None,
+    density: float | None = None,
+    max_new_vertices: int | None = None,
+    fair: bool | None = None,
+    progress: ProgressCallback | None = None,
+    cancel: Event | None = None,
+    **options: Unpack[FairingOptions],
+) -> Filled:
+    """Fills holes: triangulates, refines and fairs each.
+
+    Vertices and faces given keep their numbers and bits; new ones follow. A loop that cannot be filled says so in its
+    `LoopReport` and does not affect the others. Outlines of open surfaces are filled only if they are named.
+
+    Args:
+        vertices, faces: As in `fair`.
+        loops: Only these loops, as `border_loops` numbers them. Default: all holes.
+        max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
+        density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
+            beside the rim; at twice that, half as long.
+        max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
+            1000 + n^2, times the square of a density above 1.
+        fair: False: patches are triangulated and refined only. Default True.
+        progress, cancel, **options: As in `fair`.
+
+    Returns:
+        `Filled`: the mesh in the types given, and what became of each loop.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    fill = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    if fair is not None:
+        fill.fair = int(bool(fair))
+    if max_edges is not None:
+        fill.max_edges = whole(max_edges, "max_edges")
+    if density is not None:
+        fill.density = real(density, "density")
+    if max_new_vertices is not None:
+        fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
+    chosen = None
+    if loops is not None:
+        chosen = _arrays.indices(loops, "loops")
+        if len(chosen) == 0:
+            raise ValueError("loops: no loop is named; None fills all holes")
+        fill.loops = _arrays.indices_view(chosen)
+    asked = Options(library, len(mesh.vertices), options)
+    relay = Relay(progress, cancel)
+    relay.install(asked.struct)
+    address = ctypes.c_void_p()
+    with relay:
+        call(
+            library,
+            "fairmesh_fill_holes",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(fill),
+            ctypes.byref(asked.struct),
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
+    return Filled(handle, mesh)
+
+
+def remesh(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    free: _arrays.Selection = None,
+    fixed: _arrays.Selection = None,
+    free_faces: _arrays.Selection = None,
+    density: float | None = None,
+    max_vertices: int | None = None,
+) -> Remeshed:
+    """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
+
+    To fair the new mesh: ``fair(new.vertices, new.faces, free=new.free_vertices)``.
+
+    Args:
+        vertices, faces, free, fixed, free_faces: As in `fair`.
+        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
+        max_vertices: At most this many vertices inside the region. Default 200000.
+
+    Returns:
+        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    region = _arrays.Region(mesh, free, fixed, free_faces)
+    asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
+    if density is not None:
+        asked.density = real(density, "density")
+    if max_vertices is not None:
+        asked.max_vertices = whole(max_vertices, "max_vertices")
+    address = ctypes.c_void_p()
+    call(
+        library,
+        "fairmesh_remesh",
+        ctypes.byref(mesh.struct),
+        ctypes.byref(region.struct),
+        ctypes.byref(asked),
+        ctypes.byref(address),
+    )
+    return Remeshed(ResultHandle(library, address), mesh)

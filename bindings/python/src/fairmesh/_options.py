@@ -1,0 +1,268 @@
+"""Keyword arguments to the library's options. Defaults are the library's: what is None is not touched."""
+
+from __future__ import annotations
+
+import ctypes
+import inspect
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._errors import Status, error_of
+from ._library import Library, load
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+InnerFairness = Literal["uniform", "conformal", "convex"]
+InteriorNormals = Literal["smooth", "input"]
+Discretization = Literal["second_order", "paper"]
+SolverKind = Literal["fast", "paper"]
+Estimate = Literal["alternating", "gauss_seidel", "conjugate_gradients"]
+#: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
+Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]
+#: "harmonic", "minimal_energy", or a constant in 1 / length^3.
+Target = Union[Literal["harmonic", "minimal_energy"], float]
+
+
+class FairingOptions(TypedDict, total=False):
+    """How fairing is done: the keywords that `fair`, `fill_holes` and `Solver` have in common. None is the default.
+
+    Keywords:
+        normals: Unit normals at the border of the region, pointing to the side that faces are counter-clockwise
+            seen from: "fitted" (default) to second order to the surface outside; "averaged" over the faces outside;
+            an array (n, 3), one row per vertex, zeros or NaN where none is given; or a pair (indices (k,), vectors
+            (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
+        target: The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3, a
+            positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
+        inner_fairness: How vertices are distributed within the surface: "uniform" (default), evenly; "conformal",
+            with the least distortion of the input's triangles; "convex", near conformal with positive weights for
+            any input.
+        interior_normals: Normals of fixed vertices inside the region that have none given: "smooth" (default), the
+            surface's own; "input", the average of their faces in the input.
+        tolerance: Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's
+            bounding box) is below this; in (0, 1). Default 1e-8; 1e-6 is enough for interactive use.
+        max_iterations: At most this many nonlinear iterations, at least 1. Default 500.
+        threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
+            bits.
+        discretization: Of normals and mean curvature: "second_order" (default) on irregular meshes; "paper", that
+            of Schneider and Kobbelt (2001).
+        solver: "fast" (default); "paper", the scheme of Schneider and Kobbelt (2001): slow, a yardstick.
+        paper_estimate: Of the solver "paper", as all that follow: how it estimates the mean curvature:
+            "alternating" (default), "gauss_seidel" or "conjugate_gradients".
+        paper_estimate_iterations: Iterations of the estimate. Default 10.
+        paper_damping: The part of each normal step that is taken, in (0, 1]. Default 0.9.
+        paper_levels: Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
+        paper_base: Vertices of the base mesh; 0 (default): two and a half times the border.
+        paper_defect: Stop when ``defect`` of the report is at most this. Default 1e-6.
+        paper_laplacian: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
+        paper_max_updates: At most this many updates on all levels. Default 20000.
+    """
+
+    normals: Normals | None
+    target: Target | None
+    inner_fairness: InnerFairness | None
+    interior_normals: InteriorNormals | None
+    tolerance: float | None
+    max_iterations: int | None
+    threads: int | None
+    discretization: Discretization | None
+    solver: SolverKind | None
+    paper_estimate: Estimate | None
+    paper_estimate_iterations: int | None
+    paper_damping: float | None
+    paper_levels: int | None
+    paper_base: int | None
+    paper_defect: float | None
+    paper_laplacian: float | None
+    paper_max_updates: int | None
+
+
+Function = TypeVar("Function", bound="Callable[..., Any]")
+
+
+def with_options(function: Function) -> Function:
+    """Shows the fairing options in the signature that ``help`` prints."""
+    signature = inspect.signature(function)
+    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    named = [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in FairingOptions.__annotations__
+    ]
+    function.__signature__ = signature.replace(parameters=own + named)  # type: ignore[attr-defined]
+    return function
+
+
+class FillOptions(TypedDict):
+    """Defaults of `fill_holes`."""
+
+    fair: bool
+    max_edges: int | None
+    density: float
+    max_new_vertices: int
+
+
+class RemeshOptions(TypedDict):
+    """Defaults of `remesh`."""
+
+    density: float
+    max_vertices: int
+
+
+_NAMED = {
+    "inner_fairness": _abi.fairmesh_inner_fairness,
+    "interior_normals": _abi.fairmesh_interior_normals,
+    "discretization": _abi.fairmesh_discretization,
+    "solver": _abi.fairmesh_solver_kind,
+    "paper_estimate": _abi.fairmesh_estimate,
+}
+_REALS = ("tolerance", "paper_damping", "paper_defect", "paper_laplacian")
+_WHOLE = {
+    "max_iterations": 64,
+    "threads": 32,
+    "paper_estimate_iterations": 32,
+    "paper_levels": 64,
+    "paper_base": 64,
+    "paper_max_updates": 64,
+}
+UINT64_MAX = 2**64 - 1
+
+Struct = TypeVar("Struct", bound=ctypes.Structure)
+
+
+def initial(library: Library, function: str, struct: type[Struct]) -> Struct:
+    """A struct filled with the library's defaults."""
+    made = struct()
+    status = getattr(library, function)(ctypes.byref(made), ctypes.sizeof(struct))
+    if status != Status.OK:
+        raise error_of(function, status, _abi.fairmesh_error(status, 0, _abi.NO_ELEMENT, _abi.NO_ELEMENT))
+    return made
+
+
+def real(value: Any, name: str) -> float:
+    """A real number."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise TypeError(f"{name}: a number is needed, not {type(value).__name__}")
+    return float(value)
+
+
+def whole(value: Any, name: str, bits: int = 64) -> int:
+    """A number without sign of so many bits."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{name}: an integer is needed, not {type(value).__name__}")
+    if not 0 <= value < 2**bits:
+        raise ValueError(f"{name}: {value} is not between 0 and 2**{bits} - 1")
+    return int(value)
+
+
+class Options:
+    """The library's options. Keeps the arrays of normals alive."""
+
+    def __init__(self, library: Library, vertex_count: int, given: Mapping[str, Any]) -> None:
+        unknown = set(given) - set(FairingOptions.__annotations__)
+        if unknown:
+            raise TypeError(f"unknown option {sorted(unknown)[0]!r}")
+        self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
+        self.alive: NormalsView | None = None
+        for name, value in given.items():
+            if value is not None:
+                self._set(name, value, vertex_count)
+
+    def _set(self, name: str, value: Any, vertex_count: int) -> None:
+        if name == "normals":
+            self.alive = NormalsView(value, vertex_count)
+            self.struct.normals = self.alive.struct
+        elif name == "target":
+            self.struct.target = target_struct(value)
+        elif name in _NAMED:
+            setattr(self.struct, name, _number(value, name))
+        elif name in _REALS:
+            setattr(self.struct, name, real(value, name))
+        else:
+            setattr(self.struct, name, whole(value, name, _WHOLE[name]))
+
+
+def _number(value: Any, name: str) -> int:
+    names = {member.name.lower(): member for member in _NAMED[name]}
+    if not isinstance(value, str) or value not in names:
+        raise ValueError(f"{name}: {value!r} is none of {', '.join(map(repr, names))}")
+    return names[value]
+
+
+def target_struct(value: Target) -> _abi.fairmesh_target:
+    """The right-hand side of the equation, as the library reads it."""
+    kinds = _abi.fairmesh_target_kind
+    if isinstance(value, str):
+        if value == "harmonic":
+            return _abi.fairmesh_target(kinds.HARMONIC, 0, 0.0)
+        if value == "minimal_energy":
+            return _abi.fairmesh_target(kinds.MINIMAL_ENERGY, 0, 0.0)
+        raise ValueError(f"target: {value!r} is neither 'harmonic' nor 'minimal_energy' nor a number")
+    return _abi.fairmesh_target(kinds.CONSTANT, 0, real(value, "target"))
+
+
+class NormalsView:
+    """Border normals, as the library reads them. Keeps the arrays alive."""
+
+    def __init__(self, given: Normals, vertex_count: int) -> None:
+        kinds = _abi.fairmesh_normals_kind
+        self.vectors: NDArray[Any] | None = None
+        self.indices: NDArray[np.uint32] | None = None
+        if isinstance(given, str):
+            if given not in ("fitted", "averaged"):
+                raise ValueError(f"normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
+            self.struct = _abi.fairmesh_normals(kinds[given.upper()], 0)
+            return
+        if isinstance(given, tuple) and len(given) == 2:
+            self.indices = _arrays.indices(given[0], "normals")
+            self.vectors = _arrays.points(given[1], "normals", rows=len(self.indices))
+        else:
+            self.vectors = _none_as_zero(_arrays.points(given, "normals", rows=vertex_count))
+        self.struct = _abi.fairmesh_normals(kinds.GIVEN, 0, _arrays.points_view(self.vectors))
+        if self.indices is not None:
+            self.struct.vertices = _arrays.indices_view(self.indices)
+
+
+def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
+    """Rows of NaN say that no normal is given: for the library, zeros do."""
+    empty = np.isnan(vectors).all(axis=1)
+    if not empty.any():
+        return vectors
+    copy = np.array(vectors, order="C")
+    copy[empty] = 0.0
+    return copy
+
+
+def default_options() -> FairingOptions:
+    """All fairing options with their defaults, read from the library: ``fair(v, f, **default_options())`` is
+    ``fair(v, f)``.
+    """
+    struct = initial(load(), "fairmesh_options_init", _abi.fairmesh_options)
+    options: dict[str, Any] = {
+        "normals": _abi.fairmesh_normals_kind(struct.normals.kind).name.lower(),
+        "target": _abi.fairmesh_target_kind(struct.target.kind).name.lower(),
+    }
+    for name in FairingOptions.__annotations__:
+        if name in _NAMED:
+            options[name] = _NAMED[name](getattr(struct, name)).name.lower()
+        elif name not in options:
+            options[name] = getattr(struct, name)
+    return options  # type: ignore[return-value]
+
+
+def default_fill_options() -> FillOptions:
+    """The defaults of `fill_holes`, read from the library."""
+    struct = initial(load(), "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    return {
+        "fair": bool(struct.fair),
+        "max_edges": None if struct.max_edges == UINT64_MAX else struct.max_edges,
+        "density": struct.density,
+        "max_new_vertices": struct.max_new_vertices,
+    }
+
+
+def default_remesh_options() -> RemeshOptions:
+    """The defaults of `remesh`, read from the library."""
+    struct = initial(load(), "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
+    return {"density": struct.density, "max_vertices": struct.max_vertices}

@@ -1,0 +1,130 @@
+"""How a run went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from . import _abi
+
+
+class Outcome(str, Enum):
+    """How a fairing ended. The positions are usable in every case."""
+
+    #: Tolerance met, and the surface is sound: the only case without reservation.
+    CONVERGED = "converged"
+    #: Tolerance met, but triangles are flipped or have an angle below one degree (``poor_triangles``).
+    CONVERGED_POOR_TRIANGLES = "converged_poor_triangles"
+    #: A sound surface with a reservation, told in ``reason``.
+    CONVERGED_LOOSELY = "converged_loosely"
+    #: No surface with these border normals was found; the surface of the linear problem is returned.
+    NORMALS_NOT_REACHABLE = "normals_not_reachable"
+    #: A surface was found for the part ``reached`` of the target only; that of the linear problem is returned.
+    TARGET_NOT_REACHABLE = "target_not_reachable"
+    #: No sound surface was found; that of the linear problem is returned.
+    NOT_CONVERGED = "not_converged"
+    #: The iterations ran out; the best surface so far is returned.
+    ITERATION_LIMIT = "iteration_limit"
+    #: It was cancelled; the best surface so far is returned, before there is one the input.
+    CANCELLED = "cancelled"
+    #: An outcome that this version of the package does not know.
+    OTHER = "other"
+
+    @property
+    def is_success(self) -> bool:
+        """Converged, with or without reservation."""
+        return self in (Outcome.CONVERGED, Outcome.CONVERGED_POOR_TRIANGLES, Outcome.CONVERGED_LOOSELY)
+
+    def __str__(self) -> str:
+        return self.value
+
+
+def outcome_of(number: int) -> Outcome:
+    """The outcome with the library's number."""
+    known = {member.value: Outcome[member.name] for member in _abi.fairmesh_outcome}
+    return known.get(number, Outcome.OTHER)
+
+
+@dataclass(frozen=True)
+class Report:
+    """How a fairing went. Lengths are in the unit of the vertices, angles in degrees, times in wall seconds."""
+
+    outcome: Outcome
+    #: Nonlinear iterations.
+    iterations: int
+    #: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
+    defect: float
+    #: The last step norm, in diagonals; NaN if there was none.
+    step: float
+    #: The diagonal of the region's bounding box.
+    diagonal: float
+    #: How much of the border normals or the target was reached, 0 to 1.
+    reached: float
+    free_vertices: int
+    #: The surface is that of the linear problem.
+    linear_surface: bool
+    #: Levels of the paper's scheme; 0 for the fast solver.
+    level_count: int
+    #: Free vertices that took fallback weights of inner fairness.
+    fallback_weights: int
+    poor_triangle_count: int
+    flipped_count: int
+    needle_count: int
+    suspicious_normal_count: int
+    unreached_vertex_count: int
+    #: The smallest angle of a triangle of the region, and the triangle (None: there is none).
+    worst_angle: float
+    worst_triangle: int | None
+    #: The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
+    h_inside: tuple[float, float]
+    #: The same at border vertices.
+    h_border: tuple[float, float]
+    #: The largest angle between a border normal and the triangles of the region there, and the vertex.
+    normal_deviation: float
+    normal_deviation_vertex: int | None
+    #: The root mean square of those angles.
+    normal_deviation_rms: float
+    #: Half-edges and normals.
+    seconds_setup: float
+    #: The start surface.
+    seconds_start: float
+    #: The iterations.
+    seconds_iterate: float
+    #: The figures of this report.
+    seconds_quality: float
+    seconds_total: float
+    #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise empty. English.
+    reason: str
+
+
+def report_of(struct: _abi.fairmesh_report) -> Report:
+    """The library's report."""
+    fields = {name: getattr(struct, name) for name in Report.__dataclass_fields__}
+    fields.update(
+        outcome=outcome_of(struct.outcome),
+        linear_surface=bool(struct.linear_surface),
+        worst_triangle=element_or_none(struct.worst_triangle),
+        normal_deviation_vertex=element_or_none(struct.normal_deviation_vertex),
+        h_inside=tuple(struct.h_inside),
+        h_border=tuple(struct.h_border),
+        reason=struct.reason.decode("utf-8", "replace"),
+    )
+    return Report(**fields)
+
+
+def element_or_none(number: int) -> int | None:
+    """None in place of the library's "no element"."""
+    return None if number == _abi.NO_ELEMENT else number
+
+
+@dataclass(frozen=True)
+class Level:
+    """What was done on one level of the paper's scheme."""
+
+    #: Vertices of the region: free and border.
+    vertices: int
+    triangles: int
+    #: Updates of the mesh.
+    updates: int
+    #: The defect at the end.
+    defect: float

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Tests the Python package: builds the wheel, installs it into virtual environments under target/python, and runs the tests
+# there with numpy 2 and numpy 1. Installs what it needs (Debian, Ubuntu).
+set -euo pipefail
+cd "$(dirname "$0")"
+root=$(cd ../.. && pwd)
+mkdir -p "${CARGO_TARGET_DIR:-$root/target}/python"
+target=$(cd "${CARGO_TARGET_DIR:-$root/target}" && pwd)
+unset PYTHONPATH FAIRMESH_LIBRARY
+
+install_packages() {
+    local as_root=""
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -qq
+    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
+}
+
+install_tools() {
+    local missing=()
+    command -v python3 >/dev/null || missing+=(python3)
+    python3 -c 'import ensurepip, venv' 2>/dev/null || missing+=(python3-venv)
+    command -v objdump >/dev/null || missing+=(binutils)
+    command -v cc >/dev/null || missing+=(build-essential)
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
+
+# A virtual environment with these packages, made anew when they change.
+environment() {
+    local home=$1 wanted
+    shift
+    wanted=$(printf '%s\n' "$@")
+    if [ "$(cat "$home/installed" 2>/dev/null)" != "$wanted" ]; then
+        rm -rf "$home"
+        python3 -m venv "$home"
+        "$home/bin/pip" --disable-pip-version-check install -q "$@"
+        printf '%s\n' "$wanted" >"$home/installed"
+    fi
+}
+
+install_tools
+python3 -c 'import sys; assert sys.version_info >= (3, 11), "the tests need Python 3.11 or newer"'
+
+mapfile -t packages < <(grep -v '^#' requirements-test.txt)
+environment "$target/python/test" "${packages[@]}"
+environment "$target/python/numpy1" numpy==1.24.2 pytest==9.2.0    # those of Debian 12
+bin=$target/python/test/bin
+
+"$bin/ruff" format --check .
+"$bin/ruff" check .
+"$bin/mypy" src
+
+hooks=$(python3 build_library.py --portable --hooks)
+wheel=$(./build_wheel.sh)
+(cd "$root" && cargo build --release --locked --quiet)
+for python in "$bin/python" "$target/python/numpy1/bin/python"; do
+    "$python" -m pip --disable-pip-version-check install -q --force-reinstall --no-deps "$wheel"
+done
+
+export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh FAIRMESH_TEST_HOOKS=$hooks
+"$bin/python" -m pytest
+# What depends on numpy.
+"$target/python/numpy1/bin/python" -m pytest tests/test_arrays.py tests/test_errors.py tests/test_known_answers.py

@@ -1,0 +1,384 @@
+"""Every bad input: its exception, the element that is to blame, and the message."""
+
+import ctypes
+
+import numpy as np
+import pytest
+
+import fairmesh
+from fairmesh import ElementKind, Status, _abi
+from fairmesh._errors import error_of
+from meshes import dented_sphere
+
+VERTICES, FACES, FREE, EXACT = dented_sphere()
+INSIDE = 10 * 21 + 10
+
+
+def fair(vertices=VERTICES, faces=FACES, **options):
+    options.setdefault("free", FREE)
+    return fairmesh.fair(vertices, faces, **options)
+
+
+def changed(array, at, value):
+    copy = array.copy()
+    copy[at] = value
+    return copy
+
+
+def refused(status, message, kind=ElementKind.NONE, element=None, other=None, argument=None, **call):
+    """The call is refused in exactly this way."""
+    with pytest.raises(fairmesh.InputError) as error:
+        fair(**call)
+    why = error.value
+    assert isinstance(why, fairmesh.FairmeshError) and isinstance(why, ValueError)
+    assert (why.status, why.element_kind, why.element, why.other, why.argument) == (
+        status,
+        kind,
+        element,
+        other,
+        argument,
+    )
+    assert str(why) == why.message == message
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_coordinates_that_are_not_finite(value, dtype):
+    refused(
+        Status.NOT_FINITE,
+        f"vertex {INSIDE} has a coordinate that is not finite",
+        ElementKind.VERTEX,
+        INSIDE,
+        vertices=changed(VERTICES.astype(dtype), (INSIDE, 1), value),
+    )
+
+
+def test_an_index_out_of_range():
+    refused(
+        Status.INDEX_OUT_OF_RANGE,
+        "triangle 7 names vertex 441, but there are only 441 vertices",
+        ElementKind.TRIANGLE,
+        7,
+        441,
+        faces=changed(FACES, (7, 2), 441),
+    )
+
+
+@pytest.mark.parametrize("value", [-1, 2**32, -(2**62)])
+def test_an_index_that_is_no_uint32(value):
+    refused(
+        Status.INDEX_OUT_OF_RANGE,
+        f"triangle 7 names vertex {value}",
+        ElementKind.TRIANGLE,
+        7,
+        value,
+        faces=changed(FACES, (7, 2), value),
+    )
+
+
+def test_negative_int32_are_not_taken_for_large_numbers():
+    refused(
+        Status.INDEX_OUT_OF_RANGE,
+        "triangle 7 names vertex -1",
+        ElementKind.TRIANGLE,
+        7,
+        -1,
+        faces=changed(FACES.astype(np.int32), (7, 2), -1),
+    )
+
+
+def test_a_vertex_named_twice():
+    triangle = int(np.flatnonzero((FACES == INSIDE).any(axis=1))[0])
+    corner = FACES[triangle, 0]
+    refused(
+        Status.REPEATED_INDEX,
+        f"triangle {triangle} names vertex {corner} twice",
+        ElementKind.TRIANGLE,
+        triangle,
+        corner,
+        faces=changed(FACES, (triangle, slice(1, None)), [corner, FACES[triangle, 2]]),
+    )
+
+
+def test_a_triangle_that_is_there_twice():
+    triangle = int(np.flatnonzero((FACES == INSIDE).any(axis=1))[0])
+    refused(
+        Status.DUPLICATE_TRIANGLE,
+        f"triangle {len(FACES)} has the same vertices as triangle {triangle}",
+        ElementKind.TRIANGLE,
+        len(FACES),
+        triangle,
+        faces=np.concatenate([FACES, FACES[triangle : triangle + 1]]),
+    )
+
+
+def test_an_edge_with_three_triangles():
+    a, b, _ = FACES[np.flatnonzero((FACES == INSIDE).any(axis=1))[0]]
+    low, high = sorted((int(a), int(b)))
+    refused(
+        Status.NON_MANIFOLD_EDGE,
+        f"edge ({low}, {high}) has more than two triangles, one of them triangle {len(FACES)}",
+        ElementKind.EDGE,
+        low,
+        high,
+        vertices=np.concatenate([VERTICES, [[0, 0, 3]]]),
+        faces=np.concatenate([FACES, [[a, b, len(VERTICES)]]]),
+        free=np.flatnonzero(FREE),
+    )
+
+
+def test_a_vertex_with_two_fans():
+    # A cone on top of the vertex.
+    more = np.concatenate([VERTICES, [[0, 0, 3], [0, 1, 3], [1, 0, 3]]])
+    n = len(VERTICES)
+    cone = [[INSIDE, n, n + 1], [INSIDE, n + 1, n + 2], [INSIDE, n + 2, n]]
+    refused(
+        Status.NON_MANIFOLD_VERTEX,
+        f"the triangles around vertex {INSIDE} do not form a single fan",
+        ElementKind.VERTEX,
+        INSIDE,
+        vertices=more,
+        faces=np.concatenate([FACES, cone]),
+        free=np.flatnonzero(FREE),
+    )
+
+
+def test_a_triangle_turned_around():
+    triangle = int(np.flatnonzero((FACES == INSIDE).any(axis=1))[0])
+    with pytest.raises(fairmesh.InputError, match="in the same direction") as error:
+        fair(faces=changed(FACES, triangle, FACES[triangle][::-1]))
+    assert error.value.status is Status.INCONSISTENT_ORIENTATION
+    assert error.value.element_kind is ElementKind.EDGE
+    assert {error.value.element, error.value.other} < set(FACES[triangle])
+    assert error.value.element < error.value.other
+
+
+def test_a_free_vertex_on_the_border():
+    message = "free vertex 3 lies on the border of the mesh; fix it or leave it out of the selection"
+    refused(Status.FREE_VERTEX_ON_BORDER, message, ElementKind.VERTEX, 3, free=[INSIDE, 3])
+
+
+def test_a_free_vertex_without_triangles():
+    refused(
+        Status.FREE_VERTEX_WITHOUT_TRIANGLE,
+        "free vertex 441 belongs to no triangle",
+        ElementKind.VERTEX,
+        441,
+        vertices=np.concatenate([VERTICES, [[0, 0, 3]]]),
+        free=[INSIDE, 441],
+    )
+
+
+def test_nothing_is_fixed():
+    corners = np.array([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], float)
+    refused(
+        Status.NOTHING_FIXED,
+        "nothing is fixed in the component of vertex 0",
+        ElementKind.VERTEX,
+        0,
+        vertices=corners,
+        faces=[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+        free=None,
+    )
+
+
+@pytest.mark.parametrize("nothing", [[], np.zeros(441, bool), np.empty(0, np.int64)], ids=["list", "mask", "indices"])
+def test_nothing_is_free(nothing):
+    message = "no vertex is free: the selection holds no vertex all of whose triangles may move"
+    refused(Status.EMPTY_REGION, message, free=nothing)
+    refused(Status.EMPTY_REGION, message, free=None, free_faces=[])
+
+
+@pytest.mark.parametrize("vertices", [[], np.empty((0, 3)), np.empty((0, 3), np.float32)])
+def test_an_empty_mesh(vertices):
+    message = "no vertex is free: the selection holds no vertex all of whose triangles may move"
+    refused(Status.EMPTY_REGION, message, vertices=vertices, faces=[], free=None)
+    refused(Status.EMPTY_REGION, message, vertices=vertices, faces=np.empty((0, 3), np.uint32), free=None)
+    assert fairmesh.border_loops(vertices, []) == []
+    assert fairmesh.mean_curvature(vertices, []).shape == (0,)
+    filled = fairmesh.fill_holes(vertices, [])
+    assert filled.vertices.shape == filled.faces.shape == filled.parents.shape == (0, 3)
+    assert filled.vertices.dtype == np.asarray(vertices).dtype
+
+
+@pytest.mark.parametrize("name", ["free", "fixed"])
+def test_a_selection_out_of_range(name):
+    choice = {"free": None, name: [INSIDE, 441]}
+    refused(
+        Status.SELECTION_OUT_OF_RANGE,
+        "the selection names element 441, but there are only 441",
+        ElementKind.VERTEX,
+        441,
+        **choice,
+    )
+    for value in (-1, 2**32):
+        refused(
+            Status.SELECTION_OUT_OF_RANGE,
+            f"{name} names element {value}",
+            ElementKind.VERTEX,
+            value,
+            **{"free": None, name: [INSIDE, value]},
+        )
+
+
+def test_a_selection_of_faces_out_of_range():
+    refused(
+        Status.SELECTION_OUT_OF_RANGE,
+        "the selection names element 800, but there are only 800",
+        ElementKind.TRIANGLE,
+        800,
+        free=None,
+        free_faces=[3, 800],
+    )
+
+
+@pytest.mark.parametrize("vector", [[0, 0, 2], [0, 0, np.inf], [np.nan, 0, 1]])
+def test_a_normal_that_is_no_unit_vector(vector):
+    border = int(fair().border_vertices[5])
+    message = f"the normal given for vertex {border} is not a finite unit vector"
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, border, normals=([border], [vector]))
+    rows = changed(np.zeros_like(VERTICES), border, vector)
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, border, normals=rows)
+
+
+def test_a_normal_of_no_vertex():
+    refused(
+        Status.SELECTION_OUT_OF_RANGE,
+        "a normal is given for vertex 441, but there are only 441",
+        ElementKind.VERTEX,
+        441,
+        normals=([441], [[0, 0, 1]]),
+    )
+
+
+OPTIONS = {
+    ("tolerance", 0.0): "greater than 0 and less than 1",
+    ("tolerance", 1.0): "greater than 0 and less than 1",
+    ("tolerance", float("nan")): "greater than 0 and less than 1",
+    ("max_iterations", 0): "at least 1",
+    ("threads", 1025): "at most 1024",
+    ("paper_damping", 0.0): "greater than 0 and at most 1",
+    ("paper_damping", 1.5): "greater than 0 and at most 1",
+    ("paper_estimate_iterations", 0): "at least 1",
+    ("paper_defect", 0.0): "greater than 0",
+    ("paper_laplacian", -1.0): "greater than 0",
+    ("paper_max_updates", 0): "at least 1",
+}
+
+
+@pytest.mark.parametrize(("option", "range_"), OPTIONS.items(), ids=[f"{name}={value}" for name, value in OPTIONS])
+def test_options_out_of_range(option, range_):
+    name, value = option
+    solver = {"solver": "paper"} if name.startswith("paper") else {}
+    message = f"{name}: has to be {range_}"
+    refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument=name, **{name: value}, **solver)
+
+
+def test_a_target_that_is_not_finite():
+    message = "target: the constant has to be finite"
+    refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument="target", target=float("inf"))
+
+
+def test_options_of_hole_filling_and_remeshing_out_of_range():
+    for call, name in ((fairmesh.fill_holes, "density"), (fairmesh.remesh, "density")):
+        with pytest.raises(fairmesh.InputError, match="density") as error:
+            call(VERTICES, FACES, **{name: 0.0})
+        assert (error.value.status, error.value.argument) == (Status.BAD_OPTION, name)
+    with pytest.raises(fairmesh.InputError) as error:
+        fairmesh.fill_holes(VERTICES, FACES, loops=[5])
+    assert error.value.status is Status.SELECTION_OUT_OF_RANGE
+    assert (error.value.element_kind, error.value.element) == (ElementKind.LOOP, 5)
+    with pytest.raises(ValueError, match="loops: no loop is named; None fills all holes"):
+        fairmesh.fill_holes(VERTICES, FACES, loops=[])
+
+
+WRONG_TYPES = {
+    "faces: integers are needed, not float64": {"faces": FACES.astype(float)},
+    "faces: integers are needed, not bool": {"faces": FACES.astype(bool)},
+    "vertices: real numbers are needed, not complex128": {"vertices": VERTICES.astype(complex)},
+    "vertices: real numbers are needed, not object": {"vertices": VERTICES.astype(object)},
+    "vertices: real numbers are needed, not <U1": {"vertices": np.full((441, 3), "a")},
+    "vertices: real numbers are needed, not bool": {"vertices": VERTICES.astype(bool)},
+    "free: integers are needed, not float64": {"free": FREE.astype(float)},
+    "free: uint8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.uint8)},
+    "free: int8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.int8)},
+    "tolerance: a number is needed, not str": {"tolerance": "1e-8"},
+    "tolerance: a number is needed, not bool": {"tolerance": True},
+    "threads: an integer is needed, not float": {"threads": 2.0},
+    "threads: an integer is needed, not bool": {"threads": True},
+    "target: a number is needed, not list": {"target": [0]},
+    "unknown option 'tolerence'": {"tolerence": 1e-8},
+    "progress: a callable is needed, not bool": {"progress": True},
+    "cancel: an object with is_set() is needed, not bool": {"cancel": True},
+}
+
+
+@pytest.mark.parametrize(("message", "call"), WRONG_TYPES.items(), ids=WRONG_TYPES)
+def test_wrong_types(message, call):
+    with pytest.raises(TypeError) as error:
+        fair(**call)
+    assert str(error.value) == message
+
+
+WRONG_VALUES = {
+    "vertices: the shape has to be (n, 3), not (441, 2)": {"vertices": VERTICES[:, :2]},
+    "vertices: the shape has to be (n, 3), not (1323,)": {"vertices": VERTICES.ravel()},
+    "vertices: the shape has to be (n, 3), not (441, 3, 1)": {"vertices": VERTICES[:, :, None]},
+    "vertices: the shape has to be (n, 3), not ()": {"vertices": 1.0},
+    "faces: the shape has to be (m, 3), not (800, 4)": {"faces": np.ones((800, 4), int)},
+    "faces: the shape has to be (m, 3), not (2400,)": {"faces": FACES.ravel()},
+    "free: a mask has to have the shape (441,), not (440,)": {"free": FREE[1:]},
+    "free: a mask has to have the shape (441,), not (21, 21)": {"free": FREE.reshape(21, 21)},
+    "free: the shape has to be (k,), not (1, 2)": {"free": [[1, 2]]},
+    "fixed: a mask has to have the shape (441,), not (442,)": {"free": None, "fixed": np.ones(442, bool)},
+    "free_faces: a mask has to have the shape (800,), not (441,)": {"free": None, "free_faces": FREE},
+    "only one of free and fixed can be given": {"fixed": ~FREE},
+    "only one of free and fixed and free_faces can be given": {"fixed": ~FREE, "free_faces": [0]},
+    "normals: 440 rows, but 441 are needed": {"normals": EXACT[1:]},
+    "normals: 1 rows, but 2 are needed": {"normals": ([1, 2], [[0, 0, 1]])},
+    "normals: the shape has to be (n, 3), not (3,)": {"normals": [0, 0, 1]},
+    "normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"normals": "flat"},
+    "target: 'flat' is neither 'harmonic' nor 'minimal_energy' nor a number": {"target": "flat"},
+    "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
+    "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},
+    "solver: 'slow' is none of 'fast', 'paper'": {"solver": "slow"},
+    "threads: -1 is not between 0 and 2**32 - 1": {"threads": -1},
+    "max_iterations: 18446744073709551616 is not between 0 and 2**64 - 1": {"max_iterations": 2**64},
+}
+
+
+@pytest.mark.parametrize(("message", "call"), WRONG_VALUES.items(), ids=WRONG_VALUES)
+def test_wrong_shapes_and_names(message, call):
+    with pytest.raises(ValueError) as error:
+        fair(**call)
+    assert str(error.value) == message and not isinstance(error.value, fairmesh.FairmeshError)
+
+
+def test_other_functions_check_the_same():
+    for function in (fairmesh.fill_holes, fairmesh.border_loops, fairmesh.mean_curvature, fairmesh.remesh):
+        with pytest.raises(ValueError, match="vertices: the shape"):
+            function(VERTICES[:, :2], FACES)
+        with pytest.raises(fairmesh.InputError) as error:
+            function(VERTICES, changed(FACES, (7, 2), 441))
+        assert (error.value.status, error.value.element) == (Status.INDEX_OUT_OF_RANGE, 7)
+
+
+def test_every_status_has_an_exception():
+    assert [(m.name, m.value) for m in Status] == [(m.name, m.value) for m in _abi.fairmesh_status]
+    for status in set(Status) - {Status.OK}:
+        struct = _abi.fairmesh_error(status, 0, _abi.NO_ELEMENT, _abi.NO_ELEMENT, b"why")
+        error = error_of("fairmesh_fair", status, struct)
+        assert (error.status, str(error)) == (status, "why")
+        assert isinstance(error, MemoryError) == (status is Status.OUT_OF_MEMORY)
+    unknown = error_of("fairmesh_fair", 77, _abi.fairmesh_error(77, 9, 1, 2, b""))
+    assert unknown.status is Status.INTERNAL and "77" in str(unknown)
+
+
+def test_a_refused_call_makes_nothing(live_handles):
+    for call in ({"free": []}, {"tolerance": 0.0}, {"faces": changed(FACES, (7, 2), 441)}):
+        with pytest.raises(fairmesh.InputError):
+            fair(**call)
+        with pytest.raises(fairmesh.InputError):
+            fairmesh.Solver(**{"vertices": VERTICES, "faces": FACES, "free": FREE, **call})
+    assert live_handles("result") == live_handles("solver") == 0
+    assert ctypes.sizeof(_abi.fairmesh_error) == 256

@@ -1,0 +1,85 @@
+"""The programs in README.md and examples run, and say what they are said to say."""
+
+import re
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+import fairmesh
+from meshes import dented_sphere, sphere_with_hole
+
+PROJECT = Path(__file__).resolve().parents[1]
+README = (PROJECT / "README.md").read_text()
+PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
+
+
+def test_all_programs_were_found():
+    assert len(PROGRAMS) == README.count("```python") == 7
+
+
+@pytest.mark.parametrize("number", range(7))
+def test_programs(number, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    sphere, hole = dented_sphere(), sphere_with_hole()
+    trimesh.Trimesh(sphere.vertices, sphere.faces, process=False).export("scan.ply")
+    text = PROGRAMS[number]
+    shown, results = [], []
+    names = {
+        "fairmesh": fairmesh,
+        "threading": threading,
+        "vertices": hole[0] if "fill_holes" in text else sphere.vertices,
+        "faces": hole[1] if "fill_holes" in text else sphere.faces,
+        "mask": np.arange(441) == 3 if "InputError" in text else sphere.free,
+        "colours_given": np.ones((len(hole[0]), 4)),
+        "show": lambda *arrays: shown.append(arrays),
+        "results": results,
+    }
+    if "scan.ply" in text:
+        inside = np.flatnonzero(sphere.free[sphere.faces].any(axis=1))
+        text = text.replace("[17, 18, 42]", str(inside.tolist()))
+    exec(compile(text, f"README.md, program {number}", "exec"), names)
+    if "thread" in names:
+        names["thread"].join()
+        assert results[0].outcome in ("cancelled", "converged")
+    said = capsys.readouterr().out
+    if "scan.ply" in text:
+        assert said.startswith("converged ")
+        assert np.abs(np.linalg.norm(names["mesh"].vertices, axis=1) - 1).max() < 1e-6
+    if "fill_holes" in text:
+        assert said.startswith("0 ") and "faired none" in said and "hole" in said
+        assert np.allclose(names["colours"], 1) and len(names["colours"]) == names["filled"].new_vertex_count
+    if "InputError" in text:
+        assert said.splitlines()[0].startswith("free vertex 3 lies on the border of the mesh; ")
+        assert said.splitlines()[1].endswith("3 None None")
+    if "Solver" in text:
+        assert len(shown) > 3 and names["result"].outcome.is_success
+
+
+def test_the_program_in_the_top_readme(monkeypatch, capsys):
+    monkeypatch.chdir(PROJECT.parents[1])
+    section = Path("README.md").read_text().split("## From Python\n")[1]
+    (program,) = re.findall(r"^```python\n(.*?)^```", section.split("\n## ")[0], re.M | re.S)
+    names = {}
+    exec(compile(program, "README.md", "exec"), names)
+    assert capsys.readouterr().out.startswith("converged (-1.0000")
+    assert np.abs(np.linalg.norm(names["mesh"].vertices, axis=1) - 1).max() < 1e-8
+
+
+def test_every_public_name_is_described():
+    for name in fairmesh.__all__:
+        assert getattr(fairmesh, name).__doc__, name
+        assert re.search(rf"\b{name}\b", README), name
+
+
+def test_the_example(tmp_path):
+    picture = tmp_path / "picture.png"
+    command = [sys.executable, PROJECT / "examples" / "dented_sphere.py", picture]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    assert re.fullmatch(r"converged faired\nlargest distance to the sphere: \d\.\de-\d\d\n", said)
+    assert float(said.split()[-1]) < 1e-9
+    assert picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 50_000
