@@ -96,7 +96,7 @@ def folder(plugin):
         shutil.copy(f"/usr/bin/{program}", host / "bin")  # a link would be followed back to /usr
     for library in system.glob("*.so"):
         (libraries / library.name).symlink_to(library)
-    for other in [*(system / "plugins").glob("*.so"), pathlib.Path(plugin)]:
+    for other in [*(system / "plugins").glob("*.so"), pathlib.Path(plugin).resolve()]:
         (libraries / "plugins" / other.name).symlink_to(other)
     (host / "share").symlink_to("/usr/share")
     return host
