@@ -12,7 +12,7 @@ work=$PWD/../target/meshlab
 install_tools() {
     local missing=() as_root=""
     command -v meshlabserver >/dev/null || missing+=(meshlab)
-    command -v xvfb-run >/dev/null || missing+=(xvfb xauth)
+    command -v Xvfb >/dev/null || missing+=(xvfb)
     command -v xdotool >/dev/null || missing+=(xdotool)
     command -v import >/dev/null || missing+=(imagemagick)
     command -v clang-format >/dev/null || missing+=(clang-format)

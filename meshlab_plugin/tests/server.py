@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Runs scripts in Debian's meshlabserver, in a folder of its own that has the plugin among MeshLab's own ones."""
 
+import atexit
 import os
 import pathlib
 import shutil
@@ -109,12 +110,27 @@ class Server:
         runtime.mkdir(mode=0o700, exist_ok=True)
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(runtime), "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.environment.pop("LD_LIBRARY_PATH", None)
+        # One screen for all runs. xvfb-run starts one each, and at times fails to clean up after it.
+        self.screen = subprocess.Popen(
+            ["Xvfb", "-displayfd", "1", "-screen", "0", "640x480x24", "+extension", "GLX"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        atexit.register(self.screen.kill)
+        self.environment["DISPLAY"] = ":" + self.screen.stdout.readline().strip()
 
     def run(self, mesh_in, filters, mesh_out, save="vq"):
         """Applies a script. Returns (exit code, everything printed); 0 is success, 255 a filter that failed, 134 an abort."""
         mlx = WORK / "script.mlx"
         mlx.write_text(script(*filters))
         command = [self.host / "bin" / "meshlabserver", "-i", mesh_in, "-s", mlx, "-o", mesh_out, "-m", *save.split()]
-        shell = ["xvfb-run", "-a", "-s", "-screen 0 640x480x24 +extension GLX", *map(str, command)]
-        done = subprocess.run(shell, env=self.environment, capture_output=True, text=True, timeout=120, errors="replace")
-        return done.returncode, done.stdout + done.stderr
+        done = subprocess.run(
+            [str(word) for word in command],
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            errors="replace",
+        )
+        return done.returncode % 256, done.stdout + done.stderr
