@@ -76,5 +76,6 @@ step cargo test --release --locked --workspace
 step bindings/python/test.sh
 step bindings/blender/test.sh
 step tests/sanitize.sh
+step meshlab_plugin/test.sh gui
 step fuzz/run.sh 60
 printf '\nAll tests have passed.\n'

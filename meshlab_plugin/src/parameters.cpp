@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+#include "parameters.h"
+
+#include <algorithm>
+#include <climits>
+
+namespace fairmesh_meshlab {
+
+namespace {
+
+int in_list(const RichParameterList &list, const char *name, int count) {
+    const int choice = list.getEnum(name);
+    if (choice < 0 || choice >= count)
+        throw Failure(std::string("Parameter ") + name + " is " + std::to_string(choice) + ": it must be between 0 and " +
+                      std::to_string(count - 1) + ".");
+    return choice;
+}
+
+std::uint64_t at_least(const RichParameterList &list, const char *name, int least) {
+    const int number = list.getInt(name);
+    if (number < least)
+        throw Failure(std::string("Parameter ") + name + " is " + std::to_string(number) + ": it must be at least " +
+                      std::to_string(least) + ".");
+    return static_cast<std::uint64_t>(number);
+}
+
+int as_int(std::uint64_t number) { return static_cast<int>(std::min<std::uint64_t>(number, INT_MAX)); }
+
+/** What both ways of fairing have. */
+void add_solver_parameters(RichParameterList &list) {
+    const fairmesh::options standard;
+    list.addParam(
+        RichEnum("inner_fairness", static_cast<int>(standard.inner_fairness), {"Uniform", "Conformal", "Convex"}, "Vertex distribution",
+                 "How vertices are spread within the surface; the surface hardly depends on it. Uniform: evenly. Conformal: with the "
+                 "least distortion of the present triangles (cotangent weights). Convex: nearly so, and safe for any triangles "
+                 "(mean-value weights)."));
+    list.addParam(
+        RichEnum("target", static_cast<int>(standard.target.kind), {"Harmonic", "Constant", "Minimal energy"}, "Equation",
+                 "What the Laplacian of the mean curvature H has to be. Harmonic: zero, which keeps spheres, cylinders and all "
+                 "surfaces of constant mean curvature. Constant: the number below; a positive one pushes the surface out. Minimal "
+                 "energy: minimal total curvature (Willmore surfaces)."));
+    list.addParam(RichFloat("target_constant", static_cast<Scalar>(standard.target.constant), "Constant",
+                            "For the equation 'Constant' only: the Laplacian of H, in 1 / length^3."));
+    list.addParam(RichFloat("tolerance", static_cast<Scalar>(standard.tolerance), "Tolerance",
+                            "Stop when the step (root mean square, over the diagonal of the region's bounding box) is below this. Greater "
+                            "than 0, less than 1; 1e-6 is enough to look at."));
+    list.addParam(RichInt("max_iterations", as_int(standard.max_iterations), "Iterations, at most",
+                          "Most regions need 10 to 20. If they run out, the best surface so far is kept, and the log says so."));
+}
+
+void read_solver_parameters(const RichParameterList &list, fairmesh::options &options) {
+    options.inner_fairness = static_cast<std::uint32_t>(in_list(list, "inner_fairness", 3));
+    options.target.kind = static_cast<std::uint32_t>(in_list(list, "target", 3));
+    options.target.constant = list.getFloat("target_constant");
+    options.tolerance = list.getFloat("tolerance");
+    options.max_iterations = at_least(list, "max_iterations", 1);
+}
+
+} // namespace
+
+void add_fair_parameters(RichParameterList &list) {
+    list.addParam(RichEnum(
+        "border_normals", static_cast<int>(BorderNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"}, "Border normals",
+        "The directions that the surface takes at the border of the selection. Fitted: to the unselected surroundings, to "
+        "second or third order. Averaged: of the unselected triangles. Vertex normals: those that the mesh has, for instance "
+        "from its file. Attribute: the custom per-vertex attribute named below. Where a given normal is 0 0 0, it is fitted."));
+    list.addParam(
+        RichString("normal_attribute", "", "Attribute of normals",
+                   "For border normals 'Attribute' only: the name of a per-vertex attribute of points. In its place three attributes of "
+                   "numbers will do, whose names end with _x, _y and _z."));
+    add_solver_parameters(list);
+    list.addParam(
+        RichBool("curvature_to_quality", false, "Mean curvature to quality",
+                 "Writes the mean curvature H to the quality of the region's vertices; all others keep theirs. Negative on a sphere with "
+                 "outward normals, in 1 / length."));
+}
+
+void add_close_parameters(RichParameterList &list) {
+    const fairmesh::fill_options standard;
+    list.addParam(RichInt("max_edges", as_int(standard.max_edges), "Edges of a hole, at most", "Holes of more edges stay open."));
+    list.addParam(RichBool("touching_selection", false, "Only holes at the selection",
+                           "Closes the holes that have a vertex of a selected face, or a selected vertex, on their rim."));
+    list.addParam(RichBool("outlines", false, "Outlines of open surfaces, too",
+                           "The outline of an open sheet is no hole and stays open, unless this is checked."));
+    list.addParam(
+        RichFloat("density", static_cast<Scalar>(standard.density), "Density",
+                  "How dense new vertices are. At the square root of 2 edges are as long as those beside the rim; at twice that, half as "
+                  "long. Between 0.1 and 10."));
+    list.addParam(RichInt("max_new_vertices", as_int(standard.max_new_vertices), "New vertices, at most",
+                          "Larger patches become coarser, and the log says so."));
+    list.addParam(RichEnum("selection_after", static_cast<int>(SelectionAfter::OldAndNew), {"Old and new faces", "New faces", "As before"},
+                           "Selected afterwards", "Which faces are selected when holes have been closed."));
+    add_solver_parameters(list);
+}
+
+FairParameters read_fair_parameters(const RichParameterList &list) {
+    FairParameters asked;
+    asked.normals = static_cast<BorderNormals>(in_list(list, "border_normals", 4));
+    asked.attribute = list.getString("normal_attribute").trimmed().toStdString();
+    read_solver_parameters(list, asked.options);
+    asked.curvature_to_quality = list.getBool("curvature_to_quality");
+    return asked;
+}
+
+CloseParameters read_close_parameters(const RichParameterList &list) {
+    CloseParameters asked;
+    asked.fill.max_edges = at_least(list, "max_edges", 3);
+    asked.touching_selection = list.getBool("touching_selection");
+    asked.outlines = list.getBool("outlines");
+    asked.fill.density = list.getFloat("density");
+    asked.fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
+    asked.selection = static_cast<SelectionAfter>(in_list(list, "selection_after", 3));
+    read_solver_parameters(list, asked.options);
+    return asked;
+}
+
+} // namespace fairmesh_meshlab

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+/** The parameters of the filters: their names, texts and defaults, and how they are read. */
+#ifndef FAIRMESH_MESHLAB_PARAMETERS_H
+#define FAIRMESH_MESHLAB_PARAMETERS_H
+
+#include "host.h"
+
+#include <fairmesh.hpp>
+
+#include <string>
+
+namespace fairmesh_meshlab {
+
+/** Where the normals at the border of the region come from. The numbers are those of the parameter's list. */
+enum class BorderNormals { Fitted, Averaged, VertexNormals, Attribute };
+
+/** Which faces are selected after holes were closed. */
+enum class SelectionAfter { OldAndNew, NewOnly, AsBefore };
+
+struct FairParameters {
+    fairmesh::options options;
+    BorderNormals normals = BorderNormals::Fitted;
+    std::string attribute;
+    bool curvature_to_quality = false;
+};
+
+struct CloseParameters {
+    fairmesh::options options;
+    fairmesh::fill_options fill;
+    bool touching_selection = false;
+    bool outlines = false;
+    SelectionAfter selection = SelectionAfter::OldAndNew;
+};
+
+void add_fair_parameters(RichParameterList &list);
+void add_close_parameters(RichParameterList &list);
+
+/** Throw Failure for numbers that the library's types cannot hold. It refuses other wrong ones itself. */
+FairParameters read_fair_parameters(const RichParameterList &list);
+CloseParameters read_close_parameters(const RichParameterList &list);
+
+} // namespace fairmesh_meshlab
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+/** New vertices and faces for a mesh of the host, with what the old ones around them carry. */
+#ifndef FAIRMESH_MESHLAB_PATCH_H
+#define FAIRMESH_MESHLAB_PATCH_H
+
+#include "host.h"
+#include "mesh_view.h"
+#include "write.h"
+
+#include <fairmesh.hpp>
+
+#include <array>
+#include <vector>
+
+namespace fairmesh_meshlab {
+
+/** What is to be added. Vertices are numbered on from those of the host. */
+struct Patch {
+    std::vector<Point> positions;
+    /** Per new vertex three old ones, and their weights, whose sum is 1. */
+    std::vector<std::array<std::uint32_t, 3>> parents;
+    std::vector<std::array<double, 3>> weights;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/** What filled holes add. Throws Failure if a number exceeds the host's range. */
+Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMeshO &mesh);
+
+/** Adds it. Colours, quality, texture coordinates, normals and attributes of numbers and points are interpolated; everything else comes
+ * from the nearest parent, or the old face there. Returns the vertices of the patch that are new. */
+Mask add(CMeshO &mesh, const Patch &patch);
+
+} // namespace fairmesh_meshlab
+
+#endif

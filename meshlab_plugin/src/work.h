@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+/** What the filters do to a mesh. */
+#ifndef FAIRMESH_MESHLAB_WORK_H
+#define FAIRMESH_MESHLAB_WORK_H
+
+#include "host.h"
+#include "mesh_view.h"
+#include "parameters.h"
+
+namespace fairmesh_meshlab {
+
+/** Moves the vertices all of whose faces are selected. */
+Values fair_selection(MeshModel &model, const MeshView &view, FairParameters asked, const Host &host);
+
+/** Closes holes. */
+Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host);
+
+/** Writes the mean curvature of all vertices to their quality; 0 to those without faces. */
+Values mean_curvature(MeshModel &model, const MeshView &view, const Host &host);
+
+/** The library's callback for the host's progress bar, which says in `cancelled` whether the host has stopped the run. */
+fairmesh::progress shown(const Host &host, bool &cancelled);
+
+constexpr char CANCELLED[] = "Cancelled. The mesh is as it was.";
+
+} // namespace fairmesh_meshlab
+
+#endif

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Test meshes, made here, and what is measured on them."""
+
+import numpy as np
+
+
+def icosphere(level):
+    """Unit sphere: (vertices, faces), 20 * 4**level faces, outward orientation."""
+    g = (1 + 5**0.5) / 2
+    points = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g)]
+    points += [(0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4)]
+    faces += [(11, 10, 2), (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8)]
+    faces += [(3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    vertices, faces = np.array(points, float), np.array(faces)
+    for _ in range(level):
+        vertices, faces = split(vertices, faces)
+    return vertices / np.linalg.norm(vertices, axis=1)[:, None], faces
+
+
+def split(vertices, faces):
+    """Every face into four."""
+    edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    unique, which = np.unique(edges, axis=0, return_inverse=True)
+    middle = vertices[unique].mean(axis=1)
+    middle /= np.linalg.norm(middle, axis=1)[:, None]
+    a, b, c = (len(vertices) + which.reshape(3, -1)).tolist()
+    v0, v1, v2 = faces.T.tolist()
+    parts = [(v0, a, c), (a, v1, b), (c, b, v2), (a, b, c)]
+    faces = np.vstack([np.array(part).T for part in parts])
+    norms = np.linalg.norm(vertices, axis=1)
+    return np.vstack([vertices / norms[:, None], middle]), faces
+
+
+def jittered(vertices, amount, seed):
+    """Points moved on the unit sphere by about `amount`, so that the mesh is irregular."""
+    moved = vertices + np.random.default_rng(seed).normal(0, amount, vertices.shape)
+    return moved / np.linalg.norm(moved, axis=1)[:, None]
+
+
+def without(vertices, faces, drop):
+    """The mesh without the faces where `drop`, and without vertices that lose all their faces."""
+    kept = faces[~drop]
+    used, numbers = np.unique(kept, return_inverse=True)
+    return vertices[used], numbers.reshape(-1, 3)
+
+
+def open_sphere(level=5, seed=7):
+    """Irregular unit sphere without the cap z > 0.75."""
+    vertices, faces = icosphere(level)
+    vertices = jittered(vertices, 0.12 * 2.0**-level, seed)
+    return without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] > 0.75)
+
+
+def border_crease(vertices, faces, selected):
+    """Dihedral angles in degrees along the edges between selected and other faces: (mean, maximum)."""
+    corners = vertices[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    beside = {}
+    for f, (a, b, c) in enumerate(faces.tolist()):
+        for edge in ((a, b), (b, c), (c, a)):
+            beside.setdefault(tuple(sorted(edge)), []).append(f)
+    pairs = np.array([p for p in beside.values() if len(p) == 2 and selected[p[0]] != selected[p[1]]])
+    cosines = (normals[pairs[:, 0]] * normals[pairs[:, 1]]).sum(axis=1)
+    angles = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+    return angles.mean(), angles.max()
+
+
+def crease_ratios(vertices, faces, selected):
+    """The crease along the patch border over that of the same triangulation with all vertices on the unit sphere: mean, max."""
+    exact = vertices / np.linalg.norm(vertices, axis=1)[:, None]
+    ours, sphere = border_crease(vertices, faces, selected), border_crease(exact, faces, selected)
+    return ours[0] / sphere[0], ours[1] / sphere[1]
+
+
+def strictly_inside(vertex_count, faces, selected):
+    """Vertices with faces, all of which are selected."""
+    inside = np.zeros(vertex_count, bool)
+    inside[faces[selected]] = True
+    inside[faces[~selected]] = False
+    return inside
+
+
+def on_border(vertex_count, faces):
+    """Vertices with an edge that has one face only."""
+    edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    unique, count = np.unique(edges, axis=0, return_counts=True)
+    border = np.zeros(vertex_count, bool)
+    border[unique[count == 1]] = True
+    return border
+
+
+SELECTED = 32  # the bit of MeshLab's flags
+
+
+def write_ply(path, vertices, faces, vertex=None, face=None, wedges=None, kind="float"):
+    """ASCII PLY. `vertex` and `face` are further properties: name -> (type, array); `wedges` is (faces, 6)."""
+    vertex, face = vertex or {}, face or {}
+    with open(path, "w") as out:
+        out.write(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\n")
+        out.write("".join(f"property {kind} {axis}\n" for axis in "xyz"))
+        out.write("".join(f"property {kind} {name}\n" for name, (kind, _) in vertex.items()))
+        out.write(f"element face {len(faces)}\nproperty list uchar int vertex_indices\n")
+        out.write("".join(f"property {kind} {name}\n" for name, (kind, _) in face.items()))
+        out.write("property list uchar float texcoord\n" if wedges is not None else "")
+        out.write("end_header\n")
+        for i, point in enumerate(vertices):
+            row = [repr(float(x)) for x in point] + [str(values[i]) for _, values in vertex.values()]
+            out.write(" ".join(row) + "\n")
+        for i, corners in enumerate(faces):
+            row = ["3", *map(str, corners)] + [str(values[i]) for _, values in face.values()]
+            if wedges is not None:
+                row += ["6", *map(str, wedges[i])]
+            out.write(" ".join(row) + "\n")
+
+
+TYPES = {"float": "<f4", "double": "<f8", "int": "<i4", "uint": "<u4", "uchar": "u1", "char": "i1", "short": "<i2"}
+
+
+def read_ply(path):
+    """Binary or ASCII PLY of triangles as {element: {property: array}}."""
+    with open(path, "rb") as file:
+        header, body = file.read().split(b"end_header\n", 1)
+    lines = [line.split() for line in header.decode().splitlines()]
+    ascii_ = ["format", "ascii", "1.0"] in lines
+    elements = []
+    for line in lines:
+        if line[0] == "element":
+            elements.append((line[1], int(line[2]), []))
+        elif line[0] == "property":
+            elements[-1][2].append(line[1:])
+    return read_ascii(body, elements) if ascii_ else read_binary(body, elements)
+
+
+def read_binary(body, elements):
+    mesh, at = {}, 0
+    for name, count, properties in elements:
+        fields = []
+        for p in properties:
+            if p[0] == "list":  # three corners, or the six texture coordinates of a triangle
+                size = body_list_size(p[-1])
+                fields += [(p[-1] + "#", TYPES[p[1]]), (p[-1], TYPES[p[2]], (size,))]
+            else:
+                fields.append((p[-1], TYPES[p[0]]))
+        table = np.frombuffer(body, np.dtype(fields), count, at)
+        at += table.nbytes
+        mesh[name] = {field: table[field] for field in table.dtype.names}
+    return mesh
+
+
+def body_list_size(name):
+    return 6 if name == "texcoord" else 3
+
+
+def read_ascii(body, elements):
+    mesh, rows = {}, body.decode().splitlines()
+    for name, count, properties in elements:
+        table = np.array([row.split() for row in rows[:count]], float)
+        rows, at, mesh[name] = rows[count:], 0, {}
+        for p in properties:
+            size = body_list_size(p[-1]) if p[0] == "list" else 1
+            at += p[0] == "list"
+            column = table[:, at : at + size]
+            mesh[name][p[-1]] = column if p[0] == "list" else column[:, 0]
+            at += size
+    return mesh
+
+
+def points(mesh):
+    return np.stack([mesh["vertex"][axis] for axis in "xyz"], axis=1).astype(float)

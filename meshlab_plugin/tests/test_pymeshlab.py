@@ -1,0 +1,479 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""The plugin in PyMeshLab: python test_pymeshlab.py PLUGIN"""
+
+import ctypes
+import importlib.metadata
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import meshes
+import numpy as np
+import pymeshlab
+
+FAIR = "apply_coord_fairing_to_selection"
+CLOSE = "meshing_close_holes_and_fair"
+CURVATURE = "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex"
+PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
+
+
+# What PyMeshLab 2022.2 cannot do by itself: it writes beyond its memory when it is given an attribute of points, takes no texture
+# coordinates from arrays, and its Close Holes does not refine.
+OLD = "2022" in importlib.metadata.version("pymeshlab")
+unless_old = unittest.skipIf(OLD, "PyMeshLab 2022.2 lacks what the test needs, or crashes by itself")
+
+
+def mesh_set(vertices, faces, **more):
+    ms = pymeshlab.MeshSet(verbose=False)
+    ms.add_mesh(pymeshlab.Mesh(np.array(vertices, float), np.array(faces, np.int32), **more))
+    return ms
+
+
+def state(mesh):
+    """Everything that a mesh carries, to be compared bit by bit."""
+    parts = {
+        "vertices": mesh.vertex_matrix(),
+        "faces": mesh.face_matrix(),
+        "vertex normals": mesh.vertex_normal_matrix(),
+        "face normals": mesh.face_normal_matrix(),
+        "vertex quality": mesh.vertex_scalar_array(),
+        "vertex colours": mesh.vertex_color_matrix(),
+        "vertex selection": mesh.vertex_selection_array(),
+        "face selection": mesh.face_selection_array(),
+    }
+    optional = {
+        "vertex texture": (mesh.has_vertex_tex_coord, mesh.vertex_tex_coord_matrix),
+        "wedge texture": (mesh.has_wedge_tex_coord, mesh.wedge_tex_coord_matrix),
+        "face colours": (mesh.has_face_color, mesh.face_color_matrix),
+        "face quality": (mesh.has_face_scalar, mesh.face_scalar_array),
+    }
+    parts.update({name: get() for name, (has, get) in optional.items() if has()})
+    return {name: np.array(part) for name, part in parts.items()}
+
+
+# PyMeshLab's own checks of parameters.
+WRONG_PARAMETER = (RuntimeError, pymeshlab.PyMeshLabException, pymeshlab.pmeshlab.InvalidEnumException)
+
+
+class Case(unittest.TestCase):
+    def same(self, before, after, but=()):
+        self.assertEqual(before.keys(), after.keys())
+        for name in before.keys() - set(but):
+            self.assertEqual(before[name].tobytes(), after[name].tobytes(), name)
+
+    def on_sphere(self, ms, bar, text):
+        mesh = ms.current_mesh()
+        vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+        worst = np.abs(np.linalg.norm(vertices, axis=1) - 1).max()
+        ratios = meshes.crease_ratios(vertices, faces, mesh.face_selection_array())
+        print(f"{text}: {len(vertices)} vertices, |r - 1| at most {worst:.1e}, crease {ratios[0]:.4f} / {ratios[1]:.4f} of the sphere's")
+        self.assertLess(worst, bar)
+        self.assertLess(max(ratios), 1.2)
+
+    def refused(self, ms, name, *words, **parameters):
+        """The filter fails with a message that has these words, and the mesh stays exactly as it was."""
+        before = state(ms.current_mesh())
+        with self.assertRaises(pymeshlab.PyMeshLabException) as caught:
+            ms.apply_filter(name, **parameters)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+        self.same(before, state(ms.current_mesh()))
+
+
+def dented_sphere(level=4, radius=1.0):
+    """A sphere whose cap z > 0.6 is dented and selected."""
+    vertices, faces = meshes.icosphere(level)
+    vertices = meshes.jittered(vertices, 0.01, 3)
+    ms = mesh_set(radius * vertices, faces)
+    ms.compute_selection_by_condition_per_face(condselect=f"(z0+z1+z2)/3 > {0.6 * radius}")
+    mesh = ms.current_mesh()
+    inside = meshes.strictly_inside(len(vertices), faces, mesh.face_selection_array())
+    vertices[inside] *= 0.9
+    fresh = mesh_set(radius * vertices, faces, f_scalar_array=mesh.face_selection_array().astype(float))
+    fresh.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+    return fresh, inside
+
+
+class Sphere(Case):
+    def test_close_holes_then_fair(self):
+        ms = mesh_set(*meshes.open_sphere())
+        old = ms.current_mesh().vertex_number()
+        if not OLD:
+            ms.meshing_close_holes(maxholesize=10000, newfaceselected=True, selfintersection=False, refinehole=True)
+        else:
+            ms.meshing_close_holes(maxholesize=10000, newfaceselected=True, selfintersection=False)
+            length = pymeshlab.AbsoluteValue(0.05)
+            ms.meshing_isotropic_explicit_remeshing(iterations=8, selectedonly=True, targetlen=length, reprojectflag=False)
+        filled = np.linalg.norm(ms.current_mesh().vertex_matrix()[old:], axis=1)
+        self.assertLess(filled.min(), 0.8, "MeshLab's own filling is flat")
+        values = ms.apply_filter(FAIR)
+        self.assertTrue(values["converged"])
+        self.assertEqual(values["outcome"], 0)
+        self.assertEqual(values["free_vertices"], ms.current_mesh().vertex_number() - old)
+        self.on_sphere(ms, 1e-6, "Close Holes, then Fair selection")
+
+    def test_own_filling(self):
+        ms = mesh_set(*meshes.open_sphere())
+        values = ms.apply_filter(CLOSE)
+        self.assertEqual((values["closed"], values["left_open"], values["not_fair"]), (1, 0, 0))
+        self.assertGreater(values["new_vertices"], 500)
+        self.assertEqual(ms.current_mesh().selected_face_number(), values["new_faces"])
+        self.on_sphere(ms, 1e-6, "Close holes and fair")
+
+    def test_repeats_to_the_last_bit(self):
+        results = []
+        for _ in range(2):
+            ms = mesh_set(*meshes.open_sphere(4))
+            ms.apply_filter(CLOSE)
+            ms.apply_filter(FAIR)
+            results.append(state(ms.current_mesh()))
+        self.same(*results)
+
+    @unless_old
+    def test_given_normals(self):
+        # A cap that ends at its rim: nothing but the given normals says that it is a sphere.
+        vertices, faces = meshes.icosphere(4)
+        vertices, faces = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.5)
+        normals = 3 * vertices
+        flat = vertices.copy()
+        flat[~meshes.on_border(len(vertices), faces), 2] = 0.55
+
+        # Meshes made from arrays get normals of their own; those of a file are kept.
+        file = pathlib.Path(tempfile.mkdtemp()) / "cap.ply"
+        own = {f"n{'xyz'[axis]}": ("double", normals[:, axis]) for axis in range(3)}
+        meshes.write_ply(file, flat, faces, vertex=own, kind="double")
+
+        def worst(parameters, prepare):
+            ms = pymeshlab.MeshSet(verbose=False)
+            ms.load_new_mesh(str(file))
+            prepare(ms.current_mesh())
+            ms.set_selection_all()
+            ms.apply_filter(FAIR, **parameters)
+            return np.abs(np.linalg.norm(ms.current_mesh().vertex_matrix(), axis=1) - 1).max()
+
+        def three_numbers(mesh):
+            for axis in range(3):
+                mesh.add_vertex_custom_scalar_attribute(np.ascontiguousarray(normals[:, axis]), "n_" + "xyz"[axis])
+
+        def nothing(mesh):
+            pass
+
+        def a_point(mesh):
+            mesh.add_vertex_custom_point_attribute(normals, "n")
+
+        self.assertGreater(worst({}, nothing), 0.01)
+        self.assertLess(worst({"border_normals": "Vertex normals"}, nothing), 1e-6)
+        attribute = {"border_normals": "Attribute", "normal_attribute": "n"}
+        self.assertLess(worst(attribute, a_point), 1e-6)
+        self.assertLess(worst(attribute, three_numbers), 1e-6)
+
+
+class Curvature(Case):
+    def test_of_a_sphere(self):
+        vertices, faces = meshes.icosphere(4)
+        ms = mesh_set(2 * meshes.jittered(vertices, 0.005, 1), faces)
+        before = state(ms.current_mesh())
+        values = ms.apply_filter(CURVATURE)
+        quality = ms.current_mesh().vertex_scalar_array()
+        self.assertLess(np.abs(quality + 0.5).max(), 1e-6)
+        self.assertAlmostEqual(values["curvature_mean"], -0.5, 6)
+        self.same(before, state(ms.current_mesh()), but=["vertex quality"])
+
+    def test_of_a_faired_region(self):
+        ms, inside = dented_sphere(radius=2.0)
+        ms.apply_filter(FAIR, curvature_to_quality=True)
+        quality = ms.current_mesh().vertex_scalar_array()
+        self.assertLess(np.abs(quality[inside] + 0.5).max(), 1e-6)
+        outside = ~inside
+        outside[np.unique(ms.current_mesh().face_matrix()[ms.current_mesh().face_selection_array()])] = False
+        self.assertEqual(np.abs(quality[outside]).max(), 0)
+
+
+def decorated():
+    """A dented sphere with everything that a mesh can carry."""
+    plain, inside = dented_sphere()
+    mesh = plain.current_mesh()
+    vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+    random = np.random.default_rng(5)
+    ms = mesh_set(
+        vertices,
+        faces,
+        v_scalar_array=random.random(len(vertices)),
+        v_color_matrix=random.random((len(vertices), 4)),
+        v_tex_coords_matrix=random.random((len(vertices), 2)),
+        w_tex_coords_matrix=random.random((3 * len(faces), 2)),
+        f_color_matrix=random.random((len(faces), 4)),
+        f_scalar_array=mesh.face_selection_array().astype(float),
+    )
+    ms.current_mesh().add_vertex_custom_scalar_attribute(random.random(len(vertices)), "number")
+    ms.current_mesh().add_vertex_custom_point_attribute(random.random((len(vertices), 3)), "point")
+    ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+    ms.compute_selection_by_condition_per_vertex(condselect="x > 0.5")
+    return ms, inside
+
+
+def attributes(mesh):
+    return {
+        "number": mesh.vertex_custom_scalar_attribute_array("number"),
+        "point": mesh.vertex_custom_point_attribute_matrix("point"),
+    }
+
+
+class Survives(Case):
+    @unless_old
+    def test_fair(self):
+        ms, inside = decorated()
+        before = {**state(ms.current_mesh()), **attributes(ms.current_mesh())}
+        ms.apply_filter(FAIR)
+        after = {**state(ms.current_mesh()), **attributes(ms.current_mesh())}
+        moves = ["vertices", "vertex normals", "face normals"]
+        self.same(before, after, but=moves)
+        self.assertEqual(before["vertices"][~inside].tobytes(), after["vertices"][~inside].tobytes())
+        self.assertTrue((before["vertices"][inside] != after["vertices"][inside]).any(axis=1).all())
+        # Normals are those of the new surface there, of length one for faces, and what they were elsewhere.
+        unit = after["vertex normals"] / np.linalg.norm(after["vertex normals"], axis=1)[:, None]
+        self.assertLess(np.abs(unit - after["vertices"]).max(), 0.02)
+        a, b, c = after["vertices"][after["faces"]].transpose(1, 0, 2)
+        normals = np.cross(b - a, c - a)
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        self.assertLess(np.abs(after["face normals"] - normals).max(), 1e-12)
+
+    @unless_old
+    def test_close(self):
+        ms, _ = decorated()
+        ms.meshing_remove_selected_faces()
+        ms.meshing_remove_unreferenced_vertices()
+        ms.set_selection_none()
+        ms.compute_selection_by_condition_per_face(condselect="z0 < -0.5")
+        mesh = ms.current_mesh()
+        before, marks = state(mesh), attributes(mesh)
+        old_vertices, old_faces = mesh.vertex_number(), mesh.face_number()
+        values = ms.apply_filter(CLOSE)
+        after, new_marks = state(ms.current_mesh()), attributes(ms.current_mesh())
+        self.assertGreater(values["new_vertices"], 10)
+        for name in before:
+            per_wedge = 3 if name == "wedge texture" else 1
+            count = old_vertices if len(before[name]) == old_vertices else old_faces * per_wedge
+            if name in ("vertex normals", "face normals"):
+                continue
+            self.assertEqual(before[name].tobytes(), after[name][:count].tobytes(), name)
+        for name in marks:
+            self.assertEqual(marks[name].tobytes(), new_marks[name][:old_vertices].tobytes(), name)
+        self.assertTrue(after["face selection"][old_faces:].all())
+        # Means of random numbers between 0 and 1: neither 0, nor all the same, nor outside.
+        for name, numbers in [*after.items(), *new_marks.items()]:
+            if name in ("vertex quality", "vertex texture", "number", "point"):
+                new = numbers[old_vertices:]
+                self.assertTrue(new.min() > 0 and new.max() < 1 and new.std() > 0.01, name)
+        wedges = after["wedge texture"][3 * old_faces :]
+        self.assertTrue(wedges.min() > 0 and wedges.max() < 1 and wedges.std() > 0.01)
+
+
+class Close(Case):
+    def two_holes(self):
+        vertices, faces = meshes.icosphere(4)
+        height = vertices[faces].mean(axis=1)[:, 2]
+        return mesh_set(*meshes.without(vertices, faces, (height > 0.9) | (height < -0.95)))
+
+    def test_by_size(self):
+        ms = self.two_holes()
+        ms.compute_selection_by_condition_per_face(condselect="x0 > 2")
+        small = ms.apply_filter(CLOSE, max_edges=32)
+        self.assertEqual(small["closed"], 1)
+        self.assertEqual(ms.apply_filter(CLOSE, max_edges=100)["closed"], 1)
+        self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
+
+    def test_at_the_selection(self):
+        ms = self.two_holes()
+        ms.compute_selection_by_condition_per_face(condselect="z0 < -0.8")
+        values = ms.apply_filter(CLOSE, touching_selection=True, selection_after="New faces")
+        self.assertEqual(values["closed"], 1)
+        mesh = ms.current_mesh()
+        self.assertEqual(mesh.selected_face_number(), values["new_faces"])
+        self.assertLess(mesh.vertex_matrix()[mesh.face_matrix()[mesh.face_selection_array()]][:, :, 2].max(), -0.9)
+
+    def test_outline_stays_open(self):
+        vertices, faces = meshes.icosphere(3)
+        sheet = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.8)
+        ms = mesh_set(*sheet)
+        self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
+        self.assertEqual(ms.apply_filter(CLOSE, outlines=True)["closed"], 1)
+
+
+class Refused(Case):
+    def test_no_selection(self):
+        ms, _ = dented_sphere()
+        ms.set_selection_none()
+        self.refused(ms, FAIR, "No face is selected")
+        self.refused(ms, CLOSE, "no face and no vertex is selected", touching_selection=True)
+
+    def test_too_small_a_selection(self):
+        ms, _ = dented_sphere()
+        ms.set_selection_none()
+        ms.compute_selection_by_condition_per_face(condselect="fi == 100")
+        self.refused(ms, FAIR, "No vertex may move", "Select more faces")
+
+    def test_everything_selected(self):
+        ms, _ = dented_sphere()
+        ms.set_selection_all()
+        self.refused(ms, FAIR, "Nothing is fixed in the component of vertex 0", "Leave a part of it unselected")
+
+    def test_non_manifold(self):
+        ms, inside = dented_sphere()
+        mesh = ms.current_mesh()
+        vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+        edge = next(face for face in faces if inside[face].all())
+        fin = [[edge[0], edge[1], len(vertices)]]
+        bad = mesh_set(np.vstack([vertices, [[0, 0, 3]]]), np.vstack([faces, fin]))
+        bad.compute_selection_by_condition_per_face(condselect="(z0+z1+z2)/3 > 0.4")
+        a, b = sorted((int(edge[0]), int(edge[1])))
+        self.refused(bad, FAIR, f"Edge ({a}, {b})", "more than two", "clean the mesh there")
+
+    def test_orientation(self):
+        ms, inside = dented_sphere()
+        mesh = ms.current_mesh()
+        faces = mesh.face_matrix().copy()
+        turned = next(i for i, face in enumerate(faces) if inside[face].all())
+        faces[turned] = faces[turned][::-1]
+        bad = mesh_set(mesh.vertex_matrix(), faces)
+        bad.compute_selection_by_condition_per_face(condselect="(z0+z1+z2)/3 > 0.5")
+        self.refused(bad, FAIR, "run through edge", "in the same direction", str(turned))
+
+    def test_not_a_number(self):
+        ms, inside = dented_sphere()
+        mesh = ms.current_mesh()
+        vertices = mesh.vertex_matrix().copy()
+        bad = int(np.flatnonzero(inside)[5])
+        vertices[bad, 1] = np.nan
+        selected = mesh.face_selection_array().astype(float)
+        broken = mesh_set(vertices, mesh.face_matrix(), f_scalar_array=selected)
+        broken.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+        self.refused(broken, FAIR, f"Vertex {bad} has a coordinate that is not finite")
+        self.refused(broken, CURVATURE, f"Vertex {bad} has a coordinate that is not finite")
+
+    def test_far_from_the_region_nan_is_no_matter(self):
+        ms, inside = dented_sphere()
+        mesh = ms.current_mesh()
+        vertices = mesh.vertex_matrix().copy()
+        far = int(np.argmin(vertices[:, 2]))
+        vertices[far] = np.nan
+        broken = mesh_set(vertices, mesh.face_matrix(), f_scalar_array=mesh.face_selection_array().astype(float))
+        broken.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+        self.assertTrue(broken.apply_filter(FAIR)["converged"])
+        after = broken.current_mesh().vertex_matrix()
+        self.assertTrue(np.isnan(after[far]).all())
+        self.assertLess(np.abs(np.linalg.norm(after[inside], axis=1) - 1).max(), 1e-6)
+
+    def test_no_faces(self):
+        cloud = mesh_set(np.random.default_rng(1).random((50, 3)), np.zeros((0, 3)))
+        for name in (FAIR, CLOSE, CURVATURE):
+            with self.assertRaises(pymeshlab.PyMeshLabException):
+                cloud.apply_filter(name)
+        self.assertEqual(cloud.current_mesh().vertex_number(), 50)
+
+    def test_no_mesh(self):
+        for name in (FAIR, CLOSE, CURVATURE):
+            with self.assertRaises(pymeshlab.PyMeshLabException):
+                pymeshlab.MeshSet(verbose=False).apply_filter(name)
+
+    def test_parameters(self):
+        ms, _ = dented_sphere()
+        self.refused(ms, FAIR, "Parameter tolerance: has to be greater than 0 and less than 1", tolerance=2.0)
+        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=0.0)
+        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=float("nan"))
+        self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
+        self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
+        self.refused(ms, FAIR, "Parameter target_constant: ", target="Constant", target_constant=float("inf"))
+        self.refused(ms, FAIR, "its name is not given", border_normals="Attribute")
+        self.refused(ms, FAIR, "no per-vertex attribute 'there'", border_normals="Attribute", normal_attribute="there")
+        ms = mesh_set(*meshes.open_sphere(3))
+        self.refused(ms, CLOSE, "Parameter density: ", density=1000.0)
+        self.refused(ms, CLOSE, "max_edges is 2", "at least 3", max_edges=2)
+        self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
+        ms, _ = dented_sphere()
+        for wrong in ({"inner_fairness": "None such"}, {"border_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
+            with self.assertRaises(WRONG_PARAMETER):
+                ms.apply_filter(FAIR, **wrong)
+
+    @unless_old
+    def test_nan_normal(self):
+        ms, inside = dented_sphere()
+        mesh = ms.current_mesh()
+        normals = mesh.vertex_matrix().copy()
+        faces = mesh.face_matrix()[mesh.face_selection_array()]
+        border = int(np.setdiff1d(faces, np.flatnonzero(inside))[0])
+        normals[border] = np.nan
+        mesh.add_vertex_custom_point_attribute(normals, "n")
+        words = f"normal given for vertex {border}"
+        self.refused(ms, FAIR, words, border_normals="Attribute", normal_attribute="n")
+
+
+class Outcomes(Case):
+    @unless_old
+    def test_unreachable_normals_are_told(self):
+        ms, _ = dented_sphere()
+        mesh = ms.current_mesh()
+        mesh.add_vertex_custom_point_attribute(mesh.vertex_matrix() * [-1, -1, 1], "tilted")
+        values = ms.apply_filter(FAIR, border_normals="Attribute", normal_attribute="tilted")
+        self.assertEqual((values["outcome"], values["converged"]), (3, False))
+        self.assertLess(values["reached"], 1)
+        self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())
+
+    def test_iterations_run_out(self):
+        ms, _ = dented_sphere()
+        values = ms.apply_filter(FAIR, max_iterations=1)
+        self.assertEqual(values["outcome"], 6)
+        self.assertFalse(values["converged"])
+
+    def test_values(self):
+        ms, inside = dented_sphere()
+        values = ms.apply_filter(FAIR)
+        self.assertEqual(values["free_vertices"], inside.sum())
+        self.assertLess(values["defect"], 1e-5)
+        self.assertLess(values["step"], 1e-8)
+        self.assertGreater(values["smallest_angle"], 10)
+        self.assertLess(values["seconds_solve"], values["seconds"])
+
+    def test_options_reach_the_library(self):
+        def radius(**parameters):
+            ms, inside = dented_sphere()
+            ms.apply_filter(FAIR, **parameters)
+            return ms.current_mesh().vertex_matrix()[inside]
+
+        plain = radius()
+        for parameters in ({"inner_fairness": "Conformal"}, {"inner_fairness": "Convex"}, {"target": "Minimal energy"}):
+            other = radius(**parameters)
+            self.assertLess(np.abs(np.linalg.norm(other, axis=1) - 1).max(), 1e-5, parameters)
+            if "inner_fairness" in parameters:
+                self.assertGreater(np.abs(other - plain).max(), 1e-4, parameters)
+        pushed = radius(target="Constant", target_constant=5.0)
+        self.assertGreater(np.linalg.norm(pushed, axis=1).mean(), 1.01)
+
+
+class Loading(Case):
+    def test_again(self):
+        with self.assertRaises(pymeshlab.PyMeshLabException) as caught:
+            pymeshlab.load_plugin(PLUGIN)
+        self.assertIn("already loaded", str(caught.exception))
+        for name in (FAIR, CLOSE, CURVATURE):
+            self.assertIn(name, pymeshlab.filter_list())
+
+    def test_unloads(self):
+        # A copy, because the host keeps its own one.
+        copy = pathlib.Path(PLUGIN).with_name("copy.so")
+        copy.write_bytes(pathlib.Path(PLUGIN).read_bytes())
+        close = ctypes.CDLL(None).dlclose
+        close.argtypes = [ctypes.c_void_p]
+        for _ in range(3):
+            library = ctypes.CDLL(str(copy))
+            self.assertIn("copy.so", pathlib.Path("/proc/self/maps").read_text())
+            library.qt_plugin_instance()
+            close(library._handle)
+            self.assertNotIn("copy.so", pathlib.Path("/proc/self/maps").read_text())
+        copy.unlink()
+
+
+if __name__ == "__main__":
+    pymeshlab.load_plugin(PLUGIN)
+    unittest.main()
