@@ -633,3 +633,41 @@ fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
     }
     bars.finish();
 }
+
+/// The triangles at the pole of a globe are needles whatever is done: nothing is tried that would not help.
+#[test]
+fn a_pole_of_400_meridians() {
+    let (meridians, parallels) = (400, 200);
+    let mut positions = vec![[0.0, 0.0, 1.0]];
+    for i in 1..parallels {
+        let from_pole = std::f64::consts::PI * i as f64 / parallels as f64;
+        for j in 0..meridians {
+            let (sin, cos) = (std::f64::consts::TAU * j as f64 / meridians as f64).sin_cos();
+            positions.push([from_pole.sin() * cos, from_pole.sin() * sin, from_pole.cos()]);
+        }
+    }
+    let at = |i: usize, j: usize| (1 + (i - 1) * meridians + j % meridians) as u32;
+    let mut triangles: Vec<_> = (0..meridians).map(|j| [0, at(1, j), at(1, j + 1)]).collect();
+    for i in 1..parallels - 1 {
+        for j in 0..meridians {
+            triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    let free: Vec<bool> = positions.iter().map(|p| p[2] > 0.2).collect();
+    for p in &mut positions {
+        p[2] = p[2].min(0.2);
+    }
+    let solution = fair(&positions, &triangles, Selection::Mask(&free), options(1e-8)).unwrap();
+    let report = &solution.report;
+    let off = |p: &[f64; 3]| (vector(p).norm() - 1.0).abs();
+    let error = solution.positions.iter().map(off).fold(0.0, f64::max);
+    println!(
+        "{} free, {} iterations, error {error:.1e}",
+        report.free_vertices, report.iterations
+    );
+    assert!(matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. }));
+    assert!(report.quality.flipped.is_empty() && report.quality.needles.len() >= meridians);
+    assert!(error < 1e-8, "{error}");
+    assert!(report.iterations <= 20, "{}", report.iterations);
+}

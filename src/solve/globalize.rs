@@ -24,7 +24,7 @@ use super::weight_repair::{Repair, THRESHOLDS};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::quality::Surface;
+use crate::quality::{NEEDLE, Surface};
 
 /// Divergence guard of the direct iteration: every change of matrix makes the step norm jump.
 const GUARD: f64 = 10.0;
@@ -86,6 +86,9 @@ pub struct Candidate {
     pub doubtful: bool,
     /// See [`Solved::even`].
     pub even: bool,
+    /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
+    /// connectivity, such as at the pole of a sphere with hundreds of meridians. Nothing else that is tried would.
+    pub needled: bool,
 }
 
 impl Candidate {
@@ -98,8 +101,14 @@ impl Candidate {
         (self.end != End::Converged, self.poor.len(), self.doubtful)
     }
 
+    /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.
+    fn has_only_needles(&self, system: &System<'_>, most: usize) -> bool {
+        let is_flipped = || !system.poor(&self.x, 0.0).is_empty();
+        self.end == End::Converged && !self.doubtful && self.poor.len() <= most && !is_flipped()
+    }
+
     fn is_settled(&self) -> bool {
-        self.is_sound() || self.end == End::Stopped
+        self.is_sound() || self.end == End::Stopped || self.needled
     }
 }
 
@@ -142,7 +151,7 @@ pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solve
         }
         None => {
             system.evaluate(&linear);
-            solved.poor = system.poor(&linear, crate::quality::NEEDLE);
+            solved.poor = system.poor(&linear, NEEDLE);
         }
     }
     Ok(solved)
@@ -153,7 +162,7 @@ fn unmoved(system: &mut System<'_>, clock: Instant) -> Solved {
     let x = system.input[..system.region.region_vertices()].to_vec();
     system.evaluate(&x);
     Solved {
-        poor: system.poor(&x, crate::quality::NEEDLE),
+        poor: system.poor(&x, NEEDLE),
         x,
         ending: Ending::Stopped,
         step: f64::NAN,
@@ -394,7 +403,7 @@ pub fn iterated(
 
 fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) -> Candidate {
     system.evaluate(&x);
-    let poor = system.poor(&x, crate::quality::NEEDLE);
+    let poor = system.poor(&x, NEEDLE);
     let doubtful = system.overshoots() || system.surface(&x).is_strained();
     Candidate {
         x,
@@ -403,6 +412,7 @@ fn judged(system: &mut System<'_>, x: Vec<Vector3<f64>>, end: End, step: f64) ->
         poor,
         doubtful,
         even: false,
+        needled: false,
     }
 }
 
@@ -414,16 +424,30 @@ fn with_repair(
     control: &mut Control<'_>,
 ) -> Candidate {
     let mut repair = Repair::new(system);
+    let asked = system.weights.clone();
     system.evaluate(&x);
+    let needles = system.poor(&x, NEEDLE).len();
+    let mut watch = true;
     // The start is distributed almost as the result will be: what folds here would be found after the iterations.
     if !system.poor(&x, THRESHOLDS[0]).is_empty()
         && let Some(weights) = repair.next(system, &x)
         && let Ok(start) = system.set_weights(weights).and_then(|()| system.start(control))
         && !control.cancelled
     {
-        x = start;
+        system.evaluate(&start);
+        if needles > 0 && system.poor(&start, NEEDLE).len() >= needles {
+            // They were factored before, so that they can be again.
+            let _ = system.set_weights(asked);
+            watch = false;
+        } else {
+            x = start;
+        }
     }
-    let mut best = iterated(system, x, Plan { watch: true, ..plan }, control);
+    let mut best = iterated(system, x, Plan { watch, ..plan }, control);
+    if !watch && best.has_only_needles(system, needles) {
+        best.needled = true;
+        return best;
+    }
     let mut last = best.clone();
     while matches!(last.end, End::Converged | End::Poor) && !last.poor.is_empty() {
         let Some(weights) = repair.next(system, &last.x) else {
