@@ -3,8 +3,9 @@
 
 use nalgebra::Vector3;
 
+use super::candidate::Candidate;
 use super::control::Control;
-use super::globalize::{Candidate, iterated};
+use super::globalize::iterated;
 use super::quasi_newton::{End, Plan};
 use super::system::System;
 use crate::discrete::border_normals::{angle, average};

@@ -5,6 +5,7 @@
 //! fairness, plain curvature, pseudo-time, continuation in the border normals.
 
 pub mod bilaplacian;
+pub mod candidate;
 pub mod continuation;
 pub mod control;
 pub mod curvature_bounds;
