@@ -222,6 +222,7 @@ def test_an_interrupt_stops_a_call_without_callback():
 import os, signal, threading, sys
 sys.path.insert(0, sys.argv[1])
 import numpy as np, fairmesh, meshes
+signal.signal(signal.SIGINT, signal.default_int_handler)  # commands in the background are started without it
 vertices, faces, free, _ = meshes.dented_sphere(side=161, frame=10)
 fairmesh.fair(vertices[:], faces, free=free, max_iterations=1)  # loads, warms up
 threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT)).start()
