@@ -118,14 +118,20 @@ class CommandLine(Case):
         self.assertLess(worst, 1e-6)
 
 
+def decorations(vertices, faces):
+    """Colours and quality of the vertices, texture coordinates of the wedges."""
+    random = np.random.default_rng(5)
+    colours = random.integers(20, 255, (len(vertices), 3))
+    marks = {name: ("uchar", colours[:, i]) for i, name in enumerate(("red", "green", "blue"))}
+    marks["quality"] = ("float", random.random(len(vertices)).astype(np.float32))
+    wedges = random.random((len(faces), 6)).astype(np.float32)
+    return marks, wedges
+
+
 class Survives(Case):
     def test_fair(self):
         vertices, faces, selected, inside = dented_sphere()
-        random = np.random.default_rng(5)
-        colours = random.integers(20, 255, (len(vertices), 3))
-        marks = {name: ("uchar", colours[:, i]) for i, name in enumerate(("red", "green", "blue"))}
-        marks["quality"] = ("float", random.random(len(vertices)).astype(np.float32))
-        wedges = random.random((len(faces), 6)).astype(np.float32)
+        marks, wedges = decorations(vertices, faces)
         file = FOLDER / "decorated.ply"
         meshes.write_ply(file, vertices, faces, vertex=marks, face=flags(selected), wedges=wedges)
         mesh, _ = self.applied(file, (FAIR, {}), save="vc vq ff wt")
@@ -139,11 +145,7 @@ class Survives(Case):
 
     def test_close(self):
         vertices, faces = meshes.open_sphere(4)
-        random = np.random.default_rng(5)
-        colours = random.integers(20, 255, (len(vertices), 3))
-        marks = {name: ("uchar", colours[:, i]) for i, name in enumerate(("red", "green", "blue"))}
-        marks["quality"] = ("float", random.random(len(vertices)).astype(np.float32))
-        wedges = random.random((len(faces), 6)).astype(np.float32)
+        marks, wedges = decorations(vertices, faces)
         file = FOLDER / "decorated.ply"
         meshes.write_ply(file, vertices, faces, vertex=marks, wedges=wedges)
         mesh, _ = self.applied(file, (CLOSE, {}), save="vc vq ff wt")

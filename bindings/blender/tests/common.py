@@ -144,20 +144,19 @@ def edit(obj, mode="FACE"):
 
 def select_faces(obj, chosen):
     """Selects faces in Edit mode: `chosen(face)`."""
-    mesh = bmesh.from_edit_mesh(obj.data)
-    for face in mesh.faces:
-        if chosen(face):
-            face.select_set(True)
-    mesh.select_flush_mode()
-    bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
+    _select(obj, "faces", chosen)
 
 
 def select_vertices(obj, chosen):
     """Selects vertices in Edit mode: `chosen(vertex)`."""
+    _select(obj, "verts", chosen)
+
+
+def _select(obj, kind, chosen):
     mesh = bmesh.from_edit_mesh(obj.data)
-    for vertex in mesh.verts:
-        if chosen(vertex):
-            vertex.select_set(True)
+    for element in getattr(mesh, kind):
+        if chosen(element):
+            element.select_set(True)
     mesh.select_flush_mode()
     bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
 

@@ -215,7 +215,6 @@ def test_calls_within_callbacks():
     assert len(inner) > 3 and all(np.array_equal(vertices, plain) for vertices in inner)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="signals")
 def test_an_interrupt_stops_a_call_without_callback():
     """Ctrl-C during a run of the main thread: the KeyboardInterrupt comes at the next iteration."""
     program = """

@@ -135,7 +135,6 @@ def test_a_callback_that_raises_can_be_followed_by_another_run():
         assert np.abs(solver.vertices - whole.vertices).max() < 1e-8
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
 @pytest.mark.filterwarnings("ignore:.*use of fork:DeprecationWarning")
 def test_a_forked_process():
     vertices, faces, free, _ = dented_sphere()

@@ -21,46 +21,14 @@ from ctypes import (
 )
 from typing import Any
 
+from ._status import Status
+
 NO_ELEMENT = 2**64 - 1
 VERSION_MAJOR = 0
 VERSION_MINOR = 1
 VERSION_PATCH = 0
 
-
-class fairmesh_status(enum.IntEnum):
-    OK = 0
-    NULL_POINTER = 1
-    MISALIGNED = 2
-    BAD_STRUCT_SIZE = 3
-    BAD_OPTION = 4
-    BAD_ENUM = 5
-    BAD_STRIDE = 6
-    COUNT_OVERFLOW = 7
-    COUNT_MISMATCH = 8
-    ALIASING = 9
-    BAD_HANDLE = 10
-    BUSY = 11
-    OUT_OF_MEMORY = 12
-    THREADS = 13
-    TOO_LARGE = 14
-    NOT_FINITE = 15
-    INDEX_OUT_OF_RANGE = 16
-    REPEATED_INDEX = 17
-    DUPLICATE_TRIANGLE = 18
-    NON_MANIFOLD_EDGE = 19
-    NON_MANIFOLD_VERTEX = 20
-    INCONSISTENT_ORIENTATION = 21
-    FREE_VERTEX_ON_BORDER = 22
-    FREE_VERTEX_WITHOUT_TRIANGLE = 23
-    NOTHING_FIXED = 24
-    EMPTY_REGION = 25
-    SELECTION_OUT_OF_RANGE = 26
-    BAD_NORMAL = 27
-    NO_NORMAL = 28
-    NOT_AVAILABLE = 29
-    BUFFER_TOO_SMALL = 30
-    BAD_RESERVED = 31
-    INTERNAL = 99
+fairmesh_status = Status
 
 
 class fairmesh_scalar(enum.IntEnum):
