@@ -130,7 +130,7 @@ class Server:
             env=self.environment,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
             errors="replace",
         )
         return done.returncode % 256, done.stdout + done.stderr

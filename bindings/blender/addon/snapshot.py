@@ -61,14 +61,14 @@ def read(obj):
         # foreach_get sees the mesh as it was when Edit mode was entered, until this.
         obj.update_from_editmode()
     mesh.calc_loop_triangles()
-    corners = _get(mesh.loops, "vertex_index", np.int32)
-    edge_of_corner = _get(mesh.loops, "edge_index", np.int32)
+    corners = _indices(mesh.loops, "vertex_index")
+    edge_of_corner = _indices(mesh.loops, "edge_index")
     edge_faces = np.bincount(edge_of_corner, minlength=len(mesh.edges))
-    sizes = _get(mesh.polygons, "loop_total", np.int32)
+    sizes = _indices(mesh.polygons, "loop_total")
     return Snapshot(
         object=obj,
         vertices=_positions(obj, mesh, editing),
-        triangles=corners[_get(mesh.loop_triangles, "loops", np.int32, 3)],
+        triangles=corners[_indices(mesh.loop_triangles, "loops", 3)],
         # A face of k corners has k - 2 triangles, and they stand in the order of the faces.
         face_of=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         vertex_selected=_get(mesh.vertices, "select", bool),
@@ -94,7 +94,12 @@ def _on_border(mesh, edge_faces):
 def selected_edges(obj):
     """(k, 2): the ends of the selected edges, of a mesh that was just read."""
     mesh = obj.data
-    return _get(mesh.edges, "vertices", np.int32, 2)[_get(mesh.edges, "select", bool)]
+    return _indices(mesh.edges, "vertices", 2)[_get(mesh.edges, "select", bool)]
+
+
+def _indices(collection, name, width=1):
+    # Blender's indices and counts are unsigned: into signed arrays they go one by one, 20 times slower.
+    return _get(collection, name, np.uint32, width).view(np.int32)
 
 
 def _get(collection, name, kind, width=1):

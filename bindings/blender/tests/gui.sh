@@ -11,7 +11,7 @@ trap 'rm -rf "$user"' EXIT
 mkdir -p "$user/scripts/addons"
 export BLENDER_USER_RESOURCES=$user BLENDER_USER_SCRIPTS=$user/scripts BLENDER_USER_CONFIG=$user/config
 export LIBGL_ALWAYS_SOFTWARE=1
-timeout 200 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX" \
+timeout 400 xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX" \
     blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
     --python "$here/gui.py" -- "$zip" "$folder" 2>&1 | tee "$folder/log"
 grep -q '^The window test has passed$' "$folder/log"

@@ -2,7 +2,6 @@
 """Fair Selection, end to end: the zip installed through Blender's operators, known answers."""
 
 import sys
-import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -529,54 +528,27 @@ def test_undo_and_redo():
     assert radial_error(obj, free) < BAR
 
 
-def test_overhead_at_100000_vertices():
-    """What the operator takes beyond the library's own call: below 0.3 CPU seconds."""
-    obj = uv_sphere(450, 225)
-    assert 100_000 < len(obj.data.vertices) < 102_000
-    flatten_cap(obj)
-    mesh = part("snapshot").read(obj)
-    free = part("region").free_mask(mesh, True)
-    library = part("fairmesh")
-    times = []
-    real = library.fair
-
-    def timed(*arguments, **keywords):
-        start = time.process_time()
-        try:
-            return real(*arguments, **keywords)
-        finally:
-            times.append(time.process_time() - start)
-
-    library.fair = timed
-    try:
-        start = time.process_time()
-        fair()
-        whole = time.process_time() - start
-    finally:
-        library.fair = real
-    print(f"        operator {whole:.2f} s, library {times[0]:.2f} s, {free.sum()} of {len(free)} vertices free")
-    assert len(times) == 1 and whole - times[0] < 0.3, whole - times[0]
-
-
-def test_the_library_stops_soon_at_100000_vertices():
-    """How long a thread goes on after it was cancelled. The operator itself does not wait for it."""
+def test_a_job_is_cancelled_at_any_iteration():
+    """The thread ends with that outcome. The operator itself does not wait for it."""
     obj = irregular_sphere(158)
     flatten_cap(obj)
     mesh = part("snapshot").read(obj)
     free = part("region").free_mask(mesh, True)
     library, jobs = part("fairmesh"), part("job")
-    waits = []
-    for after in (0.05, 0.3, 0.6, 1.0):
-        job = jobs.Job(lambda monitor: library.fair(mesh.vertices, mesh.triangles, free=free, cancel=monitor))
+    for last in (0, 1, 4):
+
+        def work(monitor):
+            def tell(progress):
+                if progress.iteration == last:
+                    monitor.cancel()
+
+            return library.fair(mesh.vertices, mesh.triangles, free=free, cancel=monitor, progress=tell)
+
+        job = jobs.Job(work)
         job.start()
-        time.sleep(after)
-        start = time.perf_counter()
-        job.monitor.cancel()
-        assert job.wait(30)
-        waits.append(time.perf_counter() - start)
+        assert job.wait(100)
         assert job.result().outcome == "cancelled", job.result()
-    print("        stopped after", ", ".join(f"{w:.2f}" for w in waits), "s")
-    assert max(waits) < 3
+        assert job.result().report.iterations <= last + 1
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""100,000 free vertices: what the package costs beside the call, the interpreter lock, and cancelling."""
+"""100,000 free vertices: the answer, the interpreter lock, and cancelling. timing.py measures the times."""
 
 import threading
 import time
@@ -7,34 +7,7 @@ import numpy as np
 import pytest
 
 import fairmesh
-from fairmesh import _arrays
 from meshes import dented_sphere
-
-
-class Run:
-    """A fairing that was watched."""
-
-    def __init__(self, mesh, threads):
-        self.told, times = [], []
-
-        def tell(progress):
-            self.told.append(progress)
-            times.append(time.perf_counter())
-
-        cpu = time.process_time()
-        start = time.perf_counter()
-        self.result = fairmesh.fair(mesh.vertices, mesh.faces, free=mesh.free, threads=threads, progress=tell)
-        self.seconds = time.perf_counter() - start
-        self.cpu = time.process_time() - cpu
-        self.gaps = np.diff([start, *times, start + self.seconds])
-
-    def longest_between_iterations(self):
-        """Seconds between callbacks of the iterations, without the first, which begins with a factorization."""
-        return max(gap for gap, told in zip(self.gaps, self.told) if told.iteration > 1)
-
-    def __str__(self):
-        lines = [f"{gap:.3f} s to {told.phase} {told.iteration}" for gap, told in zip(self.gaps, self.told)]
-        return "\n".join([*lines, f"{self.gaps[-1]:.3f} s to the end", f"{self.seconds:.3f} s together"])
 
 
 @pytest.fixture(scope="module")
@@ -44,84 +17,43 @@ def mesh():
     return made
 
 
-@pytest.fixture(scope="module")
-def run(mesh):
-    run = Run(mesh, threads=1)
-    print(run)
-    return run
-
-
-def test_it_is_solved(run):
-    assert run.result.outcome.is_success
-    assert np.abs(np.linalg.norm(run.result.vertices, axis=1) - 1).max() < 1e-7
-
-
-def test_the_package_costs_a_few_percent(run, mesh):
-    """CPU time of everything but the native call: reading the arrays, with a cast of the faces, and the results."""
-    best = min(cost(mesh, run.result) for _ in range(5))
-    print(f"package {best:.4f} s, whole {run.cpu:.3f} s of CPU time: {100 * best / run.cpu:.2f} %")
-    assert best < 0.03 * run.cpu
-
-
-def cost(mesh, result):
-    start = time.process_time()
-    given = _arrays.Mesh(mesh.vertices, mesh.faces)
-    _arrays.Region(given, mesh.free, None, None)
-    np.empty_like(given.vertices)
-    result._handle.report()
-    result._handle.scalars(fairmesh._abi.fairmesh_scalars.MEAN_CURVATURE, len(mesh.vertices))
-    result._handle.list(fairmesh._abi.fairmesh_list.BORDER_VERTICES)
-    return time.process_time() - start
-
-
-def test_other_threads_run_on(mesh):
-    """The interpreter lock is released: another thread wakes up every millisecond all the while."""
-    done = threading.Event()
-    late = []
+def test_it_is_solved_while_other_threads_run(mesh):
+    """The interpreter lock is released: another thread wakes up again and again during the call."""
+    done, ticks = threading.Event(), []
 
     def tick():
         while not done.is_set():
-            before = time.perf_counter()
             time.sleep(0.001)
-            late.append(time.perf_counter() - before)
+            ticks.append(None)
 
     thread = threading.Thread(target=tick)
     thread.start()
-    start = time.perf_counter()
-    fairmesh.fair(mesh.vertices, mesh.faces, free=mesh.free, threads=1)
-    seconds = time.perf_counter() - start
+    before = len(ticks)
+    result = fairmesh.fair(mesh.vertices, mesh.faces, free=mesh.free, threads=1)
+    during = len(ticks) - before
     done.set()
     thread.join()
-    print(f"{len(late)} ticks in {seconds:.3f} s, the longest pause {max(late):.3f} s")
-    assert max(late) < 0.25 and len(late) > 100 * seconds
+    assert result.outcome.is_success
+    assert np.abs(np.linalg.norm(result.vertices, axis=1) - 1).max() < 1e-7
+    # Without the lock it would be one or two.
+    assert during > 20
 
 
 @pytest.mark.parametrize("make", [threading.Event, fairmesh.Monitor])
-def test_cancelling_takes_an_iteration(run, mesh, make):
-    """From setting the event in another thread to the return of the call, in the middle of an iteration."""
-    cancel, times = make(), []
-    third = threading.Event()
+def test_cancelling_takes_no_more_than_an_iteration(mesh, make):
+    """From another thread, in the middle of an iteration."""
+    cancel, third = make(), threading.Event()
 
     def other():
-        assert third.wait(60)
-        time.sleep(0.02)
-        times.append(time.perf_counter())
+        assert third.wait(100)
         getattr(cancel, "set", getattr(cancel, "cancel", None))()
+
+    def tell(progress):
+        if progress.iteration == 3:
+            third.set()
+            thread.join()
 
     thread = threading.Thread(target=other)
     thread.start()
-    result = fairmesh.fair(
-        mesh.vertices,
-        mesh.faces,
-        free=mesh.free,
-        threads=1,
-        cancel=cancel,
-        progress=lambda told: third.set() if told.iteration == 3 else None,
-    )
-    latency = time.perf_counter() - times[0]
-    thread.join()
-    iteration, end = run.longest_between_iterations(), run.gaps[-1]
-    print(f"cancelled in {latency:.3f} s; an iteration takes {iteration:.3f} s, the end {end:.3f} s")
-    assert result.outcome is fairmesh.Outcome.CANCELLED and result.report.iterations == 4
-    # Nothing but the rest of the iteration and what follows the last one; doubled for a busy machine.
-    assert latency < 2 * (iteration + end)
+    result = fairmesh.fair(mesh.vertices, mesh.faces, free=mesh.free, threads=1, cancel=cancel, progress=tell)
+    assert result.outcome is fairmesh.Outcome.CANCELLED and result.report.iterations in (3, 4)
