@@ -764,3 +764,24 @@ fn a_short_edge_does_not_flood_its_hole() {
         assert!(filled.positions.iter().flatten().all(|c| c.is_finite()));
     }
 }
+
+/// Rounding to single precision bends straight rims by a few ulps, in either direction.
+#[test]
+fn the_outline_of_a_flat_grid_in_single_precision_does_not_flood() {
+    for n in [5_u32, 20, 27] {
+        let at = |i: u32| f64::from(i as f32 * 0.1 - 1.0);
+        let x: Vec<[f64; 3]> = (0..(n + 1) * (n + 1))
+            .map(|v| [at(v % (n + 1)), at(v / (n + 1)), 0.0])
+            .collect();
+        let corners = (0..n * n).map(|q| q / n * (n + 1) + q % n);
+        let t: Vec<[u32; 3]> = corners
+            .flat_map(|a| [[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]])
+            .collect();
+        let filled = fill(&x, &t, Loops::Chosen(&[0]));
+        let report = &filled.loops[0];
+        // The sheet itself has n n.
+        let new = report.vertices.len();
+        println!("{n}: {new} new vertices, {:.1} degrees", report.worst_angle);
+        assert!(new as u32 <= 2 * n * n && report.worst_angle > 15.0);
+    }
+}

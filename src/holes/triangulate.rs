@@ -18,7 +18,7 @@ pub(super) const DYNAMIC: usize = 100;
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
 const SHARP: f64 = 1.17;
-/// A flatter ear (height over chord) is nearly degenerate and comes later, too.
+/// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight rims.
 const FLAT: f64 = 1e-6;
 /// How much later: factors on the chord's length.
 const LATER: f64 = 1e6;
@@ -54,12 +54,16 @@ impl Rim<'_> {
         let [a, b, c] = [a, b, c].map(|v| self.x[v as usize]);
         let cross = (b - a).cross(&(c - a));
         let twice = cross.norm();
-        // A triangle whose height is rounding has no direction.
-        let longest = (b - a).norm_squared().max((c - a).norm_squared());
-        if twice > 1e-12 * longest && twice > 0.0 {
+        // A triangle whose height is rounding (single precision's, too) has no direction, and counts as a wide one, so that
+        // any other is preferred.
+        let longest = (b - a)
+            .norm_squared()
+            .max((c - a).norm_squared())
+            .max((c - b).norm_squared());
+        if twice > FLAT * longest && twice > 0.0 {
             (cross / twice, 0.5 * twice)
         } else {
-            (Vector3::zeros(), 0.5 * twice)
+            (Vector3::zeros(), longest)
         }
     }
 
@@ -211,14 +215,14 @@ impl<'a> Ears<'a> {
         if !self.rim.is_free(a, b) {
             return;
         }
-        let (normal, area) = self.rim.normal(a, v, b);
+        let (normal, _) = self.rim.normal(a, v, b);
         let chord = (self.rim.x[b as usize] - self.rim.x[a as usize]).norm();
         let bend = bend(&normal, &self.normals[a as usize]).max(bend_at(&normal, &self.normals[v as usize]));
         let mut cost = chord * (1.0 + bend);
         if bend > SHARP {
             cost *= LATER * LATER;
         }
-        if 2.0 * area < FLAT * chord * chord {
+        if normal == Vector3::zeros() {
             cost *= LATER;
         }
         self.queue.push(Reverse((cost.to_bits(), v, a, b, false)));
