@@ -10,6 +10,8 @@ import bmesh
 import numpy as np
 
 EXTENSIONS = bpy.app.version >= (4, 2, 0)
+#: The add-on's module after `install`.
+NAME = "bl_ext.user_default.fairmesh" if EXTENSIONS else "fairmesh_blender"
 
 
 def private_folders(folder):
@@ -18,18 +20,20 @@ def private_folders(folder):
 
 
 def install(zip_path):
-    """Installs and enables the zip through Blender's own operators; returns the module's name."""
+    """Installs and enables the zip through Blender's own operators."""
     if EXTENSIONS:
         # The module bpy has the add-on for extensions, but does not start it.
         bpy.ops.preferences.addon_enable(module="bl_pkg")
         bpy.ops.extensions.package_install_files(filepath=str(zip_path), repo="user_default", enable_on_install=True)
-        name = "bl_ext.user_default.fairmesh"
     else:
         bpy.ops.preferences.addon_install(filepath=str(zip_path), overwrite=True)
-        name = "fairmesh_blender"
-        bpy.ops.preferences.addon_enable(module=name)
-    assert name in bpy.context.preferences.addons, f"{name} is not enabled"
-    return name
+        bpy.ops.preferences.addon_enable(module=NAME)
+    assert NAME in bpy.context.preferences.addons, f"{NAME} is not enabled"
+
+
+def part(name):
+    """A module of the installed add-on."""
+    return sys.modules[f"{NAME}.{name}"]
 
 
 def clear():

@@ -18,7 +18,6 @@ import bmesh
 import common
 import numpy as np
 
-MODULE = common.install(sys.argv[1])
 FREE = (1_000, 13_000, 100_000)
 FAR = (1000.0, 0.0, 0.0)
 
@@ -44,7 +43,7 @@ def measure(make, free, offset, run):
 
 def fair_selection(obj):
     """CPU and wall seconds, and CPU seconds beside the library's call."""
-    library, inside = sys.modules[f"{MODULE}.fairmesh"], []
+    library, inside = common.part("fairmesh"), []
     real = library.fair
 
     def watched(*arguments, **keywords):
@@ -82,6 +81,7 @@ def timed(function):
 
 
 def main():
+    common.install(sys.argv[1])
     sizes = [int(a) for a in sys.argv[2:]] or FREE
     print(f"Blender {bpy.app.version_string}; largest radial error, CPU s (wall s)")
     print("| sphere | at | free vertices | Fair Selection | beside the library | Fair Tangency |")

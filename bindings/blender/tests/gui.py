@@ -17,18 +17,15 @@ sys.path.insert(0, str(Path(__file__).parent))
 import bpy  # isort: skip
 import common
 import numpy as np
+from common import part
 
 ZIP, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
-NAME = common.install(ZIP)
+common.install(ZIP)
 bpy.context.preferences.view.show_splash = False
 # Blender ends a modal operator's timer loop between two of these.
 POLL = 0.01
 # From the top of the sidebar to the first button of the add-on's tab, in pixels.
 BUTTON = 45
-
-
-def part(name):
-    return sys.modules[f"{NAME}.{name}"]
 
 
 def view():
@@ -242,13 +239,13 @@ def disabled_in_mid_run():
         assert call(bpy.ops.mesh.fairmesh_fair, "INVOKE_DEFAULT") == {"RUNNING_MODAL"}
         yield 0.3
         assert running()
-        bpy.ops.preferences.addon_disable(module=NAME)
+        bpy.ops.preferences.addon_disable(module=common.NAME)
     # Time for events to go where the operator was.
     press("A")
     yield 1.0
     press("ESC")
     yield 1.0
-    bpy.ops.preferences.addon_enable(module=NAME)
+    bpy.ops.preferences.addon_enable(module=common.NAME)
     yield 0.5
     picture("enabled_again")
 

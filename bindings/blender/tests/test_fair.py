@@ -10,16 +10,11 @@ import bmesh
 import common
 import numpy as np
 import runner
-from common import activate, coordinates, edit, flatten_cap, irregular_sphere, radial_error, uv_sphere
+from common import activate, coordinates, edit, flatten_cap, irregular_sphere, part, radial_error, uv_sphere
 
 BAR = 1e-5
-MODULE = common.install(runner.arguments()[0])
+common.install(runner.arguments()[0])
 fair = bpy.ops.mesh.fairmesh_fair
-
-
-def part(name):
-    """A module of the installed add-on."""
-    return sys.modules[f"{MODULE}.{name}"]
 
 
 def dented(segments=64):

@@ -13,7 +13,7 @@ import runner
 from common import coordinates, edit, irregular_sphere, select_faces, select_vertices, uv_sphere
 
 BAR = 1e-5
-MODULE = common.install(runner.arguments()[0])
+common.install(runner.arguments()[0])
 fill = bpy.ops.mesh.fairmesh_fill_holes
 show = bpy.ops.mesh.fairmesh_show_curvature
 
@@ -94,14 +94,12 @@ def test_everything_stored_is_carried_on():
     del uv, color
     delete_faces(obj, lambda f: f.calc_center_median().z > 0.9)
     old = len(mesh.vertices)
-    read = sys.modules[f"{MODULE}.snapshot"].read(obj)
-    sys.modules[f"{MODULE}.native"].load()
+    read = common.part("snapshot").read(obj)
+    common.part("native").load()
     select_border(obj)
     fill(density=2.0)
     # The same from the library: it says which old vertices each new one comes from.
-    filled = sys.modules[f"{MODULE}.fairmesh"].fill_holes(
-        read.vertices, read.triangles, density=2.0 * np.sqrt(2.0), tolerance=1e-7
-    )
+    filled = common.part("fairmesh").fill_holes(read.vertices, read.triangles, density=2.0 * np.sqrt(2.0), tolerance=1e-7)
     known = np.array([value(co) for co in read.vertices])
     expected = (filled.parent_weights * known[filled.parents]).sum(axis=1)
     bpy.ops.object.mode_set(mode="OBJECT")
