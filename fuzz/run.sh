@@ -5,7 +5,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
-host=$(rustc -vV | sed -n 's/^host: //p')
 if ! command -v clang >/dev/null || ! ls "$(clang -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1; then
     as_root=""
     [ "$(id -u)" -eq 0 ] || as_root=sudo
@@ -13,13 +12,11 @@ if ! command -v clang >/dev/null || ! ls "$(clang -print-resource-dir)"/lib/linu
     $as_root apt-get install -y -qq --no-install-recommends clang libclang-rt-14-dev
 fi
 out=target/fuzz
-RUSTC_BOOTSTRAP=1 RUSTFLAGS="-Zsanitizer=address -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \
--Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table" \
-    cargo rustc --release --locked --quiet --lib --no-default-features --features capi --crate-type staticlib \
-    --target "$host" --target-dir $out
+library=$(tests/address_library.sh capi)
+mkdir -p $out
 for target in ${2:-structured raw}; do
     clang -std=c11 -O1 -g -Wall -Wextra -Werror -fsanitize=fuzzer,address -Iinclude fuzz/$target.c \
-        $out/$host/release/libfairmesh.a -lgcc_s -lutil -lrt -lpthread -lm -ldl -o $out/$target
+        "$library" -lgcc_s -lutil -lrt -lpthread -lm -ldl -o $out/$target
     mkdir -p $out/corpus-$target
     $out/$target -max_total_time="$seconds" -timeout=60 -seed="${FUZZ_SEED:-1}" -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
         -artifact_prefix=$out/ $out/corpus-$target fuzz/corpus/$target 2>&1 | grep -v "^#\|NEW_FUNC\|# Uses" | tail -8

@@ -25,18 +25,21 @@ fail() {
     tail -5 "$log" >&2
     exit 1
 }
-# window NAME: waits for a window and sets $window.
-window() {
-    for _ in $(seq 60); do
+# appears NAME SECONDS: waits for a window and sets $window.
+appears() {
+    for _ in $(seq $((4 * $2))); do
         window=$(xdotool search --onlyvisible --name "$1" 2>/dev/null | tail -1) || true
         if [ -n "$window" ]; then return; fi
         sleep 0.25
     done
-    fail "no window '$1'"
+    return 1
+}
+window() {
+    appears "$1" 60 || fail "no window '$1'"
 }
 # logged COUNT TEXT: waits until the program's log has the text so often.
 logged() {
-    for _ in $(seq 60); do
+    for _ in $(seq 240); do
         if [ "$(grep -c -- "$2" "$log")" -ge "$1" ]; then return; fi
         sleep 0.25
     done
@@ -49,12 +52,18 @@ click() {
     eval "$(xdotool getwindowgeometry --shell "$dialog" | grep HEIGHT)"
     xdotool mousemove --window "$dialog" "$1" $((HEIGHT - $2)) click 1
 }
-# search TEXT: MeshLab's own search, and its first hit.
-search() {
-    xdotool windowfocus "$main" key ctrl+f
-    sleep 1
-    xdotool type --delay 40 "$1"
-    sleep 1
+# open TEXT WINDOW: the first hit of MeshLab's own search. A busy program may lose keys.
+open() {
+    for _ in 1 2 3; do
+        xdotool windowfocus "$main" key ctrl+f
+        sleep 1
+        xdotool type --delay 40 "$1"
+        sleep 1
+        xdotool key Down Return
+        if appears "$2" 20; then return; fi
+        xdotool key Escape Escape
+    done
+    fail "no window '$2'"
 }
 
 "$work/venv-pymeshlab/bin/python" "$here/gui_mesh.py" "$work/dent.ply"
@@ -73,9 +82,7 @@ xdotool mousemove 240 236 click 1
 shot menu
 xdotool key Escape Escape Escape
 
-search 'fair selection'
-xdotool key Down Return
-window 'Fair selection'
+open 'fair selection' 'Fair selection'
 dialog=$window
 xdotool windowmove "$dialog" 660 100
 shot dialog
