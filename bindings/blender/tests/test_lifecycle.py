@@ -81,9 +81,19 @@ def test_disabled_while_the_library_works():
     module().native.load()
     mesh = module().snapshot.read(obj)
     free = module().region.free_mask(mesh, True)
-    job = jobs.Job(lambda monitor: library.fair(mesh.vertices, mesh.triangles, free=free, cancel=monitor))
+    started = threading.Event()
+
+    def work(monitor):
+        def tell(_):
+            started.set()
+            while not monitor.is_cancelled:
+                time.sleep(0.01)
+
+        return library.fair(mesh.vertices, mesh.triangles, free=free, cancel=monitor, progress=tell)
+
+    job = jobs.Job(work)
     job.start()
-    time.sleep(0.05)
+    assert started.wait(100)
     bpy.ops.preferences.addon_disable(module=common.NAME)
     assert not [t for t in threading.enumerate() if t.name == "fairmesh"]
     assert job.result().outcome == "cancelled"
