@@ -3,11 +3,12 @@
 //! The paper averages the outside triangles (7.5); that is wrong by `O(h)`. The gradient-corrected fit of
 //! [`super::curvature`] over the outside alone is exact on spheres and wrong by `O(h^2)`, with cubics by `O(h^3)`; but on
 //! a rough scan it can turn a normal far away. So the order is chosen and blended with the average by how certain the
-//! fits are, judged by their own residuals.
+//! fits are, judged by their own residuals. Where the coordinates themselves are rounded, a wide fit joins them.
 
 use nalgebra::Vector3;
 
 use super::outside_fit::{Fit, SECOND, Samples, THIRD};
+use super::wide_fit::WideSamples;
 use crate::error::Error;
 use crate::mesh::{Region, Rings, Surroundings};
 
@@ -32,6 +33,7 @@ pub fn estimate(
 ) -> Result<Vec<Vector3<f64>>, Error> {
     let mut normals = vec![Vector3::zeros(); region.border];
     let mut fits = Fits::new(if fitted { region.border } else { 0 });
+    let mut wide = WideSamples::default();
     let surroundings = fitted.then(|| Surroundings::new(region));
     let (mut samples, mut found) = (Samples::default(), Vec::new());
     for b in 0..region.border {
@@ -53,6 +55,10 @@ pub fn estimate(
             samples.gather(surroundings, x, region.free + b, &mut found);
             fits.second[b] = SECOND.fit(&samples, normals[b]);
             fits.third[b] = THIRD.fit(&samples, normals[b]);
+            if region.is_rounded {
+                wide.gather(surroundings, x, region.free + b);
+                fits.wide[b] = wide.fit(normals[b]);
+            }
         }
     }
     if fitted {
@@ -67,6 +73,7 @@ pub fn estimate(
 struct Fits {
     second: Vec<Option<Fit>>,
     third: Vec<Option<Fit>>,
+    wide: Vec<Option<Fit>>,
 }
 
 impl Fits {
@@ -74,24 +81,31 @@ impl Fits {
         Self {
             second: vec![None; border],
             third: vec![None; border],
+            wide: vec![None; border],
         }
     }
 
-    /// The fits to be used on a rim: those of the order that is more certain there; on noise that is the lower one.
+    /// The fits to be used on a rim: those that are most certain there; on noise that is the lower order.
     fn of(&mut self, rim: &[u32]) -> &[Option<Fit>] {
-        let (mut second, mut third) = (Vec::new(), Vec::new());
-        for &b in rim {
-            if let (Some(low), Some(high)) = (&self.second[b as usize], &self.third[b as usize]) {
-                second.push(low.error);
-                third.push(high.error);
-            }
-        }
-        if !second.is_empty() && median(&mut third) < median(&mut second) {
-            for &b in rim {
-                self.second[b as usize] = self.third[b as usize].or(self.second[b as usize]);
-            }
-        }
+        prefer_certain(&mut self.second, &self.third, rim);
+        prefer_certain(&mut self.second, &self.wide, rim);
         &self.second
+    }
+}
+
+/// Replaces fits on a rim by others if those are more certain, by the medians of where there are both.
+fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], rim: &[u32]) {
+    let (mut errors, mut other_errors) = (Vec::new(), Vec::new());
+    for &b in rim {
+        if let (Some(fit), Some(other)) = (&fits[b as usize], &others[b as usize]) {
+            errors.push(fit.error);
+            other_errors.push(other.error);
+        }
+    }
+    if !errors.is_empty() && median(&mut other_errors) < median(&mut errors) {
+        for &b in rim {
+            fits[b as usize] = others[b as usize].or(fits[b as usize]);
+        }
     }
 }
 

@@ -20,3 +20,4 @@ pub mod paper_curvature;
 pub mod passing;
 pub mod spokes;
 pub mod target;
+pub mod wide_fit;

@@ -11,6 +11,8 @@ use crate::mesh::{Region, Rings};
 pub enum BorderNormals<'a> {
     /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
     /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
+    /// To eight rings where all coordinates around are single precision numbers so far from the origin that their rounding
+    /// turns edges by more than 1e-4.
     #[default]
     Fitted,
     /// The average of the outside triangles, as the paper does (7.5).

@@ -7,6 +7,7 @@ pub mod hierarchy;
 pub mod islands;
 pub mod region;
 pub mod rings;
+mod rounding;
 pub mod surroundings;
 
 pub use editable::EditableMesh;

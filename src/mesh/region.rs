@@ -6,6 +6,8 @@ use super::NONE;
 use super::cut::cut;
 use super::halfedge::{HalfEdges, buckets};
 use super::islands::islands;
+use super::rounding;
+use super::surroundings::RINGS_WIDE;
 use crate::error::Error;
 
 /// Which vertices may move.
@@ -37,8 +39,10 @@ pub struct Region {
     /// The triangles of the region and of the outside ring.
     pub half_edges: HalfEdges,
     /// The triangles within two more rings around those, in local numbers, as far as their vertices have a place. They
-    /// serve fits to the surroundings and need not be sound.
+    /// serve fits to the surroundings and need not be sound. Where [`is_rounded`](Self::is_rounded), within a few more.
     pub beyond: Vec<[u32; 3]>,
+    /// Whether the surroundings have single precision coordinates that tilt their triangles: far from the origin.
+    pub is_rounded: bool,
     /// Per free vertex the number of its component. Region triangles with a common vertex, free or fixed,
     /// belong together; components are numbered by their smallest free vertex.
     pub component: Vec<u32>,
@@ -108,7 +112,10 @@ impl Region {
                 &vertex_ids,
             )?;
         }
-        let beyond = add_beyond(positions, triangles, &role, &mut vertex_ids);
+        let outside = half_edges.triangle_ids[region_triangles..].iter();
+        let is_rounded = rounding::is_felt(positions, outside.map(|&t| triangles[t as usize]));
+        let rings = if is_rounded { RINGS_WIDE - 1 } else { RINGS_BEYOND };
+        let beyond = add_beyond(positions, triangles, &role, rings, &mut vertex_ids);
         let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
         Ok(Self {
             vertex_ids,
@@ -116,6 +123,7 @@ impl Region {
             border,
             half_edges,
             beyond,
+            is_rounded,
             component,
             components,
         })
@@ -394,6 +402,7 @@ fn add_beyond(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     role: &[Role],
+    rings: usize,
     vertex_ids: &mut Vec<u32>,
 ) -> Vec<[u32; 3]> {
     let mut local = vec![NONE; role.len()];
@@ -403,7 +412,7 @@ fn add_beyond(
     let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
     let mut before = vec![false; role.len()];
     let mut beyond = Vec::new();
-    for _ in 0..RINGS_BEYOND {
+    for _ in 0..rings {
         let first = beyond.len();
         for tri in triangles {
             let any = |marked: &[bool]| tri.iter().any(|&v| marked[v as usize]);

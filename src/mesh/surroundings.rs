@@ -10,6 +10,13 @@ pub struct Surroundings {
     neighbour: Vec<u32>,
 }
 
+/// So many rings are fitted where rounding is felt.
+pub const RINGS_WIDE: usize = 8;
+
+/// Which vertices were found already; room to work in.
+#[derive(Debug, Clone, Default)]
+pub struct Marks(Vec<bool>);
+
 impl Surroundings {
     /// Of a region, by local vertex number.
     pub fn new(region: &Region) -> Self {
@@ -57,5 +64,30 @@ impl Surroundings {
         }
         found.remove(0);
         ends
+    }
+
+    /// The vertices within so many edges of `v`, without `v`: hundreds.
+    pub fn disc(&self, v: u32, rings: usize, found: &mut Vec<u32>, marks: &mut Marks) {
+        let marks = &mut marks.0;
+        marks.resize(self.start.len(), false);
+        found.clear();
+        found.push(v);
+        marks[v as usize] = true;
+        let mut begin = 0;
+        for _ in 0..rings {
+            let last = found.len();
+            for k in begin..last {
+                let row = self.start[found[k] as usize] as usize..self.start[found[k] as usize + 1] as usize;
+                for &j in &self.neighbour[row] {
+                    if !std::mem::replace(&mut marks[j as usize], true) {
+                        found.push(j);
+                    }
+                }
+            }
+            begin = last;
+        }
+        found.iter().for_each(|&j| marks[j as usize] = false);
+        found.remove(0);
+        found.sort_unstable();
     }
 }
