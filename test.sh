@@ -68,8 +68,6 @@ step cargo clippy --release --locked --all-targets --no-default-features -- -D w
 step cargo clippy --release --locked --all-targets --features capi-hooks -- -D warnings
 RUSTDOCFLAGS="-D warnings" step cargo doc --release --locked --no-deps --lib
 step cargo build --release --locked --no-default-features
-# Clippy has looked at the other tests: most need a feature.
-step cargo test --release --locked --no-default-features --lib --test mesh
 step cargo build --release --locked
 step check_demo
 # With bindings/openmesh-sys, in one build.
