@@ -18,6 +18,7 @@ for _ in range(3):
     values = ms.apply_filter("apply_coord_fairing_to_selection", curvature_to_quality=True)
     own = values["seconds"] - values["seconds_solve"]
     print(
-        f"{values['free_vertices']} free of {len(vertices)} vertices: {values['seconds']:.2f} s; beside the solve {own:.3f} s, {own / values['seconds']:.1%}"
+        f"{values['free_vertices']} free of {len(vertices)} vertices: {values['seconds']:.2f} s; "
+        f"beside the solve {own:.3f} s, {own / values['seconds']:.1%}"
     )
 assert values["converged"]
