@@ -12,7 +12,7 @@ if ! command -v clang >/dev/null || ! ls "$(clang -print-resource-dir)"/lib/linu
     $as_root apt-get install -y -qq --no-install-recommends clang libclang-rt-14-dev
 fi
 out=target/fuzz
-library=$(tests/address_library.sh capi)
+library=$(tests/address_library.sh)
 mkdir -p $out
 for target in ${2:-structured raw}; do
     clang -std=c11 -O1 -g -Wall -Wextra -Werror -fsanitize=fuzzer,address -Iinclude fuzz/$target.c \

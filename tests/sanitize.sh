@@ -9,7 +9,7 @@ strict="-std=c11 -Wall -Wextra -pedantic -Werror -O1 -g -Iinclude"
 
 address() {
     local library out=target/asan
-    library=$(tests/address_library.sh capi-hooks)
+    library=$(tests/address_library.sh)
     for program in calls bad_inputs threads memory; do
         cc $strict -fsanitize=address,undefined -fno-sanitize-recover=all tests/c/$program.c "$library" $libs -o $out/$program
         # Allocations that are too large are an answer, not an error.
