@@ -19,12 +19,12 @@ use std::time::Instant;
 
 use fairmesh::discrete::curvature::TILT_RIDGE;
 use fairmesh::discrete::equations::{Equations, FreeCurvature, State};
-use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
 use fairmesh::discrete::target::RightHandSide;
+use fairmesh::discrete::valence_batches::ValenceBatches;
 use fairmesh::mesh::{Region, Rings};
 use fairmesh::shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
-use fairmesh::{BorderNormals, Options, Report, Selection, Solution, fair};
+use fairmesh::{BoundaryNormals, Options, Report, Selection, Solution, fair};
 use nalgebra::Vector3;
 
 const SIZES: [usize; 3] = [1_000, 13_000, 100_000];
@@ -80,7 +80,7 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// A mesh with its free vertices and border normals.
+/// A mesh with its free vertices and boundary normals.
 struct Case {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
@@ -89,7 +89,7 @@ struct Case {
 }
 
 fn pack(shape: &Shape) -> Vec<u8> {
-    let (positions, free, normals) = (shape.flat(), shape.free_vertices(), shape.border_normals());
+    let (positions, free, normals) = (shape.flat(), shape.free_vertices(), shape.boundary_normals());
     let mut bytes = Vec::new();
     for count in [positions.len(), shape.triangles.len(), free.len(), normals.len()] {
         bytes.extend((count as u32).to_le_bytes());
@@ -168,7 +168,7 @@ fn one_case(path: &Path, name: &str, threads: usize) -> io::Result<()> {
             best = report;
         }
     }
-    let unit = work_unit(&case, &first.border_normals, threads).map_err(io::Error::other)?;
+    let unit = work_unit(&case, &first.boundary_normals, threads).map_err(io::Error::other)?;
     let bytes = match (before, peak) {
         (Some(before), Some(peak)) => format!("{:.0}", (peak - before) / n as f64),
         _ => "?".to_owned(),
@@ -190,7 +190,7 @@ fn one_case(path: &Path, name: &str, threads: usize) -> io::Result<()> {
 
 fn solve(case: &Case, threads: usize) -> io::Result<Solution> {
     let options = Options {
-        normals: BorderNormals::Given(&case.normals),
+        normals: BoundaryNormals::Given(&case.normals),
         threads,
         ..Options::default()
     };
@@ -208,13 +208,13 @@ fn work_unit(case: &Case, normals: &[(u32, [f64; 3])], threads: usize) -> Result
     let region = Region::new(&case.positions, &case.triangles, Selection::Vertices(&case.free))
         .map_err(|e| e.to_string())?;
     let rings = Rings::new(&region);
-    let groups = Groups::new(&rings);
+    let batches = ValenceBatches::new(&rings);
     let normals: Vec<Vector3<f64>> = normals.iter().map(|n| Vector3::from(n.1)).collect();
     let weights = FairnessWeights::uniform();
     let equations = Equations {
         rings: &rings,
-        groups: &groups,
-        border_normals: &normals,
+        batches: &batches,
+        boundary_normals: &normals,
         passing: &[],
         weights: &weights,
         curvature: FreeCurvature::GradientCorrected {
@@ -223,7 +223,7 @@ fn work_unit(case: &Case, normals: &[(u32, [f64; 3])], threads: usize) -> Result
         right_hand_side: RightHandSide::default(),
     };
     let x = region.positions(&case.positions);
-    let mut state = State::new(&groups, region.border);
+    let mut state = State::new(&batches, region.boundary);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()

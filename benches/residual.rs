@@ -6,9 +6,9 @@ use divan::counter::ItemsCount;
 use fairmesh::Selection;
 use fairmesh::discrete::curvature::TILT_RIDGE;
 use fairmesh::discrete::equations::{Equations, FreeCurvature, State};
-use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
 use fairmesh::discrete::target::{RightHandSide, Target};
+use fairmesh::discrete::valence_batches::ValenceBatches;
 use fairmesh::mesh::{Region, Rings};
 use fairmesh::shapes::{Sampling, sphere_cap};
 
@@ -29,23 +29,23 @@ fn evaluate(
     let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
     let x = region.positions(&shape.noise(3, 0.1));
     let exact = region.positions(&shape.positions);
-    let border_normals: Vec<_> = exact[region.free..region.region_vertices()]
+    let boundary_normals: Vec<_> = exact[region.free..region.region_vertices()]
         .iter()
         .map(|p| p.normalize())
         .collect();
     let rings = Rings::new(&region);
-    let groups = Groups::new(&rings);
+    let batches = ValenceBatches::new(&rings);
     let weights = FairnessWeights::uniform();
     let equations = Equations {
         rings: &rings,
-        groups: &groups,
-        border_normals: &border_normals,
-        passing: &[],
+        batches: &batches,
+        boundary_normals: &boundary_normals,
+        smooth_interior: &[],
         weights: &weights,
         curvature,
         right_hand_side,
     };
-    let mut state = State::new(&groups, region.border);
+    let mut state = State::new(&batches, region.boundary);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()

@@ -1,7 +1,7 @@
 //! Errors against exact surfaces, convergence orders, and iteration counts.
 //!
 //! Errors are the largest distance of a free vertex to the exact surface over the region's diagonal; the
-//! interior is destroyed beforehand, so that nothing of the exact surface is left but its border.
+//! interior is destroyed beforehand, so that nothing of the exact surface is left but its boundary.
 #![cfg(feature = "shapes")]
 #![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
@@ -9,7 +9,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Discretization, Options, Solution};
+use fairmesh::{BoundaryNormals, Discretization, Options, Solution};
 
 const MOST_ITERATIONS: usize = 15;
 
@@ -157,7 +157,7 @@ fn bands_of_other_surfaces() {
     check_bands(&BANDS);
 }
 
-/// Another unduloid, with a neck of 0.18, has nearly the same border and the same normals there.
+/// Another unduloid, with a neck of 0.18, has nearly the same boundary and the same normals there.
 #[test]
 fn long_unduloid_band() {
     check_bands(&[("long unduloid", long_unduloid)]);
@@ -180,7 +180,7 @@ fn convergence_orders() {
                 let solution = solve(&shape, &flat(&shape), options(1e-9));
                 bars.converged(format!("{name} {n} seed {seed}"), &solution);
                 let (e, h) = (errors(&shape, &solution), curvature_errors(&shape, &solution));
-                // One that is far off is another solution, with a bump at some vertex beside the border.
+                // One that is far off is another solution, with a bump at some vertex beside the boundary.
                 bars.at_most(format!("{name} {n} seed {seed}: error"), e.max, 0.52 / n as f64);
                 for (mean, figure) in mean.iter_mut().zip([e.max, e.rms, h.max, h.rms]) {
                     *mean += figure / seeds.len() as f64;
@@ -199,7 +199,7 @@ fn convergence_orders() {
         bars.at_least(format!("{name}: order of the positions"), position, 1.7);
         bars.at_least(format!("{name}: order of H"), curvature, 0.8);
         // The largest error of H does not fall on every refinement: it stands at single irregular vertices beside the
-        // border. It stays bounded, and the mean falls.
+        // boundary. It stays bounded, and the mean falls.
         bars.at_most(format!("{name}: largest error of H"), h_max[2], 3.0 * h_max[0]);
     }
     bars.finish();
@@ -252,7 +252,7 @@ fn fitted_normals() {
                 let shape = generate(n, seed);
                 let start = shape.random(seed);
                 let fitted = Options {
-                    normals: BorderNormals::Fitted,
+                    normals: BoundaryNormals::Fitted,
                     ..options(TIGHT)
                 };
                 let fitted = solve_as_asked(&shape, &start, fitted);
@@ -293,7 +293,7 @@ fn sphere_with_one_hole() {
     bars.finish();
 }
 
-/// A cylinder that takes a bump beside its border, and a hole that is not completed: known shortfalls, never successes.
+/// A cylinder that takes a bump beside its boundary, and a hole that is not completed: known shortfalls, never successes.
 #[test]
 fn failures_are_not_called_success() {
     for shape in [

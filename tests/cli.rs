@@ -185,10 +185,10 @@ fn a_refusal_keeps_the_old_output() {
 // From here on the solver is needed.
 
 #[test]
-fn a_free_vertex_on_the_border_is_named() {
-    let directory = prepared("border");
+fn a_free_vertex_on_the_boundary_is_named() {
+    let directory = prepared("boundary");
     fs::write(directory.join("one.txt"), "7\n").unwrap();
-    let message = "cap.obj: free vertex 7 lies on the border of the mesh";
+    let message = "cap.obj: free vertex 7 lies on the boundary of the mesh";
     refused(
         &directory,
         &["fair", "cap.obj", "-o", "out.obj", "--free", "one.txt"],

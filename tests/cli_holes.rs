@@ -48,11 +48,11 @@ fn holes_are_listed_and_filled_with_all_other_bytes_kept() {
     let text = holed_ply();
     fs::write(directory.join("in.ply"), &text).unwrap();
     let (out, _) = expect(&directory, &["holes", "in.ply", "--json", "l.json"], 0);
-    assert!(out.contains(" hole") && out.contains("outer border"), "{out}");
+    assert!(out.contains(" hole") && out.contains("outer boundary"), "{out}");
     let list: Value = serde_json::from_slice(&fs::read(directory.join("l.json")).unwrap()).unwrap();
     assert_eq!(list.as_array().unwrap().len(), 2);
     let hole = usize::from(list[1]["kind"] == "hole");
-    assert_eq!(list[1 - hole]["kind"], "outer_border");
+    assert_eq!(list[1 - hole]["kind"], "outer_boundary");
     let (out, _) = expect(
         &directory,
         &["fill", "in.ply", "-o", "out.ply", "--json", "r.json"],
@@ -185,7 +185,7 @@ fn near(found: &[f64], position: &[f64]) -> bool {
 }
 
 #[test]
-fn obj_gets_colours_and_texture_coordinates_of_the_rim() {
+fn obj_gets_colours_and_texture_coordinates_of_the_boundary() {
     let directory = directory("fill_obj_texture");
     let mut text = String::new();
     for [x, y, z] in cap() {
@@ -290,6 +290,6 @@ fn off_and_stl_are_filled_in_their_own_format() {
         let (out, _) = expect(&directory, &["fill", &cut, "-o", &filled], 0);
         assert!(out.contains("converged"), "{out}");
         let (out, _) = expect(&directory, &["holes", &filled], 0);
-        assert!(!out.contains(" hole") && out.contains("outer border"), "{out}");
+        assert!(!out.contains(" hole") && out.contains("outer boundary"), "{out}");
     }
 }

@@ -9,7 +9,7 @@ use common::fairing::{Bars, angle, irregular, vector};
 use fairmesh::shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
 use fairmesh::{
     Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, Loops, OpenReason, Options, Outcome,
-    border_loops, fill_holes,
+    boundary_loops, fill_holes,
 };
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
@@ -45,7 +45,7 @@ fn sphere(n: usize, sampling: Sampling) -> Mesh {
 }
 
 fn largest(x: &[[f64; 3]], t: &[[u32; 3]]) -> usize {
-    let loops = border_loops(x, t).unwrap();
+    let loops = boundary_loops(x, t).unwrap();
     (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap()
 }
 
@@ -94,11 +94,11 @@ fn check(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) {
         assert!((sum - 1.0).abs() < 1e-9 && parents.weights.iter().all(|&w| (0.0..=1.0 + 1e-9).contains(&w)));
         assert!(parents.vertices.iter().all(|&v| (v as usize) < x.len()));
     }
-    let loops = border_loops(x, t).unwrap();
+    let loops = boundary_loops(x, t).unwrap();
     for report in &filled.loops {
-        let rim = &loops[report.index].vertices;
+        let boundary = &loops[report.index].vertices;
         let side = |k: usize, pick: fn(f64, f64) -> f64, from| {
-            rim.iter().map(|&v| x[v as usize][k]).fold(from, pick)
+            boundary.iter().map(|&v| x[v as usize][k]).fold(from, pick)
         };
         let low = [0, 1, 2].map(|k| side(k, f64::min, f64::INFINITY));
         let high = [0, 1, 2].map(|k| side(k, f64::max, f64::NEG_INFINITY));
@@ -120,7 +120,7 @@ fn radius(p: &[f64; 3]) -> f64 {
 }
 
 /// The largest angle over the edges between old triangles and new ones.
-fn rim_bend(t: &[[u32; 3]], filled: &Filled) -> f64 {
+fn boundary_bend(t: &[[u32; 3]], filled: &Filled) -> f64 {
     let mut beyond = BTreeMap::new();
     for (i, tri) in filled.triangles.iter().enumerate() {
         (0..3).for_each(|k| _ = beyond.insert((tri[k], tri[(k + 1) % 3]), i));
@@ -137,7 +137,7 @@ fn rim_bend(t: &[[u32; 3]], filled: &Filled) -> f64 {
     beyond.iter().filter_map(over).fold(0.0, f64::max)
 }
 
-/// Which part of the new edges at the rim is shorter than half the mesh's shortest edge there or longer than twice its longest
+/// Which part of the new edges at the boundary is shorter than half the mesh's shortest edge there or longer than twice its longest
 /// one, and which part lies outside half to twice the mean; then the mean length of all new edges over the old ones'.
 fn edge_lengths(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) -> ([f64; 2], f64) {
     let length = |a: u32, b: u32| {
@@ -158,9 +158,9 @@ fn edge_lengths(x: &[[f64; 3]], t: &[[u32; 3]], filled: &Filled) -> ([f64; 2], f
             at[v as usize] = (shortest.min(l), longest.max(l), sum + l, count + 1.0);
         }
     }
-    let is_at_rim = |&&(a, b, _): &&(u32, u32, f64)| (a as usize) < x.len() && b as usize >= x.len();
+    let is_at_boundary = |&&(a, b, _): &&(u32, u32, f64)| (a as usize) < x.len() && b as usize >= x.len();
     let (mut far, mut far_from_mean, mut count) = (0.0, 0.0, 0.0);
-    for &(a, _, l) in new.iter().filter(is_at_rim) {
+    for &(a, _, l) in new.iter().filter(is_at_boundary) {
         let (shortest, longest, sum, n) = at[a as usize];
         count += 1.0;
         far += f64::from(l < 0.5 * shortest || l > 2.0 * longest);
@@ -182,7 +182,7 @@ fn own_bend(shape: &Shape, keep: impl Fn([f64; 3]) -> bool) -> f64 {
         parents: Vec::new(),
         loops: Vec::new(),
     };
-    rim_bend(&kept, &whole)
+    boundary_bend(&kept, &whole)
 }
 
 #[test]
@@ -213,26 +213,26 @@ fn a_sphere_is_completed_to_rounding_at_every_density() {
                     .map(|p| (radius(p) - 1.0).abs());
                 bars.at_most(format!("{what}: off the sphere"), off.fold(0.0, f64::max), 1e-6);
                 bars.at_least(format!("{what}: angle"), report.worst_angle, 15.0);
-                // Edges of very different lengths meet at the rim of an irregular mesh. One edge in hundreds is longer where
+                // Edges of very different lengths meet at the boundary of an irregular mesh. One edge in hundreds is longer where
                 // an angle would be below 15 degrees otherwise.
                 let (outside, mean) = edge_lengths(&x, &t, &filled);
                 bars.at_most(format!("{what}: edges"), outside[0], 2.5e-3);
                 bars.at_most(format!("{what}: edges and the mean"), outside[1], 0.09);
                 let expected = std::f64::consts::SQRT_2 / density;
                 bars.at_most(format!("{what}: mean length"), (mean / expected - 1.0).abs(), 0.2);
-                // The bend over the rim: that of the exact surface for these triangles, and that of the mesh before it was
+                // The bend over the boundary: that of the exact surface for these triangles, and that of the mesh before it was
                 // cut, whose triangles are smaller or larger by the density.
-                let bend = rim_bend(&t, &filled);
+                let bend = boundary_bend(&t, &filled);
                 let mut exact = filled.clone();
                 let onto = |p: &mut [f64; 3]| *p = (vector(p) / radius(p)).into();
                 exact.positions[x.len()..].iter_mut().for_each(onto);
                 bars.at_most(
                     format!("{what}: bend, exact"),
-                    bend / rim_bend(&t, &exact),
+                    bend / boundary_bend(&t, &exact),
                     1.0001,
                 );
                 if density > 1.0 {
-                    bars.at_most(format!("{what}: bend over the rim"), bend / own, 1.2);
+                    bars.at_most(format!("{what}: bend over the boundary"), bend / own, 1.2);
                 }
                 let largest = bend_of_mesh(&x, &t);
                 bars.at_most(format!("{what}: bend, whole mesh"), bend / largest, 1.2);
@@ -273,7 +273,7 @@ fn a_window_in_a_cylinder_is_closed() {
     for seed in 1..=2 {
         let window = |p: [f64; 3]| p[0] > 0.0 && p[1].abs() < 0.6 && p[2].abs() < 0.5;
         let (x, t) = cut(&cylinder_band(13_000, irregular(seed), 4), |p| !window(p));
-        let loops = border_loops(&x, &t).unwrap();
+        let loops = boundary_loops(&x, &t).unwrap();
         let hole = (0..3)
             .min_by(|&a, &b| loops[a].turn.total_cmp(&loops[b].turn))
             .unwrap();
@@ -307,7 +307,7 @@ fn ring(r: f64, z: f64) -> impl Fn(f64) -> [f64; 3] {
 
 /// The loop that runs through vertex 0.
 fn inner_loop(x: &[[f64; 3]], t: &[[u32; 3]]) -> usize {
-    let loops = border_loops(x, t).unwrap();
+    let loops = boundary_loops(x, t).unwrap();
     (0..loops.len())
         .find(|&l| loops[l].vertices.contains(&0))
         .unwrap()
@@ -319,7 +319,7 @@ fn loops_of_three_to_a_thousand_edges_in_a_plane_stay_in_it() {
         let width = 1.0 + std::f64::consts::TAU / n as f64;
         let (x, t) = collar(n, ring(1.0, 0.0), ring(width, 0.0));
         let hole = inner_loop(&x, &t);
-        let loops = border_loops(&x, &t).unwrap();
+        let loops = boundary_loops(&x, &t).unwrap();
         assert_eq!(loops[hole].kind, LoopKind::Hole);
         assert!(loops[hole].turn < 1.0 && loops[1 - hole].turn > 179.0);
         let asked = FillOptions {
@@ -329,7 +329,7 @@ fn loops_of_three_to_a_thousand_edges_in_a_plane_stay_in_it() {
         let filled = fill_holes(&x, &t, asked).unwrap();
         check(&x, &t, &filled);
         let (inner, outer) = (&filled.loops[hole], &filled.loops[1 - hole]);
-        assert_eq!(outer.outcome, FillOutcome::LeftOpen(OpenReason::OuterBorder));
+        assert_eq!(outer.outcome, FillOutcome::LeftOpen(OpenReason::OuterBoundary));
         match &inner.outcome {
             FillOutcome::Faired => {}
             FillOutcome::Flat { reason } => assert_eq!(*reason, FlatReason::NoInnerVertex, "{n}"),
@@ -383,7 +383,7 @@ fn a_cone_is_closed_at_its_tip_and_its_base() {
         assert!(!matches!(report.outcome, FillOutcome::LeftOpen(_)), "{report:?}");
     }
     assert!(
-        border_loops(&filled.positions, &filled.triangles)
+        boundary_loops(&filled.positions, &filled.triangles)
             .unwrap()
             .is_empty()
     );
@@ -415,13 +415,15 @@ fn bow_ties_are_loops_of_their_own_and_both_are_filled() {
     );
     assert_eq!(filled.loops.iter().filter(|l| !l.triangles.is_empty()).count(), 2);
     assert_eq!(
-        border_loops(&filled.positions, &filled.triangles).unwrap().len(),
+        boundary_loops(&filled.positions, &filled.triangles)
+            .unwrap()
+            .len(),
         1
     );
 }
 
-/// The outlines of single holes in a sheet of 9 by 9 vertices without these quads, as loops, and the filled sheet.
-fn sheet_without(quads: &[(usize, usize)]) -> (Mesh, Vec<fairmesh::BorderLoop>, Filled) {
+/// The outer boundaries of single holes in a sheet of 9 by 9 vertices without these quads, as loops, and the filled sheet.
+fn sheet_without(quads: &[(usize, usize)]) -> (Mesh, Vec<fairmesh::BoundaryLoop>, Filled) {
     let at = |i: usize, j: usize| (9 * j + i) as u32;
     let x: Vec<[f64; 3]> = (0..81).map(|v| [(v % 9) as f64, (v / 9) as f64, 0.0]).collect();
     let mut t = Vec::new();
@@ -431,7 +433,7 @@ fn sheet_without(quads: &[(usize, usize)]) -> (Mesh, Vec<fairmesh::BorderLoop>, 
             t.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
         }
     }
-    let loops = border_loops(&x, &t).unwrap();
+    let loops = boundary_loops(&x, &t).unwrap();
     let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
     ((x, t), loops, filled)
 }
@@ -448,7 +450,9 @@ fn holes_that_touch_all_around_an_island_are_filled_one_by_one() {
             .all(|l| l.vertices.len() == 4 && l.touching.len() == 2)
     );
     assert_eq!(
-        border_loops(&filled.positions, &filled.triangles).unwrap().len(),
+        boundary_loops(&filled.positions, &filled.triangles)
+            .unwrap()
+            .len(),
         1
     );
 }
@@ -459,7 +463,7 @@ fn three_holes_that_meet_in_a_vertex_are_filled() {
     let (mut x, mut t) = collar(6, ring(1.0, 0.0), ring(2.0, 0.0));
     x.push([0.0; 3]);
     t.extend([[12, 0, 1], [12, 2, 3], [12, 4, 5]]);
-    let loops = border_loops(&x, &t).unwrap();
+    let loops = boundary_loops(&x, &t).unwrap();
     let holes: Vec<_> = loops.iter().filter(|l| l.touching.contains(&12)).collect();
     assert!(
         holes.len() == 3 && holes.iter().all(|l| l.vertices.len() == 3),
@@ -467,14 +471,16 @@ fn three_holes_that_meet_in_a_vertex_are_filled() {
     );
     let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
     assert_eq!(
-        border_loops(&filled.positions, &filled.triangles).unwrap().len(),
+        boundary_loops(&filled.positions, &filled.triangles)
+            .unwrap()
+            .len(),
         1
     );
 }
 
 #[test]
 fn an_island_in_a_hole_stays_as_it_is() {
-    // A hole closed to a ring by an island of its own, near to its rim, in its plane and above.
+    // A hole closed to a ring by an island of its own, near to its boundary, in its plane and above.
     for (gap, height) in [(0.05, 0.0), (0.3, 0.0), (0.05, 0.2)] {
         let (mut x, mut t) = collar(48, ring(1.0, 0.0), ring(1.2, 0.0));
         let (y, u) = collar(48, ring(0.5, height), ring(1.0 - gap, height));
@@ -484,25 +490,25 @@ fn an_island_in_a_hole_stays_as_it_is() {
         x.push([0.0, 0.0, height]);
         let centre = x.len() as u32 - 1;
         t.extend((0..48).map(|i| [centre, shift + i, shift + (i + 1) % 48]));
-        let loops = border_loops(&x, &t).unwrap();
+        let loops = boundary_loops(&x, &t).unwrap();
         assert_eq!(loops.len(), 3);
         let filled = fill(&x, &t, Loops::UpTo(usize::MAX));
-        for (border, report) in loops.iter().zip(&filled.loops) {
-            if border.vertices.contains(&0) {
+        for (boundary, report) in loops.iter().zip(&filled.loops) {
+            if boundary.vertices.contains(&0) {
                 // Closed by a disc of its own, which runs through or past the island.
                 assert_eq!(report.outcome, FillOutcome::Faired);
                 let new = report.vertices.clone().map(|v| filled.positions[v as usize]);
                 assert!(new.into_iter().all(|p| p[2].abs() < 1e-9));
             } else {
-                assert_eq!(report.outcome, FillOutcome::LeftOpen(OpenReason::OuterBorder));
+                assert_eq!(report.outcome, FillOutcome::LeftOpen(OpenReason::OuterBoundary));
             }
         }
     }
 }
 
 #[test]
-fn a_border_without_a_fair_filling_ends_honestly_and_soon() {
-    // A piece of a sphere with a wavy outline, a dent and a bump: any smooth back of it would have to pass through it.
+fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
+    // A piece of a sphere with a wavy outer boundary, a dent and a bump: any smooth back of it would have to pass through it.
     let shape = sphere_with_hole(1.0, 4_000, irregular(3), 0);
     let wave = |p: [f64; 3]| 0.3 * (5.0 * p[1].atan2(p[0])).sin();
     let (mut x, t) = cut(&shape, |p| p[2] > 0.45 + wave(p));
@@ -545,9 +551,9 @@ fn a_loop_at_a_non_manifold_edge_is_named_and_the_others_are_filled() {
     let (mut x, mut t) = collar(12, ring(1.0, 0.0), ring(2.0, 0.0));
     let fin = x.len() as u32;
     x.push([1.5, 0.0, 1.0]);
-    // A third triangle at an edge from the outer border inwards.
+    // A third triangle at an edge from the outer boundary inwards.
     t.push([0, 12, fin]);
-    let loops = border_loops(&x, &t).unwrap();
+    let loops = boundary_loops(&x, &t).unwrap();
     assert!(
         loops
             .iter()
@@ -589,7 +595,7 @@ fn a_hundred_holes_are_filled_in_one_call() {
 }
 
 #[test]
-fn a_noisy_rim_gives_an_honest_outcome_and_no_spike() {
+fn a_noisy_boundary_gives_an_honest_outcome_and_no_spike() {
     for seed in 1..=3 {
         let shape = sphere_with_hole(1.0, 1_000, Sampling::Regular, 0);
         let mut noisy = shape.clone();
@@ -617,7 +623,7 @@ fn a_noisy_rim_gives_an_honest_outcome_and_no_spike() {
 }
 
 #[test]
-fn rim_triangles_without_area_and_single_triangles_are_survived() {
+fn boundary_triangles_without_area_and_single_triangles_are_survived() {
     let (mut x, t) = collar(20, ring(1.0, 0.0), ring(1.3, 0.0));
     // Needles and triangles without area beside the hole.
     x[21] = x[1];
@@ -629,12 +635,12 @@ fn rim_triangles_without_area_and_single_triangles_are_survived() {
         "{:?}",
         report.outcome
     );
-    // The only triangle over a lone triangle's border is there already.
+    // The only triangle over a lone triangle's boundary is there already.
     let (x, t) = (vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]]);
     let left = |loops| fill(&x, &t, loops).loops[0].outcome.clone();
     assert_eq!(
         left(Loops::UpTo(9)),
-        FillOutcome::LeftOpen(OpenReason::OuterBorder)
+        FillOutcome::LeftOpen(OpenReason::OuterBoundary)
     );
     assert_eq!(
         left(Loops::Chosen(&[0])),
@@ -658,7 +664,7 @@ fn wrong_options_and_loops_that_do_not_exist_are_refused() {
         assert!(matches!(refused(asked), Error::BadOption { name: "density", .. }));
     }
     assert!(matches!(
-        border_loops(&x, &[[0, 1, 99]]),
+        boundary_loops(&x, &[[0, 1, 99]]),
         Err(Error::IndexOutOfRange { .. })
     ));
 }
@@ -738,7 +744,7 @@ fn who_has_stopped_a_run_is_not_asked_again() {
     assert!(stop_at > 20, "{stop_at}");
 }
 
-/// A rim of a few edges, one of them astronomically short, asks for as many vertices as there are numbers.
+/// A boundary of a few edges, one of them astronomically short, asks for as many vertices as there are numbers.
 #[test]
 fn a_short_edge_does_not_flood_its_hole() {
     let shape = sphere_cap(60.0, 500, Sampling::Regular, 4);
@@ -747,7 +753,7 @@ fn a_short_edge_does_not_flood_its_hole() {
         .max_by(|a, b| x[*a as usize][2].total_cmp(&x[*b as usize][2]))
         .unwrap();
     triangles.retain(|t| !t.contains(&top));
-    let loops = border_loops(&x, &triangles).unwrap();
+    let loops = boundary_loops(&x, &triangles).unwrap();
     let hole = loops.iter().min_by_key(|l| l.vertices.len()).unwrap();
     let (a, b) = (hole.vertices[0] as usize, hole.vertices[1] as usize);
     for (axis, part) in [1e-9, 1e-12, 1e-15].into_iter().enumerate() {
@@ -765,7 +771,7 @@ fn a_short_edge_does_not_flood_its_hole() {
     }
 }
 
-/// Rounding to single precision bends straight rims by a few ulps, in either direction.
+/// Rounding to single precision bends straight boundaries by a few ulps, in either direction.
 #[test]
 fn the_outline_of_a_flat_grid_in_single_precision_does_not_flood() {
     for n in [5_u32, 20, 27] {

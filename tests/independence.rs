@@ -177,7 +177,7 @@ fn cotangent_weights(p: [Vector3<f64>; 3]) -> ([f64; 3], f64) {
 }
 
 /// Linear fairing of the blend, the usual peer: minimises `|M^(-1/2) L x|^2` of a fixed Laplacian of the input
-/// over the free vertices, with the rim and one more ring outside of it fixed, which lies on the tubes.
+/// over the free vertices, with the boundary and one more ring outside of it fixed, which lies on the tubes.
 fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
     let (positions, triangles) = with_ring_outside(shape);
     let n = shape.positions.len();
@@ -230,7 +230,7 @@ fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
     positions[..n].iter().enumerate().map(place).collect()
 }
 
-/// The direction of the tube whose circle a rim vertex of the blend lies on.
+/// The direction of the tube whose circle a boundary vertex of the blend lies on.
 fn tube_axis(p: &[f64; 3]) -> Vector3<f64> {
     let axes = (0..3).map(|t| {
         let (sin, cos) = (TAU * f64::from(t) / 3.0).sin_cos();
@@ -248,18 +248,18 @@ fn with_ring_outside(shape: &Shape) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         run.extend((0..3).map(|k| (t[k], t[(k + 1) % 3])));
     }
     run.sort_unstable();
-    let border: Vec<(u32, u32)> = run
+    let boundary: Vec<(u32, u32)> = run
         .iter()
         .copied()
         .filter(|&(a, b)| run.binary_search(&(b, a)).is_err())
         .collect();
     let mut beyond = BTreeMap::new();
-    for &(a, b) in &border {
+    for &(a, b) in &boundary {
         let (p, q) = (vector(&positions[a as usize]), vector(&positions[b as usize]));
         beyond.insert(a, positions.len() as u32);
         positions.push((p + tube_axis(&positions[a as usize]) * (p - q).norm()).into());
     }
-    for (a, b) in border {
+    for (a, b) in boundary {
         triangles.push([b, a, beyond[&a]]);
         triangles.push([b, beyond[&a], beyond[&b]]);
     }
@@ -304,7 +304,7 @@ fn threefold_symmetry() {
 }
 
 /// The answer of the moved problem, moved back, against the answer. The tolerances are rounding times its
-/// amplification: a position that is off by e turns the normals of its triangles by e / h, and a border strip of
+/// amplification: a position that is off by e turns the normals of its triangles by e / h, and a boundary strip of
 /// width h carries that far into the region as a slope, so that the surface moves by about e / h; with
 /// h of about 1/30 of the diagonal by 30 e, and by some hundred e where triangles are small.
 #[test]

@@ -6,7 +6,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
+use fairmesh::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
 use nalgebra::Vector3;
 
 /// Fixes the free vertices that are chosen; returns them.
@@ -43,9 +43,9 @@ fn fix_curve(shape: &mut Shape, z: f64) -> Vec<u32> {
     fix(shape, |v, _| on[v])
 }
 
-/// The normals of the outer border only.
+/// The normals of the outer boundary only.
 fn outer_normals(shape: &Shape, inside: &[u32]) -> Vec<(u32, [f64; 3])> {
-    let mut normals = shape.border_normals();
+    let mut normals = shape.boundary_normals();
     normals.retain(|(v, _)| !inside.contains(v));
     normals
 }
@@ -81,7 +81,7 @@ fn a_sphere_through_points_stays_a_sphere() {
             let error = errors(&shape, &solution).max;
             println!("  {n} {seed}: {} points, error {error:.1e}", inside.len());
             assert!(solution.report.outcome.is_success() && error < 1e-9);
-            for (v, normal) in &solution.border_normals {
+            for (v, normal) in &solution.boundary_normals {
                 let off = (vector(normal) - vector(&shape.positions[*v as usize])).norm();
                 assert!(off < 1e-6, "normal of {v} off by {off}");
             }
@@ -137,7 +137,7 @@ fn a_cylinder_through_a_circle_stays_a_cylinder() {
     assert!(solution.report.outcome.is_success() && error < 4e-5);
 }
 
-/// The normals of the outer border, and on the curve those of the cylinder turned towards its axis by `degrees`.
+/// The normals of the outer boundary, and on the curve those of the cylinder turned towards its axis by `degrees`.
 fn turned_normals(shape: &Shape, inside: &[u32], degrees: f64) -> Vec<(u32, [f64; 3])> {
     let mut given = outer_normals(shape, inside);
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -149,7 +149,7 @@ fn turned_normals(shape: &Shape, inside: &[u32], degrees: f64) -> Vec<(u32, [f64
     given
 }
 
-/// What is given on a curve is met there, as at the border: `n = (cos, sin)` makes the radius fall by `tan` per height.
+/// What is given on a curve is met there, as at the boundary: `n = (cos, sin)` makes the radius fall by `tan` per height.
 #[test]
 fn given_normals_on_a_curve_inside_are_met() {
     let mut before = f64::INFINITY;
@@ -164,7 +164,7 @@ fn given_normals_on_a_curve_inside_are_met() {
         println!("  {n}: off the given normals by {deviation:.2} degrees");
         assert!(deviation < 0.7 * before && deviation < 12.0);
         before = deviation;
-        assert_eq!(turned.border_normals.len(), given.len());
+        assert_eq!(turned.boundary_normals.len(), given.len());
     }
 }
 
@@ -229,8 +229,8 @@ fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
                 worst = worst.max(normal.angle(&q).to_degrees());
             }
             println!(
-                "  H {h:.2?} border {:.2?}, triangles at the point lean by {worst:.1} degrees",
-                solution.report.quality.h_border
+                "  H {h:.2?} boundary {:.2?}, triangles at the point lean by {worst:.1} degrees",
+                solution.report.quality.h_boundary
             );
         }
     }
@@ -248,7 +248,7 @@ fn the_rule_of_the_input_is_there_on_request() {
                     interior,
                     discretization,
                     target,
-                    normals: BorderNormals::Given(&outer),
+                    normals: BoundaryNormals::Given(&outer),
                     ..options(1e-8)
                 };
                 let solution = solve_as_asked(&shape, &flat(&shape), options);

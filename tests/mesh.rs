@@ -23,7 +23,7 @@ fn grid(n: u32) -> Mesh {
     (positions, triangles)
 }
 
-/// Grid vertices at least `margin` away from the grid's border.
+/// Grid vertices at least `margin` away from the grid's boundary.
 fn inner(n: u32, margin: u32) -> Vec<u32> {
     let inside = |x: u32| (margin..n - margin).contains(&x);
     (0..n * n).filter(|v| inside(v % n) && inside(v / n)).collect()
@@ -122,11 +122,11 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
             assert_eq!(id(rings.flap[rings.start[i] as usize + k]), flap(v, edge, true));
         }
     }
-    for b in 0..region.border {
+    for b in 0..region.boundary {
         let v = id((region.free + b) as u32);
-        let inner = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let inner = rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize;
         let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
-        let inside: BTreeSet<_> = rings.border_edge[inner].iter().map(|e| e.map(id)).collect();
+        let inside: BTreeSet<_> = rings.boundary_edge[inner].iter().map(|e| e.map(id)).collect();
         let outside: BTreeSet<_> = rings.outside_edge[outer].iter().map(|e| e.map(id)).collect();
         let side = |inside: bool| {
             let edges = link[&v].iter().filter(|e| *e.1 == inside);
@@ -137,7 +137,7 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
         let ends = |edges: &BTreeSet<[u32; 2]>| edges.iter().flatten().copied().collect::<BTreeSet<_>>();
         assert_eq!(
             ends(&inside),
-            rings.border_ring(b).iter().map(|&j| id(j)).collect()
+            rings.boundary_ring(b).iter().map(|&j| id(j)).collect()
         );
     }
 }
@@ -260,14 +260,14 @@ fn one_free_vertex_in_a_grid() {
     let mesh = grid(5);
     let (region, rings) = sound(&mesh, Selection::Vertices(&[12, 12]));
     assert_eq!(region.vertex_ids[..7], [12, 6, 7, 11, 13, 17, 18]);
-    assert_eq!((region.free, region.border, region.components), (1, 6, 1));
+    assert_eq!((region.free, region.boundary, region.components), (1, 6, 1));
     assert_eq!(region.half_edges.triangle_ids[..6], [10, 11, 13, 18, 20, 21]);
     // Counter-clockwise from the smallest: 6, 7, 13, 18, 17, 11.
     assert_eq!(rings.ring(0), [1, 2, 4, 6, 5, 3]);
     assert_eq!(rings.flap, [NONE; 6]);
     assert_eq!(rings.twin, [NONE; 6]);
-    assert_eq!(rings.border_half_edges.len(), 6);
-    // All 32 triangles but four in each of the two corners away from the diagonal, which touch no border
+    assert_eq!(rings.boundary_half_edges.len(), 6);
+    // All 32 triangles but four in each of the two corners away from the diagonal, which touch no boundary
     // vertex.
     assert_eq!(region.half_edges.triangles.len(), 24);
     // Vertex 6: two region triangles; outside it has four and a fan of five neighbours.
@@ -276,10 +276,10 @@ fn one_free_vertex_in_a_grid() {
             .map(|&v| region.vertex_ids[v as usize])
             .collect::<Vec<_>>()
     };
-    assert_eq!(caller(rings.border_ring(0)), [7, 12, 11]);
+    assert_eq!(caller(rings.boundary_ring(0)), [7, 12, 11]);
     let outside: Vec<_> = rings.outside_triangles(0).iter().map(|e| caller(e)).collect();
     assert_eq!(outside, [[11, 5], [5, 0], [0, 1], [1, 7]]);
-    assert_eq!(caller(&rings.border_edge[0]), [7, 12]);
+    assert_eq!(caller(&rings.boundary_edge[0]), [7, 12]);
     assert!(rings.closed.iter().all(|c| !c));
 }
 
@@ -328,7 +328,7 @@ fn broken_surroundings_are_left_out() {
             .collect::<BTreeSet<u32>>()
     };
     let before = all(&mesh);
-    // Two rings from border vertex 70: without a place, in a triangle that is none, and in one too many.
+    // Two rings from boundary vertex 70: without a place, in a triangle that is none, and in one too many.
     assert!(before.contains(&42) && before.contains(&43) && before.contains(&31));
     mesh.0[42][1] = f64::NAN;
     mesh.1.push([43, 43, 0]);
@@ -377,12 +377,15 @@ fn closed_fixed_vertex_inside_the_region() {
     let at = region.vertex_ids.iter().position(|&v| v == 40).unwrap() - region.free;
     assert!(rings.closed[at]);
     assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
-    assert_eq!(rings.border_ring(at).len(), 6);
-    assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 6);
+    assert_eq!(rings.boundary_ring(at).len(), 6);
+    assert_eq!(
+        rings.boundary_edge_start[at + 1] - rings.boundary_edge_start[at],
+        6
+    );
     assert!(rings.outside_triangles(at).is_empty());
     // V - E + F = 1 of the disc that is left.
     let faces = region.half_edges.region_triangles as i64;
-    let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
+    let edges = (3 * faces + rings.boundary_half_edges.len() as i64) / 2;
     assert_eq!(region.region_vertices() as i64 - edges + faces, 1);
 }
 
@@ -424,7 +427,7 @@ fn curves_with_prescribed_normals_are_cut() {
     let row = |first: u32, last: u32| (first..=last).map(|i| at(i, 6)).collect::<Vec<_>>();
     // With the copies that come, and the edges that are cut.
     let lines = [
-        // Inside from end to end, from the rim inwards, from rim to rim.
+        // Inside from end to end, from the boundary inwards, from boundary to boundary.
         (row(5, 7), 1, 2),
         (row(4, 7), 2, 3),
         (row(4, 8), 3, 4),
@@ -442,14 +445,16 @@ fn curves_with_prescribed_normals_are_cut() {
         let mut list = inner(n, 4);
         list.retain(|v| !line.contains(v));
         let (whole, _) = sound(&mesh, Selection::Vertices(&list));
-        let rim: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
-        // All border vertices have normals, those of the rim as well.
-        let region =
-            Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| rim.contains(&v)).unwrap();
+        let boundary: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
+        // All boundary vertices have normals, those of the boundary as well.
+        let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
+            boundary.contains(&v)
+        })
+        .unwrap();
         region.validate().unwrap();
         let rings = Rings::new(&region);
         rings.validate(&region).unwrap();
-        assert_eq!(region.border, whole.border + added, "{line:?}");
+        assert_eq!(region.boundary, whole.boundary + added, "{line:?}");
         assert_eq!(region.triangles().len(), whole.triangles().len());
         let back = |t: &[u32; 3]| t.map(|v| region.vertex_ids[v as usize]);
         let before: Vec<_> = whole
@@ -458,13 +463,13 @@ fn curves_with_prescribed_normals_are_cut() {
             .map(|t| t.map(|v| whole.vertex_ids[v as usize]))
             .collect();
         assert_eq!(region.triangles().iter().map(back).collect::<Vec<_>>(), before);
-        let cut = rings.border_half_edges.len() - Rings::new(&whole).border_half_edges.len();
+        let cut = rings.boundary_half_edges.len() - Rings::new(&whole).boundary_half_edges.len();
         assert_eq!(cut, 2 * edges, "{line:?}");
     }
 }
 
 #[test]
-fn islands_at_the_border_of_the_mesh_stay_outside() {
+fn islands_at_the_boundary_of_the_mesh_stay_outside() {
     // The grid's corner triangles have fixed vertices only, but edges without a neighbour.
     let mesh = grid(6);
     let (region, _) = sound(&mesh, Selection::Vertices(&inner(6, 1)));
@@ -477,18 +482,23 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
     let top = 12 * 7;
     let all: Vec<u32> = (0..top + 2).filter(|&v| v != top).collect();
     let (region, rings) = sound(&mesh, Selection::Vertices(&all));
-    assert_eq!((region.border, rings.closed.as_slice()), (1, &[true][..]));
-    assert!(rings.border_half_edges.is_empty());
+    assert_eq!((region.boundary, rings.closed.as_slice()), (1, &[true][..]));
+    assert!(rings.boundary_half_edges.is_empty());
     let faces = mesh.1.len() as i64;
     assert_eq!(region.region_vertices() as i64 - faces / 2, 2);
-    // Now a hole in place of the pole: its rim is fixed and has no outside.
+    // Now a hole in place of the pole: its boundary is fixed and has no outside.
     mesh.1.retain(|t| !t.contains(&top));
     let all: Vec<u32> = (12..top).chain([top + 1]).collect();
     let (region, rings) = sound(&mesh, Selection::Vertices(&all));
-    assert_eq!(region.border, 12);
-    assert_eq!(rings.border_half_edges.len(), 12);
-    let rim_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
-    assert!(rings.border_half_edges.iter().all(|h| rim_opposite(h) == NONE));
+    assert_eq!(region.boundary, 12);
+    assert_eq!(rings.boundary_half_edges.len(), 12);
+    let boundary_opposite = |h: &u32| region.half_edges.opposite[*h as usize];
+    assert!(
+        rings
+            .boundary_half_edges
+            .iter()
+            .all(|h| boundary_opposite(h) == NONE)
+    );
     assert!(rings.outside_edge.is_empty());
 }
 
@@ -504,10 +514,13 @@ fn components_join_at_common_vertices() {
     let (region, rings) = sound(&mesh, Selection::Vertices(&[26, 52]));
     assert_eq!(region.components, 1);
     let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
-    assert_eq!((rings.border_ring(at).len(), rings.closed[at]), (6, false));
-    assert_eq!(rings.border_edge_start[at + 1] - rings.border_edge_start[at], 4);
+    assert_eq!((rings.boundary_ring(at).len(), rings.closed[at]), (6, false));
+    assert_eq!(
+        rings.boundary_edge_start[at + 1] - rings.boundary_edge_start[at],
+        4
+    );
     assert_eq!(rings.outside_triangles(at).len(), 2);
-    // The common border vertex connects the two in S_I D S_I^T, though they are no neighbours.
+    // The common boundary vertex connects the two in S_I D S_I^T, though they are no neighbours.
     assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
     assert_eq!(rings.graph().row(1), [1]);
 }
@@ -520,15 +533,15 @@ fn annulus() {
     list.retain(|v| !hole.contains(v));
     let (region, rings) = sound(&mesh, Selection::Vertices(&list));
     let faces = region.half_edges.region_triangles as i64;
-    let edges = (3 * faces + rings.border_half_edges.len() as i64) / 2;
+    let edges = (3 * faces + rings.boundary_half_edges.len() as i64) / 2;
     assert_eq!(region.region_vertices() as i64 - edges + faces, 0);
     assert_eq!(region.components, 1);
     assert!(rings.closed.iter().all(|c| !c));
 }
 
 #[test]
-fn corners_of_valence_two_on_a_rim_are_outside() {
-    // A fan around vertex 0 with nothing outside: every rim vertex has one triangle left and one right.
+fn corners_of_valence_two_on_a_boundary_are_outside() {
+    // A fan around vertex 0 with nothing outside: every boundary vertex has one triangle left and one right.
     let positions = vec![
         [0.0; 3],
         [1.0, 0.0, 0.0],
@@ -538,13 +551,13 @@ fn corners_of_valence_two_on_a_rim_are_outside() {
     ];
     let mut mesh = (positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
     let (_, rings) = sound(&mesh, Selection::Vertices(&[0]));
-    assert_eq!((rings.border_edge.len(), rings.outside_edge.len()), (6, 0));
-    // A tooth: vertex 4 has only the triangle over the rim edge (1, 2). No corner of it is free, so it is no
-    // region triangle, and vertex 4 no border vertex.
+    assert_eq!((rings.boundary_edge.len(), rings.outside_edge.len()), (6, 0));
+    // A tooth: vertex 4 has only the triangle over the boundary edge (1, 2). No corner of it is free, so it is no
+    // region triangle, and vertex 4 no boundary vertex.
     mesh.1.push([2, 1, 4]);
     for selection in [Selection::Vertices(&[0]), Selection::Faces(&[0, 1, 2, 3])] {
         let (region, rings) = sound(&mesh, selection);
-        assert_eq!((region.half_edges.region_triangles, region.border), (3, 3));
+        assert_eq!((region.half_edges.region_triangles, region.boundary), (3, 3));
         assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
     }
 }
@@ -564,7 +577,10 @@ fn renumbering_gives_the_isomorphic_structure() {
     let moved: Vec<u32> = list.iter().map(|&v| vertex(v)).collect();
     let (a, ra) = sound(&mesh, Selection::Vertices(&list));
     let (b, rb) = sound(&other, Selection::Vertices(&moved));
-    assert_eq!((a.free, a.border, a.components), (b.free, b.border, b.components));
+    assert_eq!(
+        (a.free, a.boundary, a.components),
+        (b.free, b.boundary, b.components)
+    );
     assert_eq!(a.vertex_ids.len(), b.vertex_ids.len());
     let local = |v: u32| b.vertex_ids.iter().position(|&w| w == vertex(v)).unwrap();
     let flap_id = |region: &Region, f: u32| {
@@ -672,15 +688,15 @@ fn free_vertex_without_triangle() {
 }
 
 #[test]
-fn free_vertex_on_the_border_of_the_mesh() {
+fn free_vertex_on_the_boundary_of_the_mesh() {
     let mesh = grid(5);
-    let expected = Error::FreeVertexOnBorder { vertex: 2 };
+    let expected = Error::FreeVertexOnBoundary { vertex: 2 };
     assert_eq!(error(&mesh, Selection::Vertices(&[12, 7, 3, 2])), expected);
 }
 
 #[test]
 fn not_finite() {
-    // 44 is free, 34 border, 23 of the outside ring, the others elsewhere.
+    // 44 is free, 34 boundary, 23 of the outside ring, the others elsewhere.
     for (vertex, harmful) in [(44, true), (34, true), (23, true), (0, false), (90, false)] {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut mesh = grid(10);
@@ -758,7 +774,7 @@ fn flipped_triangle() {
 
 #[test]
 fn bow_ties() {
-    // Two grids joined at one vertex, which is free or border.
+    // Two grids joined at one vertex, which is free or boundary.
     let (mut positions, mut triangles) = grid(5);
     let (p, t) = grid(5);
     positions.extend(p);
@@ -767,7 +783,7 @@ fn bow_ties() {
     let expected = Error::NonManifoldVertex { vertex: 12 };
     assert_eq!(error(&mesh, Selection::Vertices(&[12])), expected);
     assert_eq!(error(&mesh, Selection::Vertices(&[13])), expected);
-    // Two open fans at a border vertex.
+    // Two open fans at a boundary vertex.
     let mut mesh = grid(4);
     mesh.0.extend([[8.0; 3]; 2]);
     mesh.1.push([1, 16, 17]);
@@ -814,7 +830,7 @@ proptest! {
         let selection = if kind == 2 { Selection::Faces(&faces) } else { Selection::Vertices(&list) };
         match Region::new(&mesh.0, &mesh.1, selection) {
             Ok(region) => check(&mesh, &region, &Rings::new(&region)),
-            Err(Error::FreeVertexOnBorder { .. }) => prop_assert_eq!(kind, 0),
+            Err(Error::FreeVertexOnBoundary { .. }) => prop_assert_eq!(kind, 0),
             Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
         }
     }
@@ -838,7 +854,7 @@ proptest! {
             prop_assert_eq!(region.validate(), Ok(()));
             prop_assert_eq!(Rings::new(&region).validate(&region), Ok(()));
             prop_assert_eq!(region.free, whole.free);
-            prop_assert!(region.border >= whole.border);
+            prop_assert!(region.boundary >= whole.boundary);
             let mut ids = region.vertex_ids[region.free..region.region_vertices()].to_vec();
             ids.dedup();
             prop_assert_eq!(&ids[..], &whole.vertex_ids[whole.free..whole.region_vertices()]);

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Error, Options, Outcome, Progress, Selection, Solution, fair};
+use fairmesh::{BoundaryNormals, Error, Options, Outcome, Progress, Selection, Solution, fair};
 
 /// Fixed vertices keep their bits, the others have finite coordinates and stay near the region.
 fn assert_usable(shape: &Shape, start: &[[f64; 3]], solution: &Solution) {
@@ -35,7 +35,7 @@ fn run_with(
     start: &[[f64; 3]],
     stop: impl Fn(&Progress) -> bool + Sync,
 ) -> (Solution, Vec<Progress>) {
-    let given = shape.border_normals();
+    let given = shape.boundary_normals();
     let mut told = Vec::new();
     let mut callback = |p: &Progress| {
         told.push(*p);
@@ -46,7 +46,7 @@ fn run_with(
         }
     };
     let options = Options {
-        normals: BorderNormals::Given(&given),
+        normals: BoundaryNormals::Given(&given),
         progress: Some(&mut callback),
         ..options(1e-8)
     };
@@ -314,7 +314,7 @@ fn refused_problems() {
     }
     let everything = error(p, t, Selection::Mask(&vec![true; n]));
     assert!(
-        matches!(everything, Some(Error::FreeVertexOnBorder { .. })),
+        matches!(everything, Some(Error::FreeVertexOnBoundary { .. })),
         "{everything:?}"
     );
     let tetrahedron = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -341,10 +341,10 @@ fn selections_agree() {
     let mut vertices = shape.free_vertices();
     vertices.reverse();
     vertices.extend_from_slice(&vertices.clone()[..5]);
-    let given = shape.border_normals();
+    let given = shape.boundary_normals();
     let run = |selection| {
         let options = Options {
-            normals: BorderNormals::Given(&given),
+            normals: BoundaryNormals::Given(&given),
             ..options(1e-8)
         };
         fair(&shape.positions, &shape.triangles, selection, options)
@@ -431,7 +431,7 @@ fn interpolated_point() {
         let mut start = shape.random(seed);
         start[pole as usize] = shape.positions[pole as usize];
         let solution = solve(&shape, &start, options(TIGHT));
-        assert!(solution.border_normals.iter().any(|n| n.0 == pole));
+        assert!(solution.boundary_normals.iter().any(|n| n.0 == pole));
         assert_eq!(solution.positions[pole as usize], shape.positions[pole as usize]);
         let e = errors(&shape, &solution);
         println!(
@@ -544,7 +544,7 @@ fn regions_that_are_no_discs() {
     bars.finish();
 }
 
-/// A torus of radii 2 and 1, fixed where x > 2.5: one border curve, genus one.
+/// A torus of radii 2 and 1, fixed where x > 2.5: one boundary curve, genus one.
 fn torus(around: usize, across: usize) -> Shape {
     let mut shape = cylinder_blend_coarse();
     let at = |i: usize, j: usize| ((i % around) * across + j % across) as u32;
@@ -597,7 +597,7 @@ fn is_sound(shape: &Shape, positions: &[[f64; 3]]) -> bool {
     !normals.iter().any(folded)
 }
 
-/// One border normal turned by a lot, about any axis.
+/// One boundary normal turned by a lot, about any axis.
 #[test]
 fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
     let mut bars = Bars::default();
@@ -606,7 +606,7 @@ fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
         ("cylinder", cylinder_band(1_000, irregular(1), OUTSIDE)),
         ("blend", cylinder_blend()),
     ] {
-        let exact = shape.border_normals();
+        let exact = shape.boundary_normals();
         for (k, degrees) in [(3, 60.0f64), (7, 90.0), (11, 120.0), (20, 179.0)] {
             for axis in [[0.3, -0.2, 1.0], [1.0, 0.1, 0.2]] {
                 let by = Similarity::new(axis, degrees.to_radians(), 1.0, [0.0; 3]);

@@ -11,8 +11,8 @@ use common::fairing::*;
 use fairmesh::mesh::{Region, Selection, decimate};
 use fairmesh::shapes::*;
 use fairmesh::{
-    BorderNormals, Discretization, Error, Estimate, InnerFairness, Options, Outcome, PaperOptions, Progress,
-    Solution, Solver, Target,
+    BoundaryNormals, Discretization, Error, Estimate, InnerFairness, Options, Outcome, PaperOptions,
+    Progress, Solution, Solver, Target,
 };
 use nalgebra::Vector3;
 
@@ -54,14 +54,14 @@ const SINGLE: PaperOptions = PaperOptions {
 fn told(name: &str, s: &Solution) {
     let r = &s.report;
     println!(
-        "{name}: {} after {} updates, {:.2} s, defect {:.1e}, step {:.1e}, inside {:.4?}, border {:.4?}",
+        "{name}: {} after {} updates, {:.2} s, defect {:.1e}, step {:.1e}, inside {:.4?}, boundary {:.4?}",
         r.outcome.name(),
         r.iterations,
         r.seconds.total,
         r.defect,
         r.step,
         r.quality.h_inside,
-        r.quality.h_border
+        r.quality.h_boundary
     );
     for l in &r.levels {
         println!("    {l:?}");
@@ -183,7 +183,7 @@ fn cases(n: usize) -> Vec<(&'static str, Shape)> {
     ]
 }
 
-/// A harmonic function has its extremes on the border (3); so has the discrete `H`, but where cotangent weights are
+/// A harmonic function has its extremes on the boundary (3); so has the discrete `H`, but where cotangent weights are
 /// negative.
 #[test]
 fn the_maximum_principle() {
@@ -196,10 +196,15 @@ fn the_maximum_principle() {
         );
         told(name, &s);
         bars.converged(name, &s);
-        let ([low, high], [border_low, border_high]) = (s.report.quality.h_inside, s.report.quality.h_border);
-        let over = (high - border_high).max(border_low - low) * s.report.diagonal;
-        println!("    beyond the border's range by {over:.1e} of 1 / diagonal");
-        bars.at_most(format!("{name}: H inside beyond the border's range"), over, 0.05);
+        let ([low, high], [boundary_low, boundary_high]) =
+            (s.report.quality.h_inside, s.report.quality.h_boundary);
+        let over = (high - boundary_high).max(boundary_low - low) * s.report.diagonal;
+        println!("    beyond the boundary's range by {over:.1e} of 1 / diagonal");
+        bars.at_most(
+            format!("{name}: H inside beyond the boundary's range"),
+            over,
+            0.05,
+        );
         let reference = fast(&shape, InnerFairness::Uniform);
         bars.converged(format!("{name}, the default solver"), &reference);
         let gap = apart(&s.positions, &reference.positions) / reference.report.diagonal;
@@ -217,20 +222,20 @@ fn region(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
 }
 
 /// Down to the base and back up: valid after every collapse and every split, and the same triangles in the end, corner by
-/// corner; no border vertex is ever collapsed.
+/// corner; no boundary vertex is ever collapsed.
 #[test]
 fn decimation_and_refinement() {
     for (name, shape) in cases(600) {
         let (region, x) = region(&shape);
         let count = region.region_vertices();
-        let target = region.border * 2;
+        let target = region.boundary * 2;
         let before: Vec<_> = decimate(&region, &x, count).mesh().triangles().collect();
         assert_eq!(before.len(), region.half_edges.triangles.len());
         // One vertex less each time: every mesh on the way down.
         let base = decimate(&region, &x, target);
         println!(
-            "{name}: {count} vertices, border {}, base {}",
-            region.border,
+            "{name}: {count} vertices, boundary {}, base {}",
+            region.boundary,
             base.vertices()
         );
         assert!(base.vertices() < count / 2, "{name}");
@@ -242,10 +247,10 @@ fn decimation_and_refinement() {
                 .unwrap_or_else(|why| panic!("{name}, {} vertices: {why}", up.vertices()));
             let triangles: Vec<_> = up.mesh().triangles().collect();
             let named: BTreeSet<u32> = triangles.iter().flat_map(|t| t.1).collect();
-            let border = region.free as u32..count as u32;
+            let boundary = region.free as u32..count as u32;
             assert!(
-                border.clone().all(|b| named.contains(&b)),
-                "{name}: a border vertex is gone"
+                boundary.clone().all(|b| named.contains(&b)),
+                "{name}: a boundary vertex is gone"
             );
             assert_eq!(named.iter().filter(|v| **v < count as u32).count(), up.vertices());
             meshes.push(triangles);
@@ -265,8 +270,8 @@ fn decimation_and_refinement() {
             let level = down.region(&x).unwrap();
             level.validate().unwrap();
             assert_eq!(
-                (level.region_vertices(), level.border),
-                (down.vertices(), region.border)
+                (level.region_vertices(), level.boundary),
+                (down.vertices(), region.boundary)
             );
         }
     }
@@ -277,14 +282,14 @@ fn decimation_and_refinement() {
 fn every_collapse_leaves_a_valid_mesh() {
     let (region, x) = region(&cylinder_blend());
     let count = region.region_vertices();
-    for target in (region.border + 60..count).rev().step_by(7) {
+    for target in (region.boundary + 60..count).rev().step_by(7) {
         let mesh = decimate(&region, &x, target);
         assert_eq!(mesh.vertices(), target);
         mesh.mesh().validate().unwrap();
     }
 }
 
-/// Levels grow exponentially, from a base of at least 2.5 times the border.
+/// Levels grow exponentially, from a base of at least 2.5 times the boundary.
 #[test]
 fn levels_are_reported() {
     let shape = cylinder_blend();
@@ -356,7 +361,7 @@ fn a_run_stops_within_one_update() {
         };
         let options = Options {
             solver: Solver::Paper(PaperOptions::default()),
-            normals: BorderNormals::Given(&shape.border_normals()),
+            normals: BoundaryNormals::Given(&shape.boundary_normals()),
             progress: Some(&mut watch),
             ..options(TIGHT)
         };
@@ -487,7 +492,7 @@ fn table_1() {
         (cylinder_blend_fine(), 2e-3),
     ];
     for (shape, defect) in &shapes {
-        let vertices = shape.free_count() + shape.border_normals().len();
+        let vertices = shape.free_count() + shape.boundary_normals().len();
         let s = paper(
             shape,
             PaperOptions {

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use common::fairing::*;
 use fairmesh::shapes::*;
 use fairmesh::{
-    BorderNormals, Error, InnerFairness, Options, Outcome, Selection, Session, Solution, Target, fair,
+    BoundaryNormals, Error, InnerFairness, Options, Outcome, Selection, Session, Solution, Target, fair,
 };
 
 const TOLERANCE: f64 = 1e-8;
@@ -122,9 +122,9 @@ fn after_a_change_it_goes_on_from_where_it_is() {
         );
         assert!(warm.report.iterations <= bar);
     }
-    // Normals of a sphere turned about z: the border leans outwards by two degrees.
+    // Normals of a sphere turned about z: the boundary leans outwards by two degrees.
     let leant: Vec<(u32, [f64; 3])> = shape
-        .border_normals()
+        .boundary_normals()
         .into_iter()
         .map(|(v, [x, y, z])| {
             let (s, c) = 2f64.to_radians().sin_cos();
@@ -133,7 +133,9 @@ fn after_a_change_it_goes_on_from_where_it_is() {
             (v, [x / r * r1, y / r * r1, z1])
         })
         .collect();
-    session.set_border_normals(BorderNormals::Given(&leant)).unwrap();
+    session
+        .set_boundary_normals(BoundaryNormals::Given(&leant))
+        .unwrap();
     let warm = session.run(1000, None).unwrap();
     let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
     println!(
@@ -174,8 +176,8 @@ fn wrong_changes_leave_things_as_they_are() {
     let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
     let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
     session.run(2, None).unwrap();
-    let v = shape.border_normals()[3].0;
-    let wrong = session.set_border_normals(BorderNormals::Given(&[(v, [0.0, 0.0, 2.0])]));
+    let v = shape.boundary_normals()[3].0;
+    let wrong = session.set_boundary_normals(BoundaryNormals::Given(&[(v, [0.0, 0.0, 2.0])]));
     assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
     assert!(matches!(
         session.set_target(Target::Constant(f64::NAN)),
@@ -225,12 +227,12 @@ fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
     let start = flat(&shape);
     let mut session = session(&shape, &start, &options(TOLERANCE));
     session.run(1000, None).unwrap();
-    let mut normals = shape.border_normals();
+    let mut normals = shape.boundary_normals();
     normals.extend(inside[..2].iter().map(|&v| (v, shape.normals[v as usize])));
     normals.sort_by_key(|n| n.0);
     normals.dedup_by_key(|n| n.0);
     session
-        .set_border_normals(BorderNormals::Given(&normals))
+        .set_boundary_normals(BoundaryNormals::Given(&normals))
         .unwrap();
     session.set_target(Target::Constant(0.01)).unwrap();
     session.set_target(Target::Harmonic).unwrap();

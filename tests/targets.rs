@@ -8,7 +8,7 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Discretization, Error, Options, Outcome, Solution, Target};
+use fairmesh::{BoundaryNormals, Discretization, Error, Options, Outcome, Solution, Target};
 
 fn asked<'a>(target: Target, tolerance: f64) -> Options<'a> {
     Options {
@@ -392,10 +392,10 @@ fn the_papers_discretization_takes_targets_too() {
 }
 
 #[test]
-fn fitted_border_normals_and_targets() {
+fn fitted_boundary_normals_and_targets() {
     // What is outside decides the normals, whatever the target.
     let shape = sphere_cap(60.0, 1_000, irregular(5), OUTSIDE);
-    let normals = BorderNormals::Fitted;
+    let normals = BoundaryNormals::Fitted;
     let options = Options {
         normals,
         ..asked(Target::MinimalEnergy, TIGHT)

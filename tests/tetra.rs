@@ -6,15 +6,15 @@ mod common;
 
 use common::fairing::*;
 use fairmesh::shapes::{Sampling, Shape, tetra_thing, tetra_thing_coarse, tetra_thing_of};
-use fairmesh::{BorderNormals, InnerFairness, Options, Solution, mean_curvature};
+use fairmesh::{BoundaryNormals, InnerFairness, Options, Solution, mean_curvature};
 
 /// The coarse surface may leave the fine one by this much of the diagonal.
 const COARSE_TO_FINE: f64 = 1.2e-2;
 
 fn faired(shape: &Shape, inner: InnerFairness) -> Solution {
-    let normals = shape.border_normals();
+    let normals = shape.boundary_normals();
     let options = Options {
-        normals: BorderNormals::Given(&normals),
+        normals: BoundaryNormals::Given(&normals),
         inner,
         ..options(1e-8)
     };
@@ -35,8 +35,10 @@ fn both_sizes_are_the_same_shape() {
         for (n, solution) in [(500, &small), (13_308, &large)] {
             bars.converged(format!("{inner:?} {n}"), solution);
             // The extremes of a harmonic H are on the circles (paper 3).
-            let ([low, high], [least, most]) =
-                (solution.report.quality.h_inside, solution.report.quality.h_border);
+            let ([low, high], [least, most]) = (
+                solution.report.quality.h_inside,
+                solution.report.quality.h_boundary,
+            );
             bars.at_least(format!("{inner:?} {n}, least H"), low, least);
             bars.at_most(format!("{inner:?} {n}, largest H"), high, most);
         }

@@ -29,8 +29,8 @@ fn assert_same(what: &str, a: &Solution, b: &Solution) {
     assert!(positions(a) == positions(b), "{what}: positions differ");
     let curvature = |s: &Solution| bits(s.mean_curvature.iter().map(|h| h.1));
     assert!(curvature(a) == curvature(b), "{what}: mean curvatures differ");
-    let normals = |s: &Solution| bits(s.border_normals.iter().flat_map(|n| n.1));
-    assert!(normals(a) == normals(b), "{what}: border normals differ");
+    let normals = |s: &Solution| bits(s.boundary_normals.iter().flat_map(|n| n.1));
+    assert!(normals(a) == normals(b), "{what}: boundary normals differ");
     assert_eq!(figures(&a.report), figures(&b.report), "{what}");
 }
 

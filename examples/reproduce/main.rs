@@ -94,7 +94,7 @@ fn head() -> String {
         free-form surface design\", CAGD 18 (2001), made with this program. This file and its pictures are written by\n\n\
         ```sh\n./reproduce.sh\n```\n\n\
         and no measured number in it is typed. Machine of this run: {model}, {threads} threads. Distances are to a surface, over the\n\
-        diagonal of its bounding box. Border normals are the exact ones of the input, but for the scans.\n\n"
+        diagonal of its bounding box. Boundary normals are the exact ones of the input, but for the scans.\n\n"
     )
 }
 
@@ -104,7 +104,7 @@ const TAIL: &str = r#"## What is not the paper's
   triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in Table 1 blends of their
   size.
 - The "improved bilaplacian" of Fig. 7 is another paper's scheme and not there.
-- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the border. The
+- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the boundary. The
   paper does not say how normals enter its own.
 "#;
 

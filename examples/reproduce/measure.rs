@@ -5,8 +5,8 @@ use std::io;
 
 use fairmesh::discrete::curvature::TILT_RIDGE;
 use fairmesh::discrete::equations::FreeCurvature;
-use fairmesh::discrete::groups::Groups;
 use fairmesh::discrete::inner_fairness::FairnessWeights;
+use fairmesh::discrete::valence_batches::ValenceBatches;
 use fairmesh::mesh::{Region, Rings};
 use fairmesh::solve::{Control, System};
 use fairmesh::{InnerFairness, Selection};
@@ -14,15 +14,15 @@ use nalgebra::Vector3;
 
 use crate::tool::Case;
 
-/// The solution of the linear problem with G1 border data (paper (3), 7.4), which the solver starts from.
+/// The solution of the linear problem with G1 boundary data (paper (3), 7.4), which the solver starts from.
 pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64; 3]>> {
     let region = Region::new(&case.positions, &case.triangles, Selection::Vertices(&case.free))
         .map_err(io::Error::other)?;
     let rings = Rings::new(&region);
-    let groups = Groups::new(&rings);
+    let batches = ValenceBatches::new(&rings);
     let x = region.positions(&case.positions);
     let weights = if inner == InnerFairness::Conformal {
-        FairnessWeights::conformal(&groups, &x)
+        FairnessWeights::conformal(&batches, &x)
     } else {
         FairnessWeights::uniform()
     };
@@ -30,8 +30,8 @@ pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64;
         tilt_ridge: TILT_RIDGE,
     };
     let given = given_normals(case)?;
-    let border = region.vertex_ids[region.free..region.region_vertices()].iter();
-    let normals: Vec<Vector3<f64>> = border
+    let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
+    let normals: Vec<Vector3<f64>> = boundary
         .map(|v| {
             given
                 .iter()
@@ -40,7 +40,7 @@ pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64;
                 .unwrap_or_default()
         })
         .collect();
-    let mut system = System::new(&region, &rings, &groups, &x, normals, weights, curvature);
+    let mut system = System::new(&region, &rings, &batches, &x, normals, weights, curvature);
     let solved = system
         .linear_surface(&mut Control::new(1.0, 1, None))
         .map_err(|_| io::Error::other("the linear problem has no solution"))?;

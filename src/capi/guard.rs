@@ -3,11 +3,11 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::memory;
-use super::status::{Failure, Outcome, fairmesh_error, fairmesh_status};
+use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status};
 use super::views::aligned;
 
 /// Runs an exported function.
-pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> Outcome) -> fairmesh_status {
+pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
     // Without it there is no place to say more than the status.
     if !aligned(error, align_of::<fairmesh_error>()) {
         return fairmesh_status::Misaligned;

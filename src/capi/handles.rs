@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::status::{Failure, Outcome, fairmesh_status as Status};
+use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::views::Argument;
 
 type Table = BTreeMap<usize, Arc<dyn Any + Send + Sync>>;
@@ -26,7 +26,7 @@ pub fn add<H, T: Any + Send + Sync>(thing: Arc<T>) -> *mut H {
 }
 
 /// What the handle stands for.
-pub fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> Outcome<Arc<T>> {
+pub fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> CallResult<Arc<T>> {
     if handle.is_null() {
         return Err(argument
             .itself()

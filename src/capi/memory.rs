@@ -2,7 +2,7 @@
 //!
 //! Rust's collections abort the process when an allocation fails, and an allocator may not unwind. So a call sets a reserve
 //! aside before it works: one block, never touched while there is memory, that is sized for all of its work
-//! ([`super::need`]). When an allocation fails, the reserve serves it and all that follow, the failure is counted, the work stops
+//! ([`super::memory_bounds`]). When an allocation fails, the reserve serves it and all that follow, the failure is counted, the work stops
 //! at the next iteration, and the call answers OUT_OF_MEMORY. The allocator is that of the C libraries only: a Rust
 //! program that uses the crate keeps its own.
 

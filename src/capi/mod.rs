@@ -2,7 +2,7 @@
 //! of this; docs/c-api.md describes the conventions.
 //!
 //! Every function checks all of its arguments before any work ([`views`], [`input`]), runs in [`guard`], holds its memory in
-//! reserve ([`memory`], [`need`]), and writes its outputs last. Handles are in [`handles`]. This is the only place of
+//! reserve ([`memory`], [`memory_bounds`]), and writes its outputs last. Handles are in [`handles`]. This is the only place of
 //! the crate with `unsafe` code.
 #![allow(unsafe_code, reason = "pointers from C; see the SAFETY lines")]
 #![allow(non_camel_case_types, reason = "the names of the header")]
@@ -22,7 +22,7 @@ mod handles;
 mod hooks;
 mod input;
 mod memory;
-mod need;
+mod memory_bounds;
 mod options;
 mod outputs;
 mod reading;

@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use super::status::{Failure, Text, fairmesh_status};
 use super::types::*;
 use crate::fairing::{Outcome, Report};
-use crate::holes::{BorderLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
+use crate::holes::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
 use crate::paper::LevelReport;
 
 /// The report of a fairing.
@@ -32,7 +32,7 @@ pub fn report(of: &Report) -> fairmesh_report {
         worst_angle: quality.worst_angle,
         worst_triangle: quality.worst_triangle as u64,
         h_inside: quality.h_inside,
-        h_border: quality.h_border,
+        h_boundary: quality.h_boundary,
         normal_deviation: quality.normal_deviation,
         normal_deviation_vertex: quality.normal_deviation_vertex as u64,
         normal_deviation_rms: quality.normal_deviation_rms,
@@ -105,10 +105,10 @@ pub fn level(of: &LevelReport) -> fairmesh_level {
     }
 }
 
-pub fn border_loop(of: &BorderLoop) -> fairmesh_loop {
+pub fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
     let (kind, edge_a, edge_b) = match of.kind {
         LoopKind::Hole => (fairmesh_loop_kind::Hole, u32::MAX, u32::MAX),
-        LoopKind::OuterBorder => (fairmesh_loop_kind::OuterBorder, u32::MAX, u32::MAX),
+        LoopKind::OuterBoundary => (fairmesh_loop_kind::OuterBoundary, u32::MAX, u32::MAX),
         LoopKind::NonManifold { a, b } => (fairmesh_loop_kind::NonManifold, a, b),
     };
     fairmesh_loop {
@@ -146,7 +146,7 @@ pub fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         FillOutcome::LeftOpen(reason) => {
             let why = match reason {
                 OpenReason::NonManifold { .. } => Why::NonManifold,
-                OpenReason::OuterBorder => Why::OuterBorder,
+                OpenReason::OuterBoundary => Why::OuterBoundary,
                 OpenReason::TooManyEdges => Why::TooManyEdges,
                 OpenReason::NoTriangulation => Why::NoTriangulation,
                 OpenReason::NotFinite { .. } => Why::NotFinite,

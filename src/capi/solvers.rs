@@ -3,8 +3,8 @@
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
 use super::memory::Reserve;
-use super::options::Teller;
-use super::status::{Failure, Outcome, fairmesh_status as Status};
+use super::options::ProgressCallback;
+use super::status::{CallResult, Failure, fairmesh_status as Status};
 use crate::fairing::Session;
 
 /// One user at a time. Who panics with the lock poisons it.
@@ -12,7 +12,7 @@ pub struct Shared(Mutex<Solver>);
 
 pub struct Solver {
     pub session: Session,
-    pub teller: Teller,
+    pub callback: ProgressCallback,
     pub vertices: usize,
     /// What each call sets aside.
     pub need: usize,
@@ -26,7 +26,7 @@ impl Shared {
     }
 
     /// The solver, if nobody uses it.
-    pub fn take(&self) -> Outcome<MutexGuard<'_, Solver>> {
+    pub fn take(&self) -> CallResult<MutexGuard<'_, Solver>> {
         self.0.try_lock().map_err(|why| match why {
             TryLockError::WouldBlock => Failure::new(Status::Busy, format_args!("the solver is in use")),
             TryLockError::Poisoned(_) => Failure::new(

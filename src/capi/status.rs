@@ -58,8 +58,8 @@ pub enum fairmesh_status {
     NonManifoldVertex = 20,
     /// Two triangles run through an edge in the same direction. Element: the edge.
     InconsistentOrientation = 21,
-    /// A free vertex is on the border of the mesh. Element: the vertex.
-    FreeVertexOnBorder = 22,
+    /// A free vertex is on the boundary of the mesh. Element: the vertex.
+    FreeVertexOnBoundary = 22,
     /// A free vertex has no triangle. Element: the vertex.
     FreeVertexWithoutTriangle = 23,
     /// A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
@@ -70,7 +70,7 @@ pub enum fairmesh_status {
     SelectionOutOfRange = 26,
     /// A normal is not a finite vector of length one (to 0.001). Element: the vertex.
     BadNormal = 27,
-    /// No normal can be found for a border vertex: give one. Element: the vertex.
+    /// No normal can be found for a boundary vertex: give one. Element: the vertex.
     NoNormal = 28,
     /// The result has nothing of this kind, or nothing with this index.
     NotAvailable = 29,
@@ -110,7 +110,7 @@ impl Status {
             NonManifoldEdge,
             NonManifoldVertex,
             InconsistentOrientation,
-            FreeVertexOnBorder,
+            FreeVertexOnBoundary,
             FreeVertexWithoutTriangle,
             NothingFixed,
             EmptyRegion,
@@ -149,7 +149,7 @@ impl Status {
             Some(Self::NonManifoldEdge) => c"non-manifold edge",
             Some(Self::NonManifoldVertex) => c"non-manifold vertex",
             Some(Self::InconsistentOrientation) => c"inconsistent orientation",
-            Some(Self::FreeVertexOnBorder) => c"free vertex on border",
+            Some(Self::FreeVertexOnBoundary) => c"free vertex on boundary",
             Some(Self::FreeVertexWithoutTriangle) => c"free vertex without triangle",
             Some(Self::NothingFixed) => c"nothing fixed",
             Some(Self::EmptyRegion) => c"empty region",
@@ -180,7 +180,7 @@ pub enum fairmesh_element {
     /// An argument of the function, counted from 1; `other` is the offset of the field in the struct that it points
     /// to, or FAIRMESH_NO_ELEMENT for the argument itself.
     Argument = 4,
-    /// A border loop.
+    /// A boundary loop.
     Loop = 5,
 }
 
@@ -217,7 +217,7 @@ pub struct Failure {
     pub silent: bool,
 }
 
-pub type Outcome<T = ()> = Result<T, Failure>;
+pub type CallResult<T = ()> = Result<T, Failure>;
 
 /// Text in a fixed array; too long a text is cut.
 #[derive(Clone, Copy)]
@@ -317,7 +317,7 @@ impl From<Error> for Failure {
             Error::InconsistentOrientation { a, b, .. } => {
                 of(Status::InconsistentOrientation).at(Edge, a).and(b)
             }
-            Error::FreeVertexOnBorder { vertex } => of(Status::FreeVertexOnBorder).at(Vertex, vertex),
+            Error::FreeVertexOnBoundary { vertex } => of(Status::FreeVertexOnBoundary).at(Vertex, vertex),
             Error::FreeVertexWithoutTriangle { vertex } => {
                 of(Status::FreeVertexWithoutTriangle).at(Vertex, vertex)
             }

@@ -4,7 +4,7 @@ use core::ffi::c_void;
 use std::borrow::Cow;
 
 use super::memory;
-use super::status::{Failure, Outcome, fairmesh_element, fairmesh_status as Status};
+use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 pub use super::structs::*;
 use super::types::*;
 
@@ -25,8 +25,8 @@ fn array(
     stride: usize,
     width: usize,
     size: usize,
-    at: [Place; 3],
-) -> Outcome<Array> {
+    at: [FieldPath; 3],
+) -> CallResult<Array> {
     let row = width * size;
     if data.is_null() && count > 0 {
         return Err(at[0].refuse(
@@ -72,7 +72,7 @@ fn array(
     })
 }
 
-fn numbers_size(scalar: u32, place: Place) -> Outcome<usize> {
+fn numbers_size(scalar: u32, place: FieldPath) -> CallResult<usize> {
     match scalar {
         1 => Ok(4),
         2 => Ok(8),
@@ -80,7 +80,7 @@ fn numbers_size(scalar: u32, place: Place) -> Outcome<usize> {
     }
 }
 
-pub fn check_reserved(reserved: u32, place: Place) -> Outcome {
+pub fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
     if reserved == 0 {
         return Ok(());
     }
@@ -106,7 +106,7 @@ pub struct PointsIn {
 }
 
 impl PointsIn {
-    pub fn new(view: &fairmesh_points, base: Place) -> Outcome<Self> {
+    pub fn new(view: &fairmesh_points, base: FieldPath) -> CallResult<Self> {
         check_reserved(
             view.reserved,
             base.plus(core::mem::offset_of!(fairmesh_points, reserved)),
@@ -143,7 +143,7 @@ impl PointsIn {
     }
 
     /// As the library wants them: without a copy where they are so already.
-    pub fn read<'a>(&self) -> Outcome<Cow<'a, [[f64; 3]]>> {
+    pub fn read<'a>(&self) -> CallResult<Cow<'a, [[f64; 3]]>> {
         if self.array.count == 0 {
             return Ok(Cow::Borrowed(&[]));
         }
@@ -153,14 +153,14 @@ impl PointsIn {
                 std::slice::from_raw_parts(self.array.data.cast(), self.array.count)
             }));
         }
-        let mut points = room(self.array.count)?;
+        let mut points = try_with_capacity(self.array.count)?;
         points.extend((0..self.array.count).map(|k| self.get(k)));
         Ok(Cow::Owned(points))
     }
 }
 
 /// A vector with room for so many.
-pub fn room<T>(count: usize) -> Outcome<Vec<T>> {
+pub fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
     let mut vec = Vec::new();
     let reserved = memory::without_reserve(|| vec.try_reserve_exact(count));
     reserved.map_err(|_| Failure::out_of_memory())?;
@@ -168,7 +168,7 @@ pub fn room<T>(count: usize) -> Outcome<Vec<T>> {
 }
 
 /// Rows of indices to be read.
-pub fn indices_in(view: &fairmesh_indices, width: usize, base: Place) -> Outcome<Array> {
+pub fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> CallResult<Array> {
     array(
         view.data.cast(),
         view.count,
@@ -194,7 +194,7 @@ impl Array {
     }
 
     /// As the library wants them: without a copy where they are so already.
-    pub fn rows<'a, const N: usize>(&self) -> Outcome<Cow<'a, [[u32; N]]>> {
+    pub fn rows<'a, const N: usize>(&self) -> CallResult<Cow<'a, [[u32; N]]>> {
         if self.count == 0 {
             return Ok(Cow::Borrowed(&[]));
         }
@@ -204,14 +204,14 @@ impl Array {
                 std::slice::from_raw_parts(self.data.cast(), self.count)
             }));
         }
-        let mut rows = room(self.count)?;
+        let mut rows = try_with_capacity(self.count)?;
         rows.extend((0..self.count).map(|k| self.index::<N>(k)));
         Ok(Cow::Owned(rows))
     }
 }
 
 /// The entries of a selection: bytes or indices.
-pub fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> Outcome<Array> {
+pub fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
     let at = places!(fairmesh_selection, argument.field(0));
     array(selection.data, selection.count, selection.stride, 1, size, at)
 }
@@ -226,7 +226,7 @@ pub struct NumbersOut<const N: usize> {
 macro_rules! numbers_out {
     ($name:ident, $view:ident, $width:literal) => {
         impl NumbersOut<$width> {
-            pub fn $name(view: *const $view, argument: Argument) -> Outcome<Self> {
+            pub fn $name(view: *const $view, argument: Argument) -> CallResult<Self> {
                 check_pointer(view, argument)?;
                 // SAFETY: not NULL, aligned.
                 let view = unsafe { view.read() };
@@ -248,12 +248,12 @@ numbers_out!(scalars, fairmesh_scalars_out, 1);
 
 impl<const N: usize> NumbersOut<N> {
     /// Exactly so many rows.
-    pub fn check_count(&self, count: usize, argument: Argument) -> Outcome {
+    pub fn check_count(&self, count: usize, argument: Argument) -> CallResult {
         check_count(self.array.count, count, argument.field(size_of::<usize>()))
     }
 
     /// Whether all of these can be written. Infinity is no number, except where the library says so itself.
-    pub fn check_range(&self, rows: impl Iterator<Item = (usize, [f64; N])>) -> Outcome {
+    pub fn check_range(&self, rows: impl Iterator<Item = (usize, [f64; N])>) -> CallResult {
         if self.double {
             return Ok(());
         }
@@ -292,7 +292,7 @@ impl<const N: usize> NumbersOut<N> {
 pub struct TrianglesOut(pub Array);
 
 impl TrianglesOut {
-    pub fn new(view: *const fairmesh_indices_out, argument: Argument) -> Outcome<Self> {
+    pub fn new(view: *const fairmesh_indices_out, argument: Argument) -> CallResult<Self> {
         check_pointer(view, argument)?;
         // SAFETY: not NULL, aligned.
         let view = unsafe { view.read() };
@@ -308,7 +308,7 @@ impl TrianglesOut {
 }
 
 /// A list of indices to be written.
-pub fn list_out(data: *mut u32, capacity: usize) -> Outcome<Array> {
+pub fn list_out(data: *mut u32, capacity: usize) -> CallResult<Array> {
     let [at, count] = [Argument(4).itself(), Argument(5).itself()];
     array(data.cast(), capacity, 0, 1, 4, [at, count, count])
 }
@@ -319,7 +319,7 @@ pub fn put_index(out: &Array, k: usize, index: u32) {
     unsafe { out.data.cast::<u32>().add(k).write(index) };
 }
 
-pub fn check_count(got: usize, wanted: usize, place: Place) -> Outcome {
+pub fn check_count(got: usize, wanted: usize, place: FieldPath) -> CallResult {
     if got == wanted {
         return Ok(());
     }

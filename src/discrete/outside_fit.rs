@@ -1,10 +1,10 @@
-//! The normal of a surface at the rim of what is known of it: gradient-corrected fits, as in [`super::curvature`], to the
+//! The normal of a surface at the boundary of what is known of it: gradient-corrected fits, as in [`super::curvature`], to the
 //! vertices on one side.
 
 use nalgebra::Vector3;
 
-use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, TILT_RIDGE, back_substitute};
-use super::lanes::{Lanes, Vec3, dot, lane, one};
+use super::curvature::{FLAP_WEIGHT, NormalEquations, TILT_RIDGE, TangentFrame, back_substitute};
+use super::simd::{Simd, Vec3, dot, lane, one};
 use crate::mesh::Surroundings;
 
 /// The repeated fit stops when the normal turns by less than this (radians).
@@ -23,7 +23,7 @@ pub struct Fit {
     pub error: f64,
 }
 
-/// What lies around a border vertex outside: edge vectors, ring by ring.
+/// What lies around a boundary vertex outside: edge vectors, ring by ring.
 #[derive(Debug, Default)]
 pub struct Samples {
     edges: Vec<Vec3<1>>,
@@ -34,7 +34,7 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// Those of border vertex `v` (local number); `found` is room to work in.
+    /// Those of boundary vertex `v` (local number); `found` is room to work in.
     pub fn gather(
         &mut self,
         surroundings: &Surroundings,
@@ -115,15 +115,15 @@ impl<const N: usize> Order<N> {
     }
 
     fn fit_once(&self, samples: &Samples, n: &Vector3<f64>) -> Fit {
-        let frame = Frame::new(one(n));
-        let l = Lanes([samples.length]);
+        let frame = TangentFrame::new(one(n));
+        let l = Simd([samples.length]);
         let mut normal_equations = NormalEquations::<1, N>::new();
         let mut squared = NormalEquations::<1, N>::new();
         let mut count = 0.0;
         for (e, weight) in samples.weighted(&self.weights) {
             let (phi, kappa) = basis(&frame, e, l);
-            normal_equations.add(&phi, kappa, Lanes([weight]));
-            squared.add(&phi, kappa, Lanes([weight * weight]));
+            normal_equations.add(&phi, kappa, Simd([weight]));
+            squared.add(&phi, kappa, Simd([weight * weight]));
             count += 1.0;
         }
         let factor = normal_equations.cholesky(&self.ridges);
@@ -143,8 +143,8 @@ impl<const N: usize> Order<N> {
     }
 }
 
-/// The first `N` of the basis values of [`Frame::sample`] and of the cubics `w / l`, as curvatures `2w/d`.
-fn basis<const N: usize>(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<1>; N], Lanes<1>) {
+/// The first `N` of the basis values of [`TangentFrame::sample`] and of the cubics `w / l`, as curvatures `2w/d`.
+fn basis<const N: usize>(frame: &TangentFrame<1>, e: &Vec3<1>, l: Simd<1>) -> ([Simd<1>; N], Simd<1>) {
     let (five, kappa) = frame.sample(e, l);
     // 2u/d and 2v/d times l.
     let (c, d) = (five[3], five[4]);
@@ -156,9 +156,9 @@ fn basis<const N: usize>(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<
 }
 
 /// Diagonal entry `r` of `M^-1 (sum w^2 phi phi^T) M^-1`.
-fn covariance<const N: usize>(factor: &[[Lanes<1>; N]; N], squared: &NormalEquations<1, N>, r: usize) -> f64 {
-    let mut unit = [Lanes([0.0]); N];
-    unit[r] = Lanes([1.0]);
+fn covariance<const N: usize>(factor: &[[Simd<1>; N]; N], squared: &NormalEquations<1, N>, r: usize) -> f64 {
+    let mut unit = [Simd([0.0]); N];
+    unit[r] = Simd([1.0]);
     let z = back_substitute(factor, unit);
     squared.quadratic_form(&z).0[0]
 }

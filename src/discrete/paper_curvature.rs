@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::curvature::{moreton_sequin, moreton_sequin_with_response};
 use super::equations::{Equations, State};
-use super::lanes::{minus, one};
 use super::low_valence::spiral_sample;
+use super::simd::{minus, one};
 
 /// Valences up to this take extra samples (paper 6.2).
 pub const LOW_VALENCE: usize = 4;

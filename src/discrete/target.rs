@@ -4,7 +4,7 @@
 //! equation reads `R1_i = (S H)_i + (2 A / 3) rhs_i = 0`: a third of the disk belongs to the vertex, and `S` is made of
 //! twice the weights of the Dirichlet form.
 
-use super::lanes::Lanes;
+use super::simd::Simd;
 
 /// What the Laplacian of the mean curvature has to be: `Delta_B H = rhs` in the interior.
 ///
@@ -62,22 +62,22 @@ impl RightHandSide {
 
     /// `rhs` at a vertex with these mean and Gaussian curvatures.
     pub fn at(&self, h: f64, k: f64) -> f64 {
-        self.at_lanes(Lanes([h]), Lanes([k])).0[0]
+        self.at_lanes(Simd([h]), Simd([k])).0[0]
     }
 
     /// `(2 A / 3) rhs`, the summand of `R1` at a vertex with 1-disk of area `area`.
     pub fn load(&self, h: f64, k: f64, area: f64) -> f64 {
-        self.load_lanes(Lanes([h]), Lanes([k]), Lanes([area])).0[0]
+        self.load_lanes(Simd([h]), Simd([k]), Simd([area])).0[0]
     }
 
     #[inline(always)]
-    fn at_lanes<const L: usize>(&self, h: Lanes<L>, k: Lanes<L>) -> Lanes<L> {
-        Lanes::splat(self.constant) - h * (h * h - k) * (2.0 * self.energy)
+    fn at_lanes<const L: usize>(&self, h: Simd<L>, k: Simd<L>) -> Simd<L> {
+        Simd::splat(self.constant) - h * (h * h - k) * (2.0 * self.energy)
     }
 
     /// [`Self::load`] of several vertices.
     #[inline(always)]
-    pub fn load_lanes<const L: usize>(&self, h: Lanes<L>, k: Lanes<L>, area: Lanes<L>) -> Lanes<L> {
+    pub fn load_lanes<const L: usize>(&self, h: Simd<L>, k: Simd<L>, area: Simd<L>) -> Simd<L> {
         self.at_lanes(h, k) * area * (2.0 / 3.0)
     }
 }

@@ -460,7 +460,7 @@ mod tests {
 
     #[test]
     fn a_linear_field_is_harmonic_on_the_square_grid() {
-        // Five-point Laplacian with the border values 3 + 2 c - r eliminated.
+        // Five-point Laplacian with the boundary values 3 + 2 c - r eliminated.
         let side = 41_i64;
         let id = |r: i64, c: i64| (r * side + c) as u32;
         let mut edges = Vec::new();

@@ -21,7 +21,7 @@ pub struct ProgressiveMesh {
     mesh: EditableMesh,
     /// Half-edges `(u, v)` with `u` moved into `v`, in the order of the collapses.
     collapses: Vec<u32>,
-    border: usize,
+    boundary: usize,
     free: usize,
 }
 
@@ -34,14 +34,14 @@ pub struct Split {
     pub parent: u32,
 }
 
-/// Collapses half-edges until `target` vertices (free and border) are left or no collapse is allowed. Shorter edges go
-/// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No border vertex is
+/// Collapses half-edges until `target` vertices (free and boundary) are left or no collapse is allowed. Shorter edges go
+/// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No boundary vertex is
 /// collapsed, and none loses its last free neighbour. Positions are those of `x` throughout; `region` numbers vertices.
 pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
     let mut progressive = ProgressiveMesh {
         mesh: EditableMesh::new(region),
         collapses: Vec::new(),
-        border: region.border,
+        boundary: region.boundary,
         free: region.free,
     };
     let mut queue = Queue {
@@ -65,7 +65,7 @@ pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Progressi
             continue;
         }
         around.clear();
-        around.extend(progressive.mesh.spokes(u).map(|g| progressive.mesh.target(g)));
+        around.extend(progressive.mesh.ring_edges(u).map(|g| progressive.mesh.target(g)));
         queue.stamp[u as usize] += 1;
         progressive.mesh.collapse(h);
         progressive.collapses.push(h);
@@ -77,9 +77,9 @@ pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Progressi
 }
 
 impl ProgressiveMesh {
-    /// Vertices that are there, free and border.
+    /// Vertices that are there, free and boundary.
     pub fn vertices(&self) -> usize {
-        self.free - self.collapses.len() + self.border
+        self.free - self.collapses.len() + self.boundary
     }
 
     /// The mesh as it is now.
@@ -138,7 +138,7 @@ impl Queue {
     fn push(&mut self, mesh: &EditableMesh, x: &[Vector3<f64>], u: u32) {
         let stamp = &mut self.stamp[u as usize];
         *stamp += 1;
-        let candidates = mesh.spokes(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
+        let candidates = mesh.ring_edges(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
         let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((cost, h)) = cheapest {
             // The bits of numbers that are not negative are ordered as they are.
@@ -153,12 +153,12 @@ fn cost(mesh: &EditableMesh, x: &[Vector3<f64>], h: u32) -> Option<f64> {
     let place = |w: u32| x[w as usize];
     let cross = |a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>| (b - a).cross(&(c - a));
     let normals = mesh
-        .spokes(u)
+        .ring_edges(u)
         .map(|g| cross(place(u), place(mesh.target(g)), place(mesh.apex(g))));
     let normal = normals.sum::<Vector3<f64>>().try_normalize(f64::MIN_POSITIVE)?;
     let mut least = 1.0f64;
     for g in mesh
-        .spokes(u)
+        .ring_edges(u)
         .filter(|&g| mesh.target(g) != v && mesh.apex(g) != v)
     {
         let corners = [place(v), place(mesh.target(g)), place(mesh.apex(g))];

@@ -1,4 +1,4 @@
-//! The region of a triangle mesh: half-edges, rings, and what is free, fixed and border.
+//! The region of a triangle mesh: half-edges, rings, and what is free, fixed and boundary.
 
 mod cut;
 pub mod editable;
@@ -17,5 +17,5 @@ pub use region::{Region, Selection};
 pub use rings::Rings;
 pub use surroundings::Surroundings;
 
-/// No element: the partner of a border half-edge, the flap that is not there.
+/// No element: the partner of a boundary half-edge, the flap that is not there.
 pub const NONE: u32 = u32::MAX;

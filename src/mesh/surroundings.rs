@@ -3,7 +3,7 @@
 
 use super::region::Region;
 
-/// Neighbours of the vertices outside, border vertices included, along edges of triangles that are not of the region.
+/// Neighbours of the vertices outside, boundary vertices included, along edges of triangles that are not of the region.
 #[derive(Debug, Clone)]
 pub struct Surroundings {
     start: Vec<u32>,

@@ -1,11 +1,11 @@
 //! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
-//! values on the border, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
+//! values on the boundary, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
 
 use nalgebra::Vector3;
 
 use crate::discrete::equations::State;
-use crate::discrete::groups::Groups;
 use crate::discrete::target::RightHandSide;
+use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
 
 /// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
@@ -15,7 +15,7 @@ pub const SMALLEST_DIAGONAL: f64 = 1e-6;
 #[derive(Debug)]
 pub struct Dirichlet<'a> {
     rings: &'a Rings,
-    groups: &'a Groups,
+    batches: &'a ValenceBatches,
     /// `w_ij`, ring after ring.
     weight: Vec<f64>,
     /// `S_ii`; zero where it is too small to divide by.
@@ -30,11 +30,11 @@ pub struct Dirichlet<'a> {
 
 impl<'a> Dirichlet<'a> {
     /// Room for the region of these rings.
-    pub fn new(rings: &'a Rings, groups: &'a Groups, right_hand_side: RightHandSide) -> Self {
+    pub fn new(rings: &'a Rings, batches: &'a ValenceBatches, right_hand_side: RightHandSide) -> Self {
         let free = rings.free();
         Self {
             rings,
-            groups,
+            batches,
             right_hand_side,
             weight: vec![0.0; rings.neighbour.len()],
             diagonal: vec![0.0; free],
@@ -48,7 +48,7 @@ impl<'a> Dirichlet<'a> {
     /// Takes the weights of the surface that `state` was evaluated at.
     pub fn refresh(&mut self, state: &State) {
         let start = &self.rings.start;
-        for (i, &(first, lane)) in self.groups.place.iter().enumerate() {
+        for (i, &(first, lane)) in self.batches.place.iter().enumerate() {
             let row = &mut self.weight[start[i] as usize..start[i + 1] as usize];
             let slots = &state.weight[first as usize..first as usize + row.len()];
             let (mut sum, mut absolute) = (0.0, 0.0);
@@ -83,7 +83,7 @@ impl<'a> Dirichlet<'a> {
         }
     }
 
-    /// One Gauss-Seidel iteration on `h` (free, border), vertex after vertex.
+    /// One Gauss-Seidel iteration on `h` (free, boundary), vertex after vertex.
     pub fn gauss_seidel(&self, h: &mut [f64]) {
         for i in 0..self.diagonal.len() {
             if self.diagonal[i] > 0.0 {
@@ -93,7 +93,7 @@ impl<'a> Dirichlet<'a> {
         }
     }
 
-    /// `n` conjugate gradient iterations on `h` (free, border) with the diagonal as preconditioner.
+    /// `n` conjugate gradient iterations on `h` (free, boundary) with the diagonal as preconditioner.
     pub fn conjugate_gradients(&mut self, h: &mut [f64], n: usize) {
         let free = self.diagonal.len();
         let mut residual = std::mem::take(&mut self.residual);
@@ -198,20 +198,20 @@ mod tests {
         let flat: Vec<[f64; 3]> = shape.positions.iter().map(|p| [p[0], p[1], 0.0]).collect();
         let region = Region::new(&flat, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let (x, rings) = (region.positions(&flat), Rings::new(&region));
-        let groups = Groups::new(&rings);
-        let border_normals = vec![Vector3::z(); region.border];
+        let batches = ValenceBatches::new(&rings);
+        let boundary_normals = vec![Vector3::z(); region.boundary];
         let equations = Equations {
             rings: &rings,
-            groups: &groups,
-            border_normals: &border_normals,
-            passing: &[],
+            batches: &batches,
+            boundary_normals: &boundary_normals,
+            smooth_interior: &[],
             weights: &FairnessWeights::uniform(),
             curvature: FreeCurvature::Paper,
             right_hand_side: RightHandSide::default(),
         };
-        let mut state = State::new(&groups, region.border);
+        let mut state = State::new(&batches, region.boundary);
         equations.evaluate(&x, &mut state);
-        let mut dirichlet = Dirichlet::new(&rings, &groups, RightHandSide::default());
+        let mut dirichlet = Dirichlet::new(&rings, &batches, RightHandSide::default());
         dirichlet.refresh(&state);
         let exact: Vec<f64> = x[..region.region_vertices()]
             .iter()

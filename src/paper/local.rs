@@ -4,9 +4,9 @@
 use nalgebra::Vector3;
 
 use crate::discrete::curvature::moreton_sequin;
-use crate::discrete::lanes::{minus, one};
 use crate::discrete::low_valence::spiral_sample;
 use crate::discrete::paper_curvature::LOW_VALENCE;
+use crate::discrete::simd::{minus, one};
 use crate::mesh::Rings;
 
 /// The triangles of the region around one vertex.
@@ -22,7 +22,7 @@ pub struct Fan {
 pub trait Fans {
     /// Whether a vertex is free; else it is fixed and has a prescribed normal.
     fn is_free(&self, v: u32) -> bool;
-    /// The triangles around a free or border vertex.
+    /// The triangles around a free or boundary vertex.
     fn fan(&self, v: u32, fan: &mut Fan);
 }
 
@@ -42,9 +42,9 @@ impl Fans for Rings {
             fan.edges.extend((0..m).map(|k| [ring[k], ring[(k + 1) % m]]));
         } else {
             let b = v as usize - free;
-            fan.ring.extend_from_slice(self.border_ring(b));
-            let edges = self.border_edge_start[b] as usize..self.border_edge_start[b + 1] as usize;
-            fan.edges.extend_from_slice(&self.border_edge[edges]);
+            fan.ring.extend_from_slice(self.boundary_ring(b));
+            let edges = self.boundary_edge_start[b] as usize..self.boundary_edge_start[b + 1] as usize;
+            fan.edges.extend_from_slice(&self.boundary_edge[edges]);
         }
     }
 }
@@ -58,7 +58,7 @@ impl Fan {
         sum.try_normalize(f64::MIN_POSITIVE)
     }
 
-    /// `H` at `v`; the samples of 6.2 are added where the valence is low, and always at a border vertex (7.5).
+    /// `H` at `v`; the samples of 6.2 are added where the valence is low, and always at a boundary vertex (7.5).
     pub fn curvature(&self, x: &[Vector3<f64>], normal: &[Vector3<f64>], v: u32, is_free: bool) -> f64 {
         let q = one(&x[v as usize]);
         let at = |j: u32| minus(&one(&x[j as usize]), &q);

@@ -67,7 +67,7 @@ struct Patch {
 }
 
 impl<'a> Prolongation<'a> {
-    /// `x` and `normal` are by the numbers of the given mesh; the normals of border vertices must be there.
+    /// `x` and `normal` are by the numbers of the given mesh; the normals of boundary vertices must be there.
     pub fn new(
         original: Option<&'a [Vector3<f64>]>,
         x: Vec<Vector3<f64>>,

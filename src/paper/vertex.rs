@@ -4,9 +4,9 @@
 use nalgebra::Vector3;
 
 use crate::discrete::curvature::moreton_sequin_with_response;
-use crate::discrete::lanes::one;
 use crate::discrete::low_valence::spiral_sample;
 use crate::discrete::paper_curvature::LOW_VALENCE;
+use crate::discrete::simd::one;
 
 /// No normal step is longer than this part of the shortest edge. Far from the solution the linearization of 7.2 knows no
 /// bound; near it no step is that long.

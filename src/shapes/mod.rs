@@ -2,7 +2,7 @@
 //!
 //! Every generator is deterministic: the same arguments give the same bits. `n` is the approximate number
 //! of free vertices (12 to 50 million), `outside` the number of rings of exact triangles around the free
-//! region (at most 16); with 0 the fixed rim is the border of the mesh. Arguments out of range are moved into it.
+//! region (at most 16); with 0 the fixed boundary is the boundary of the mesh. Arguments out of range are moved into it.
 //!
 //! Triangles run counter-clockwise seen from outside, normals point outward.
 

@@ -17,7 +17,7 @@ pub struct Candidate {
     /// Its poor triangles.
     pub poor: Vec<u32>,
     /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]), or it stands off single
-    /// border normals far more than off the others: a bump that the coarse equations admit.
+    /// boundary normals far more than off the others: a bump that the coarse equations admit.
     pub doubtful: bool,
     /// See [`Solved::even`](super::Solved::even).
     pub even: bool,

@@ -7,7 +7,7 @@
 //! 4. the plain solution to tolerance, reported as what it is;
 //! 5. pseudo-time from the start;
 //! 6. equal inner fairness where another was asked for, directly;
-//! 7. continuation in the border normals.
+//! 7. continuation in the boundary normals.
 
 use std::time::Instant;
 
@@ -45,8 +45,8 @@ pub enum Ending {
     Doubtful,
     /// No sound nonlinear surface; the linear one.
     Failed,
-    /// Border normals reached only to this fraction of the way; the linear surface. Border vertices (numbered from
-    /// the first border vertex), the farthest first.
+    /// Boundary normals reached only to this fraction of the way; the linear surface. Boundary vertices (numbered from
+    /// the first boundary vertex), the farthest first.
     Partly(f64, Vec<u32>),
     /// A surface was found for this part of the right-hand side only; the linear surface.
     Loaded(f64),
@@ -57,7 +57,7 @@ pub enum Ending {
 /// What was found.
 #[derive(Debug, Clone)]
 pub struct Solved {
-    /// The surface: free and border vertices.
+    /// The surface: free and boundary vertices.
     pub x: Vec<Vector3<f64>>,
     /// How it ended.
     pub ending: Ending,
@@ -453,7 +453,7 @@ impl System<'_> {
             region: self.region,
             x,
             normals: &self.state.corrected,
-            border_normals: &self.border_normals,
+            boundary_normals: &self.boundary_normals,
             h: &self.state.h,
         }
     }

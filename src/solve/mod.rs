@@ -1,8 +1,8 @@
 //! The default solver: a quasi-Newton iteration on both fairness equations together.
 //!
-//! [`initial`] makes a start from connectivity and border data alone, [`quasi_newton`] iterates to tolerance with a
+//! [`initial`] makes a start from connectivity and boundary data alone, [`quasi_newton`] iterates to tolerance with a
 //! frozen matrix ([`bilaplacian`]), and [`globalize`] is the order in which harder means are tried: repaired inner
-//! fairness, plain curvature, pseudo-time, continuation in the border normals.
+//! fairness, plain curvature, pseudo-time, continuation in the boundary normals.
 
 pub mod bilaplacian;
 pub mod candidate;

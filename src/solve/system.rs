@@ -9,9 +9,9 @@ use super::bilaplacian::Metric;
 use super::direction;
 use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
-use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
+use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
 use crate::linear::interrupt::Interrupt;
 use crate::linear::ordering::fill_reducing;
 use crate::linear::sparse::SymmetricPattern;
@@ -35,13 +35,13 @@ pub struct System<'a> {
     /// Its rings.
     pub rings: &'a Rings,
     /// The same, transposed.
-    pub groups: &'a Groups,
-    /// The input surface of the region (free, border).
+    pub batches: &'a ValenceBatches,
+    /// The input surface of the region (free, boundary).
     pub input: &'a [Vector3<f64>],
     /// Prescribed normals; those of the last evaluation where the surface passes.
-    pub border_normals: Vec<Vector3<f64>>,
-    /// Border vertices with a closed ring that the surface passes smoothly; empty: none.
-    pub passing: Vec<bool>,
+    pub boundary_normals: Vec<Vector3<f64>>,
+    /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
+    pub smooth_interior: Vec<bool>,
     /// Inner fairness.
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
@@ -92,9 +92,9 @@ impl<'a> System<'a> {
     pub fn new(
         region: &'a Region,
         rings: &'a Rings,
-        groups: &'a Groups,
+        batches: &'a ValenceBatches,
         input: &'a [Vector3<f64>],
-        border_normals: Vec<Vector3<f64>>,
+        boundary_normals: Vec<Vector3<f64>>,
         weights: FairnessWeights,
         curvature: FreeCurvature,
     ) -> Self {
@@ -102,7 +102,7 @@ impl<'a> System<'a> {
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
                 let order = fill_reducing(&g_pattern, &g_pattern, 1, None);
-                let values = laplacian(&g_pattern, rings, groups, &weights);
+                let values = laplacian(&g_pattern, rings, batches, &weights);
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
@@ -120,14 +120,14 @@ impl<'a> System<'a> {
         Self {
             region,
             rings,
-            groups,
+            batches,
             input,
-            border_normals,
-            passing: Vec::new(),
+            boundary_normals,
+            smooth_interior: Vec::new(),
             weights,
             curvature,
             right_hand_side: RightHandSide::default(),
-            state: State::new(groups, region.border),
+            state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
             g_pattern,
@@ -158,9 +158,9 @@ impl<'a> System<'a> {
     pub fn equations(&self) -> Equations<'_> {
         Equations {
             rings: self.rings,
-            groups: self.groups,
-            border_normals: &self.border_normals,
-            passing: &self.passing,
+            batches: self.batches,
+            boundary_normals: &self.boundary_normals,
+            smooth_interior: &self.smooth_interior,
             weights: &self.weights,
             curvature: self.curvature,
             right_hand_side: self.right_hand_side,
@@ -172,12 +172,17 @@ impl<'a> System<'a> {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
-        self.take_passing_normals();
+        self.take_smooth_interior_normals();
     }
 
-    fn take_passing_normals(&mut self) {
+    fn take_smooth_interior_normals(&mut self) {
         let (_, current) = self.state.corrected.split_at(self.region.free);
-        for ((normal, current), passes) in self.border_normals.iter_mut().zip(current).zip(&self.passing) {
+        for ((normal, current), passes) in self
+            .boundary_normals
+            .iter_mut()
+            .zip(current)
+            .zip(&self.smooth_interior)
+        {
             if *passes {
                 *normal = *current;
             }
@@ -194,7 +199,7 @@ impl<'a> System<'a> {
     /// Takes new inner-fairness weights.
     pub fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
         self.weights = weights;
-        let values = laplacian(&self.g_pattern, self.rings, self.groups, &self.weights);
+        let values = laplacian(&self.g_pattern, self.rings, self.batches, &self.weights);
         self.g.factor(&values).map_err(|_| Collapsed)
     }
 
@@ -210,7 +215,7 @@ impl<'a> System<'a> {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
-            self.take_passing_normals();
+            self.take_smooth_interior_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
@@ -288,7 +293,7 @@ impl<'a> System<'a> {
         let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
         let rounds = direction::rounds(norm.largest * self.diagonal, disk);
         let averaged = (rounds > 0)
-            .then(|| direction::averaged(self.rings, &self.state.normal, &self.border_normals, rounds));
+            .then(|| direction::averaged(self.rings, &self.state.normal, &self.boundary_normals, rounds));
         let along = averaged.as_ref().unwrap_or(&self.state.normal);
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];

@@ -1,4 +1,4 @@
-//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged rim.
+//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged boundary.
 
 use nalgebra::Vector3;
 
@@ -28,7 +28,7 @@ impl Repair {
     }
 
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
-    /// like everything here, taken from connectivity and border alone and not from the input's interior. `None` when
+    /// like everything here, taken from connectivity and boundary alone and not from the input's interior. `None` when
     /// there is nothing left to try.
     pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
@@ -48,7 +48,7 @@ impl Repair {
         untangle(system.rings, &self.marked, &mut better);
         let mut weights = self.asked.clone();
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
-            weights.set_mean_value(system.groups, &better, i);
+            weights.set_mean_value(system.batches, &better, i);
         }
         Some(weights)
     }

@@ -117,7 +117,7 @@ pub mod fairing {
     use std::ops::Sub;
 
     use fairmesh::shapes::{Sampling, Shape};
-    use fairmesh::{BorderNormals, Options, Outcome, Selection, Solution, fair};
+    use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Solution, fair};
     use nalgebra::Vector3;
 
     /// The tolerance of tests about accuracy: the default leaves errors of its own size.
@@ -137,7 +137,7 @@ pub mod fairing {
         }
     }
 
-    /// A wrong shape over the same rim; what was fixed after the shape was made is where it was.
+    /// A wrong shape over the same boundary; what was fixed after the shape was made is where it was.
     pub fn flat(shape: &Shape) -> Vec<[f64; 3]> {
         let mut flat = shape.flat();
         for (v, p) in flat.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
@@ -155,12 +155,12 @@ pub mod fairing {
         ]
     }
 
-    /// Fairs with the exact border normals, and without progress.
+    /// Fairs with the exact boundary normals, and without progress.
     pub fn solve(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
-        solve_given(shape, start, &shape.border_normals(), options)
+        solve_given(shape, start, &shape.boundary_normals(), options)
     }
 
-    /// Fairs with these border normals, and without progress.
+    /// Fairs with these boundary normals, and without progress.
     pub fn solve_given(
         shape: &Shape,
         start: &[[f64; 3]],
@@ -179,7 +179,7 @@ pub mod fairing {
             threads,
             ..
         } = options;
-        let normals = BorderNormals::Given(given);
+        let normals = BoundaryNormals::Given(given);
         let progress = None;
         let options = Options {
             normals,

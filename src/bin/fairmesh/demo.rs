@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::shapes::{self, Shape};
-use fairmesh::{BorderNormals, Options, Outcome, Selection};
+use fairmesh::{BoundaryNormals, Options, Outcome, Selection};
 
 use crate::failure::Failure;
 use crate::formats::{self, Format};
@@ -46,9 +46,9 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     })?;
     let shape = shapes::cylinder_blend();
     let rough = shape.noise(1, ROUGHNESS);
-    let normals = border_normals(&shape);
+    let normals = boundary_normals(&shape);
     let options = Options {
-        normals: BorderNormals::Given(&normals),
+        normals: BoundaryNormals::Given(&normals),
         ..Options::default()
     };
     let solving = Instant::now();
@@ -99,7 +99,7 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// The fixed vertices and their normals.
-fn border_normals(shape: &Shape) -> Vec<(u32, [f64; 3])> {
+fn boundary_normals(shape: &Shape) -> Vec<(u32, [f64; 3])> {
     let normals = shape.normals.iter().zip(&shape.free).enumerate();
     normals
         .filter(|(_, (_, free))| !**free)

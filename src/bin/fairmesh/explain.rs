@@ -42,7 +42,7 @@ fn vertex_of(error: &Error) -> Option<usize> {
         Error::NotFinite { vertex }
         | Error::RepeatedIndex { vertex, .. }
         | Error::NonManifoldVertex { vertex }
-        | Error::FreeVertexOnBorder { vertex }
+        | Error::FreeVertexOnBoundary { vertex }
         | Error::FreeVertexWithoutTriangle { vertex }
         | Error::NothingFixed { vertex }
         | Error::BadNormal { vertex }
@@ -82,7 +82,7 @@ pub fn outcome(report: &Report) -> String {
         }
         Outcome::ConvergedLoosely { reason } => format!("converged loosely: {reason}"),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
-            "no surface with the border normals was found: {:.0} % of the way was reached, and the normals of {} \
+            "no surface with the boundary normals was found: {:.0} % of the way was reached, and the normals of {} \
              vertices stand farthest off",
             100.0 * reached,
             vertices.len()

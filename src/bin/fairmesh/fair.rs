@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use fairmesh::{
-    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Selection,
     Solution, Solver, Target,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -75,7 +75,7 @@ pub struct FairArgs {
     /// 'vertex nx ny nz' per line; the others are fitted to the surroundings
     #[arg(long, value_name = "FILE", help_heading = "Surface", verbatim_doc_comment)]
     normals: Option<PathBuf>,
-    /// Border normals are the average of the triangles outside the region,
+    /// Boundary normals are the average of the triangles outside the region,
     /// instead of fitted
     #[arg(
         long,
@@ -189,7 +189,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let given = args
         .normals
         .as_deref()
-        .map(|path| selection::border_normals(path, vertex_count))
+        .map(|path| selection::boundary_normals(path, vertex_count))
         .transpose()?;
     let solver = args.solver.solver(args.max_iterations)?;
     let output = Output::prepare(&args.output)?;
@@ -304,9 +304,9 @@ pub fn solve(
     let defaults = Options::default();
     let options = Options {
         normals: match region.normals.as_deref() {
-            Some(given) => BorderNormals::Given(given),
-            None if args.average_normals => BorderNormals::Averaged,
-            None => BorderNormals::Fitted,
+            Some(given) => BoundaryNormals::Given(given),
+            None if args.average_normals => BoundaryNormals::Averaged,
+            None => BoundaryNormals::Fitted,
         },
         interior: if args.interior_from_input {
             InteriorNormals::Input

@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Options, Outcome, Progress, border_loops, fill_holes,
+    BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
+    Options, Outcome, Progress, boundary_loops, fill_holes,
 };
 use serde_json::{Value, json};
 
@@ -39,7 +39,7 @@ pub struct FillArgs {
     #[arg(long, value_name = "N", group = "which")]
     max_edges: Option<usize>,
     /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
-    /// Outer borders are filled only if they are named so
+    /// Outer boundaries are filled only if they are named so
     #[arg(long = "loop", value_name = "I", group = "which", verbatim_doc_comment)]
     loops: Vec<usize>,
     /// How dense the new vertices are: at 1.414 edges are as long as those
@@ -69,28 +69,28 @@ pub struct FillArgs {
     quiet: bool,
 }
 
-/// Lists the border loops.
+/// Lists the boundary loops.
 pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
     let json = prepare_json(args.json.as_deref(), &[&args.input])?;
     let geometry = &mesh.geometry;
     let name = args.input.display();
-    let loops = border_loops(&geometry.positions, &geometry.triangles)
+    let loops = boundary_loops(&geometry.positions, &geometry.triangles)
         .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
     let mut text = match loops.len() {
-        0 => "no border: the mesh is closed\n".to_owned(),
+        0 => "no boundary: the mesh is closed\n".to_owned(),
         _ => "loop   edges      length        area  turn  kind\n".to_owned(),
     };
-    for (i, border) in loops.iter().enumerate() {
+    for (i, boundary) in loops.iter().enumerate() {
         let _ = writeln!(
             text,
             "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0}  {}{}",
-            border.vertices.len(),
-            border.length,
-            border.area,
-            border.turn,
-            kind(border),
-            touching(border)
+            boundary.vertices.len(),
+            boundary.length,
+            boundary.area,
+            boundary.turn,
+            kind(boundary),
+            touching(boundary)
         );
     }
     crate::say(&text);
@@ -101,33 +101,33 @@ pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
     Ok(true)
 }
 
-fn kind(border: &BorderLoop) -> String {
-    match border.kind {
+fn kind(boundary: &BoundaryLoop) -> String {
+    match boundary.kind {
         LoopKind::Hole => "hole".into(),
-        LoopKind::OuterBorder => "outer border".into(),
+        LoopKind::OuterBoundary => "outer boundary".into(),
         LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
         _ => "unknown".into(),
     }
 }
 
-fn touching(border: &BorderLoop) -> String {
-    match border.touching.len() {
+fn touching(boundary: &BoundaryLoop) -> String {
+    match boundary.touching.len() {
         0 => String::new(),
-        1 => format!(", touches another at vertex {}", border.touching[0]),
+        1 => format!(", touches another at vertex {}", boundary.touching[0]),
         n => format!(", touches others at {n} vertices"),
     }
 }
 
-fn described(border: &BorderLoop) -> Value {
-    let (name, edge) = match border.kind {
+fn described(boundary: &BoundaryLoop) -> Value {
+    let (name, edge) = match boundary.kind {
         LoopKind::Hole => ("hole", Value::Null),
-        LoopKind::OuterBorder => ("outer_border", Value::Null),
+        LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
         LoopKind::NonManifold { a, b } => ("non_manifold", json!([a, b])),
         _ => ("unknown", Value::Null),
     };
     json!({
-        "kind": name, "non_manifold_edge": edge, "edges": border.vertices.len(), "length": border.length,
-        "area": border.area, "turn": border.turn, "touching": border.touching, "vertices": border.vertices,
+        "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
+        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "vertices": boundary.vertices,
     })
 }
 
@@ -197,7 +197,7 @@ fn is_clean(report: &LoopReport) -> bool {
             .is_some_and(|fairing| fairing.outcome == Outcome::Converged),
         FillOutcome::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
         FillOutcome::LeftOpen(reason) => {
-            matches!(reason, OpenReason::OuterBorder | OpenReason::TooManyEdges)
+            matches!(reason, OpenReason::OuterBoundary | OpenReason::TooManyEdges)
         }
         _ => false,
     }
@@ -236,7 +236,9 @@ fn why(reason: OpenReason) -> String {
         OpenReason::NonManifold { a, b } => {
             format!("it runs into edge ({a}, {b}), which has not exactly two consistent faces")
         }
-        OpenReason::OuterBorder => "it encloses the mesh, not a gap; fill it by --loop if you mean it".into(),
+        OpenReason::OuterBoundary => {
+            "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()
+        }
         OpenReason::TooManyEdges => "it has more edges than --max-edges".into(),
         OpenReason::NoTriangulation => "every triangulation has an edge or face that is there already".into(),
         OpenReason::NotFinite { vertex } => {
@@ -250,7 +252,7 @@ fn why(reason: OpenReason) -> String {
 fn readable(filled: &Filled) -> String {
     let mut text = String::new();
     if filled.loops.is_empty() {
-        text += "no border: nothing to fill\n";
+        text += "no boundary: nothing to fill\n";
     }
     for report in &filled.loops {
         let _ = write!(
@@ -284,7 +286,7 @@ fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
     };
     let fairing = report.fairing.as_ref().map(|f| {
         json!({ "outcome": f.outcome.name(), "iterations": f.iterations, "step": f.step, "defect": f.defect,
-            "h_inside": f.quality.h_inside, "h_border": f.quality.h_border,
+            "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
             "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals })
     });
     json!({

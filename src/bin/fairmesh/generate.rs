@@ -28,7 +28,7 @@ enum ShapeKind {
     Catenoid,
     /// An unduloid with neck 0.7 and bulge 1
     Unduloid,
-    /// A wavy saddle over the unit disc; not a solution, the border is what matters
+    /// A wavy saddle over the unit disc; not a solution, the boundary is what matters
     Saddle,
 }
 
@@ -48,7 +48,7 @@ enum Triangulation {
 enum Start {
     /// On the exact surface; blend and tetra thing, which have none, begin smooth
     Exact,
-    /// On another surface over the same rim: flat, straight or pinched
+    /// On another surface over the same boundary: flat, straight or pinched
     Flat,
     /// As exact, with Gaussian noise of --noise edge lengths
     Noise,
@@ -91,7 +91,7 @@ pub struct GenerateArgs {
     /// Writes the free vertices, one number per line, for 'fair --free'
     #[arg(long, value_name = "FILE")]
     free: Option<PathBuf>,
-    /// Writes the exact border normals, for 'fair --normals'
+    /// Writes the exact boundary normals, for 'fair --normals'
     #[arg(long, value_name = "FILE")]
     normals: Option<PathBuf>,
     /// Writes the same mesh with all vertices on the exact surface
@@ -129,7 +129,7 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
         files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
     }
     if let Some(path) = &args.normals {
-        let normals = shape.border_normals();
+        let normals = shape.boundary_normals();
         let lines = normals.iter().map(|(v, [x, y, z])| format!("{v} {x} {y} {z}\n"));
         files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
     }

@@ -42,7 +42,7 @@ enum Command {
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
     Render(render::RenderArgs),
-    /// Lists the border loops of a mesh file
+    /// Lists the boundary loops of a mesh file
     Holes(fill::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
     #[command(after_help = AFTER_FILL)]
@@ -61,7 +61,7 @@ MeshLab stores in a PLY file (property 'flags') is used, selected faces first.
 Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), told by their
 names. If both have the same format, the output is the input with only the coordinates of the free
 vertices replaced, and the normals that the file has for these vertices and their neighbours. Colours,
-texture coordinates, materials, groups, comments, unknown elements and all other vertices stay as they
+texture coordinates, materials, batches, comments, unknown elements and all other vertices stay as they
 are, byte for byte. If the formats differ, the output holds the vertices and faces and nothing else.
 Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
 coordinates are taken as one, and vertices are numbered in the order of their first appearance.
@@ -90,7 +90,7 @@ The report (--json) has the keys outcome, reason, advice, iterations, levels (of
 (of Delta_B H = 0, without unit), step, seconds, quality, free_vertices, diagonal, linear_surface, suspicious_normals,
 unreachable_normals, reached, fallback_weights and stale_normals (vertices whose normals in the file
 could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
-the result; 'setup' (connectivity, border normals), 'start', 'iterate' and 'quality' are parts of it;
+the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. Numbers that are not finite are null.
 
 Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
@@ -101,7 +101,7 @@ The new vertices and faces come behind the file's own, which stay as they are, b
 other formats than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and
 texture coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
 
-Loops that enclose the mesh instead of a gap (the outline of an open sheet) stay open unless named by --loop.
+Loops that enclose the mesh instead of a gap (the outer boundary of an open sheet) stay open unless named by --loop.
 
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
 hole is left open or its surface is not fair: the report says which and why.";

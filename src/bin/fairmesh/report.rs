@@ -94,7 +94,7 @@ impl Summary<'_> {
         row("flipped", listed(&self.faces(&quality.flipped), "face"));
         row("needles", listed(&self.faces(&quality.needles), "face"));
         row("curvature inside", range(quality.h_inside));
-        row("curvature border", range(quality.h_border));
+        row("curvature boundary", range(quality.h_boundary));
         let deviation = significant(quality.normal_deviation);
         let rms = significant(quality.normal_deviation_rms);
         let vertex = quality.normal_deviation_vertex;
@@ -210,7 +210,7 @@ impl Summary<'_> {
             "flipped": list(&quality.flipped),
             "needles": list(&quality.needles),
             "h_inside": quality.h_inside,
-            "h_border": quality.h_border,
+            "h_boundary": quality.h_boundary,
             "normal_deviation": quality.normal_deviation,
             "normal_deviation_vertex": quality.normal_deviation_vertex,
             "normal_deviation_rms": quality.normal_deviation_rms,

@@ -1,4 +1,4 @@
-//! Which vertices may move, and the normals given for the border.
+//! Which vertices may move, and the normals given for the boundary.
 
 use std::path::Path;
 
@@ -148,7 +148,7 @@ pub fn indices(path: &Path, count: usize, what: &str) -> Result<Vec<u32>, Failur
 }
 
 /// Normals, `index nx ny nz` per line, brought to length one.
-pub fn border_normals(path: &Path, vertex_count: usize) -> Result<Vec<(u32, [f64; 3])>, Failure> {
+pub fn boundary_normals(path: &Path, vertex_count: usize) -> Result<Vec<(u32, [f64; 3])>, Failure> {
     let (name, bytes) = read(path)?;
     let mut given = Vec::new();
     lines(&bytes, |words| {

@@ -3,8 +3,8 @@
 
 use super::input::{MeshIn, Selected};
 use super::memory::Reserve;
-use super::status::{Failure, Outcome};
-use super::views::room;
+use super::status::{CallResult, Failure};
+use super::views::try_with_capacity;
 
 /// For threads, channels and small things.
 const BASE: usize = 1 << 20;
@@ -22,7 +22,7 @@ const PATTERN: usize = 96;
 pub const STANDING: usize = 64 << 10;
 
 /// Sets the memory for a call aside.
-pub fn reserve(bytes: usize) -> Outcome<Reserve> {
+pub fn reserve(bytes: usize) -> CallResult<Reserve> {
     Reserve::new(bytes).ok_or_else(Failure::out_of_memory)
 }
 
@@ -35,10 +35,10 @@ fn threads(asked: usize) -> usize {
 }
 
 /// For fairing a region.
-pub fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> Outcome<usize> {
+pub fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> CallResult<usize> {
     let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
-    let mut valence = room::<u32>(mesh.vertices())?;
+    let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
     valence.resize(mesh.vertices(), 0);
     let vertex = |v: u32| (v as usize) < free.len();
     for t in 0..mesh.triangles.count {
@@ -75,7 +75,7 @@ pub fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
     sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
 }
 
-/// For patches with so many new vertices, at most, on rims of so many edges.
+/// For patches with so many new vertices, at most, on boundaries of so many edges.
 pub fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads: usize) -> usize {
     // Triangulation is quadratic up to the length where ears are cut first.
     let table = longest.min(200).pow(2) * 64;
@@ -83,7 +83,7 @@ pub fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads:
 }
 
 /// For remeshing a region.
-pub fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> Outcome<usize> {
+pub fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> CallResult<usize> {
     let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
     // Edges may become ten times shorter.
     let vertices = free.max(most.min(free.saturating_mul(200)));

@@ -1,4 +1,4 @@
-//! The normal at the rim of a surface whose coordinates were rounded: where that turns single edges by far more than the
+//! The normal at the boundary of a surface whose coordinates were rounded: where that turns single edges by far more than the
 //! surface turns, only many samples tell the tangent plane.
 //!
 //! The quadric of [`super::curvature`] in the least squares of heights, which all are wrong by the same, and not of
@@ -7,12 +7,12 @@
 
 use nalgebra::Vector3;
 
-use super::curvature::{Frame, NormalEquations, back_substitute};
-use super::lanes::{Lanes, Vec3, dot, lane, one};
+use super::curvature::{NormalEquations, TangentFrame, back_substitute};
 use super::outside_fit::Fit;
+use super::simd::{Simd, Vec3, dot, lane, one};
 use crate::mesh::surroundings::{Marks, RINGS_WIDE, Surroundings};
 
-/// Unknowns: those of [`Frame::sample`] and the constant.
+/// Unknowns: those of [`TangentFrame::sample`] and the constant.
 const UNKNOWNS: usize = 6;
 /// Keeps the fit defined where the samples do not determine it.
 const RIDGES: [f64; UNKNOWNS] = [0.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e-10];
@@ -25,7 +25,7 @@ const MAX_FITS: usize = 20;
 
 /// Samples of many rings outside: edge vectors.
 #[derive(Debug, Default)]
-pub struct WideSamples {
+pub struct EightRingSamples {
     edges: Vec<Vec3<1>>,
     /// Their root mean square length.
     length: f64,
@@ -33,8 +33,8 @@ pub struct WideSamples {
     marks: Marks,
 }
 
-impl WideSamples {
-    /// Those of border vertex `v` (local number).
+impl EightRingSamples {
+    /// Those of boundary vertex `v` (local number).
     pub fn gather(&mut self, surroundings: &Surroundings, x: &[Vector3<f64>], v: usize) {
         surroundings.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
         self.edges.clear();
@@ -65,8 +65,8 @@ impl WideSamples {
     }
 
     fn fit_once(&self, n: &Vector3<f64>) -> Fit {
-        let frame = Frame::new(one(n));
-        let l = Lanes([self.length]);
+        let frame = TangentFrame::new(one(n));
+        let l = Simd([self.length]);
         let mut equations = NormalEquations::<1, UNKNOWNS>::new();
         for e in &self.edges {
             let (phi, kappa, weight) = sample(&frame, e, l);
@@ -82,8 +82,8 @@ impl WideSamples {
         let sum: f64 = self.edges.iter().map(residual).sum();
         let variance = sum / (self.edges.len() - UNKNOWNS) as f64;
         let inverse = |r: usize| {
-            let mut unit = [Lanes([0.0]); UNKNOWNS];
-            unit[r] = Lanes([1.0]);
+            let mut unit = [Simd([0.0]); UNKNOWNS];
+            unit[r] = Simd([1.0]);
             back_substitute(&factor, unit)[r].0[0]
         };
         Fit {
@@ -94,7 +94,7 @@ impl WideSamples {
 }
 
 /// Basis values, the normal curvature `2w/d` and the weight that makes its residual one of the height `w`.
-fn sample(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<1>; UNKNOWNS], Lanes<1>, Lanes<1>) {
+fn sample(frame: &TangentFrame<1>, e: &Vec3<1>, l: Simd<1>) -> ([Simd<1>; UNKNOWNS], Simd<1>, Simd<1>) {
     let ([one, a, b, u, v], kappa) = frame.sample(e, l);
     let square = dot(e, e) * (l * l).recip();
     ([one, a, b, u, v, square.recip()], kappa, square * square)
@@ -112,7 +112,7 @@ mod tests {
         let region = Region::new(positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(positions);
         let surroundings = Surroundings::new(&region);
-        let (mut wide, mut small, mut found) = (WideSamples::default(), Samples::default(), Vec::new());
+        let (mut wide, mut small, mut found) = (EightRingSamples::default(), Samples::default(), Vec::new());
         let mut worst = [0.0_f64; 2];
         for v in region.free..region.region_vertices() {
             let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);

@@ -1,34 +1,34 @@
 //! A closed one-ring as edge vectors from its centre, with what every formula on it takes: measured once.
 
-use super::lanes::{Lanes, Vec3, cross, dot};
+use super::simd::{Simd, Vec3, cross, dot};
 
 /// Squared lengths count as at least this much, so that the product of two reciprocals stays finite.
 const SMALLEST_SQUARE: f64 = 1e-150;
 
 /// `1 / |e|^2`; finite at `e = 0`.
 #[inline(always)]
-pub fn inverse_square<const L: usize>(square: Lanes<L>) -> Lanes<L> {
-    square.max(Lanes::splat(SMALLEST_SQUARE)).recip()
+pub fn inverse_square<const L: usize>(square: Simd<L>) -> Simd<L> {
+    square.max(Simd::splat(SMALLEST_SQUARE)).recip()
 }
 
-/// Spoke `k` of a ring: the edge to its `k`-th neighbour, counter-clockwise.
+/// RingEdge `k` of a ring: the edge to its `k`-th neighbour, counter-clockwise.
 #[derive(Debug, Clone, Copy)]
-pub struct Spoke<const L: usize> {
+pub struct RingEdge<const L: usize> {
     /// `e_k = q_jk - q_i`.
     pub edge: Vec3<L>,
     /// `|e_k|^2`.
-    pub square: Lanes<L>,
+    pub square: Simd<L>,
     /// `1 / |e_k|^2`.
-    pub inverse_square: Lanes<L>,
+    pub inverse_square: Simd<L>,
     /// `e_k x e_k+1`: twice the vector area of triangle `(i, j_k, j_k+1)`.
     pub cross: Vec3<L>,
 }
 
-impl<const L: usize> Spoke<L> {
-    /// A spoke without length.
+impl<const L: usize> RingEdge<L> {
+    /// A ring_edge without length.
     #[inline(always)]
     pub fn zero() -> Self {
-        let zero = Lanes::zero();
+        let zero = Simd::zero();
         Self {
             edge: [zero; 3],
             square: zero,
@@ -40,24 +40,24 @@ impl<const L: usize> Spoke<L> {
 
 /// Fills in everything that follows from the edges.
 #[inline(always)]
-pub fn measure<const L: usize>(ring: &mut [Spoke<L>]) {
+pub fn measure<const L: usize>(ring: &mut [RingEdge<L>]) {
     let Some(first) = ring.first() else { return };
     let mut next = first.edge;
-    for spoke in ring.iter_mut().rev() {
-        spoke.square = dot(&spoke.edge, &spoke.edge);
-        spoke.inverse_square = inverse_square(spoke.square);
-        spoke.cross = cross(&spoke.edge, &next);
-        next = spoke.edge;
+    for ring_edge in ring.iter_mut().rev() {
+        ring_edge.square = dot(&ring_edge.edge, &ring_edge.edge);
+        ring_edge.inverse_square = inverse_square(ring_edge.square);
+        ring_edge.cross = cross(&ring_edge.edge, &next);
+        next = ring_edge.edge;
     }
 }
 
 /// The ring with these edges.
-pub fn ring_of<const L: usize>(edges: impl IntoIterator<Item = Vec3<L>>) -> Vec<Spoke<L>> {
+pub fn ring_of<const L: usize>(edges: impl IntoIterator<Item = Vec3<L>>) -> Vec<RingEdge<L>> {
     let mut ring: Vec<_> = edges
         .into_iter()
-        .map(|edge| Spoke {
+        .map(|edge| RingEdge {
             edge,
-            ..Spoke::zero()
+            ..RingEdge::zero()
         })
         .collect();
     measure(&mut ring);

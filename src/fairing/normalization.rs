@@ -1,4 +1,4 @@
-//! The frame that the work is done in: the border's bounding box centred, its diagonal about one. The scale is a power of
+//! The frame that the work is done in: the boundary's bounding box centred, its diagonal about one. The scale is a power of
 //! two, so that only the translation rounds.
 
 use nalgebra::Vector3;
@@ -7,17 +7,17 @@ use crate::mesh::Region;
 use crate::solve::globalize::bounding_box;
 
 /// A centre and a unit of length.
-pub struct Frame {
+pub struct Normalization {
     centre: Vector3<f64>,
     /// Its unit of length in that of the input.
     pub scale: f64,
 }
 
-impl Frame {
-    /// The frame of a region with the positions `x` (free, border, outside).
+impl Normalization {
+    /// The frame of a region with the positions `x` (free, boundary, outside).
     pub fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
-        let border = &x[region.free..region.region_vertices()];
-        let size = bounding_box(border);
+        let boundary = &x[region.free..region.region_vertices()];
+        let size = bounding_box(boundary);
         let (low, high) = if (size.1 - size.0).norm() > 0.0 {
             size
         } else {
@@ -35,7 +35,7 @@ impl Frame {
         }
     }
 
-    /// Takes positions into the frame.
+    /// Takes positions into the normalization.
     pub fn enter(&self, x: &mut [Vector3<f64>]) {
         for p in x {
             *p = (*p - self.centre) / self.scale;

@@ -18,12 +18,12 @@ pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
 /// `L` numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
-pub struct Lanes<const L: usize>(pub [f64; L]);
+pub struct Simd<const L: usize>(pub [f64; L]);
 
 /// `L` vectors, by coordinate.
-pub type Vec3<const L: usize> = [Lanes<L>; 3];
+pub type Vec3<const L: usize> = [Simd<L>; 3];
 
-impl<const L: usize> Lanes<L> {
+impl<const L: usize> Simd<L> {
     /// The same number in every lane.
     #[inline(always)]
     pub fn splat(x: f64) -> Self {
@@ -75,12 +75,12 @@ impl<const L: usize> Lanes<L> {
 
     /// The sum of all lanes, from the first.
     #[inline(always)]
-    pub fn sum(self) -> Lanes<1> {
+    pub fn sum(self) -> Simd<1> {
         let mut sum = 0.0;
         for x in self.0 {
             sum += x;
         }
-        Lanes([sum])
+        Simd([sum])
     }
 
     /// Magnitude of `self`, sign of `sign`.
@@ -113,14 +113,14 @@ pub(crate) use unrolled;
 
 macro_rules! operator {
     ($trait:ident, $method:ident, $op:tt) => {
-        impl<const L: usize> $trait for Lanes<L> {
+        impl<const L: usize> $trait for Simd<L> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.zip(other, |a, b| a $op b)
             }
         }
-        impl<const L: usize> $trait<f64> for Lanes<L> {
+        impl<const L: usize> $trait<f64> for Simd<L> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
@@ -134,7 +134,7 @@ operator!(Sub, sub, -);
 operator!(Mul, mul, *);
 operator!(Div, div, /);
 
-impl<const L: usize> Neg for Lanes<L> {
+impl<const L: usize> Neg for Simd<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -142,7 +142,7 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
-impl<const L: usize> AddAssign for Lanes<L> {
+impl<const L: usize> AddAssign for Simd<L> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
@@ -151,7 +151,7 @@ impl<const L: usize> AddAssign for Lanes<L> {
 
 /// `<a, b>`.
 #[inline(always)]
-pub fn dot<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Lanes<L> {
+pub fn dot<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Simd<L> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -179,14 +179,14 @@ pub fn plus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
 
 /// `s a`.
 #[inline(always)]
-pub fn scaled<const L: usize>(a: &Vec3<L>, s: Lanes<L>) -> Vec3<L> {
+pub fn scaled<const L: usize>(a: &Vec3<L>, s: Simd<L>) -> Vec3<L> {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
 /// `a / |a|`; the zero vector stays zero.
 #[inline(always)]
 pub fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
-    let length = dot(a, a).sqrt().max(Lanes::splat(f64::MIN_POSITIVE));
+    let length = dot(a, a).sqrt().max(Simd::splat(f64::MIN_POSITIVE));
     scaled(a, length.recip())
 }
 
@@ -194,7 +194,7 @@ pub fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
 /// Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
 #[inline(always)]
 pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
-    let one = Lanes::splat(1.0);
+    let one = Simd::splat(1.0);
     let sign = one.copysign(n[2]);
     let a = -(sign + n[2]).recip();
     let b = n[0] * n[1] * a;
@@ -207,7 +207,7 @@ pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
 /// One vector as one lane.
 #[inline(always)]
 pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
-    [Lanes([v.x]), Lanes([v.y]), Lanes([v.z])]
+    [Simd([v.x]), Simd([v.y]), Simd([v.z])]
 }
 
 /// Puts one vector into one lane.
@@ -236,7 +236,7 @@ mod tests {
             [0.6, -0.8, 0.0],
             [0.48, 0.6, -0.64],
         ] {
-            let n: Vec3<1> = n.map(Lanes::splat);
+            let n: Vec3<1> = n.map(Simd::splat);
             let (x, y) = tangent_basis(&n);
             for (a, b, want) in [
                 (&x, &x, 1.0),

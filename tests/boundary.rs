@@ -1,4 +1,4 @@
-//! Border normals: tangent continuity, fitted normals, wrong normals, strongly tilted normals.
+//! Boundary normals: tangent continuity, fitted normals, wrong normals, strongly tilted normals.
 #![cfg(feature = "shapes")]
 #![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
@@ -8,10 +8,10 @@ use std::f64::consts::TAU;
 
 use common::fairing::*;
 use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Error, Options, Outcome, Solution};
+use fairmesh::{BoundaryNormals, Error, Options, Outcome, Solution};
 use nalgebra::Vector3;
 
-/// The normals of the surface's triangles at the border differ from the prescribed ones by a multiple of the
+/// The normals of the surface's triangles at the boundary differ from the prescribed ones by a multiple of the
 /// edge length: halving the edges halves the angle.
 #[test]
 fn deviation_falls_with_edge_length() {
@@ -52,11 +52,11 @@ fn deviation_falls_with_edge_length() {
     bars.finish();
 }
 
-/// Angles in degrees between the border normals used and the exact ones.
+/// Angles in degrees between the boundary normals used and the exact ones.
 fn normal_errors(shape: &Shape, solution: &Solution) -> Errors {
     Errors::of(
         solution
-            .border_normals
+            .boundary_normals
             .iter()
             .map(|(v, n)| angle(n, &shape.normals[*v as usize])),
     )
@@ -71,8 +71,8 @@ fn fitted_against_exact_normals() {
             ("cylinder", cylinder_band(n, irregular(1), OUTSIDE)),
             ("catenoid", catenoid_band(n, irregular(1), OUTSIDE)),
         ] {
-            // Solved: where the rim has a fixed vertex all of whose triangles are free, its normal is the surface's own.
-            let [fitted, averaged] = [BorderNormals::Fitted, BorderNormals::Averaged].map(|normals| {
+            // Solved: where the boundary has a fixed vertex all of whose triangles are free, its normal is the surface's own.
+            let [fitted, averaged] = [BoundaryNormals::Fitted, BoundaryNormals::Averaged].map(|normals| {
                 let options = Options {
                     normals,
                     ..options(1e-8)
@@ -97,7 +97,7 @@ fn fitted_against_exact_normals() {
     bars.finish();
 }
 
-/// Border normals come back as given, in the order of the vertices.
+/// Boundary normals come back as given, in the order of the vertices.
 /// Single precision at 1,000 radii is exact to half a step of 6.1e-5, which turns edges by up to 3e-3. The result is as far
 /// off as with exact normals, but for a factor, and not as far as single triangles are tilted.
 #[test]
@@ -110,7 +110,7 @@ fn normals_of_coordinates_rounded_far_away_are_averaged() {
             for p in &mut far.positions {
                 *p = std::array::from_fn(|k| f64::from((p[k] + offset[k]) as f32));
             }
-            let error = |normals: BorderNormals<'_>| {
+            let error = |normals: BoundaryNormals<'_>| {
                 let solution = solve_as_asked(
                     &far,
                     &far.positions,
@@ -127,8 +127,8 @@ fn normals_of_coordinates_rounded_far_away_are_averaged() {
                 free.map(|v: u32| (radius(&v) - 1.0).abs()).fold(0.0, f64::max)
             };
             let (fitted, exact) = (
-                error(BorderNormals::Fitted),
-                error(BorderNormals::Given(&shape.border_normals())),
+                error(BoundaryNormals::Fitted),
+                error(BoundaryNormals::Given(&shape.boundary_normals())),
             );
             println!("sphere {n} at {offset:?}: fitted {fitted:.1e}, exact normals {exact:.1e}");
             bars.at_most(
@@ -145,10 +145,10 @@ fn normals_of_coordinates_rounded_far_away_are_averaged() {
 #[test]
 fn given_normals_are_used() {
     let shape = cylinder_band(1_000, irregular(1), OUTSIDE);
-    let given = shape.border_normals();
+    let given = shape.boundary_normals();
     let solution = solve(&shape, &shape.positions, options(1e-8));
-    assert_eq!(solution.border_normals.len(), given.len());
-    for (used, given) in solution.border_normals.iter().zip(&given) {
+    assert_eq!(solution.boundary_normals.len(), given.len());
+    for (used, given) in solution.boundary_normals.iter().zip(&given) {
         assert_eq!(used.0, given.0);
         assert!(angle(&used.1, &given.1) < 1e-12);
     }
@@ -158,10 +158,15 @@ fn given_normals_are_used() {
 #[test]
 fn partly_given_normals() {
     let shape = sphere_cap(60.0, 1_000, irregular(1), OUTSIDE);
-    let given: Vec<_> = shape.border_normals().into_iter().step_by(2).collect();
+    let given: Vec<_> = shape.boundary_normals().into_iter().step_by(2).collect();
     let some = solve_given(&shape, &shape.positions, &given, options(1e-8));
     let none = solve_as_asked(&shape, &shape.positions, options(1e-8));
-    for (k, (used, fitted)) in some.border_normals.iter().zip(&none.border_normals).enumerate() {
+    for (k, (used, fitted)) in some
+        .boundary_normals
+        .iter()
+        .zip(&none.boundary_normals)
+        .enumerate()
+    {
         if k % 2 == 0 {
             assert!(angle(&used.1, &given[k / 2].1) < 1e-12);
         } else {
@@ -178,7 +183,7 @@ fn flipped_normals_are_reported() {
         ("cylinder", cylinder_band(1_000, irregular(1), OUTSIDE)),
         ("blend", cylinder_blend()),
     ] {
-        let exact = shape.border_normals();
+        let exact = shape.boundary_normals();
         let honest = solve(&shape, &shape.positions, options(1e-8));
         let suspected = honest.report.suspicious_normals;
         bars.check(
@@ -221,10 +226,10 @@ fn flipped_normals_are_reported() {
 #[test]
 fn bad_normals_are_refused() {
     let shape = cylinder_band(100, irregular(1), OUTSIDE);
-    let exact = shape.border_normals();
+    let exact = shape.boundary_normals();
     let refused = |given: &[(u32, [f64; 3])]| {
         let options = Options {
-            normals: BorderNormals::Given(given),
+            normals: BoundaryNormals::Given(given),
             ..options(1e-8)
         };
         attempt(&shape, options).err()
@@ -252,7 +257,7 @@ fn bad_normals_are_refused() {
     // Unit to 1e-3 is unit.
     let nearly: Vec<_> = exact.iter().map(|&(v, n)| (v, n.map(|c| 1.0009 * c))).collect();
     assert_eq!(refused(&nearly), None);
-    // Vertices that are not on the border take none, good or bad.
+    // Vertices that are not on the boundary take none, good or bad.
     let mut others = exact.clone();
     let free = shape.free_vertices()[0];
     let away = (0..shape.free.len() as u32)
@@ -262,7 +267,7 @@ fn bad_normals_are_refused() {
     assert_eq!(refused(&others), None);
 }
 
-/// Direction of the tube of a rim vertex of the blend.
+/// Direction of the tube of a boundary vertex of the blend.
 fn tube_axis(p: &[f64; 3]) -> Vector3<f64> {
     let axes = (0..3).map(|t| {
         let (sin, cos) = (TAU * f64::from(t) / 3.0).sin_cos();
@@ -272,7 +277,7 @@ fn tube_axis(p: &[f64; 3]) -> Vector3<f64> {
         .unwrap()
 }
 
-/// All border normals of the blend turned about the circle's tangent, towards its tube's outward axis for
+/// All boundary normals of the blend turned about the circle's tangent, towards its tube's outward axis for
 /// positive angles: the surface leaves the circles like a cone, narrowing outwards.
 fn tilted(shape: &Shape, degrees: f64) -> Vec<(u32, [f64; 3])> {
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -280,7 +285,7 @@ fn tilted(shape: &Shape, degrees: f64) -> Vec<(u32, [f64; 3])> {
         let axis = tube_axis(&shape.positions[v as usize]);
         (v, (vector(&n) * cos + axis * sin).into())
     };
-    shape.border_normals().into_iter().map(turn).collect()
+    shape.boundary_normals().into_iter().map(turn).collect()
 }
 
 #[test]
@@ -292,13 +297,13 @@ fn tilted_normals() {
         let r = &solution.report;
         println!(
             "blend tilted by {degrees:3} degrees: {:3} iterations, step {:.1e}, defect {:.1e}, angle {:.1}, \
-             H inside {:.2?} border {:.2?}, deviation {:.1}, {}",
+             H inside {:.2?} boundary {:.2?}, deviation {:.1}, {}",
             r.iterations,
             r.step,
             r.defect,
             r.quality.worst_angle,
             r.quality.h_inside,
-            r.quality.h_border,
+            r.quality.h_boundary,
             r.quality.normal_deviation,
             r.outcome.name()
         );

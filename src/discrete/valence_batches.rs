@@ -1,13 +1,13 @@
 //! Free vertices in groups of [`LANES`] with equal valence, so that one formula runs on a whole group at once.
 //!
-//! Groups never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
+//! ValenceBatches never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
 //! threads, and the same whatever their number.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::lanes::{Lanes, Vec3};
+use super::simd::{Simd, Vec3};
 use crate::mesh::{NONE, Rings};
 
 /// Vertices per group.
@@ -16,20 +16,20 @@ pub const LANES: usize = 8;
 /// Vertices per chunk.
 pub const CHUNK: usize = 2048;
 
-/// Free vertices `vertices` and the groups that hold them.
+/// Free vertices `vertices` and the batches that hold them.
 #[derive(Debug, Clone)]
 pub struct Chunk {
     /// A run of free vertices.
     pub vertices: Range<usize>,
-    /// Their groups.
-    pub groups: Range<usize>,
-    /// The slots of those groups.
+    /// Their batches.
+    pub batches: Range<usize>,
+    /// The slots of those batches.
     pub slots: Range<usize>,
 }
 
 /// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
 #[derive(Debug, Clone)]
-pub struct Groups {
+pub struct ValenceBatches {
     /// The chunks, in the order of their vertices.
     pub chunks: Vec<Chunk>,
     /// Per group its vertices; a group that is not full repeats its last vertex.
@@ -40,10 +40,10 @@ pub struct Groups {
     pub neighbour: Vec<[u32; LANES]>,
     /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
     pub flap: Vec<[u32; LANES]>,
-    /// Rows of `rim`, by group, and the end.
-    pub rim_start: Vec<u32>,
-    /// Slots without a flap: the ring edge lies on the rim of the region, with fixed vertices at both ends.
-    pub rim: Vec<RimEdge>,
+    /// Rows of `boundary`, by group, and the end.
+    pub boundary_start: Vec<u32>,
+    /// Slots without a flap: the ring edge lies on the boundary of the region, with fixed vertices at both ends.
+    pub boundary: Vec<BoundaryEdge>,
     /// Per free vertex its first slot and its lane.
     pub place: Vec<(u32, u32)>,
     /// The largest valence.
@@ -52,7 +52,7 @@ pub struct Groups {
 
 /// A ring edge that has no flap.
 #[derive(Debug, Clone, Copy)]
-pub struct RimEdge {
+pub struct BoundaryEdge {
     /// The ring position of its first end.
     pub slot: u32,
     /// The lane of the vertex in whose ring it is.
@@ -61,41 +61,41 @@ pub struct RimEdge {
     pub ends: [u32; 2],
 }
 
-impl Groups {
-    /// Sorts the rings of the free vertices into groups.
+impl ValenceBatches {
+    /// Sorts the rings of the free vertices into batches.
     pub fn new(rings: &Rings) -> Self {
         let free = rings.start.len() - 1;
         let valence = |i: u32| (rings.start[i as usize + 1] - rings.start[i as usize]) as usize;
-        let mut groups = Self {
+        let mut batches = Self {
             chunks: Vec::with_capacity(free.div_ceil(CHUNK)),
             vertex: Vec::new(),
             start: vec![0],
             neighbour: Vec::new(),
             flap: Vec::new(),
-            rim_start: vec![0],
-            rim: Vec::new(),
+            boundary_start: vec![0],
+            boundary: Vec::new(),
             place: vec![(0, 0); free],
             largest_valence: (0..free as u32).map(valence).max().unwrap_or(0),
         };
         let mut sorted: Vec<u32> = Vec::with_capacity(CHUNK);
         for first in (0..free).step_by(CHUNK) {
             let vertices = first..(first + CHUNK).min(free);
-            let (group, slot) = (groups.vertex.len(), groups.neighbour.len());
+            let (group, slot) = (batches.vertex.len(), batches.neighbour.len());
             sorted.clear();
             sorted.extend(vertices.clone().map(|i| i as u32));
             sorted.sort_by_key(|&i| (valence(i), i));
             for class in sorted.chunk_by(|&a, &b| valence(a) == valence(b)) {
                 for members in class.chunks(LANES) {
-                    groups.push(rings, members);
+                    batches.push(rings, members);
                 }
             }
-            groups.chunks.push(Chunk {
+            batches.chunks.push(Chunk {
                 vertices,
-                groups: group..groups.vertex.len(),
-                slots: slot..groups.neighbour.len(),
+                batches: group..batches.vertex.len(),
+                slots: slot..batches.neighbour.len(),
             });
         }
-        groups
+        batches
     }
 
     fn push(&mut self, rings: &Rings, members: &[u32]) {
@@ -120,14 +120,14 @@ impl Groups {
         for (lane, &i) in members.iter().enumerate() {
             let s = rings.start[i as usize] as usize;
             for k in (0..valence).filter(|k| rings.flap[s + k] == NONE) {
-                self.rim.push(RimEdge {
+                self.boundary.push(BoundaryEdge {
                     slot: k as u32,
                     lane: lane as u32,
                     ends: [rings.neighbour[s + k], rings.neighbour[s + (k + 1) % valence]],
                 });
             }
         }
-        self.rim_start.push(self.rim.len() as u32);
+        self.boundary_start.push(self.boundary.len() as u32);
         self.vertex.push(vertex);
         self.start.push(self.neighbour.len());
     }
@@ -141,7 +141,7 @@ impl Groups {
 /// The positions of one slot.
 #[inline(always)]
 pub fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
-    let mut r = [Lanes::zero(); 3];
+    let mut r = [Simd::zero(); 3];
     for (l, &i) in vertex.iter().enumerate() {
         let p = &x[i as usize];
         r[0].0[l] = p.x;
@@ -153,8 +153,8 @@ pub fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
 
 /// The numbers of one slot.
 #[inline(always)]
-pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Lanes<LANES> {
-    let mut r = Lanes::zero();
+pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Simd<LANES> {
+    let mut r = Simd::zero();
     for (l, &i) in vertex.iter().enumerate() {
         r.0[l] = x[i as usize];
     }
@@ -163,8 +163,8 @@ pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Lanes<LANES> {
 
 /// `weight` where a slot has a flap, else 0.
 #[inline(always)]
-pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Lanes<LANES> {
-    let mut weights = Lanes::splat(weight);
+pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Simd<LANES> {
+    let mut weights = Simd::splat(weight);
     for l in 0..LANES {
         weights.0[l] = if flap[l] == neighbour[l] { 0.0 } else { weight };
     }
