@@ -1,7 +1,11 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
-use fairmesh::mesh::{NONE, Region, Rings, Surroundings};
-use fairmesh::{Error, Selection};
+use super::{NONE, Region, Rings, Selection, Surroundings, decimate};
+use crate::error::Error;
+use fairmesh_shapes::{
+    OUTSIDE, Sampling, Shape, cylinder_band, cylinder_blend, sphere_cap, tetra_thing_coarse,
+};
+use nalgebra::Vector3;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -903,5 +907,86 @@ fn agrees(triangles: &[[u32; 3]], selection: Selection<'_>, free: &BTreeSet<u32>
             check(&mesh, &region, &Rings::new(&region));
         }
         Err(found) => assert!(!is_sound(triangles, free), "{found}"),
+    }
+}
+
+/// Shapes to be decimated.
+fn hierarchy_cases() -> [(&'static str, Shape); 4] {
+    let irregular = |seed| Sampling::Irregular { seed };
+    [
+        ("sphere", sphere_cap(60.0, 600, irregular(1), OUTSIDE)),
+        ("cylinder", cylinder_band(600, irregular(2), OUTSIDE)),
+        ("blend", cylinder_blend()),
+        ("tetra thing", tetra_thing_coarse()),
+    ]
+}
+
+/// The region of a shape and its positions.
+fn region(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
+    let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+    let x = region.positions(&shape.positions);
+    (region, x)
+}
+
+/// Down to the base and back up: valid after every collapse and every split, and the same triangles in the end, corner by
+/// corner; no boundary vertex is ever collapsed.
+#[test]
+fn decimation_and_refinement() {
+    for (name, shape) in hierarchy_cases() {
+        let (region, x) = region(&shape);
+        let count = region.region_vertices();
+        let target = region.boundary * 2;
+        let before: Vec<_> = decimate(&region, &x, count).mesh().triangles().collect();
+        assert_eq!(before.len(), region.half_edges.triangles.len());
+        // One vertex less each time: every mesh on the way down.
+        let base = decimate(&region, &x, target);
+        assert!(base.vertices() < count / 2, "{name}");
+        let mut up = base.clone();
+        let mut meshes = vec![];
+        loop {
+            up.mesh()
+                .validate()
+                .unwrap_or_else(|why| panic!("{name}, {} vertices: {why}", up.vertices()));
+            let triangles: Vec<_> = up.mesh().triangles().collect();
+            let named: BTreeSet<u32> = triangles.iter().flat_map(|t| t.1).collect();
+            let boundary = region.free as u32..count as u32;
+            assert!(
+                boundary.clone().all(|b| named.contains(&b)),
+                "{name}: a boundary vertex is gone"
+            );
+            assert_eq!(named.iter().filter(|v| **v < count as u32).count(), up.vertices());
+            meshes.push(triangles);
+            let Some(split) = up.refine() else { break };
+            assert!(region.is_free(split.vertex), "{name}: {split:?}");
+            assert!(
+                !named.contains(&split.vertex) && named.contains(&split.parent),
+                "{name}: {split:?}"
+            );
+        }
+        assert_eq!(up.mesh().triangles().collect::<Vec<_>>(), before, "{name}");
+        for k in [0, meshes.len() / 3, meshes.len() - 1] {
+            // Stopped there on the way down, it is the same mesh as on the way up.
+            let down = decimate(&region, &x, base.vertices() + k);
+            down.mesh().validate().unwrap();
+            assert_eq!(down.mesh().triangles().collect::<Vec<_>>(), meshes[k], "{name}");
+            let level = down.region(&x).unwrap();
+            level.validate().unwrap();
+            assert_eq!(
+                (level.region_vertices(), level.boundary),
+                (down.vertices(), region.boundary)
+            );
+        }
+    }
+}
+
+/// Not every mesh on the way down is the way up seen from the other end: each is checked as it is made.
+#[test]
+fn every_collapse_leaves_a_valid_mesh() {
+    let (region, x) = region(&cylinder_blend());
+    let count = region.region_vertices();
+    for target in (region.boundary + 60..count).rev().step_by(7) {
+        let mesh = decimate(&region, &x, target);
+        assert_eq!(mesh.vertices(), target);
+        mesh.mesh().validate().unwrap();
     }
 }

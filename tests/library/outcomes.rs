@@ -1,16 +1,12 @@
 //! How runs end: cancelled, limited, refused, and what is promised about the surface in every case.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
-
-mod common;
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Error, Options, Outcome, Progress, Selection, Solution, fair};
+use fairmesh_shapes::*;
 
 /// Fixed vertices keep their bits, the others have finite coordinates and stay near the region.
 fn assert_usable(shape: &Shape, start: &[[f64; 3]], solution: &Solution) {

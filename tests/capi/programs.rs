@@ -1,9 +1,5 @@
 //! The C interface as C and C++ programs see it: installed by `make install`, found through pkg-config and CMake, linked
 //! shared and static. Needs a C and C++ compiler, make, binutils, CMake, valgrind and abidiff.
-#![cfg(all(unix, feature = "cli"))]
-
-#[path = "common/command.rs"]
-mod command;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,12 +7,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use command::run;
+use crate::command::run;
 
 const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
 
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 fn work() -> PathBuf {
@@ -77,10 +73,10 @@ fn hooks() -> &'static Path {
                 "build",
                 "--release",
                 "--locked",
-                "--lib",
-                "--no-default-features",
+                "-p",
+                "fairmesh-capi",
                 "--features",
-                "capi-hooks",
+                "hooks",
             ])
             .env("CARGO_TARGET_DIR", target()));
         let path = work().join("libfairmesh-hooks.a");

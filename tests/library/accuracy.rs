@@ -2,14 +2,10 @@
 //!
 //! Errors are the largest distance of a free vertex to the exact surface over the region's diagonal; the
 //! interior is destroyed beforehand, so that nothing of the exact surface is left but its boundary.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
-mod common;
-
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, Options, Solution};
+use fairmesh_shapes::*;
 
 const MOST_ITERATIONS: usize = 15;
 

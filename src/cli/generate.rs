@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use fairmesh::shapes::{self, OUTSIDE, Sampling, Shape, Surface};
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, Surface};
 
 use crate::failure::Failure;
 use crate::formats::{self, Format};
@@ -176,15 +176,15 @@ fn make(args: &GenerateArgs) -> Shape {
     let count = |default: usize| args.vertices.unwrap_or(default);
     let (n, outside, angle) = (count(1_000), args.outside, args.angle.unwrap_or(60.0));
     match args.kind {
-        ShapeKind::CylinderBlend => shapes::cylinder_blend_of(count(920), sampling),
-        ShapeKind::TetraThing => shapes::tetra_thing_of(count(500), sampling),
-        ShapeKind::SphereCap => shapes::sphere_cap(angle, n, sampling, outside),
-        ShapeKind::SphereZone => shapes::sphere_zone(-40.0, 50.0, n, sampling, outside),
-        ShapeKind::SphereHole => shapes::sphere_with_hole(angle, n, sampling, outside),
-        ShapeKind::Cylinder => shapes::cylinder_band(n, sampling, outside),
-        ShapeKind::Catenoid => shapes::catenoid_band(n, sampling, outside),
-        ShapeKind::Unduloid => shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
-        ShapeKind::Saddle => shapes::saddle_graph(n, sampling, outside),
+        ShapeKind::CylinderBlend => fairmesh_shapes::cylinder_blend_of(count(920), sampling),
+        ShapeKind::TetraThing => fairmesh_shapes::tetra_thing_of(count(500), sampling),
+        ShapeKind::SphereCap => fairmesh_shapes::sphere_cap(angle, n, sampling, outside),
+        ShapeKind::SphereZone => fairmesh_shapes::sphere_zone(-40.0, 50.0, n, sampling, outside),
+        ShapeKind::SphereHole => fairmesh_shapes::sphere_with_hole(angle, n, sampling, outside),
+        ShapeKind::Cylinder => fairmesh_shapes::cylinder_band(n, sampling, outside),
+        ShapeKind::Catenoid => fairmesh_shapes::catenoid_band(n, sampling, outside),
+        ShapeKind::Unduloid => fairmesh_shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
+        ShapeKind::Saddle => fairmesh_shapes::saddle_graph(n, sampling, outside),
     }
 }
 

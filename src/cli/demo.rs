@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::shapes::{self, Shape};
 use fairmesh::{BoundaryNormals, Options, Outcome, Selection};
+use fairmesh_shapes::Shape;
 
 use crate::failure::Failure;
 use crate::formats::{self, Format};
@@ -44,7 +44,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
             directory.display()
         ))
     })?;
-    let shape = shapes::cylinder_blend();
+    let shape = fairmesh_shapes::cylinder_blend();
     let rough = shape.noise(1, ROUGHNESS);
     let normals = boundary_normals(&shape);
     let options = Options {

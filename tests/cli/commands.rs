@@ -1,12 +1,9 @@
 //! The command line: help, errors, exit codes, report.
-#![cfg(feature = "cli")]
-
-mod common;
 
 use std::fs;
 use std::path::Path;
 
-use common::*;
+use crate::common::*;
 
 /// A directory with `cap.obj` and the lists of its region.
 fn prepared(test: &str) -> std::path::PathBuf {

@@ -1,12 +1,8 @@
 //! The tetra thing (paper Fig. 8): fixed curves inside a closed surface, and two sizes of one shape.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
-mod common;
-
-use common::fairing::*;
-use fairmesh::shapes::{Sampling, Shape, tetra_thing, tetra_thing_coarse, tetra_thing_of};
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, InnerFairness, Options, Solution, mean_curvature};
+use fairmesh_shapes::{Sampling, Shape, tetra_thing, tetra_thing_coarse, tetra_thing_of};
 
 /// The coarse surface may leave the fine one by this much of the diagonal.
 const COARSE_TO_FINE: f64 = 1.2e-2;

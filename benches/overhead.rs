@@ -1,8 +1,8 @@
 //! What the C interface costs over the Rust call: fairing of a cap with 13,000 free vertices.
 
 use fairmesh::capi::*;
-use fairmesh::shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
 use fairmesh::{Options, Selection};
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
 
 fn main() {
     divan::main();

@@ -1,18 +1,14 @@
 //! What the result must not depend on: the start, the triangulation, the numbering, the place and the scale.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
-
-mod common;
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use common::fairing::*;
+use crate::fairing::*;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
-use fairmesh::shapes::*;
 use fairmesh::{InnerFairness, Options, Solution};
+use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
 fn free_positions(shape: &Shape, positions: &[[f64; 3]]) -> Vec<[f64; 3]> {

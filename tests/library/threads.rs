@@ -1,12 +1,8 @@
 //! The same bits for any number of threads and in every run.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
-mod common;
-
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{InnerFairness, Options, Report, Seconds, Solution};
+use fairmesh_shapes::*;
 
 fn bits(figures: impl IntoIterator<Item = f64>) -> Vec<u64> {
     figures.into_iter().map(f64::to_bits).collect()

@@ -1,14 +1,10 @@
 //! Right-hand sides other than zero: known answers, invariances, and honest ends.
 //!
 //! The known answers are surfaces of revolution whose profile solves the equation as an ordinary differential one.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
-mod common;
-
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, Error, Options, Outcome, Solution, Target};
+use fairmesh_shapes::*;
 
 fn asked<'a>(target: Target, tolerance: f64) -> Options<'a> {
     Options {

@@ -18,7 +18,7 @@ mod fair;
 mod fill;
 mod guard;
 mod handles;
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 mod hooks;
 mod input;
 mod memory;

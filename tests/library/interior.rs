@@ -1,12 +1,8 @@
 //! Fixed vertices inside the region: interpolated points and curves, with normals or without.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
-mod common;
-
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
+use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
 /// Fixes the free vertices that are chosen; returns them.

@@ -1,14 +1,10 @@
 //! Boundary normals: tangent continuity, fitted normals, wrong normals, strongly tilted normals.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
-
-mod common;
 
 use std::f64::consts::TAU;
 
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Error, Options, Outcome, Solution};
+use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
 /// The normals of the surface's triangles at the boundary differ from the prescribed ones by a multiple of the

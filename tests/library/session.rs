@@ -1,16 +1,12 @@
 //! Fairing in steps finds what fairing at once finds, and goes on after changes.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
-
-mod common;
 
 use std::ops::ControlFlow;
 
-use common::fairing::*;
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{
     BoundaryNormals, Error, InnerFairness, Options, Outcome, Selection, Session, Solution, Target, fair,
 };
+use fairmesh_shapes::*;
 
 const TOLERANCE: f64 = 1e-8;
 

@@ -1,16 +1,13 @@
 //! Holes cut out of analytic surfaces and others, filled through the public entry.
-#![cfg(feature = "shapes")]
-
-mod common;
 
 use std::collections::BTreeMap;
 
-use common::fairing::{Bars, angle, irregular, vector};
-use fairmesh::shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
+use crate::fairing::{Bars, angle, irregular, vector};
 use fairmesh::{
     Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, Loops, OpenReason, Options, Outcome,
     boundary_loops, fill_holes,
 };
+use fairmesh_shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 

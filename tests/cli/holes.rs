@@ -1,12 +1,9 @@
 //! `fairmesh holes`, `fairmesh fill` and `fairmesh fair --remesh` on files.
-#![cfg(feature = "cli")]
-
-mod common;
 
 use std::fmt::Write;
 use std::fs;
 
-use common::{SIDE, cap, directory, expect, is_selected, obj, off_sphere, quads, write_lists};
+use crate::common::{SIDE, cap, directory, expect, is_selected, obj, off_sphere, quads, write_lists};
 use serde_json::Value;
 
 /// The cap without its middle, as text: its vertices with more properties, and all its quads but the selected ones.

@@ -1,4 +1,4 @@
-//! `include/fairmesh.h` is what cbindgen makes of `src/capi`. `FAIRMESH_WRITE_HEADER=1 cargo test --release --test header`
+//! `include/fairmesh.h` is what cbindgen makes of `src/capi`. `FAIRMESH_WRITE_HEADER=1 cargo test --release -p fairmesh-capi --test capi header`
 //! writes it.
 
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 const HEADER: &str = "include/fairmesh.h";
 
 fn generated() -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut builder = cbindgen::Builder::new()
         .with_config(cbindgen::Config::from_file(root.join("cbindgen.toml")).unwrap());
     for file in [
@@ -22,7 +22,7 @@ fn generated() -> String {
 
 #[test]
 fn the_header_is_what_the_source_says() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(HEADER);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(HEADER);
     let generated = generated();
     if std::env::var_os("FAIRMESH_WRITE_HEADER").is_some() {
         fs::write(&path, &generated).unwrap();
@@ -30,7 +30,7 @@ fn the_header_is_what_the_source_says() {
     let committed = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         committed == generated,
-        "{HEADER} is old: run FAIRMESH_WRITE_HEADER=1 cargo test --release --test header"
+        "{HEADER} is old: run FAIRMESH_WRITE_HEADER=1 cargo test --release -p fairmesh-capi --test capi header"
     );
 }
 

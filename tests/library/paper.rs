@@ -1,19 +1,14 @@
 //! The paper's own scheme (7.1 to 7.4, Figure 6): what it reaches, how it compares with the default solver, its hierarchy.
-#![cfg(feature = "shapes")]
-#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
-
-mod common;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use common::fairing::*;
-use fairmesh::mesh::{Region, Selection, decimate};
-use fairmesh::shapes::*;
+use crate::fairing::*;
 use fairmesh::{
     BoundaryNormals, Discretization, Error, Estimate, InnerFairness, Options, Outcome, PaperOptions,
     Progress, Solution, Solver, Target,
 };
+use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
 fn paper(shape: &Shape, options: PaperOptions, inner: InnerFairness) -> Solution {
@@ -23,7 +18,7 @@ fn paper(shape: &Shape, options: PaperOptions, inner: InnerFairness) -> Solution
         Options {
             solver: Solver::Paper(options),
             inner,
-            ..common::fairing::options(TIGHT)
+            ..crate::fairing::options(TIGHT)
         },
     )
 }
@@ -36,7 +31,7 @@ fn fast(shape: &Shape, inner: InnerFairness) -> Solution {
         Options {
             discretization: Discretization::Paper,
             inner,
-            ..common::fairing::options(TIGHT)
+            ..crate::fairing::options(TIGHT)
         },
     )
 }
@@ -126,7 +121,7 @@ fn targets_in_both_solvers() {
                 solver,
                 discretization,
                 target,
-                ..common::fairing::options(TIGHT)
+                ..crate::fairing::options(TIGHT)
             };
             solve(&shape, &shape.positions, options)
         });
@@ -212,81 +207,6 @@ fn the_maximum_principle() {
         bars.at_most(format!("{name}: from the default solver"), gap, 1e-4);
     }
     bars.finish();
-}
-
-/// The region of a shape and its positions.
-fn region(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
-    let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
-    let x = region.positions(&shape.positions);
-    (region, x)
-}
-
-/// Down to the base and back up: valid after every collapse and every split, and the same triangles in the end, corner by
-/// corner; no boundary vertex is ever collapsed.
-#[test]
-fn decimation_and_refinement() {
-    for (name, shape) in cases(600) {
-        let (region, x) = region(&shape);
-        let count = region.region_vertices();
-        let target = region.boundary * 2;
-        let before: Vec<_> = decimate(&region, &x, count).mesh().triangles().collect();
-        assert_eq!(before.len(), region.half_edges.triangles.len());
-        // One vertex less each time: every mesh on the way down.
-        let base = decimate(&region, &x, target);
-        println!(
-            "{name}: {count} vertices, boundary {}, base {}",
-            region.boundary,
-            base.vertices()
-        );
-        assert!(base.vertices() < count / 2, "{name}");
-        let mut up = base.clone();
-        let mut meshes = vec![];
-        loop {
-            up.mesh()
-                .validate()
-                .unwrap_or_else(|why| panic!("{name}, {} vertices: {why}", up.vertices()));
-            let triangles: Vec<_> = up.mesh().triangles().collect();
-            let named: BTreeSet<u32> = triangles.iter().flat_map(|t| t.1).collect();
-            let boundary = region.free as u32..count as u32;
-            assert!(
-                boundary.clone().all(|b| named.contains(&b)),
-                "{name}: a boundary vertex is gone"
-            );
-            assert_eq!(named.iter().filter(|v| **v < count as u32).count(), up.vertices());
-            meshes.push(triangles);
-            let Some(split) = up.refine() else { break };
-            assert!(region.is_free(split.vertex), "{name}: {split:?}");
-            assert!(
-                !named.contains(&split.vertex) && named.contains(&split.parent),
-                "{name}: {split:?}"
-            );
-        }
-        assert_eq!(up.mesh().triangles().collect::<Vec<_>>(), before, "{name}");
-        for k in [0, meshes.len() / 3, meshes.len() - 1] {
-            // Stopped there on the way down, it is the same mesh as on the way up.
-            let down = decimate(&region, &x, base.vertices() + k);
-            down.mesh().validate().unwrap();
-            assert_eq!(down.mesh().triangles().collect::<Vec<_>>(), meshes[k], "{name}");
-            let level = down.region(&x).unwrap();
-            level.validate().unwrap();
-            assert_eq!(
-                (level.region_vertices(), level.boundary),
-                (down.vertices(), region.boundary)
-            );
-        }
-    }
-}
-
-/// Not every mesh on the way down is the way up seen from the other end: each is checked as it is made.
-#[test]
-fn every_collapse_leaves_a_valid_mesh() {
-    let (region, x) = region(&cylinder_blend());
-    let count = region.region_vertices();
-    for target in (region.boundary + 60..count).rev().step_by(7) {
-        let mesh = decimate(&region, &x, target);
-        assert_eq!(mesh.vertices(), target);
-        mesh.mesh().validate().unwrap();
-    }
 }
 
 /// Levels grow exponentially, from a base of at least 2.5 times the boundary.

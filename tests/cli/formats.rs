@@ -1,11 +1,8 @@
 //! Every format through the binary: the cap becomes a sphere again, and nothing else changes.
-#![cfg(feature = "cli")]
-
-mod common;
 
 use std::fs;
 
-use common::*;
+use crate::common::*;
 
 /// The completed cap is this near the sphere.
 const NEAR: f64 = 1e-4;
@@ -37,7 +34,7 @@ fn compare(old: &str, new: &str, first: usize, skip: usize) -> Vec<[f64; 3]> {
 fn obj() {
     let directory = directory("obj");
     write_lists(&directory);
-    let old = common::obj(&cap())
+    let old = crate::common::obj(&cap())
         .replace("# cap\n", "# cap\ng a b\n")
         .replace('\n', " \r\n");
     fs::write(directory.join("cap.obj"), &old).unwrap();
