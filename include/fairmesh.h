@@ -144,9 +144,9 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_INCONSISTENT_ORIENTATION = 21,
     /**
-     * A free vertex is on the border of the mesh. Element: the vertex.
+     * A free vertex is on the boundary of the mesh. Element: the vertex.
      */
-    FAIRMESH_STATUS_FREE_VERTEX_ON_BORDER = 22,
+    FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY = 22,
     /**
      * A free vertex has no triangle. Element: the vertex.
      */
@@ -168,7 +168,7 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BAD_NORMAL = 27,
     /**
-     * No normal can be found for a border vertex: give one. Element: the vertex.
+     * No normal can be found for a boundary vertex: give one. Element: the vertex.
      */
     FAIRMESH_STATUS_NO_NORMAL = 28,
     /**
@@ -230,7 +230,7 @@ enum fairmesh_selection_kind
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Nothing: free are all vertices that are not on the border of the mesh. `data` is NULL, `count` and `stride` 0.
+     * Nothing: free are all vertices that are not on the boundary of the mesh. `data` is NULL, `count` and `stride` 0.
      */
     FAIRMESH_SELECTION_KIND_INTERIOR = 0,
     /**
@@ -246,7 +246,7 @@ enum fairmesh_selection_kind
      */
     FAIRMESH_SELECTION_KIND_FREE_VERTICES = 3,
     /**
-     * `uint32_t`: triangles. Free are the vertices that have no other triangles and are not on the border of the mesh.
+     * `uint32_t`: triangles. Free are the vertices that have no other triangles and are not on the boundary of the mesh.
      */
     FAIRMESH_SELECTION_KIND_FACES = 4,
 };
@@ -259,7 +259,7 @@ typedef uint32_t fairmesh_selection_kind;
 #endif // __cplusplus
 
 /**
- * Where the normals at the border of the region come from.
+ * Where the normals at the boundary of the region come from.
  */
 enum fairmesh_normals_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -275,7 +275,7 @@ enum fairmesh_normals_kind
      */
     FAIRMESH_NORMALS_KIND_AVERAGED = 1,
     /**
-     * Given, for some or all border vertices; fitted for the others.
+     * Given, for some or all boundary vertices; fitted for the others.
      */
     FAIRMESH_NORMALS_KIND_GIVEN = 2,
 };
@@ -470,7 +470,7 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_CONVERGED_LOOSELY = 2,
     /**
-     * No surface with these border normals was found; the surface of the linear problem is returned. `reached` of the
+     * No surface with these boundary normals was found; the surface of the linear problem is returned. `reached` of the
      * way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
      */
     FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE = 3,
@@ -504,7 +504,7 @@ typedef uint32_t fairmesh_outcome;
 #endif // __cplusplus
 
 /**
- * What kind of gap a border loop is.
+ * What kind of gap a boundary loop is.
  */
 enum fairmesh_loop_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -516,9 +516,9 @@ enum fairmesh_loop_kind
      */
     FAIRMESH_LOOP_KIND_HOLE = 0,
     /**
-     * The outline of an open surface. Filled only if it is named.
+     * The outer boundary of an open surface. Filled only if it is named.
      */
-    FAIRMESH_LOOP_KIND_OUTER_BORDER = 1,
+    FAIRMESH_LOOP_KIND_OUTER_BOUNDARY = 1,
     /**
      * It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
      */
@@ -592,7 +592,7 @@ enum fairmesh_fill_reason
     /**
      * Open: the loop encloses the mesh and was not named.
      */
-    FAIRMESH_FILL_REASON_OUTER_BORDER = 2,
+    FAIRMESH_FILL_REASON_OUTER_BOUNDARY = 2,
     /**
      * Open: the loop has more than `max_edges`.
      */
@@ -651,7 +651,7 @@ enum fairmesh_result_kind
      */
     FAIRMESH_RESULT_KIND_FAIRED = 0,
     /**
-     * Border loops.
+     * Boundary loops.
      */
     FAIRMESH_RESULT_KIND_LOOPS = 1,
     /**
@@ -692,17 +692,17 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_NEEDLES = 2,
     /**
-     * Border vertices whose normal contradicts the surface or its neighbours'.
+     * Boundary vertices whose normal contradicts the surface or its neighbours'.
      */
     FAIRMESH_LIST_SUSPICIOUS_NORMALS = 3,
     /**
-     * Border vertices whose normals stood farthest away, worst first.
+     * Boundary vertices whose normals stood farthest away, worst first.
      */
     FAIRMESH_LIST_UNREACHED_VERTICES = 4,
     /**
-     * Faired meshes: the border vertices, ascending.
+     * Faired meshes: the boundary vertices, ascending.
      */
-    FAIRMESH_LIST_BORDER_VERTICES = 16,
+    FAIRMESH_LIST_BOUNDARY_VERTICES = 16,
     /**
      * Loops: the vertices in the direction of triangles that fill it.
      */
@@ -749,9 +749,9 @@ enum fairmesh_vectors
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Faired meshes: the unit normals that were used at the border, in the order of the list BORDER_VERTICES.
+     * Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
      */
-    FAIRMESH_VECTORS_BORDER_NORMALS = 0,
+    FAIRMESH_VECTORS_BOUNDARY_NORMALS = 0,
     /**
      * Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
      */
@@ -820,7 +820,7 @@ enum fairmesh_element
      */
     FAIRMESH_ELEMENT_ARGUMENT = 4,
     /**
-     * A border loop.
+     * A boundary loop.
      */
     FAIRMESH_ELEMENT_LOOP = 5,
 };
@@ -887,7 +887,7 @@ typedef struct fairmesh_indices {
 } fairmesh_indices;
 
 /**
- * Unit normals at the border vertices. All zero: fitted.
+ * Unit normals at the boundary vertices. All zero: fitted.
  */
 typedef struct fairmesh_normals {
     /**
@@ -904,7 +904,7 @@ typedef struct fairmesh_normals {
     struct fairmesh_points vectors;
     /**
      * The vertex of each vector. NULL (with count 0): there is one vector per vertex of the mesh, and 0 0 0 says that
-     * none is given. Vectors at vertices that are not on the border are ignored.
+     * none is given. Vectors at vertices that are not on the boundary are ignored.
      */
     struct fairmesh_indices vertices;
 } fairmesh_normals;
@@ -976,7 +976,7 @@ typedef struct fairmesh_options {
      */
     uint32_t inner_fairness;
     /**
-     * Border normals. Default: fitted.
+     * Boundary normals. Default: fitted.
      */
     struct fairmesh_normals normals;
     /**
@@ -1033,7 +1033,7 @@ typedef struct fairmesh_options {
      */
     uint64_t paper_levels;
     /**
-     * Vertices of the base mesh; 0 (default): two and a half times the border.
+     * Vertices of the base mesh; 0 (default): two and a half times the boundary.
      */
     uint64_t paper_base;
     /**
@@ -1067,12 +1067,12 @@ typedef struct fairmesh_fill_options {
      */
     uint64_t max_edges;
     /**
-     * These loops only, as `fairmesh_border_loops` numbers them, outer borders included; NULL with count 0 (default): all
+     * These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
      * holes. With a count, `max_edges` is not read.
      */
     struct fairmesh_indices loops;
     /**
-     * How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the rim; at
+     * How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the boundary; at
      * twice that, half as long. Between 0.1 and 10.
      */
     double density;
@@ -1208,7 +1208,7 @@ typedef struct fairmesh_report {
      */
     double diagonal;
     /**
-     * How much of the border normals or the target was reached, 0 to 1; 1 where all of it.
+     * How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
      */
     double reached;
     /**
@@ -1260,11 +1260,11 @@ typedef struct fairmesh_report {
      */
     double h_inside[2];
     /**
-     * The same at border vertices.
+     * The same at boundary vertices.
      */
-    double h_border[2];
+    double h_boundary[2];
     /**
-     * The largest angle, in degrees, between a border normal and the triangles of the region there, and the vertex.
+     * The largest angle, in degrees, between a boundary normal and the triangles of the region there, and the vertex.
      */
     double normal_deviation;
     /**
@@ -1388,9 +1388,9 @@ typedef struct fairmesh_info {
      */
     uint64_t loop_count;
     /**
-     * Border vertices with their normals, see FAIRMESH_VECTORS_BORDER_NORMALS.
+     * Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
      */
-    uint64_t border_vertex_count;
+    uint64_t boundary_vertex_count;
 } fairmesh_info;
 
 /**
@@ -1406,7 +1406,7 @@ typedef struct fairmesh_level {
      */
     uint32_t reserved;
     /**
-     * Vertices of the region: free and border.
+     * Vertices of the region: free and boundary.
      */
     uint64_t vertices;
     /**
@@ -1424,7 +1424,7 @@ typedef struct fairmesh_level {
 } fairmesh_level;
 
 /**
- * A border loop. Set `struct_size` before the call.
+ * A boundary loop. Set `struct_size` before the call.
  */
 typedef struct fairmesh_loop {
     /**
@@ -1453,7 +1453,7 @@ typedef struct fairmesh_loop {
     double area;
     /**
      * The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90 for
-     * the end of a tube, 180 for the outline of a plane sheet.
+     * the end of a tube, 180 for the outer boundary of a plane sheet.
      */
     double turn;
     /**
@@ -1487,7 +1487,7 @@ typedef struct fairmesh_fill_report {
      */
     int32_t refused_status;
     /**
-     * The loop, as `fairmesh_border_loops` numbers it.
+     * The loop, as `fairmesh_boundary_loops` numbers it.
      */
     uint64_t loop_index;
     /**
@@ -1599,7 +1599,7 @@ fairmesh_status fairmesh_remesh_options_init(struct fairmesh_remesh_options *opt
  * Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
  * fixed vertices, with tangent continuity there.
  *
- * `selection` may be NULL: all vertices that are not on the border of the mesh are free. `options` may be NULL: the
+ * `selection` may be NULL: all vertices that are not on the boundary of the mesh are free. `options` may be NULL: the
  * defaults. `positions_out` gets all vertices, as many as the mesh has; it may be the mesh's own positions (same address,
  * stride and scalar), then only free vertices are written. `report` may be NULL. `result`, which may be NULL, gets a handle with
  * everything else that was found; free it. `positions_out` may be NULL.
@@ -1648,7 +1648,7 @@ fairmesh_status fairmesh_solver_run(struct fairmesh_solver *solver,
                                     struct fairmesh_error *error);
 
 /**
- * Asks for other border normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+ * Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_solver_set_normals(struct fairmesh_solver *solver,
@@ -1688,7 +1688,7 @@ fairmesh_status fairmesh_solver_report(const struct fairmesh_solver *solver,
                                        struct fairmesh_error *error);
 
 /**
- * A copy of everything that is known of the surface as it stands: curvatures, lists, border normals. `result` gets a
+ * A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
  * handle of its own; free it.
  */
 FAIRMESH_API
@@ -1703,10 +1703,10 @@ FAIRMESH_API
 fairmesh_status fairmesh_solver_free(struct fairmesh_solver *solver);
 
 /**
- * Finds the border loops of a mesh: holes and outer borders. `result` gets a handle; free it.
+ * Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
  */
 FAIRMESH_API
-fairmesh_status fairmesh_border_loops(const struct fairmesh_mesh *mesh,
+fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
                                       struct fairmesh_result **result,
                                       struct fairmesh_error *error);
 
@@ -1714,8 +1714,8 @@ fairmesh_status fairmesh_border_loops(const struct fairmesh_mesh *mesh,
  * Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
  * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
- * `fill` may be NULL: all holes, edges as long as those beside the rims. `options` may be NULL: the defaults of the fairing;
- * given normals are those of rim vertices. `result` gets a handle; free it.
+ * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
+ * given normals are those of boundary vertices. `result` gets a handle; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_fill_holes(const struct fairmesh_mesh *mesh,
@@ -1762,12 +1762,12 @@ fairmesh_status fairmesh_result_level(const struct fairmesh_result *result,
                                       struct fairmesh_error *error);
 
 /**
- * One of the border loops.
+ * One of the boundary loops.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_result_loop(const struct fairmesh_result *result,
                                      uint64_t index,
-                                     struct fairmesh_loop *border_loop,
+                                     struct fairmesh_loop *boundary_loop,
                                      struct fairmesh_error *error);
 
 /**

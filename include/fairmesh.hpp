@@ -99,7 +99,7 @@ inline fairmesh_mesh mesh(const std::vector<std::array<double, 3>> &positions,
                 indices(triangles.empty() ? nullptr : triangles.data()->data(), triangles.size()));
 }
 
-/** All vertices that are not on the border of the mesh are free. */
+/** All vertices that are not on the boundary of the mesh are free. */
 inline fairmesh_selection interior() { return detail::sized<fairmesh_selection>(); }
 
 /** One byte per vertex: not zero is free. */
@@ -245,9 +245,9 @@ public:
         if (size > 0) detail::call(fairmesh_result_list, handle_, number, index, all.data(), size, &size);
         return all;
     }
-    /** The vectors that go with the list of border vertices, or with that of parents (three each). */
+    /** The vectors that go with the list of boundary vertices, or with that of parents (three each). */
     std::vector<std::array<double, 3>> vectors(fairmesh_vectors which) const {
-        auto size = which == FAIRMESH_VECTORS_BORDER_NORMALS ? info().border_vertex_count : info().new_vertex_count;
+        auto size = which == FAIRMESH_VECTORS_BOUNDARY_NORMALS ? info().boundary_vertex_count : info().new_vertex_count;
         std::vector<std::array<double, 3>> all(static_cast<std::size_t>(size));
         auto out = points_out(all.empty() ? static_cast<double *>(nullptr) : all.data()->data(), all.size());
         detail::call(fairmesh_result_vectors, handle_, static_cast<std::uint32_t>(which), &out);
@@ -338,10 +338,10 @@ private:
     fairmesh_solver *handle_ = nullptr;
 };
 
-/** The border loops of a mesh; see fairmesh_border_loops. */
-inline result border_loops(const fairmesh_mesh &mesh) {
+/** The boundary loops of a mesh; see fairmesh_boundary_loops. */
+inline result boundary_loops(const fairmesh_mesh &mesh) {
     fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_border_loops, &mesh, &handle);
+    detail::call(fairmesh_boundary_loops, &mesh, &handle);
     return result(handle);
 }
 

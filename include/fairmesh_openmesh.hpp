@@ -22,7 +22,7 @@
 
 namespace fairmesh {
 
-/** Where the region comes from. Whatever is said, vertices stay that are locked or on the border of the mesh. */
+/** Where the region comes from. Whatever is said, vertices stay that are locked or on the boundary of the mesh. */
 enum class openmesh_region {
     /** Vertices whose status says selected. */
     selected_vertices,
@@ -38,9 +38,9 @@ struct openmesh_options : options {
     /** Vertices stay that are features, or corners of feature edges or feature faces. The surface passes feature edges
      *  inside the region as `interior_normals` says. Without it features are not looked at. */
     bool features = true;
-    /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the border of the region,
+    /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the boundary of the region,
      *  0 0 0 where none is given. Empty: `normals` says where they come from. */
-    std::string border_normals;
+    std::string boundary_normals;
     /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices
      *  that are not free. It is made, of doubles, if there is none. Empty: not wanted. */
     std::string mean_curvature;
@@ -50,9 +50,9 @@ struct openmesh_options : options {
 struct openmesh_report : fairmesh_report {
     /** Flipped or with an angle below one degree, where the outcome is about them. */
     std::vector<OpenMesh::FaceHandle> poor_triangles;
-    /** Border vertices whose normal contradicts the surface or its neighbours'. */
+    /** Boundary vertices whose normal contradicts the surface or its neighbours'. */
     std::vector<OpenMesh::VertexHandle> suspicious_normals;
-    /** Border vertices whose normals stood farthest away, worst first. */
+    /** Boundary vertices whose normals stood farthest away, worst first. */
     std::vector<OpenMesh::VertexHandle> unreached_vertices;
 };
 
@@ -290,8 +290,8 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
 
     options plain = asked;
     std::vector<scalar> normals;
-    if (!asked.border_normals.empty()) {
-        normals = detail::openmesh_normals(mesh, view, asked.border_normals);
+    if (!asked.boundary_normals.empty()) {
+        normals = detail::openmesh_normals(mesh, view, asked.boundary_normals);
         plain.normals = fairmesh_normals{};
         plain.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
         plain.normals.vectors = points(normals.data(), normals.size() / 3);

@@ -66,9 +66,9 @@ pub enum Error {
         /// The earlier triangle.
         other: usize,
     },
-    /// A free vertex lies on the border of the mesh itself.
-    #[error("free vertex {vertex} lies on the border of the mesh; fix it or leave it out of the selection")]
-    FreeVertexOnBorder {
+    /// A free vertex lies on the boundary of the mesh itself.
+    #[error("free vertex {vertex} lies on the boundary of the mesh; fix it or leave it out of the selection")]
+    FreeVertexOnBoundary {
         /// The vertex.
         vertex: usize,
     },
@@ -109,8 +109,8 @@ pub enum Error {
         /// The vertex.
         vertex: usize,
     },
-    /// A border vertex has no normal: none was given, and none can be computed from its triangles.
-    #[error("no normal can be found for border vertex {vertex}: its triangles have no area; prescribe one")]
+    /// A boundary vertex has no normal: none was given, and none can be computed from its triangles.
+    #[error("no normal can be found for boundary vertex {vertex}: its triangles have no area; prescribe one")]
     NoNormal {
         /// The vertex.
         vertex: usize,

@@ -1,6 +1,6 @@
 //! The public entry: what is asked, what came of it.
 
-mod frame;
+mod normalization;
 mod normals;
 mod relay;
 mod session;
@@ -9,9 +9,9 @@ mod solvers;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 pub use crate::discrete::target::Target;
+use crate::discrete::valence_batches::ValenceBatches;
 use crate::error::Error;
 pub use crate::mesh::region::Selection;
 use crate::mesh::{Region, Rings};
@@ -20,9 +20,9 @@ use crate::quality::{Quality, Surface};
 use crate::solve::Ending;
 use crate::solve::control::{Callback, Interrupt};
 use crate::solve::globalize::diagonal;
-use frame::Frame;
-pub use normals::{BorderNormals, InteriorNormals};
-use normals::{border_normals, given_vertices};
+use normalization::Normalization;
+pub use normals::{BoundaryNormals, InteriorNormals};
+use normals::{boundary_normals, given_vertices};
 use relay::relay;
 pub(crate) use relay::with_threads;
 pub use session::Session;
@@ -66,8 +66,8 @@ pub type Watcher<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
 
 /// What is asked. `Options::default()` is right for most uses.
 pub struct Options<'a> {
-    /// Border normals. Default: fitted to the surroundings.
-    pub normals: BorderNormals<'a>,
+    /// Boundary normals. Default: fitted to the surroundings.
+    pub normals: BoundaryNormals<'a>,
     /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
     pub interior: InteriorNormals,
     /// What `Delta_B H` has to be. Default: zero.
@@ -93,7 +93,7 @@ pub struct Options<'a> {
 impl Default for Options<'_> {
     fn default() -> Self {
         Self {
-            normals: BorderNormals::default(),
+            normals: BoundaryNormals::default(),
             interior: InteriorNormals::default(),
             target: Target::default(),
             inner: InnerFairness::default(),
@@ -137,11 +137,11 @@ pub enum Outcome {
         /// What was met.
         reason: String,
     },
-    /// No surface with the prescribed border normals was found; the linear surface is returned.
+    /// No surface with the prescribed boundary normals was found; the linear surface is returned.
     NormalsNotReachable {
         /// How much of the way from the membrane's normals to the prescribed ones was found, 0 to 1.
         reached: f64,
-        /// The border vertices whose normals stood farthest away, worst first.
+        /// The boundary vertices whose normals stood farthest away, worst first.
         vertices: Vec<u32>,
     },
     /// A surface was found only for a part of the right-hand side of [`Options::target`]; the linear surface is returned.
@@ -182,7 +182,7 @@ impl Outcome {
 /// Wall seconds per stage.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
-    /// Half-edges, rings, border normals.
+    /// Half-edges, rings, boundary normals.
     pub setup: f64,
     /// Symbolic analysis, membrane and linear start.
     pub start: f64,
@@ -220,7 +220,7 @@ pub struct Report {
     pub diagonal: f64,
     /// The returned surface is the linear one: no sound nonlinear surface was found.
     pub linear_surface: bool,
-    /// Border vertices whose prescribed normal points against the surface beside it or contradicts its
+    /// Boundary vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
     /// Free vertices that took fallback weights, because their input triangles allow no conformal or
@@ -233,8 +233,8 @@ pub struct Report {
 pub struct Solution {
     /// All positions; fixed vertices keep their bits.
     pub positions: Vec<[f64; 3]>,
-    /// The border vertices and the unit normals that were used there.
-    pub border_normals: Vec<(u32, [f64; 3])>,
+    /// The boundary vertices and the unit normals that were used there.
+    pub boundary_normals: Vec<(u32, [f64; 3])>,
     /// Free vertices and the mean curvature of the result there; negative on a sphere with outward normals.
     pub mean_curvature: Vec<(u32, f64)>,
     /// Free vertices and the Gaussian curvature of the result there; positive on a sphere.
@@ -284,7 +284,7 @@ struct Request<'a> {
     positions: &'a [[f64; 3]],
     triangles: &'a [[u32; 3]],
     selection: Selection<'a>,
-    normals: BorderNormals<'a>,
+    normals: BoundaryNormals<'a>,
     interior: InteriorNormals,
     target: Target,
     inner: InnerFairness,
@@ -338,31 +338,32 @@ fn run<'a>(
     })?;
     let rings = Rings::new(&region);
     let mut x = region.positions(request.positions);
-    let frame = Frame::new(&region, &x);
-    frame.enter(&mut x);
-    let (border_normals, passing) = border_normals(&region, &rings, &x, request.normals, request.interior)?;
-    let groups = Groups::new(&rings);
+    let normalization = Normalization::new(&region, &x);
+    normalization.enter(&mut x);
+    let (boundary_normals, smooth_interior) =
+        boundary_normals(&region, &rings, &x, request.normals, request.interior)?;
+    let batches = ValenceBatches::new(&rings);
     let weights = match request.inner {
         InnerFairness::Uniform => FairnessWeights::uniform(),
-        InnerFairness::Conformal => FairnessWeights::conformal(&groups, &x),
-        InnerFairness::Convex => FairnessWeights::convex(&groups, &x),
+        InnerFairness::Conformal => FairnessWeights::conformal(&batches, &x),
+        InnerFairness::Convex => FairnessWeights::convex(&batches, &x),
     };
     let fallback_weights = weights.clamped;
     seconds.setup = clock.elapsed().as_secs_f64();
     let problem = Problem {
         region: &region,
         rings: &rings,
-        groups: &groups,
+        batches: &batches,
         input: &x,
-        border_normals: &border_normals,
-        passing: &passing,
+        boundary_normals: &boundary_normals,
+        smooth_interior: &smooth_interior,
         weights: &weights,
         weigh: match request.inner {
             InnerFairness::Uniform => None,
             InnerFairness::Conformal => Some(FairnessWeights::conformal),
             InnerFairness::Convex => Some(FairnessWeights::convex),
         },
-        right_hand_side: request.target.right_hand_side(frame.scale),
+        right_hand_side: request.target.right_hand_side(normalization.scale),
     };
     let faired = match request.solver {
         Solver::Fast => solvers::fast(&problem, request, progress, interrupt),
@@ -375,7 +376,7 @@ fn run<'a>(
         region: &region,
         rings: &rings,
         input: &x,
-        frame: &frame,
+        normalization: &normalization,
         fallback_weights,
     };
     Ok(conclude(&given, faired, seconds, clock))
@@ -387,15 +388,15 @@ struct Given<'a> {
     target: Target,
     region: &'a Region,
     rings: &'a Rings,
-    /// The region's positions, in the frame.
+    /// The region's positions, in the normalization.
     input: &'a [nalgebra::Vector3<f64>],
-    frame: &'a Frame,
+    normalization: &'a Normalization,
     fallback_weights: usize,
 }
 
 /// Measures the surface, and takes it back to the host's numbers and units. `clock` has run since the beginning.
 fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Instant) -> Solution {
-    let (region, frame) = (given.region, given.frame);
+    let (region, normalization) = (given.region, given.normalization);
     let solved = &faired.solved;
     seconds.start = solved.start_seconds;
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.start - seconds.setup;
@@ -403,12 +404,12 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         region,
         x: &solved.x,
         normals: &faired.state.corrected,
-        border_normals: &faired.border_normals,
+        boundary_normals: &faired.boundary_normals,
         h: &faired.state.h,
     };
     let mut quality = surface.quality();
-    for h in quality.h_inside.iter_mut().chain(&mut quality.h_border) {
-        *h /= frame.scale;
+    for h in quality.h_inside.iter_mut().chain(&mut quality.h_boundary) {
+        *h /= normalization.scale;
     }
     let mut positions = given.positions.to_vec();
     for ((p, before), &v) in solved.x[..region.free]
@@ -416,29 +417,29 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         .zip(given.input)
         .zip(&region.vertex_ids)
     {
-        // What has not moved keeps its bits, without the rounding of the frame.
+        // What has not moved keeps its bits, without the rounding of the normalization.
         if p != before {
-            positions[v as usize] = frame.leave(p);
+            positions[v as usize] = normalization.leave(p);
         }
     }
-    let border = region.vertex_ids[region.free..region.region_vertices()].iter();
-    let mut border_normals: Vec<(u32, [f64; 3])> = border
-        .zip(&faired.border_normals)
+    let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
+    let mut boundary_normals: Vec<(u32, [f64; 3])> = boundary
+        .zip(&faired.boundary_normals)
         .map(|(&v, n)| (v, (*n).into()))
         .collect();
     // One for each side of a curve, all alike.
-    border_normals.dedup_by_key(|(v, _)| *v);
+    boundary_normals.dedup_by_key(|(v, _)| *v);
     let inside = |values: &[f64], unit: f64| -> Vec<(u32, f64)> {
         let ids = region.vertex_ids[..region.free].iter();
         ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
     };
-    let mean_curvature = inside(&faired.state.h, frame.scale);
-    let gaussian_curvature = inside(&faired.state.k, frame.scale * frame.scale);
+    let mean_curvature = inside(&faired.state.h, normalization.scale);
+    let gaussian_curvature = inside(&faired.state.k, normalization.scale * normalization.scale);
     seconds.total = clock.elapsed().as_secs_f64();
     seconds.quality = seconds.total - seconds.iterate - seconds.start - seconds.setup;
     let suspicious_normals = surface.suspicious_normals(given.rings, given.input);
     let local_ids = |list: &[u32], of: &[u32]| list.iter().map(|&t| of[t as usize]).collect::<Vec<u32>>();
-    let border_ids = &region.vertex_ids[region.free..];
+    let boundary_ids = &region.vertex_ids[region.free..];
     let linear_surface = matches!(
         solved.ending,
         Ending::Failed | Ending::Partly(..) | Ending::Loaded(..)
@@ -448,7 +449,7 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         outcome: match &solved.ending {
             Ending::Converged | Ending::FirstOrder if solved.poor.is_empty() && !suspicious_normals.is_empty() => {
                 Outcome::ConvergedLoosely {
-                    reason: "border normals point against the surface beside them: probably flipped".to_owned(),
+                    reason: "boundary normals point against the surface beside them: probably flipped".to_owned(),
                 }
             }
             Ending::Converged if solved.poor.is_empty() && faired.rounding => Outcome::ConvergedLoosely {
@@ -465,11 +466,11 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
             Ending::Stopped => Outcome::IterationLimit,
             Ending::Partly(reached, farthest) => Outcome::NormalsNotReachable {
                 reached: *reached,
-                vertices: local_ids(farthest, border_ids),
+                vertices: local_ids(farthest, boundary_ids),
             },
             Ending::Loaded(reached) => Outcome::TargetNotReachable { reached: *reached },
             Ending::Doubtful if solved.poor.is_empty() => Outcome::ConvergedLoosely {
-                reason: "the surface has a bump: its curvature inside exceeds what the border allows, or it leaves single border normals".to_owned(),
+                reason: "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals".to_owned(),
             },
             Ending::Doubtful => Outcome::ConvergedPoorTriangles {
                 triangles: local_ids(&solved.poor, &region.half_edges.triangle_ids),
@@ -483,14 +484,14 @@ fn conclude(given: &Given<'_>, faired: Faired, mut seconds: Seconds, clock: Inst
         quality,
         levels: faired.levels,
         free_vertices: region.free,
-        diagonal: diagonal(&solved.x) * frame.scale,
+        diagonal: diagonal(&solved.x) * normalization.scale,
         linear_surface,
         suspicious_normals,
         fallback_weights: if solved.even { region.free } else { given.fallback_weights },
     };
     Solution {
         positions,
-        border_normals,
+        boundary_normals,
         mean_curvature,
         gaussian_curvature,
         report,

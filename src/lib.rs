@@ -1,6 +1,6 @@
 //! Intrinsic G1 fairing of triangle meshes.
 //!
-//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that border
+//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that boundary
 //! them, fairmesh moves the free vertices until the surface solves `Delta_B H = 0`, so that the shape
 //! depends on the boundary alone and not on the triangulation.
 //!
@@ -9,29 +9,25 @@
 //!
 //! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
 
-#[cfg(feature = "capi")]
-pub mod capi;
-pub mod discrete;
-pub mod error;
-pub mod fairing;
-pub mod holes;
-pub mod linear;
-pub mod mesh;
-pub mod paper;
-pub mod quality;
-#[cfg(feature = "shapes")]
-pub mod shapes;
-pub mod solve;
+mod curvature;
+mod discrete;
+mod error;
+mod fairing;
+mod holes;
+mod mesh;
+mod paper;
+mod quality;
+mod solve;
 
-pub use discrete::mesh_curvature::mean_curvature;
+pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
     Seconds, Selection, Session, Solution, Solver, Target, Watcher, fair,
 };
 pub use holes::{
-    BorderLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Parents, RemeshOptions, Remeshed, border_loops, fill_holes, remesh_region,
+    BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
+    Parents, RemeshOptions, Remeshed, boundary_loops, fill_holes, remesh_region,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

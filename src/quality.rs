@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use crate::discrete::border_normals::{angle, average};
+use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::{Region, Rings};
 
 /// An angle below this makes a triangle a needle, in degrees.
-pub const NEEDLE: f64 = 1.0;
+pub(crate) const NEEDLE: f64 = 1.0;
 
-/// A border deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
+/// A boundary deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
 const STRAINED_DEGREES: f64 = 15.0;
 /// See [`STRAINED_DEGREES`].
 const STRAINED_RATIO: f64 = 8.0;
@@ -26,12 +26,12 @@ pub struct Quality {
     pub needles: Vec<u32>,
     /// The smallest and largest mean curvature at free vertices.
     pub h_inside: [f64; 2],
-    /// The smallest and largest mean curvature at border vertices.
-    pub h_border: [f64; 2],
-    /// The largest angle, in degrees, between a prescribed border normal and the area-weighted mean normal of the
+    /// The smallest and largest mean curvature at boundary vertices.
+    pub h_boundary: [f64; 2],
+    /// The largest angle, in degrees, between a prescribed boundary normal and the area-weighted mean normal of the
     /// region's triangles there. On a smooth surface it falls in proportion to the edge length.
     pub normal_deviation: f64,
-    /// The border vertex that has it.
+    /// The boundary vertex that has it.
     pub normal_deviation_vertex: usize,
     /// The root mean square of those angles, in degrees.
     pub normal_deviation_rms: f64,
@@ -44,23 +44,23 @@ impl Quality {
     }
 }
 
-/// A surface to be judged: positions of the region's vertices (free, border), unit normals and mean curvature there.
+/// A surface to be judged: positions of the region's vertices (free, boundary), unit normals and mean curvature there.
 #[derive(Debug, Clone, Copy)]
-pub struct Surface<'a> {
+pub(crate) struct Surface<'a> {
     /// Connectivity.
     pub region: &'a Region,
     /// Positions.
     pub x: &'a [Vector3<f64>],
     /// Normals of the surface at free vertices.
     pub normals: &'a [Vector3<f64>],
-    /// Prescribed normals at border vertices.
-    pub border_normals: &'a [Vector3<f64>],
-    /// Mean curvature, free then border; may be empty.
+    /// Prescribed normals at boundary vertices.
+    pub boundary_normals: &'a [Vector3<f64>],
+    /// Mean curvature, free then boundary; may be empty.
     pub h: &'a [f64],
 }
 
 /// The worst angle of a triangle in degrees.
-pub fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
+pub(crate) fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
     let edge = [0, 1, 2].map(|i| p[(i + 2) % 3] - p[(i + 1) % 3]);
     let length = edge.map(|e| e.norm_squared());
     // It is opposite to the shortest edge.
@@ -77,12 +77,12 @@ impl Surface<'_> {
         if v < self.region.free {
             self.normals[v]
         } else {
-            self.border_normals[v - self.region.free]
+            self.boundary_normals[v - self.region.free]
         }
     }
 
     /// Calls `visit(triangle, flipped, smallest angle)` for every region triangle (local number).
-    pub fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
+    pub(crate) fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
         let half_edges = &self.region.half_edges;
         for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
             .iter()
@@ -99,7 +99,7 @@ impl Surface<'_> {
     }
 
     /// All figures.
-    pub fn quality(&self) -> Quality {
+    pub(crate) fn quality(&self) -> Quality {
         let free = self.region.free;
         let mut quality = Quality {
             worst_angle: f64::INFINITY,
@@ -120,7 +120,7 @@ impl Surface<'_> {
         });
         if self.h.len() == self.x.len() {
             quality.h_inside = range(&self.h[..free]);
-            quality.h_border = range(&self.h[free..]);
+            quality.h_boundary = range(&self.h[free..]);
         }
         let mut squares = 0.0;
         for (b, degrees) in self.normal_deviations().into_iter().enumerate() {
@@ -130,12 +130,12 @@ impl Surface<'_> {
                 quality.normal_deviation_vertex = self.region.vertex_ids[free + b] as usize;
             }
         }
-        quality.normal_deviation_rms = (squares / self.region.border.max(1) as f64).sqrt();
+        quality.normal_deviation_rms = (squares / self.region.boundary.max(1) as f64).sqrt();
         quality
     }
 
     /// Region triangles (local numbers) that are flipped or have an angle below `degrees`.
-    pub fn poor(&self, degrees: f64) -> Vec<u32> {
+    pub(crate) fn poor(&self, degrees: f64) -> Vec<u32> {
         let mut poor = Vec::new();
         self.triangles(|t, flipped, angle| {
             if flipped || angle < degrees {
@@ -145,28 +145,28 @@ impl Surface<'_> {
         poor
     }
 
-    /// Whether single border vertices deviate from their normals far more than the rest.
-    pub fn is_strained(&self) -> bool {
+    /// Whether single boundary vertices deviate from their normals far more than the rest.
+    pub(crate) fn is_strained(&self) -> bool {
         let deviations = self.normal_deviations();
         let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
         let worst = deviations.iter().copied().fold(0.0, f64::max);
         worst > STRAINED_DEGREES && worst > STRAINED_RATIO * mean.sqrt()
     }
 
-    /// Border vertices (the caller's numbers) whose normal points against the triangles outside, as they came in `input`,
-    /// or against those of the region on this surface; and of two neighbours on the border with opposite normals the one
+    /// Boundary vertices (the caller's numbers) whose normal points against the triangles outside, as they came in `input`,
+    /// or against those of the region on this surface; and of two neighbours on the boundary with opposite normals the one
     /// that stands farther off this surface. Any of them is probably flipped: the equations alone do not tell (paper
     /// 6.1).
-    pub fn suspicious_normals(&self, rings: &Rings, input: &[Vector3<f64>]) -> Vec<u32> {
-        let (free, normals) = (self.region.free, self.border_normals);
+    pub(crate) fn suspicious_normals(&self, rings: &Rings, input: &[Vector3<f64>]) -> Vec<u32> {
+        let (free, normals) = (self.region.free, self.boundary_normals);
         let deviations = self.normal_deviations();
-        let mut marked: Vec<bool> = (0..self.region.border)
+        let mut marked: Vec<bool> = (0..self.region.boundary)
             .map(|b| {
                 let outside = average(input, free + b, rings.outside_triangles(b));
                 outside.is_some_and(|o| o.dot(&normals[b]) < 0.0) || deviations[b] > 90.0
             })
             .collect();
-        for &h in &rings.border_half_edges {
+        for &h in &rings.boundary_half_edges {
             let a = self.region.half_edges.origin(h) as usize - free;
             let b = self.region.half_edges.target(h) as usize - free;
             if normals[a].dot(&normals[b]) < 0.0 {
@@ -174,18 +174,18 @@ impl Surface<'_> {
             }
         }
         let ids = &self.region.vertex_ids[free..];
-        (0..self.region.border)
+        (0..self.region.boundary)
             .filter(|&b| marked[b])
             .map(|b| ids[b])
             .collect()
     }
 
-    /// Per border vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross
+    /// Per boundary vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross
     /// products.
-    pub fn normal_deviations(&self) -> Vec<f64> {
+    pub(crate) fn normal_deviations(&self) -> Vec<f64> {
         let free = self.region.free;
         let half_edges = &self.region.half_edges;
-        let mut sums = vec![Vector3::zeros(); self.region.border];
+        let mut sums = vec![Vector3::zeros(); self.region.boundary];
         for corners in &half_edges.triangles[..half_edges.region_triangles] {
             let p = corners.map(|v| self.x[v as usize]);
             let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
@@ -196,7 +196,7 @@ impl Surface<'_> {
             }
         }
         sums.iter()
-            .zip(self.border_normals)
+            .zip(self.boundary_normals)
             .map(|(s, n)| angle(s, n).to_degrees())
             .collect()
     }

@@ -6,7 +6,6 @@
 //! of several equally bad vertices or faces is named.
 //!
 //! `FAIRMESH_WRITE_DOCS=1 cargo test --release --test docs` writes outputs and figures anew.
-#![cfg(feature = "cli")]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,7 +1,7 @@
 //! The generators against what they promise: topology, exactness, counts, determinism.
 #![cfg(feature = "shapes")]
 
-use fairmesh::shapes::*;
+use fairmesh_shapes::*;
 use std::collections::HashMap;
 
 const IRREGULAR: Sampling = Sampling::Irregular { seed: 7 };
@@ -22,7 +22,7 @@ fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Euler characteristic and border loops of a consistently oriented manifold; panics on anything else.
+/// Euler characteristic and boundary loops of a consistently oriented manifold; panics on anything else.
 fn topology(s: &Shape) -> (i64, Vec<usize>) {
     let mut next = HashMap::new();
     for t in &s.triangles {
@@ -34,13 +34,16 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
             );
         }
     }
-    let mut border = HashMap::new();
+    let mut boundary = HashMap::new();
     for &(a, b) in next.keys() {
         if !next.contains_key(&(b, a)) {
-            assert!(border.insert(a, b).is_none(), "two border edges leave vertex {a}");
+            assert!(
+                boundary.insert(a, b).is_none(),
+                "two boundary edges leave vertex {a}"
+            );
             assert!(
                 !s.free[a as usize] && !s.free[b as usize],
-                "a free vertex on the border"
+                "a free vertex on the boundary"
             );
         }
     }
@@ -53,7 +56,7 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
     // One fan at every vertex: as many triangles as a walk around it meets.
     let mut start = HashMap::new();
     for &(a, b) in next.keys() {
-        if !border.contains_key(&a) || border[&a] == b {
+        if !boundary.contains_key(&a) || boundary[&a] == b {
             start.insert(a, b);
         }
     }
@@ -67,12 +70,12 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
         }
         assert_eq!(met, corners[v as usize], "two fans at vertex {v}");
     }
-    let edges = (next.len() + border.len()) / 2;
+    let edges = (next.len() + boundary.len()) / 2;
     let euler = s.positions.len() as i64 - edges as i64 + s.triangles.len() as i64;
     let mut loops = Vec::new();
-    while let Some(&first) = border.keys().min() {
+    while let Some(&first) = boundary.keys().min() {
         let (mut v, mut length) = (first, 0);
-        while let Some(w) = border.remove(&v) {
+        while let Some(w) = boundary.remove(&v) {
             (v, length) = (w, length + 1);
         }
         assert_eq!(v, first);
@@ -114,18 +117,18 @@ fn check(name: &str, s: &Shape, n: usize, euler: i64, loops: usize) {
             );
         }
     }
-    let border = s.border_normals();
+    let boundary = s.boundary_normals();
     assert!(
-        border
+        boundary
             .iter()
             .all(|(v, m)| !s.free[*v as usize] && *m == s.normals[*v as usize])
     );
-    assert!(border.len() > 5 && s.free_vertices().len() == count);
+    assert!(boundary.len() > 5 && s.free_vertices().len() == count);
 }
 
 type Make = fn(usize, Sampling, usize) -> Shape;
 
-/// Every family with its Euler characteristic and number of border loops.
+/// Every family with its Euler characteristic and number of boundary loops.
 fn families() -> Vec<(&'static str, Make, i64, usize)> {
     vec![
         ("cap", |n, s, o| sphere_cap(60.0, n, s, o), 1, 1),
@@ -370,7 +373,7 @@ fn the_blend_of_three_cylinders() {
     check_blend(&s, 920, 1_746, 32);
     assert!(is_symmetric(&s, third_turn));
     assert!(is_symmetric(&s, |p| [p[0], p[1], -p[2]]) && is_symmetric(&s, |p| [p[0], -p[1], p[2]]));
-    assert_eq!(s.border_normals().len(), 96);
+    assert_eq!(s.boundary_normals().len(), 96);
     assert_eq!(s.flat(), s.positions);
 }
 
@@ -460,7 +463,7 @@ fn sound(name: &str, s: &Shape) {
             assert!(angle.to_degrees() > 5.0, "{name}: {} degrees", angle.to_degrees());
         }
     }
-    for (v, n) in s.border_normals() {
+    for (v, n) in s.boundary_normals() {
         assert!((dot(n, n).sqrt() - 1.0).abs() < 1e-14, "{name}: normal of {v}");
     }
 }

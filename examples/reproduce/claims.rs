@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::io;
 
-use fairmesh::shapes::{Surface, Unduloid};
+use fairmesh_shapes::{Surface, Unduloid};
 
 use crate::measure::{Distance, apart, diagonal, distortion, order, to_mesh};
 use crate::short;
@@ -35,7 +35,7 @@ pub fn section(tool: &Tool) -> io::Result<String> {
     let mut text = String::from(
         "## Convergence to known surfaces\n\n\
         Surfaces of constant mean curvature solve the equation. The interior starts on a wrong surface (flat, straight or pinched),\n\
-        the border normals are exact. Errors are distances of the free vertices to the exact surface over the free part's\n\
+        the boundary normals are exact. Errors are distances of the free vertices to the exact surface over the free part's\n\
         diagonal; the order is that in the edge length, from the coarsest to the finest mesh.\n\n\
         | surface | triangulation | vertices | largest error | rms | order of largest | of rms | iterations | outcome |\n\
         |---|---|---|---|---|---|---|---|---|\n",
@@ -149,7 +149,7 @@ fn claims(tool: &Tool, reproduced: &[Series]) -> io::Result<String> {
     let blends = [coarse?, middle?, fine?, tetra?];
     let all = [
         spheres_and_cylinders(reproduced),
-        extremes_on_the_border(reproduced, &blends),
+        extremes_on_the_boundary(reproduced, &blends),
         g1(&blends),
         coarse_is_close(&blends),
         weights_do_not_matter(tool, &blends[2])?,
@@ -195,13 +195,13 @@ fn spheres_and_cylinders(reproduced: &[Series]) -> Claim {
     }
 }
 
-/// How far the curvature inside exceeds that on the border, over the border's largest.
+/// How far the curvature inside exceeds that on the boundary, over the boundary's largest.
 fn excess(run: &Run) -> f64 {
-    let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_border"));
+    let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_boundary"));
     (high - most).max(least - low).max(0.0) / most.abs().max(least.abs())
 }
 
-fn extremes_on_the_border(reproduced: &[Series], blends: &[(Case, Run)]) -> Claim {
+fn extremes_on_the_boundary(reproduced: &[Series], blends: &[(Case, Run)]) -> Claim {
     let known = reproduced
         .iter()
         .filter(|r| r.kind != "catenoid")
@@ -210,13 +210,13 @@ fn extremes_on_the_border(reproduced: &[Series], blends: &[(Case, Run)]) -> Clai
         .fold(0.0, f64::max);
     let worst = blends.iter().map(|b| excess(&b.1)).fold(0.0, f64::max);
     let [low, high] = blends[2].1.curvature("h_inside");
-    let [least, most] = blends[2].1.curvature("h_border");
+    let [least, most] = blends[2].1.curvature("h_boundary");
     Claim {
-        what: "The extremes of H are on the border (section 3)",
+        what: "The extremes of H are on the boundary (section 3)",
         holds: Some(worst < 1e-6 && known < 1e-6),
         figures: format!(
-            "excess of H inside over H on the border, relative: blends and tetra thing {}, known surfaces {}; blend of 13,308: \
-             {low:.4} to {high:.4} inside, {least:.4} to {most:.4} on the border",
+            "excess of H inside over H on the boundary, relative: blends and tetra thing {}, known surfaces {}; blend of 13,308: \
+             {low:.4} to {high:.4} inside, {least:.4} to {most:.4} on the boundary",
             short(worst),
             short(known)
         ),
@@ -231,7 +231,7 @@ fn g1(blends: &[(Case, Run)]) -> Claim {
     let refined = (blends[2].0.positions.len() as f64 / blends[0].0.positions.len() as f64).sqrt();
     let order = (all[0] / all[2]).ln() / refined.ln();
     Claim {
-        what: "The surface is G1 at the border (sections 1, 7.5)",
+        what: "The surface is G1 at the boundary (sections 1, 7.5)",
         holds: Some(order > 0.8 && all[2] < 2.0),
         figures: format!(
             "angle between the prescribed normals and the mean normal of the triangles there, rms: {} degrees at 118, 920 and 13,308 \
@@ -298,10 +298,10 @@ fn start_does_not_matter(tool: &Tool) -> io::Result<Claim> {
         .map(|run| apart(&runs[0].positions, &run.positions).max)
         .fold(0.0, f64::max);
     Ok(Claim {
-        what: "The surface is defined by the border alone (sections 3, 8)",
+        what: "The surface is defined by the boundary alone (sections 3, 8)",
         holds: Some(worst < 1e-7),
         figures: format!(
-            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {} (the start is made from connectivity and border alone)",
+            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {} (the start is made from connectivity and boundary alone)",
             short(worst)
         ),
     })

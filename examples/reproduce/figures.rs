@@ -102,7 +102,7 @@ fn figures_1_and_2(tool: &Tool) -> io::Result<String> {
     let meshes: Vec<(&Path, &str)> = files.iter().map(PathBuf::as_path).zip(captions).collect();
     let mut arguments = FROM_ABOVE.to_vec();
     arguments.extend(["--shade", "curvature", "--size", "200x175"]);
-    text += "Mean curvature of the intrinsic surfaces, from the triangles alone; on the border of the mesh, where only one side is\n\
+    text += "Mean curvature of the intrinsic surfaces, from the triangles alone; on the boundary of the mesh, where only one side is\n\
         seen, that is poor at 118 vertices:\n\n";
     text += &tool.render("figure2-curvature.png", "Mean curvature", &meshes, &arguments)?;
     text += "\nDistances of the vertices to the surface of 13,308 vertices with uniform weights, linear to linear and intrinsic to\n\
@@ -272,17 +272,17 @@ pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
             numbers from 0, the view as `fairmesh render --view` has it.\n\n";
         return Ok(text);
     }
-    text += "The scans are not part of the project; `--scan NAME MESH FREE-VERTICES VIEW` names them. Border normals are fitted to the\n\
+    text += "The scans are not part of the project; `--scan NAME MESH FREE-VERTICES VIEW` names them. Boundary normals are fitted to the\n\
         surroundings. H is in one over the scan's unit.\n\n";
     let mut rows = String::from(
-        "| scan | weights | free vertices | outcome | iterations | s | smallest angle | H inside | H on the border |\n\
+        "| scan | weights | free vertices | outcome | iterations | s | smallest angle | H inside | H on the boundary |\n\
         |---|---|---|---|---|---|---|---|---|\n",
     );
     for (k, scan) in scans.iter().enumerate() {
         let case = tool.scan(&format!("scan{k}"), &scan.mesh, &scan.free);
         for inner in ["uniform", "conformal"] {
             let run = tool.fair(&case, inner, &["--inner", inner])?;
-            let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_border"));
+            let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_boundary"));
             let _ = writeln!(
                 rows,
                 "| {} | {inner} | {} | {} | {} | {:.3} | {:.1} | {} to {} | {} to {} |",

@@ -74,7 +74,7 @@ fn main() -> io::Result<()> {
             "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N] | measurements",
         ));
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let work = root.join("target/reproduction");
     let tool = Tool::new(arguments.binary, work, root.join("docs/reproduction"))?;
     if arguments.measurements {
@@ -109,7 +109,7 @@ fn head() -> String {
         free-form surface design\", CAGD 18 (2001), made with this program. This file and its pictures are written by\n\n\
         ```sh\n./reproduce.sh\n```\n\n\
         and no measured number in it is typed. Machine of this run: {machine}. Distances are to a surface, over the\n\
-        diagonal of its bounding box. Border normals are the exact ones of the input, but for the scans.\n\n"
+        diagonal of its bounding box. Boundary normals are the exact ones of the input, but for the scans.\n\n"
     )
 }
 
@@ -119,7 +119,7 @@ const TAIL: &str = r#"## What is not the paper's
   triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in Table 1 blends of their
   size.
 - The "improved bilaplacian" of Fig. 7 is another paper's scheme and not there.
-- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the border. The
+- The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the boundary. The
   paper does not say how normals enter its own.
 "#;
 

@@ -6,7 +6,7 @@ use std::fs;
 use std::io;
 use std::ops::RangeInclusive;
 
-use fairmesh::shapes::{Surface, Unduloid};
+use fairmesh_shapes::{Surface, Unduloid};
 use nalgebra::Vector3;
 
 use crate::tool::{Case, Run, Tool};

@@ -25,7 +25,7 @@ pub struct Case {
     pub file: PathBuf,
     /// The file of its free vertices.
     pub free_file: PathBuf,
-    /// The file of its border normals, if they are given.
+    /// The file of its boundary normals, if they are given.
     pub normals_file: Option<PathBuf>,
     /// Positions in the file.
     pub positions: Vec<[f64; 3]>,
@@ -66,7 +66,7 @@ impl Run {
         self.number(&["iterations"]) as usize
     }
 
-    /// The smallest and the largest mean curvature, `inside` or on the `border`.
+    /// The smallest and the largest mean curvature, `inside` or on the `boundary`.
     pub fn curvature(&self, place: &str) -> [f64; 2] {
         let pair = &self.report["quality"][place];
         [0, 1].map(|k| pair[k].as_f64().unwrap_or(f64::NAN))

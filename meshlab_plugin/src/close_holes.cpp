@@ -30,9 +30,9 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
         if (asked.touching_selection && std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return selected[v] != 0; }))
             continue;
         if (loop.kind == FAIRMESH_LOOP_KIND_NON_MANIFOLD)
-            host.warn(text("Warning, the hole at vertex %u is left open: its rim runs into the non-manifold edge (%u, %u).",
+            host.warn(text("Warning, the hole at vertex %u is left open: its boundary runs into the non-manifold edge (%u, %u).",
                            vertices.front(), loop.edge_a, loop.edge_b));
-        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outlines || loop.kind == FAIRMESH_LOOP_KIND_HOLE)) close.push_back(i);
+        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outer_boundaries || loop.kind == FAIRMESH_LOOP_KIND_HOLE)) close.push_back(i);
     }
     return close;
 }
@@ -57,8 +57,8 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
         solve += hole.seconds;
         open += hole.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN;
         unfair += hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && !fair;
-        const auto rim = loops.list(FAIRMESH_LIST_LOOP_VERTICES, hole.loop_index);
-        const std::string which = text("hole of %llu edges at vertex %u", static_cast<unsigned long long>(hole.edge_count), rim.front());
+        const auto boundary = loops.list(FAIRMESH_LIST_LOOP_VERTICES, hole.loop_index);
+        const std::string which = text("hole of %llu edges at vertex %u", static_cast<unsigned long long>(hole.edge_count), boundary.front());
         if (!but.empty()) host.warn("Warning, " + which + ": " + but);
     }
     const int closed = static_cast<int>(info.loop_count) - open;
@@ -91,7 +91,7 @@ void select(CMeshO &mesh, std::size_t count, SelectionAfter wish) {
 Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host) {
     CMeshO &mesh = model.cm;
     const Mask selected = asked.touching_selection ? selected_vertices(mesh, view) : Mask();
-    const auto loops = fairmesh::border_loops(view.mesh());
+    const auto loops = fairmesh::boundary_loops(view.mesh());
     const std::vector<std::uint32_t> close = chosen(loops, selected, asked, host);
     if (close.empty()) {
         host.warn("Warning, no hole was found that is to be closed.");

@@ -17,14 +17,14 @@ fairmesh::progress shown(const Host &host, bool &cancelled) {
 
 namespace {
 
-/** Sets the border normals of the options; `given` keeps the vectors. */
+/** Sets the boundary normals of the options; `given` keeps the vectors. */
 void choose_normals(CMeshO &mesh, FairParameters &asked, Vectors &given) {
     auto &normals = asked.options.normals;
     switch (asked.normals) {
-    case BorderNormals::Fitted: normals.kind = FAIRMESH_NORMALS_KIND_FITTED; return;
-    case BorderNormals::Averaged: normals.kind = FAIRMESH_NORMALS_KIND_AVERAGED; return;
-    case BorderNormals::VertexNormals: given = vertex_normals(mesh); break;
-    case BorderNormals::Attribute: given = attribute_normals(mesh, asked.attribute); break;
+    case BoundaryNormals::Fitted: normals.kind = FAIRMESH_NORMALS_KIND_FITTED; return;
+    case BoundaryNormals::Averaged: normals.kind = FAIRMESH_NORMALS_KIND_AVERAGED; return;
+    case BoundaryNormals::VertexNormals: given = vertex_normals(mesh); break;
+    case BoundaryNormals::Attribute: given = attribute_normals(mesh, asked.attribute); break;
     }
     normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
     normals.vectors = fairmesh::points(given.front().data(), given.size());
@@ -49,7 +49,7 @@ Values fair_selection(MeshModel &model, const MeshView &view, FairParameters ask
     if (asked.curvature_to_quality) curvature = result.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
 
     const Mask moved = write_positions(mesh, positions);
-    update_normals(mesh, moved, asked.normals == BorderNormals::VertexNormals);
+    update_normals(mesh, moved, asked.normals == BoundaryNormals::VertexNormals);
     if (asked.curvature_to_quality) write_quality(model, curvature);
     log_report(report, view, host);
     return values_of(report, view);

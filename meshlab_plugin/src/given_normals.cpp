@@ -57,7 +57,7 @@ Vectors vertex_normals(const CMeshO &mesh) {
 }
 
 Vectors attribute_normals(CMeshO &mesh, const std::string &name) {
-    if (name.empty()) throw Failure("Border normals from an attribute: its name is not given.");
+    if (name.empty()) throw Failure("Boundary normals from an attribute: its name is not given.");
     Vectors normals(mesh.vert.size());
     if (read_vectors<vcg::Point3<float>>(mesh, name, normals) || read_vectors<vcg::Point3<double>>(mesh, name, normals) ||
         read_numbers<float>(mesh, name, normals) || read_numbers<double>(mesh, name, normals))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-/** Border normals that the user gives: the vertex normals of the mesh, or a per-vertex attribute. */
+/** Boundary normals that the user gives: the vertex normals of the mesh, or a per-vertex attribute. */
 #ifndef FAIRMESH_MESHLAB_GIVEN_NORMALS_H
 #define FAIRMESH_MESHLAB_GIVEN_NORMALS_H
 

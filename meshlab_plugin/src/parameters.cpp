@@ -60,13 +60,13 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
 
 void add_fair_parameters(RichParameterList &list) {
     list.addParam(RichEnum(
-        "border_normals", static_cast<int>(BorderNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"}, "Border normals",
-        "The directions that the surface takes at the border of the selection. Fitted: to the unselected surroundings, to "
+        "boundary_normals", static_cast<int>(BoundaryNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"}, "Boundary normals",
+        "The directions that the surface takes at the boundary of the selection. Fitted: to the unselected surroundings, to "
         "second or third order. Averaged: of the unselected triangles. Vertex normals: those that the mesh has, for instance "
         "from its file. Attribute: the custom per-vertex attribute named below. Where a given normal is 0 0 0, it is fitted."));
     list.addParam(
         RichString("normal_attribute", "", "Attribute of normals",
-                   "For border normals 'Attribute' only: the name of a per-vertex attribute of points. In its place three attributes of "
+                   "For boundary normals 'Attribute' only: the name of a per-vertex attribute of points. In its place three attributes of "
                    "numbers will do, whose names end with _x, _y and _z."));
     add_solver_parameters(list);
     list.addParam(
@@ -79,12 +79,12 @@ void add_close_parameters(RichParameterList &list) {
     const fairmesh::fill_options standard;
     list.addParam(RichInt("max_edges", as_int(standard.max_edges), "Edges of a hole, at most", "Holes of more edges stay open."));
     list.addParam(RichBool("touching_selection", false, "Only holes at the selection",
-                           "Closes the holes that have a vertex of a selected face, or a selected vertex, on their rim."));
-    list.addParam(RichBool("outlines", false, "Outlines of open surfaces, too",
-                           "The outline of an open sheet is no hole and stays open, unless this is checked."));
+                           "Closes the holes that have a vertex of a selected face, or a selected vertex, on their boundary."));
+    list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
+                           "The outer boundary of an open sheet is no hole and stays open, unless this is checked."));
     list.addParam(
         RichFloat("density", static_cast<Scalar>(standard.density), "Density",
-                  "How dense new vertices are. At the square root of 2 edges are as long as those beside the rim; at twice that, half as "
+                  "How dense new vertices are. At the square root of 2 edges are as long as those beside the boundary; at twice that, half as "
                   "long. Between 0.1 and 10."));
     list.addParam(RichInt("max_new_vertices", as_int(standard.max_new_vertices), "New vertices, at most",
                           "Larger patches become coarser, and the log says so."));
@@ -95,7 +95,7 @@ void add_close_parameters(RichParameterList &list) {
 
 FairParameters read_fair_parameters(const RichParameterList &list) {
     FairParameters asked;
-    asked.normals = static_cast<BorderNormals>(in_list(list, "border_normals", 4));
+    asked.normals = static_cast<BoundaryNormals>(in_list(list, "boundary_normals", 4));
     asked.attribute = list.getString("normal_attribute").trimmed().toStdString();
     read_solver_parameters(list, asked.options);
     asked.curvature_to_quality = list.getBool("curvature_to_quality");
@@ -106,7 +106,7 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
     CloseParameters asked;
     asked.fill.max_edges = at_least(list, "max_edges", 3);
     asked.touching_selection = list.getBool("touching_selection");
-    asked.outlines = list.getBool("outlines");
+    asked.outer_boundaries = list.getBool("outer_boundaries");
     asked.fill.density = list.getFloat("density");
     asked.fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
     asked.selection = static_cast<SelectionAfter>(in_list(list, "selection_after", 3));

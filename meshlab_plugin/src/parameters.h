@@ -11,15 +11,15 @@
 
 namespace fairmesh_meshlab {
 
-/** Where the normals at the border of the region come from. The numbers are those of the parameter's list. */
-enum class BorderNormals { Fitted, Averaged, VertexNormals, Attribute };
+/** Where the normals at the boundary of the region come from. The numbers are those of the parameter's list. */
+enum class BoundaryNormals { Fitted, Averaged, VertexNormals, Attribute };
 
 /** Which faces are selected after holes were closed. */
 enum class SelectionAfter { OldAndNew, NewOnly, AsBefore };
 
 struct FairParameters {
     fairmesh::options options;
-    BorderNormals normals = BorderNormals::Fitted;
+    BoundaryNormals normals = BoundaryNormals::Fitted;
     std::string attribute;
     bool curvature_to_quality = false;
 };
@@ -28,7 +28,7 @@ struct CloseParameters {
     fairmesh::options options;
     fairmesh::fill_options fill;
     bool touching_selection = false;
-    bool outlines = false;
+    bool outer_boundaries = false;
     SelectionAfter selection = SelectionAfter::OldAndNew;
 };
 

@@ -81,7 +81,7 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
                   fairmesh_outcome_name(report.outcome), static_cast<unsigned long long>(report.free_vertices),
                   static_cast<unsigned long long>(report.iterations), report.step, report.defect));
     host.log(
-        text("Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the border "
+        text("Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the boundary "
              "normals at most %.2f degrees (vertex %llu)",
              report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
              static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
@@ -99,14 +99,14 @@ std::string reservation(const fairmesh_report &report) {
     case FAIRMESH_OUTCOME_CONVERGED_LOOSELY: return report.reason;
     case FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE:
         return text(
-            "no surface with these border normals was found (%.0f %% of the way was possible). The surface of a linear problem with the "
-            "same border was taken, which is not fair.",
+            "no surface with these boundary normals was found (%.0f %% of the way was possible). The surface of a linear problem with the "
+            "same boundary was taken, which is not fair.",
             100 * report.reached);
     case FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE:
         return text("a surface was found for %.0f %% of the target only. The surface of a linear problem was taken, which is not fair.",
                     100 * report.reached);
     case FAIRMESH_OUTCOME_NOT_CONVERGED:
-        return "no sound surface was found. The surface of a linear problem with the same border was taken, which is not fair.";
+        return "no sound surface was found. The surface of a linear problem with the same boundary was taken, which is not fair.";
     case FAIRMESH_OUTCOME_ITERATION_LIMIT: return "the iterations ran out. The best surface so far was taken.";
     default: return "an outcome that this plugin does not know.";
     }
@@ -115,11 +115,11 @@ std::string reservation(const fairmesh_report &report) {
 std::string reservation(const fairmesh_fill_report &report) {
     switch (report.reason) {
     case FAIRMESH_FILL_REASON_NONE: break;
-    case FAIRMESH_FILL_REASON_NON_MANIFOLD: return "left open: its rim runs into a non-manifold edge.";
-    case FAIRMESH_FILL_REASON_OUTER_BORDER: return "left open: it is the outline of an open surface.";
+    case FAIRMESH_FILL_REASON_NON_MANIFOLD: return "left open: its boundary runs into a non-manifold edge.";
+    case FAIRMESH_FILL_REASON_OUTER_BOUNDARY: return "left open: it is the outer boundary of an open surface.";
     case FAIRMESH_FILL_REASON_TOO_MANY_EDGES: return "left open: it has too many edges.";
     case FAIRMESH_FILL_REASON_NO_TRIANGULATION: return "left open: every triangulation has an edge or face that the mesh has already.";
-    case FAIRMESH_FILL_REASON_NOT_FINITE: return "left open: a coordinate of its rim is not a finite number, or all are the same point.";
+    case FAIRMESH_FILL_REASON_NOT_FINITE: return "left open: a coordinate of its boundary is not a finite number, or all are the same point.";
     case FAIRMESH_FILL_REASON_CANCELLED: return "left open: cancelled.";
     case FAIRMESH_FILL_REASON_NO_INNER_VERTEX: return ""; // A small hole: its triangulation is all that there can be.
     case FAIRMESH_FILL_REASON_REFUSED: return text("closed, but not faired: %s.", fairmesh_status_name(report.refused_status));
@@ -138,9 +138,9 @@ std::string explained(const fairmesh::error &error, const MeshView &view) {
     if (!why.empty() && why.back() != '.') why += '.';
     switch (error.status()) {
     case FAIRMESH_STATUS_EMPTY_REGION:
-        return "No vertex may move: a vertex moves if all its faces are selected and it is not on the border of the mesh. Select "
+        return "No vertex may move: a vertex moves if all its faces are selected and it is not on the boundary of the mesh. Select "
                "more faces.";
-    case FAIRMESH_STATUS_NOTHING_FIXED: return why + " Leave a part of it unselected: the surface needs a border.";
+    case FAIRMESH_STATUS_NOTHING_FIXED: return why + " Leave a part of it unselected: the surface needs a boundary.";
     case FAIRMESH_STATUS_NON_MANIFOLD_EDGE:
     case FAIRMESH_STATUS_NON_MANIFOLD_VERTEX: return why + " Select another region, or clean the mesh there (Cleaning and Repairing).";
     case FAIRMESH_STATUS_INCONSISTENT_ORIENTATION: return why + " Apply 'Re-Orient all faces coherently' first.";

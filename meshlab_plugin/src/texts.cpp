@@ -12,22 +12,22 @@ const char PAPER[] = "<br>See:<br><i>Robert Schneider and Leif Kobbelt</i><br>"
 
 const char FAIR[] =
     "Moves the vertices inside the selected faces until the surface between the unselected ones solves &Delta;<sub>B</sub>H = 0: the mean "
-    "curvature H is a harmonic function on the surface. It passes through the border of the selection with the tangent planes of the "
+    "curvature H is a harmonic function on the surface. It passes through the boundary of the selection with the tangent planes of the "
     "surroundings (G<sup>1</sup>), or with given normals. Spheres, cylinders and all surfaces of constant mean curvature are solutions.<br>"
-    "The equation is intrinsic: the shape follows from the border alone, not from what was inside the selection, and hardly from the "
+    "The equation is intrinsic: the shape follows from the boundary alone, not from what was inside the selection, and hardly from the "
     "triangulation.<br><br>"
-    "A vertex moves if all its faces are selected and it is not on the border of the mesh. Connectivity, colours, texture "
+    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. Connectivity, colours, texture "
     "coordinates and the selection stay. To fill a hole smoothly, apply 'Close Holes' first, which leaves the new faces selected, or use "
     "'Close "
     "holes and fair (G1)', which makes better triangles, too.<br>";
 
 const char CLOSE[] =
-    "Closes holes with new triangles as large as those beside the rim, whose vertices lie on a fair surface: the mean curvature is "
+    "Closes holes with new triangles as large as those beside the boundary, whose vertices lie on a fair surface: the mean curvature is "
     "harmonic "
-    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the rim are those of the surroundings (G<sup>1</sup>). A piece that was cut out "
+    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the boundary are those of the surroundings (G<sup>1</sup>). A piece that was cut out "
     "of a "
     "sphere is put back.<br><br>"
-    "New vertices get colours, quality, texture coordinates and attributes interpolated from the rim. Old vertices and faces stay as "
+    "New vertices get colours, quality, texture coordinates and attributes interpolated from the boundary. Old vertices and faces stay as "
     "they are. Islands in a hole are not bridged.<br>";
 
 const char CURVATURE[] =

@@ -52,7 +52,7 @@ def open_sphere(level=5, seed=7):
     return without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] > 0.75)
 
 
-def border_crease(vertices, faces, selected):
+def boundary_crease(vertices, faces, selected):
     """Dihedral angles in degrees along the edges between selected and other faces: (mean, maximum)."""
     corners = vertices[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -68,9 +68,9 @@ def border_crease(vertices, faces, selected):
 
 
 def crease_ratios(vertices, faces, selected):
-    """The crease along the patch border over that of the same triangulation with all vertices on the unit sphere: mean, max."""
+    """The crease along the patch boundary over that of the same triangulation with all vertices on the unit sphere: mean, max."""
     exact = vertices / np.linalg.norm(vertices, axis=1)[:, None]
-    ours, sphere = border_crease(vertices, faces, selected), border_crease(exact, faces, selected)
+    ours, sphere = boundary_crease(vertices, faces, selected), boundary_crease(exact, faces, selected)
     return ours[0] / sphere[0], ours[1] / sphere[1]
 
 
@@ -82,13 +82,13 @@ def strictly_inside(vertex_count, faces, selected):
     return inside
 
 
-def on_border(vertex_count, faces):
+def on_boundary(vertex_count, faces):
     """Vertices with an edge that has one face only."""
     edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     unique, count = np.unique(edges, axis=0, return_counts=True)
-    border = np.zeros(vertex_count, bool)
-    border[unique[count == 1]] = True
-    return border
+    boundary = np.zeros(vertex_count, bool)
+    boundary[unique[count == 1]] = True
+    return boundary
 
 
 SELECTED = 32  # the bit of MeshLab's flags

@@ -22,7 +22,7 @@ SOLVER = {
 }
 PARAMETERS = {
     FAIR: {
-        "border_normals": ("RichEnum", 0, 4),
+        "boundary_normals": ("RichEnum", 0, 4),
         "normal_attribute": ("RichString", ""),
         **SOLVER,
         "curvature_to_quality": ("RichBool", "false"),
@@ -30,7 +30,7 @@ PARAMETERS = {
     CLOSE: {
         "max_edges": ("RichInt", 2147483647),
         "touching_selection": ("RichBool", "false"),
-        "outlines": ("RichBool", "false"),
+        "outer_boundaries": ("RichBool", "false"),
         "density": ("RichFloat", 1.41421356),
         "max_new_vertices": ("RichInt", 200000),
         "selection_after": ("RichEnum", 0, 3),

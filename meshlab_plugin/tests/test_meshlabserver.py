@@ -166,12 +166,12 @@ class Options(Case):
         vertices, faces = meshes.icosphere(4)
         vertices, faces = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.5)
         flat = vertices.copy()
-        flat[~meshes.on_border(len(vertices), faces), 2] = 0.55
+        flat[~meshes.on_boundary(len(vertices), faces), 2] = 0.55
         own = {f"n{'xyz'[axis]}": ("float", 3 * vertices[:, axis]) for axis in range(3)}
         file = FOLDER / "cap.ply"
         meshes.write_ply(file, flat, faces, vertex=own, face=flags(np.ones(len(faces), bool)))
         fitted = meshes.points(self.applied(file, (FAIR, {}))[0])
-        given = meshes.points(self.applied(file, (FAIR, {"border_normals": 2}))[0])
+        given = meshes.points(self.applied(file, (FAIR, {"boundary_normals": 2}))[0])
         self.assertGreater(np.abs(np.linalg.norm(fitted, axis=1) - 1).max(), 0.01)
         self.assertLess(np.abs(np.linalg.norm(given, axis=1) - 1).max(), 1e-5)
 
@@ -268,7 +268,7 @@ class Refused(Case):
         file = self.case(vertices, faces, selected)
         self.refused(file, FAIR, "Parameter tolerance: has to be", tolerance=2)
         self.refused(file, FAIR, "Parameter max_iterations is 0", max_iterations=0)
-        self.refused(file, FAIR, "no per-vertex attribute 'there'", border_normals=3, normal_attribute="there")
+        self.refused(file, FAIR, "no per-vertex attribute 'there'", boundary_normals=3, normal_attribute="there")
         self.refused(file, CLOSE, "Parameter max_edges is 2", max_edges=2)
 
     def test_warning(self):

@@ -132,12 +132,12 @@ class Sphere(Case):
 
     @unless_old
     def test_given_normals(self):
-        # A cap that ends at its rim: nothing but the given normals says that it is a sphere.
+        # A cap that ends at its boundary: nothing but the given normals says that it is a sphere.
         vertices, faces = meshes.icosphere(4)
         vertices, faces = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.5)
         normals = 3 * vertices
         flat = vertices.copy()
-        flat[~meshes.on_border(len(vertices), faces), 2] = 0.55
+        flat[~meshes.on_boundary(len(vertices), faces), 2] = 0.55
 
         # Meshes made from arrays get normals of their own; those of a file are kept.
         file = pathlib.Path(tempfile.mkdtemp()) / "cap.ply"
@@ -163,8 +163,8 @@ class Sphere(Case):
             mesh.add_vertex_custom_point_attribute(normals, "n")
 
         self.assertGreater(worst({}, nothing), 0.01)
-        self.assertLess(worst({"border_normals": "Vertex normals"}, nothing), 1e-6)
-        attribute = {"border_normals": "Attribute", "normal_attribute": "n"}
+        self.assertLess(worst({"boundary_normals": "Vertex normals"}, nothing), 1e-6)
+        attribute = {"boundary_normals": "Attribute", "normal_attribute": "n"}
         self.assertLess(worst(attribute, a_point), 1e-6)
         self.assertLess(worst(attribute, three_numbers), 1e-6)
 
@@ -293,12 +293,12 @@ class Close(Case):
         self.assertEqual(mesh.selected_face_number(), values["new_faces"])
         self.assertLess(mesh.vertex_matrix()[mesh.face_matrix()[mesh.face_selection_array()]][:, :, 2].max(), -0.9)
 
-    def test_outline_stays_open(self):
+    def test_outer_boundary_stays_open(self):
         vertices, faces = meshes.icosphere(3)
         sheet = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.8)
         ms = mesh_set(*sheet)
         self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
-        self.assertEqual(ms.apply_filter(CLOSE, outlines=True)["closed"], 1)
+        self.assertEqual(ms.apply_filter(CLOSE, outer_boundaries=True)["closed"], 1)
 
 
 class Refused(Case):
@@ -385,14 +385,14 @@ class Refused(Case):
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
         self.refused(ms, FAIR, "Parameter target_constant: ", target="Constant", target_constant=float("inf"))
-        self.refused(ms, FAIR, "its name is not given", border_normals="Attribute")
-        self.refused(ms, FAIR, "no per-vertex attribute 'there'", border_normals="Attribute", normal_attribute="there")
+        self.refused(ms, FAIR, "its name is not given", boundary_normals="Attribute")
+        self.refused(ms, FAIR, "no per-vertex attribute 'there'", boundary_normals="Attribute", normal_attribute="there")
         ms = mesh_set(*meshes.open_sphere(3))
         self.refused(ms, CLOSE, "Parameter density: ", density=1000.0)
         self.refused(ms, CLOSE, "max_edges is 2", "at least 3", max_edges=2)
         self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
         ms, _ = dented_sphere()
-        for wrong in ({"inner_fairness": "None such"}, {"border_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
+        for wrong in ({"inner_fairness": "None such"}, {"boundary_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
             with self.assertRaises(WRONG_PARAMETER):
                 ms.apply_filter(FAIR, **wrong)
 
@@ -402,11 +402,11 @@ class Refused(Case):
         mesh = ms.current_mesh()
         normals = mesh.vertex_matrix().copy()
         faces = mesh.face_matrix()[mesh.face_selection_array()]
-        border = int(np.setdiff1d(faces, np.flatnonzero(inside))[0])
-        normals[border] = np.nan
+        boundary = int(np.setdiff1d(faces, np.flatnonzero(inside))[0])
+        normals[boundary] = np.nan
         mesh.add_vertex_custom_point_attribute(normals, "n")
-        words = f"normal given for vertex {border}"
-        self.refused(ms, FAIR, words, border_normals="Attribute", normal_attribute="n")
+        words = f"normal given for vertex {boundary}"
+        self.refused(ms, FAIR, words, boundary_normals="Attribute", normal_attribute="n")
 
 
 class Outcomes(Case):
@@ -415,7 +415,7 @@ class Outcomes(Case):
         ms, _ = dented_sphere()
         mesh = ms.current_mesh()
         mesh.add_vertex_custom_point_attribute(mesh.vertex_matrix() * [-1, -1, 1], "tilted")
-        values = ms.apply_filter(FAIR, border_normals="Attribute", normal_attribute="tilted")
+        values = ms.apply_filter(FAIR, boundary_normals="Attribute", normal_attribute="tilted")
         self.assertEqual((values["outcome"], values["converged"]), (3, False))
         self.assertLess(values["reached"], 1)
         self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())

@@ -4,21 +4,21 @@ use std::sync::Arc;
 
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
-use super::need;
-use super::options::{OptionsIn, Teller};
+use super::memory_bounds;
+use super::options::{OptionsIn, ProgressCallback};
 use super::outputs::*;
 use super::report;
 use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::discrete::mesh_curvature::mean_curvature;
-use crate::fairing::{Progress, Solution, fair, with_threads};
+use fairmesh::mean_curvature;
+use fairmesh::{Progress, Solution, fair};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
 ///
-/// `selection` may be NULL: all vertices that are not on the border of the mesh are free. `options` may be NULL: the
+/// `selection` may be NULL: all vertices that are not on the boundary of the mesh are free. `options` may be NULL: the
 /// defaults. `positions_out` gets all vertices, as many as the mesh has; it may be the mesh's own positions (same address,
 /// stride and scalar), then only free vertices are written. `report` may be NULL. `result`, which may be NULL, gets a handle with
 /// everything else that was found; free it. `positions_out` may be NULL.
@@ -35,49 +35,49 @@ pub extern "C" fn fairmesh_fair(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
         let out = match positions_out.is_null() {
             true => None,
             false => {
                 let out = NumbersOut::points(positions_out, Argument(4))?;
                 out.check_count(mesh.vertices(), Argument(4))?;
-                spans.input(positions_out, size_of::<fairmesh_points_out>());
+                aliases.input(positions_out, size_of::<fairmesh_points_out>());
                 Some(out)
             }
         };
         let in_place = out.as_ref().is_some_and(|out| out.same_as(&mesh.positions));
         if let (Some(out), false) = (&out, in_place) {
-            spans.output(out.array.data, out.array.bytes, Argument(4))?;
+            aliases.output(out.array.data, out.array.bytes, Argument(4))?;
         }
-        let report_out = StructOut::optional(report, Argument(5), &mut spans)?;
+        let report_out = StructOut::optional(report, Argument(5), &mut aliases)?;
         if !result.is_null() {
-            check_slot(result, Argument(6), &mut spans)?;
+            check_slot(result, Argument(6), &mut aliases)?;
         }
-        spans.error(error, Argument(7))?;
+        aliases.error(error, Argument(7))?;
 
         let selected = selection.read(&mesh)?;
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = need::reserve(need::of_fairing(&mesh, &selected, asked.threads)?)?;
-        let teller = asked.teller.fresh();
+        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, asked.threads)?)?;
+        let callback = asked.callback.fresh();
         point();
         let solution = {
-            let mut tell = |progress: &Progress| teller.tell(progress);
+            let mut tell = |progress: &Progress| callback.tell(progress);
             let options = asked.options(&normals, Some(&mut tell));
             fair(&positions, &triangles, selected.selection(), options)?
         };
         drop((positions, triangles));
-        teller.memory()?;
+        callback.memory()?;
         if let Some(out) = &out {
             out.check_range(solution.positions.iter().copied().enumerate())?;
         }
         let content = Arc::new(Content::Faired(solution));
         if !result.is_null() {
-            publish(content.clone(), result, &teller)?;
+            publish(content.clone(), result, &callback)?;
         }
         if let (Some(out), Content::Faired(solution)) = (&out, &*content) {
             write_positions(out, solution, in_place);
@@ -111,20 +111,19 @@ pub extern "C" fn fairmesh_mean_curvature(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let out = NumbersOut::scalars(out, Argument(2))?;
         out.check_count(mesh.vertices(), Argument(2))?;
-        spans.output(out.array.data, out.array.bytes, Argument(2))?;
-        spans.error(error, Argument(3))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
+        aliases.error(error, Argument(3))?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = need::reserve(need::of_whole_mesh(&mesh, 0))?;
-        let teller = Teller::new(None, core::ptr::null_mut());
+        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
+        let callback = ProgressCallback::new(None, core::ptr::null_mut());
         point();
-        // Not on the global pool, whose threads would outlive the library.
-        let curvature = with_threads(0, |pool| pool.install(|| mean_curvature(&positions, &triangles)))??;
-        teller.memory()?;
+        let curvature = mean_curvature(&positions, &triangles)?;
+        callback.memory()?;
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
         Ok(())

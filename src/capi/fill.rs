@@ -1,4 +1,4 @@
-//! Border loops, hole filling, remeshing.
+//! Boundary loops, hole filling, remeshing.
 
 use core::mem::offset_of;
 use std::sync::Arc;
@@ -6,47 +6,47 @@ use std::sync::Arc;
 use super::about::{default_fill_options, default_remesh_options};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
-use super::need;
-use super::options::{OptionsIn, Teller};
+use super::memory_bounds;
+use super::options::{OptionsIn, ProgressCallback};
 use super::outputs::*;
 use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::fairing::Progress;
-use crate::holes::{
-    BorderLoop, FillOptions, LoopKind, Loops, RemeshOptions, border_loops, fill_holes, remesh_region,
+use fairmesh::Progress;
+use fairmesh::{
+    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops, fill_holes, remesh_region,
 };
 
 use fairmesh_status as Status;
 
-/// Finds the border loops of a mesh: holes and outer borders. `result` gets a handle; free it.
+/// Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_border_loops(
+pub extern "C" fn fairmesh_boundary_loops(
     mesh: *const fairmesh_mesh,
     result: *mut *mut fairmesh_result,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
-        check_slot(result, Argument(2), &mut spans)?;
-        spans.error(error, Argument(3))?;
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        check_slot(result, Argument(2), &mut aliases)?;
+        aliases.error(error, Argument(3))?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = need::reserve(need::of_whole_mesh(&mesh, 1))?;
-        let teller = Teller::new(None, core::ptr::null_mut());
+        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
+        let callback = ProgressCallback::new(None, core::ptr::null_mut());
         point();
-        let loops = border_loops(&positions, &triangles)?;
-        publish(Arc::new(Content::Loops(loops)), result, &teller)
+        let loops = boundary_loops(&positions, &triangles)?;
+        publish(Arc::new(Content::Loops(loops)), result, &callback)
     })
 }
 
 /// Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
 /// ones follow. A loop that cannot be filled says so in its report and does not affect the others.
 ///
-/// `fill` may be NULL: all holes, edges as long as those beside the rims. `options` may be NULL: the defaults of the fairing;
-/// given normals are those of rim vertices. `result` gets a handle; free it.
+/// `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
+/// given normals are those of boundary vertices. `result` gets a handle; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_fill_holes(
     mesh: *const fairmesh_mesh,
@@ -56,8 +56,8 @@ pub extern "C" fn fairmesh_fill_holes(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let fill_view = if fill.is_null() {
             default_fill_options()
         } else {
@@ -72,34 +72,34 @@ pub extern "C" fn fairmesh_fill_holes(
             1,
             Argument(2).field(offset_of!(fairmesh_fill_options, loops)),
         )?;
-        spans.input(
+        aliases.input(
             fill,
             size_of::<fairmesh_fill_options>() * usize::from(!fill.is_null()),
         );
-        spans.input(named.data, named.bytes);
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
-        check_slot(result, Argument(4), &mut spans)?;
-        spans.error(error, Argument(5))?;
+        aliases.input(named.data, named.bytes);
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
+        check_slot(result, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
 
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let mut numbers: Vec<usize> = room(named.count)?;
+        let mut numbers: Vec<usize> = try_with_capacity(named.count)?;
         numbers.extend((0..named.count).map(|k| named.index::<1>(k)[0] as usize));
         let most = count(fill_view.max_new_vertices);
-        let teller = asked.teller.fresh();
+        let callback = asked.callback.fresh();
         let (new_vertices, longest) = {
-            let _reserve = need::reserve(need::of_whole_mesh(&mesh, 1))?;
-            let loops = border_loops(&positions, &triangles)?;
-            teller.memory()?;
+            let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
+            let loops = boundary_loops(&positions, &triangles)?;
+            callback.memory()?;
             size_of_patches(&loops, &numbers, &fill_view)?
         };
         let new_vertices = new_vertices.min(most).saturating_add(1000);
-        let bytes = need::of_filling(&mesh, new_vertices, longest, asked.threads);
-        let _reserve = need::reserve(bytes)?;
+        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, asked.threads);
+        let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let filled = {
-            let mut tell = |progress: &Progress| teller.tell(progress);
+            let mut tell = |progress: &Progress| callback.tell(progress);
             let asked = FillOptions {
                 loops: if named.count > 0 {
                     Loops::Chosen(&numbers)
@@ -113,13 +113,13 @@ pub extern "C" fn fairmesh_fill_holes(
             };
             fill_holes(&positions, &triangles, asked)?
         };
-        teller.memory()?;
+        callback.memory()?;
         let content = Content::Filled {
             filled,
             vertices: positions.len(),
             triangles: triangles.len(),
         };
-        publish(Arc::new(content), result, &teller)
+        publish(Arc::new(content), result, &callback)
     })
 }
 
@@ -129,10 +129,10 @@ fn count(n: u64) -> usize {
 
 /// About how many vertices the patches will have that are asked for, and how many edges the longest loop.
 fn size_of_patches(
-    loops: &[BorderLoop],
+    loops: &[BoundaryLoop],
     named: &[usize],
     asked: &fairmesh_fill_options,
-) -> Outcome<(usize, usize)> {
+) -> CallResult<(usize, usize)> {
     if let Some(&missing) = named.iter().find(|&&l| l >= loops.len()) {
         let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
         let failure = Failure::new(Status::SelectionOutOfRange, why);
@@ -152,7 +152,7 @@ fn size_of_patches(
     Ok((new as usize, edges.max().unwrap_or(0)))
 }
 
-fn check_density(density: f64, place: Place) -> Outcome {
+fn check_density(density: f64, place: FieldPath) -> CallResult {
     if (0.1..=10.0).contains(&density) {
         return Ok(());
     }
@@ -170,9 +170,9 @@ pub extern "C" fn fairmesh_remesh(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
         let view = if options.is_null() {
             default_remesh_options()
         } else {
@@ -186,24 +186,24 @@ pub extern "C" fn fairmesh_remesh(
             view.density,
             Argument(3).field(offset_of!(fairmesh_remesh_options, density)),
         )?;
-        spans.input(
+        aliases.input(
             options,
             size_of::<fairmesh_remesh_options>() * usize::from(!options.is_null()),
         );
-        check_slot(result, Argument(4), &mut spans)?;
-        spans.error(error, Argument(5))?;
+        check_slot(result, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
         let selected = selection.read(&mesh)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
         let most = count(view.max_vertices);
-        let _reserve = need::reserve(need::of_remeshing(&mesh, &selected, most)?)?;
-        let teller = Teller::new(None, core::ptr::null_mut());
+        let _reserve = memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, most)?)?;
+        let callback = ProgressCallback::new(None, core::ptr::null_mut());
         point();
         let asked = RemeshOptions {
             density: view.density,
             max_vertices: most,
         };
         let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
-        publish(Arc::new(Content::Remeshed(remeshed)), result, &teller)
+        publish(Arc::new(Content::Remeshed(remeshed)), result, &callback)
     })
 }

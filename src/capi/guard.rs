@@ -3,11 +3,11 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::memory;
-use super::status::{Failure, Outcome, fairmesh_error, fairmesh_status};
+use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status};
 use super::views::aligned;
 
 /// Runs an exported function.
-pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> Outcome) -> fairmesh_status {
+pub(crate) fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
     // Without it there is no place to say more than the status.
     if !aligned(error, align_of::<fairmesh_error>()) {
         return fairmesh_status::Misaligned;
@@ -31,8 +31,8 @@ pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> Outcome) -> fa
 }
 
 /// Where a test lets a call panic: after its handle was taken, before its work.
-pub fn point() {
-    #[cfg(feature = "capi-hooks")]
+pub(crate) fn point() {
+    #[cfg(feature = "hooks")]
     super::hooks::panic_if_asked();
 }
 

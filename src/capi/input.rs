@@ -3,22 +3,26 @@
 use core::mem::offset_of;
 use std::borrow::Cow;
 
-use super::status::{Failure, Outcome, fairmesh_element, fairmesh_status as Status};
+use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::types::*;
 use super::views::{
-    Argument, Array, Place, PointsIn, Spans, check_count, check_reserved, entries, indices_in, read_struct,
-    room,
+    AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_reserved, entries, indices_in,
+    read_struct, try_with_capacity,
 };
-use crate::fairing::{BorderNormals, Selection};
+use fairmesh::{BoundaryNormals, Selection};
 
 /// A mesh, checked but not read.
-pub struct MeshIn {
+pub(crate) struct MeshIn {
     pub positions: PointsIn,
     pub triangles: Array,
 }
 
 impl MeshIn {
-    pub fn new(mesh: *const fairmesh_mesh, argument: Argument, spans: &mut Spans) -> Outcome<Self> {
+    pub(crate) fn new(
+        mesh: *const fairmesh_mesh,
+        argument: Argument,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
         let view = read_struct(mesh, argument)?;
         check_reserved(view.reserved, argument.field(offset_of!(fairmesh_mesh, reserved)))?;
         let positions = PointsIn::new(
@@ -39,37 +43,37 @@ impl MeshIn {
                 return Err(Failure::new(Status::TooLarge, why));
             }
         }
-        spans.input(mesh, size_of::<fairmesh_mesh>());
-        spans.input(positions.array.data, positions.array.bytes);
-        spans.input(triangles.data, triangles.bytes);
+        aliases.input(mesh, size_of::<fairmesh_mesh>());
+        aliases.input(positions.array.data, positions.array.bytes);
+        aliases.input(triangles.data, triangles.bytes);
         Ok(Self { positions, triangles })
     }
 
-    pub fn vertices(&self) -> usize {
+    pub(crate) fn vertices(&self) -> usize {
         self.positions.array.count
     }
 }
 
 /// A selection in the caller's memory.
-pub struct SelectionIn {
+pub(crate) struct SelectionIn {
     kind: fairmesh_selection_kind,
     array: Array,
 }
 
 /// A selection as the library takes it.
-pub enum Selected {
+pub(crate) enum Selected {
     Mask(Vec<bool>),
     Vertices(Cow<'static, [[u32; 1]]>),
     Faces(Vec<u32>),
 }
 
 impl SelectionIn {
-    pub fn new(
+    pub(crate) fn new(
         selection: *const fairmesh_selection,
         argument: Argument,
         mesh: &MeshIn,
-        spans: &mut Spans,
-    ) -> Outcome<Self> {
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
         use fairmesh_selection_kind as Kind;
         let nothing = Array {
             data: core::ptr::null_mut(),
@@ -110,23 +114,23 @@ impl SelectionIn {
             }
             Kind::FreeVertices | Kind::Faces => entries(&view, 4, argument)?,
         };
-        spans.input(selection, size_of::<fairmesh_selection>());
-        spans.input(array.data, array.bytes);
+        aliases.input(selection, size_of::<fairmesh_selection>());
+        aliases.input(array.data, array.bytes);
         Ok(Self { kind, array })
     }
 
-    pub fn read(&self, mesh: &MeshIn) -> Outcome<Selected> {
+    pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<Selected> {
         use fairmesh_selection_kind as Kind;
         let array = &self.array;
         Ok(match self.kind {
             Kind::Interior => {
-                let mut faces = room(mesh.triangles.count)?;
+                let mut faces = try_with_capacity(mesh.triangles.count)?;
                 faces.extend(0..mesh.triangles.count as u32);
                 Selected::Faces(faces)
             }
             Kind::FreeMask | Kind::FixedMask => {
                 let free = self.kind == Kind::FreeMask;
-                let mut mask = room(array.count)?;
+                let mut mask = try_with_capacity(array.count)?;
                 mask.extend((0..array.count).map(|k| (array.byte(k) != 0) == free));
                 Selected::Mask(mask)
             }
@@ -136,7 +140,7 @@ impl SelectionIn {
                 Selected::Vertices(list)
             }
             Kind::Faces => {
-                let mut faces = room(array.count)?;
+                let mut faces = try_with_capacity(array.count)?;
                 faces.extend((0..array.count).map(|k| array.index::<1>(k)[0]));
                 Self::check(faces.iter(), mesh.triangles.count, fairmesh_element::Triangle)?;
                 Selected::Faces(faces)
@@ -144,7 +148,7 @@ impl SelectionIn {
         })
     }
 
-    fn check<'a>(list: impl Iterator<Item = &'a u32>, count: usize, kind: fairmesh_element) -> Outcome {
+    fn check<'a>(list: impl Iterator<Item = &'a u32>, count: usize, kind: fairmesh_element) -> CallResult {
         for &index in list {
             if index as usize >= count {
                 let why = format_args!("the selection names element {index}, but there are only {count}");
@@ -156,7 +160,7 @@ impl SelectionIn {
 }
 
 impl Selected {
-    pub fn selection(&self) -> Selection<'_> {
+    pub(crate) fn selection(&self) -> Selection<'_> {
         match self {
             Self::Mask(mask) => Selection::Mask(mask),
             Self::Vertices(list) => Selection::Vertices(list.as_flattened()),
@@ -165,8 +169,8 @@ impl Selected {
     }
 
     /// Marks the vertices that may turn out to be free.
-    pub fn candidates(&self, mesh: &MeshIn) -> Outcome<Vec<bool>> {
-        let mut marked = room(mesh.vertices())?;
+    pub(crate) fn candidates(&self, mesh: &MeshIn) -> CallResult<Vec<bool>> {
+        let mut marked = try_with_capacity(mesh.vertices())?;
         match self {
             Self::Mask(mask) => marked.extend_from_slice(mask),
             Self::Vertices(list) => {
@@ -187,22 +191,27 @@ impl Selected {
     }
 }
 
-/// Border normals, checked but not read.
-pub struct NormalsIn {
+/// Boundary normals, checked but not read.
+pub(crate) struct NormalsIn {
     kind: fairmesh_normals_kind,
     vectors: Option<PointsIn>,
     vertices: Array,
 }
 
-/// Border normals as the library takes them.
-pub enum NormalsRead {
+/// Boundary normals as the library takes them.
+pub(crate) enum NormalsRead {
     Fitted,
     Averaged,
     Given(Vec<(u32, [f64; 3])>),
 }
 
 impl NormalsIn {
-    pub fn new(view: &fairmesh_normals, base: Place, vertices: usize, spans: &mut Spans) -> Outcome<Self> {
+    pub(crate) fn new(
+        view: &fairmesh_normals,
+        base: FieldPath,
+        vertices: usize,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
         use fairmesh_normals_kind as Kind;
         check_reserved(view.reserved, base.plus(offset_of!(fairmesh_normals, reserved)))?;
         let kind = match view.kind {
@@ -241,8 +250,8 @@ impl NormalsIn {
             wanted,
             base.plus(at + offset_of!(fairmesh_points, count)),
         )?;
-        spans.input(vectors.array.data, vectors.array.bytes);
-        spans.input(list.data, list.bytes);
+        aliases.input(vectors.array.data, vectors.array.bytes);
+        aliases.input(list.data, list.bytes);
         Ok(Self {
             kind,
             vectors: Some(vectors),
@@ -250,7 +259,7 @@ impl NormalsIn {
         })
     }
 
-    pub fn read(&self, vertices: usize) -> Outcome<NormalsRead> {
+    pub(crate) fn read(&self, vertices: usize) -> CallResult<NormalsRead> {
         let Some(vectors) = &self.vectors else {
             return Ok(match self.kind {
                 fairmesh_normals_kind::Averaged => NormalsRead::Averaged,
@@ -260,7 +269,7 @@ impl NormalsIn {
         let listed = !self.vertices.data.is_null();
         let count = vectors.array.count;
         let is_given = |n: &[f64; 3]| listed || *n != [0.0; 3];
-        let mut given = room((0..count).filter(|&k| is_given(&vectors.get(k))).count())?;
+        let mut given = try_with_capacity((0..count).filter(|&k| is_given(&vectors.get(k))).count())?;
         for k in 0..count {
             let n = vectors.get(k);
             let vertex = if listed {
@@ -283,11 +292,11 @@ impl NormalsIn {
 }
 
 impl NormalsRead {
-    pub fn normals(&self) -> BorderNormals<'_> {
+    pub(crate) fn normals(&self) -> BoundaryNormals<'_> {
         match self {
-            Self::Fitted => BorderNormals::Fitted,
-            Self::Averaged => BorderNormals::Averaged,
-            Self::Given(list) => BorderNormals::Given(list),
+            Self::Fitted => BoundaryNormals::Fitted,
+            Self::Averaged => BoundaryNormals::Averaged,
+            Self::Given(list) => BoundaryNormals::Given(list),
         }
     }
 }

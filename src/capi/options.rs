@@ -6,15 +6,13 @@ use std::ops::ControlFlow;
 
 use super::input::{NormalsIn, NormalsRead};
 use super::memory;
-use super::status::{Failure, Outcome, Text, fairmesh_status as Status};
+use super::status::{CallResult, Failure, Text, fairmesh_status as Status};
 use super::types::*;
-use super::views::{Argument, Place, Spans, check_reserved, read_struct};
-use crate::fairing::{
-    Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target, Watcher,
-};
-use crate::paper::{Estimate, PaperOptions};
+use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
+use fairmesh::{Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target, Watcher};
+use fairmesh::{Estimate, PaperOptions};
 
-pub fn target(view: &fairmesh_target, base: Place) -> Outcome<Target> {
+pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
     check_reserved(view.reserved, base.plus(offset_of!(fairmesh_target, reserved)))?;
     match view.kind {
         0 => Ok(Target::Harmonic),
@@ -35,9 +33,9 @@ pub fn target(view: &fairmesh_target, base: Place) -> Outcome<Target> {
 }
 
 /// Options, checked; arrays in them not read.
-pub struct OptionsIn {
+pub(crate) struct OptionsIn {
     pub normals: NormalsIn,
-    pub teller: Teller,
+    pub callback: ProgressCallback,
     target: Target,
     interior: InteriorNormals,
     inner: InnerFairness,
@@ -49,7 +47,7 @@ pub struct OptionsIn {
 }
 
 /// The library's defaults, which are the C interface's.
-pub fn default_options() -> fairmesh_options {
+pub(crate) fn default_options() -> fairmesh_options {
     let (options, paper) = (Options::default(), PaperOptions::default());
     let no_points = fairmesh_points {
         data: core::ptr::null(),
@@ -115,12 +113,12 @@ macro_rules! choose {
 }
 
 impl OptionsIn {
-    pub fn new(
+    pub(crate) fn new(
         options: *const fairmesh_options,
         argument: Argument,
         vertices: usize,
-        spans: &mut Spans,
-    ) -> Outcome<Self> {
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
         let view = if options.is_null() {
             default_options()
         } else {
@@ -133,7 +131,7 @@ impl OptionsIn {
             &view.normals,
             at(offset_of!(fairmesh_options, normals)),
             vertices,
-            spans,
+            aliases,
         )?;
         let target = target(&view.target, at(offset_of!(fairmesh_options, target)))?;
         let interior = choose!(view, interior_normals, argument, "fairmesh_interior_normals",
@@ -160,13 +158,13 @@ impl OptionsIn {
         } else {
             Solver::Fast
         };
-        spans.input(
+        aliases.input(
             options,
             size_of::<fairmesh_options>() * usize::from(!options.is_null()),
         );
         Ok(Self {
             normals,
-            teller: Teller::new(view.progress, view.user_data),
+            callback: ProgressCallback::new(view.progress, view.user_data),
             target,
             interior,
             inner,
@@ -178,7 +176,7 @@ impl OptionsIn {
         })
     }
 
-    fn paper(view: &fairmesh_options, argument: Argument) -> Outcome<PaperOptions> {
+    fn paper(view: &fairmesh_options, argument: Argument) -> CallResult<PaperOptions> {
         let refuse = |offset, what: &str| {
             let place = argument.field(offset);
             Err(place.refuse(Status::BadOption, format_args!("has to be {what}")))
@@ -221,7 +219,7 @@ impl OptionsIn {
         })
     }
 
-    pub fn options<'a>(
+    pub(crate) fn options<'a>(
         &self,
         normals: &'a NormalsRead,
         progress: Option<&'a mut Watcher<'a>>,
@@ -243,19 +241,19 @@ impl OptionsIn {
 
 /// The callback, and the watch on the memory.
 #[derive(Clone, Copy)]
-pub struct Teller {
+pub(crate) struct ProgressCallback {
     progress: fairmesh_progress_fn,
     user_data: *mut c_void,
     failures: usize,
 }
 
 // SAFETY: the pointer is only handed back to the caller's function, on the thread that makes the call.
-unsafe impl Send for Teller {}
+unsafe impl Send for ProgressCallback {}
 // SAFETY: as above.
-unsafe impl Sync for Teller {}
+unsafe impl Sync for ProgressCallback {}
 
-impl Teller {
-    pub fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
+impl ProgressCallback {
+    pub(crate) fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
         Self {
             progress,
             user_data,
@@ -264,12 +262,12 @@ impl Teller {
     }
 
     /// The watch begins now.
-    pub fn fresh(&self) -> Self {
+    pub(crate) fn fresh(&self) -> Self {
         Self::new(self.progress, self.user_data)
     }
 
     /// Passes a message on; stops when memory has run out.
-    pub fn tell(&self, progress: &Progress) -> ControlFlow<()> {
+    pub(crate) fn tell(&self, progress: &Progress) -> ControlFlow<()> {
         if memory::failures() != self.failures {
             return ControlFlow::Break(());
         }
@@ -295,7 +293,7 @@ impl Teller {
     }
 
     /// An error if memory has run out since this was made.
-    pub fn memory(&self) -> Outcome {
+    pub(crate) fn memory(&self) -> CallResult {
         if memory::failures() == self.failures {
             Ok(())
         } else {

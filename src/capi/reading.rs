@@ -2,7 +2,7 @@
 
 use super::guard::{guarded, point};
 use super::handles;
-use super::need;
+use super::memory_bounds;
 use super::outputs::*;
 use super::report;
 use super::results::Content;
@@ -19,9 +19,9 @@ pub extern "C" fn fairmesh_result_info(
     info: *mut fairmesh_info,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
-        let out = StructOut::new(info, Argument(2), spans)?;
-        spans.error(error, Argument(3))?;
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(info, Argument(2), aliases)?;
+        aliases.error(error, Argument(3))?;
         out.write(&content.info());
         Ok(())
     })
@@ -35,9 +35,9 @@ pub extern "C" fn fairmesh_result_report(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
-        let out = StructOut::new(report, Argument(3), spans)?;
-        spans.error(error, Argument(4))?;
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(report, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
         out.write(&report::report(content.report(index)?));
         Ok(())
     })
@@ -51,26 +51,26 @@ pub extern "C" fn fairmesh_result_level(
     level: *mut fairmesh_level,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
-        let out = StructOut::new(level, Argument(3), spans)?;
-        spans.error(error, Argument(4))?;
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(level, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
         out.write(&content.level(index)?);
         Ok(())
     })
 }
 
-/// One of the border loops.
+/// One of the boundary loops.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_loop(
     result: *const fairmesh_result,
     index: u64,
-    border_loop: *mut fairmesh_loop,
+    boundary_loop: *mut fairmesh_loop,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
-        let out = StructOut::new(border_loop, Argument(3), spans)?;
-        spans.error(error, Argument(4))?;
-        out.write(&content.border_loop(index)?);
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(boundary_loop, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
+        out.write(&content.boundary_loop(index)?);
         Ok(())
     })
 }
@@ -83,9 +83,9 @@ pub extern "C" fn fairmesh_result_fill_report(
     report: *mut fairmesh_fill_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
-        let out = StructOut::new(report, Argument(3), spans)?;
-        spans.error(error, Argument(4))?;
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(report, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
         out.write(&content.filled_loop(index)?);
         Ok(())
     })
@@ -98,10 +98,10 @@ pub extern "C" fn fairmesh_result_positions(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
+    read_result(result, error, |content, aliases| {
         let out = NumbersOut::points(out, Argument(2))?;
-        spans.output(out.array.data, out.array.bytes, Argument(2))?;
-        spans.error(error, Argument(3))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
+        aliases.error(error, Argument(3))?;
         put_positions(&out, content.positions()?, Argument(2))
     })
 }
@@ -113,10 +113,10 @@ pub extern "C" fn fairmesh_result_triangles(
     out: *const fairmesh_indices_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
+    read_result(result, error, |content, aliases| {
         let out = TrianglesOut::new(out, Argument(2))?;
-        spans.output(out.0.data, out.0.bytes, Argument(2))?;
-        spans.error(error, Argument(3))?;
+        aliases.output(out.0.data, out.0.bytes, Argument(2))?;
+        aliases.error(error, Argument(3))?;
         let triangles = content.triangles()?;
         check_count(
             out.0.count,
@@ -136,10 +136,10 @@ pub extern "C" fn fairmesh_result_scalars(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
+    read_result(result, error, |content, aliases| {
         let out = NumbersOut::scalars(out, Argument(3))?;
-        spans.output(out.array.data, out.array.bytes, Argument(3))?;
-        spans.error(error, Argument(4))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(3))?;
+        aliases.error(error, Argument(4))?;
         let (values, vertices) = content.scalars(which)?;
         put_scalars(&out, values, vertices, Argument(3))
     })
@@ -153,10 +153,10 @@ pub extern "C" fn fairmesh_result_vectors(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
+    read_result(result, error, |content, aliases| {
         let out = NumbersOut::points(out, Argument(3))?;
-        spans.output(out.array.data, out.array.bytes, Argument(3))?;
-        spans.error(error, Argument(4))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(3))?;
+        aliases.error(error, Argument(4))?;
         let (count, vector) = content.vectors(which)?;
         out.check_count(count, Argument(3))?;
         (0..count).for_each(|k| out.set(k, vector(k)));
@@ -176,12 +176,12 @@ pub extern "C" fn fairmesh_result_list(
     size: *mut usize,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    read_result(result, error, |content, spans| {
+    read_result(result, error, |content, aliases| {
         let out = list_out(out, capacity)?;
         check_pointer(size, Argument(6))?;
-        spans.output(out.data, out.bytes, Argument(4))?;
-        spans.output(size.cast(), size_of::<usize>(), Argument(6))?;
-        spans.error(error, Argument(7))?;
+        aliases.output(out.data, out.bytes, Argument(4))?;
+        aliases.output(size.cast(), size_of::<usize>(), Argument(6))?;
+        aliases.error(error, Argument(7))?;
         let (count, entry) = content.list(which, index)?;
         if !out.data.is_null() && count > capacity {
             write(size, count);
@@ -212,12 +212,12 @@ pub extern "C" fn fairmesh_result_free(result: *mut fairmesh_result) -> fairmesh
 fn read_result(
     result: *const fairmesh_result,
     error: *mut fairmesh_error,
-    body: impl FnOnce(&Content, &mut Spans) -> Outcome,
+    body: impl FnOnce(&Content, &mut AliasCheck) -> CallResult,
 ) -> fairmesh_status {
     guarded(error, || {
         let content = handles::get::<_, Content>(result, Argument(1))?;
-        let _reserve = need::reserve(need::STANDING)?;
+        let _reserve = memory_bounds::reserve(memory_bounds::STANDING)?;
         point();
-        body(&content, &mut Spans::new())
+        body(&content, &mut AliasCheck::new())
     })
 }

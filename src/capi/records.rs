@@ -12,7 +12,7 @@ pub enum fairmesh_outcome {
     ConvergedPoorTriangles = 1,
     /// A sound surface with a reservation, told in `reason`.
     ConvergedLoosely = 2,
-    /// No surface with these border normals was found; the surface of the linear problem is returned. `reached` of the
+    /// No surface with these boundary normals was found; the surface of the linear problem is returned. `reached` of the
     /// way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
     NormalsNotReachable = 3,
     /// A surface was found for the part `reached` of the target only; that of the linear problem is returned.
@@ -43,7 +43,7 @@ pub struct fairmesh_report {
     pub step: f64,
     /// The diagonal of the region's bounding box, in the unit of the positions.
     pub diagonal: f64,
-    /// How much of the border normals or the target was reached, 0 to 1; 1 where all of it.
+    /// How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
     pub reached: f64,
     /// Free vertices.
     pub free_vertices: u64,
@@ -69,9 +69,9 @@ pub struct fairmesh_report {
     pub worst_triangle: u64,
     /// The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
     pub h_inside: [f64; 2],
-    /// The same at border vertices.
-    pub h_border: [f64; 2],
-    /// The largest angle, in degrees, between a border normal and the triangles of the region there, and the vertex.
+    /// The same at boundary vertices.
+    pub h_boundary: [f64; 2],
+    /// The largest angle, in degrees, between a boundary normal and the triangles of the region there, and the vertex.
     pub normal_deviation: f64,
     /// See above.
     pub normal_deviation_vertex: u64,
@@ -99,7 +99,7 @@ pub struct fairmesh_level {
     pub struct_size: u32,
     /// Zero.
     pub reserved: u32,
-    /// Vertices of the region: free and border.
+    /// Vertices of the region: free and boundary.
     pub vertices: u64,
     /// Triangles of the region.
     pub triangles: u64,
@@ -109,21 +109,21 @@ pub struct fairmesh_level {
     pub defect: f64,
 }
 
-/// What kind of gap a border loop is.
+/// What kind of gap a boundary loop is.
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum fairmesh_loop_kind {
     /// A gap in the surface.
     Hole = 0,
-    /// The outline of an open surface. Filled only if it is named.
-    OuterBorder = 1,
+    /// The outer boundary of an open surface. Filled only if it is named.
+    OuterBoundary = 1,
     /// It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
     NonManifold = 2,
     /// A kind that this version of the header does not know.
     Other = 255,
 }
 
-/// A border loop. Set `struct_size` before the call.
+/// A boundary loop. Set `struct_size` before the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_loop {
@@ -140,7 +140,7 @@ pub struct fairmesh_loop {
     /// The length of the vector area.
     pub area: f64,
     /// The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90 for
-    /// the end of a tube, 180 for the outline of a plane sheet.
+    /// the end of a tube, 180 for the outer boundary of a plane sheet.
     pub turn: f64,
     /// The bad edge of a non-manifold loop, otherwise UINT32_MAX.
     pub edge_a: u32,
@@ -173,7 +173,7 @@ pub enum fairmesh_fill_reason {
     /// Open: the loop runs into a bad edge.
     NonManifold = 1,
     /// Open: the loop encloses the mesh and was not named.
-    OuterBorder = 2,
+    OuterBoundary = 2,
     /// Open: the loop has more than `max_edges`.
     TooManyEdges = 3,
     /// Open: every triangulation has an edge or triangle that the mesh has already.
@@ -206,7 +206,7 @@ pub struct fairmesh_fill_report {
     pub reason: u32,
     /// The `fairmesh_status` that the fairing was refused with, or OK.
     pub refused_status: i32,
-    /// The loop, as `fairmesh_border_loops` numbers it.
+    /// The loop, as `fairmesh_boundary_loops` numbers it.
     pub loop_index: u64,
     /// Its edges.
     pub edge_count: u64,
@@ -236,7 +236,7 @@ pub struct fairmesh_fill_report {
 pub enum fairmesh_result_kind {
     /// A faired mesh.
     Faired = 0,
-    /// Border loops.
+    /// Boundary loops.
     Loops = 1,
     /// A mesh with filled holes.
     Filled = 2,
@@ -262,8 +262,8 @@ pub struct fairmesh_info {
     pub new_triangle_count: u64,
     /// Loops found, or filled.
     pub loop_count: u64,
-    /// Border vertices with their normals, see FAIRMESH_VECTORS_BORDER_NORMALS.
-    pub border_vertex_count: u64,
+    /// Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
+    pub boundary_vertex_count: u64,
 }
 
 /// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
@@ -276,12 +276,12 @@ pub enum fairmesh_list {
     FlippedTriangles = 1,
     /// Triangles with an angle below one degree.
     Needles = 2,
-    /// Border vertices whose normal contradicts the surface or its neighbours'.
+    /// Boundary vertices whose normal contradicts the surface or its neighbours'.
     SuspiciousNormals = 3,
-    /// Border vertices whose normals stood farthest away, worst first.
+    /// Boundary vertices whose normals stood farthest away, worst first.
     UnreachedVertices = 4,
-    /// Faired meshes: the border vertices, ascending.
-    BorderVertices = 16,
+    /// Faired meshes: the boundary vertices, ascending.
+    BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.
     LoopVertices = 32,
     /// Loops: vertices that belong to another loop, too.
@@ -302,8 +302,8 @@ pub enum fairmesh_list {
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum fairmesh_vectors {
-    /// Faired meshes: the unit normals that were used at the border, in the order of the list BORDER_VERTICES.
-    BorderNormals = 0,
+    /// Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
+    BoundaryNormals = 0,
     /// Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
     ParentWeights = 1,
 }

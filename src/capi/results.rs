@@ -1,19 +1,19 @@
 //! What results hold, and how it is read out of them.
 
 use super::report;
-use super::status::{Failure, Outcome, fairmesh_status as Status};
+use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use crate::fairing::{Report, Solution};
-use crate::holes::{BorderLoop, Filled, Parents, Remeshed};
+use fairmesh::{BoundaryLoop, Filled, Parents, Remeshed};
+use fairmesh::{Report, Solution};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
 
 /// What a handle of a result stands for. It never changes.
 #[allow(clippy::large_enum_variant, reason = "one per handle")]
-pub enum Content {
+pub(crate) enum Content {
     Faired(Solution),
-    Loops(Vec<BorderLoop>),
+    Loops(Vec<BoundaryLoop>),
     Filled {
         filled: Filled,
         vertices: usize,
@@ -27,7 +27,7 @@ fn not_available(what: &str) -> Failure {
 }
 
 /// The entry of a list, if there is one.
-fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> Outcome<&'a T> {
+fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> CallResult<&'a T> {
     usize::try_from(index)
         .ok()
         .and_then(|k| list.get(k))
@@ -38,7 +38,7 @@ fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> Outcome<&'a T> {
 }
 
 impl Content {
-    pub fn info(&self) -> fairmesh_info {
+    pub(crate) fn info(&self) -> fairmesh_info {
         let mut info = fairmesh_info {
             struct_size: size_of::<fairmesh_info>() as u32,
             kind: fairmesh_result_kind::Faired as u32,
@@ -47,12 +47,12 @@ impl Content {
             new_vertex_count: 0,
             new_triangle_count: 0,
             loop_count: 0,
-            border_vertex_count: 0,
+            boundary_vertex_count: 0,
         };
         match self {
             Self::Faired(solution) => {
                 info.vertex_count = solution.positions.len() as u64;
-                info.border_vertex_count = solution.border_normals.len() as u64;
+                info.boundary_vertex_count = solution.boundary_normals.len() as u64;
             }
             Self::Loops(loops) => {
                 info.kind = fairmesh_result_kind::Loops as u32;
@@ -81,7 +81,7 @@ impl Content {
         info
     }
 
-    pub fn report(&self, index: u64) -> Outcome<&Report> {
+    pub(crate) fn report(&self, index: u64) -> CallResult<&Report> {
         match self {
             Self::Faired(solution) => entry(std::slice::from_ref(&solution.report), index, "report"),
             Self::Filled { filled, .. } => {
@@ -94,26 +94,26 @@ impl Content {
         }
     }
 
-    pub fn level(&self, index: u64) -> Outcome<fairmesh_level> {
+    pub(crate) fn level(&self, index: u64) -> CallResult<fairmesh_level> {
         let report = self.report(0)?;
         entry(&report.levels, index, "level").map(report::level)
     }
 
-    pub fn border_loop(&self, index: u64) -> Outcome<fairmesh_loop> {
+    pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {
         match self {
-            Self::Loops(loops) => entry(loops, index, "loop").map(report::border_loop),
-            _ => Err(not_available("border loops")),
+            Self::Loops(loops) => entry(loops, index, "loop").map(report::boundary_loop),
+            _ => Err(not_available("boundary loops")),
         }
     }
 
-    pub fn filled_loop(&self, index: u64) -> Outcome<fairmesh_fill_report> {
+    pub(crate) fn filled_loop(&self, index: u64) -> CallResult<fairmesh_fill_report> {
         match self {
             Self::Filled { filled, .. } => entry(&filled.loops, index, "loop").map(report::filled_loop),
             _ => Err(not_available("filled loops")),
         }
     }
 
-    pub fn positions(&self) -> Outcome<&[[f64; 3]]> {
+    pub(crate) fn positions(&self) -> CallResult<&[[f64; 3]]> {
         match self {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
@@ -122,7 +122,7 @@ impl Content {
         }
     }
 
-    pub fn triangles(&self) -> Outcome<&[[u32; 3]]> {
+    pub(crate) fn triangles(&self) -> CallResult<&[[u32; 3]]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.triangles),
             Self::Remeshed(mesh) => Ok(&mesh.triangles),
@@ -131,7 +131,7 @@ impl Content {
     }
 
     /// Numbers at some vertices, of so many in all.
-    pub fn scalars(&self, which: u32) -> Outcome<(&[(u32, f64)], usize)> {
+    pub(crate) fn scalars(&self, which: u32) -> CallResult<(&[(u32, f64)], usize)> {
         let Self::Faired(solution) = self else {
             return Err(not_available("numbers per vertex"));
         };
@@ -143,7 +143,7 @@ impl Content {
         }
     }
 
-    fn parents(&self) -> Outcome<&[Parents]> {
+    fn parents(&self) -> CallResult<&[Parents]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.parents),
             Self::Remeshed(mesh) => Ok(&mesh.parents),
@@ -152,14 +152,14 @@ impl Content {
     }
 
     /// Vectors by their number, and how many.
-    pub fn vectors(&self, which: u32) -> Outcome<Numbered<'_, [f64; 3]>> {
+    pub(crate) fn vectors(&self, which: u32) -> CallResult<Numbered<'_, [f64; 3]>> {
         match which {
             0 => match self {
                 Self::Faired(solution) => {
-                    let normals = &solution.border_normals;
+                    let normals = &solution.boundary_normals;
                     Ok((normals.len(), Box::new(|k| normals[k].1)))
                 }
-                _ => Err(not_available("border normals")),
+                _ => Err(not_available("boundary normals")),
             },
             1 => {
                 let parents = self.parents()?;
@@ -170,7 +170,7 @@ impl Content {
     }
 
     /// Indices by their number, and how many.
-    pub fn list(&self, which: u32, index: u64) -> Outcome<Numbered<'_, u32>> {
+    pub(crate) fn list(&self, which: u32, index: u64) -> CallResult<Numbered<'_, u32>> {
         fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }
@@ -181,7 +181,7 @@ impl Content {
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
             (4, _) => self.report(index).map(|r| of(report::unreached(r))),
             (16, Self::Faired(solution)) => {
-                let normals = &solution.border_normals;
+                let normals = &solution.boundary_normals;
                 Ok((normals.len(), Box::new(|k| normals[k].0)))
             }
             (32, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.vertices)),

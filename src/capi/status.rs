@@ -3,10 +3,10 @@
 use core::ffi::c_char;
 use std::fmt::{self, Write};
 
-use crate::error::Error;
+use fairmesh::Error;
 
 /// Bytes of the text in `fairmesh_error`.
-pub const MESSAGE: usize = 232;
+pub(crate) const MESSAGE: usize = 232;
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. Numbers are never
 /// reused. After any status but OK no output was written, except for the `fairmesh_error`.
@@ -58,8 +58,8 @@ pub enum fairmesh_status {
     NonManifoldVertex = 20,
     /// Two triangles run through an edge in the same direction. Element: the edge.
     InconsistentOrientation = 21,
-    /// A free vertex is on the border of the mesh. Element: the vertex.
-    FreeVertexOnBorder = 22,
+    /// A free vertex is on the boundary of the mesh. Element: the vertex.
+    FreeVertexOnBoundary = 22,
     /// A free vertex has no triangle. Element: the vertex.
     FreeVertexWithoutTriangle = 23,
     /// A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
@@ -70,7 +70,7 @@ pub enum fairmesh_status {
     SelectionOutOfRange = 26,
     /// A normal is not a finite vector of length one (to 0.001). Element: the vertex.
     BadNormal = 27,
-    /// No normal can be found for a border vertex: give one. Element: the vertex.
+    /// No normal can be found for a boundary vertex: give one. Element: the vertex.
     NoNormal = 28,
     /// The result has nothing of this kind, or nothing with this index.
     NotAvailable = 29,
@@ -110,7 +110,7 @@ impl Status {
             NonManifoldEdge,
             NonManifoldVertex,
             InconsistentOrientation,
-            FreeVertexOnBorder,
+            FreeVertexOnBoundary,
             FreeVertexWithoutTriangle,
             NothingFixed,
             EmptyRegion,
@@ -149,7 +149,7 @@ impl Status {
             Some(Self::NonManifoldEdge) => c"non-manifold edge",
             Some(Self::NonManifoldVertex) => c"non-manifold vertex",
             Some(Self::InconsistentOrientation) => c"inconsistent orientation",
-            Some(Self::FreeVertexOnBorder) => c"free vertex on border",
+            Some(Self::FreeVertexOnBoundary) => c"free vertex on boundary",
             Some(Self::FreeVertexWithoutTriangle) => c"free vertex without triangle",
             Some(Self::NothingFixed) => c"nothing fixed",
             Some(Self::EmptyRegion) => c"empty region",
@@ -168,7 +168,7 @@ impl Status {
 /// What `element` of a `fairmesh_error` counts.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_element {
+pub(crate) enum fairmesh_element {
     /// Nothing.
     None = 0,
     /// A vertex of the mesh given.
@@ -180,12 +180,12 @@ pub enum fairmesh_element {
     /// An argument of the function, counted from 1; `other` is the offset of the field in the struct that it points
     /// to, or FAIRMESH_NO_ELEMENT for the argument itself.
     Argument = 4,
-    /// A border loop.
+    /// A boundary loop.
     Loop = 5,
 }
 
 /// In place of an index: there is none.
-pub const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
+pub(crate) const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
 
 /// What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
 /// overlaps something else), with
@@ -207,7 +207,7 @@ pub struct fairmesh_error {
 
 /// Why a call fails. Needs no memory but its own.
 #[derive(Clone, Copy)]
-pub struct Failure {
+pub(crate) struct Failure {
     pub status: Status,
     pub kind: fairmesh_element,
     pub element: u64,
@@ -217,17 +217,17 @@ pub struct Failure {
     pub silent: bool,
 }
 
-pub type Outcome<T = ()> = Result<T, Failure>;
+pub(crate) type CallResult<T = ()> = Result<T, Failure>;
 
 /// Text in a fixed array; too long a text is cut.
 #[derive(Clone, Copy)]
-pub struct Text<const N: usize> {
+pub(crate) struct Text<const N: usize> {
     bytes: [u8; N],
     length: usize,
 }
 
 impl<const N: usize> Text<N> {
-    pub fn new(what: fmt::Arguments<'_>) -> Self {
+    pub(crate) fn new(what: fmt::Arguments<'_>) -> Self {
         let mut text = Self {
             bytes: [0; N],
             length: 0,
@@ -236,7 +236,7 @@ impl<const N: usize> Text<N> {
         text
     }
 
-    pub fn characters(&self) -> [c_char; N] {
+    pub(crate) fn characters(&self) -> [c_char; N] {
         self.bytes.map(|b| b as c_char)
     }
 }
@@ -256,7 +256,7 @@ impl<const N: usize> Write for Text<N> {
 }
 
 impl Failure {
-    pub fn new(status: Status, message: fmt::Arguments<'_>) -> Self {
+    pub(crate) fn new(status: Status, message: fmt::Arguments<'_>) -> Self {
         Self {
             status,
             kind: fairmesh_element::None,
@@ -267,7 +267,7 @@ impl Failure {
         }
     }
 
-    pub fn at(self, kind: fairmesh_element, element: usize) -> Self {
+    pub(crate) fn at(self, kind: fairmesh_element, element: usize) -> Self {
         Self {
             kind,
             element: element as u64,
@@ -275,18 +275,18 @@ impl Failure {
         }
     }
 
-    pub fn and(self, other: usize) -> Self {
+    pub(crate) fn and(self, other: usize) -> Self {
         Self {
             other: other as u64,
             ..self
         }
     }
 
-    pub fn out_of_memory() -> Self {
+    pub(crate) fn out_of_memory() -> Self {
         Self::new(Status::OutOfMemory, format_args!("memory ran out"))
     }
 
-    pub fn detail(&self) -> fairmesh_error {
+    pub(crate) fn detail(&self) -> fairmesh_error {
         fairmesh_error {
             status: self.status as i32,
             element_kind: self.kind as u32,
@@ -317,7 +317,7 @@ impl From<Error> for Failure {
             Error::InconsistentOrientation { a, b, .. } => {
                 of(Status::InconsistentOrientation).at(Edge, a).and(b)
             }
-            Error::FreeVertexOnBorder { vertex } => of(Status::FreeVertexOnBorder).at(Vertex, vertex),
+            Error::FreeVertexOnBoundary { vertex } => of(Status::FreeVertexOnBoundary).at(Vertex, vertex),
             Error::FreeVertexWithoutTriangle { vertex } => {
                 of(Status::FreeVertexWithoutTriangle).at(Vertex, vertex)
             }
@@ -330,6 +330,7 @@ impl From<Error> for Failure {
             Error::BadOption { .. } => of(Status::BadOption),
             Error::TooLarge { .. } => of(Status::TooLarge),
             Error::Threads { .. } => of(Status::Threads),
+            _ => of(Status::Internal),
         }
     }
 }

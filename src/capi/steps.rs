@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::guard::{guarded, point};
 use super::handles;
 use super::input::{MeshIn, NormalsIn, SelectionIn};
-use super::need;
+use super::memory_bounds;
 use super::options::{OptionsIn, target};
 use super::outputs::*;
 use super::report;
@@ -15,7 +15,7 @@ use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::fairing::{Progress, Session};
+use fairmesh::{Progress, Session};
 
 use fairmesh_status as Status;
 
@@ -31,28 +31,28 @@ pub extern "C" fn fairmesh_solver_new(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut spans)?;
-        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut spans)?;
-        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut spans)?;
-        if asked.solver != crate::fairing::Solver::Fast {
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
+        let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
+        if asked.solver != fairmesh::Solver::Fast {
             let place = Argument(3).field(offset_of!(fairmesh_options, solver));
             return Err(place.refuse(
                 Status::BadOption,
                 format_args!("only the fast solver runs in steps"),
             ));
         }
-        check_slot(solver, Argument(4), &mut spans)?;
-        spans.error(error, Argument(5))?;
+        check_slot(solver, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
 
         let selected = selection.read(&mesh)?;
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let need = need::of_fairing(&mesh, &selected, asked.threads)?;
-        let _reserve = need::reserve(need)?;
-        let standing = need::reserve(need::STANDING)?;
-        let teller = asked.teller.fresh();
+        let need = memory_bounds::of_fairing(&mesh, &selected, asked.threads)?;
+        let _reserve = memory_bounds::reserve(need)?;
+        let standing = memory_bounds::reserve(memory_bounds::STANDING)?;
+        let callback = asked.callback.fresh();
         point();
         let session = Session::new(
             &positions,
@@ -62,13 +62,13 @@ pub extern "C" fn fairmesh_solver_new(
         )?;
         let made = Solver {
             session,
-            teller,
+            callback,
             vertices: mesh.vertices(),
             need,
             _standing: standing,
         };
         let handle = handles::add::<fairmesh_solver, _>(Arc::new(Shared::new(made)));
-        if let Err(failure) = teller.memory() {
+        if let Err(failure) = callback.memory() {
             handles::remove(handle);
             return Err(failure);
         }
@@ -88,23 +88,23 @@ pub extern "C" fn fairmesh_solver_run(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
+        let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         if iterations == 0 {
             return Err(Argument(2)
                 .itself()
                 .refuse(Status::BadOption, format_args!("has to be at least 1")));
         }
-        let report_out = StructOut::optional(report, Argument(3), &mut spans)?;
-        spans.error(error, Argument(4))?;
+        let report_out = StructOut::optional(report, Argument(3), &mut aliases)?;
+        aliases.error(error, Argument(4))?;
         let mut solver = shared.take()?;
-        let _reserve = need::reserve(solver.need)?;
-        let teller = solver.teller.fresh();
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
         point();
-        let mut tell = |progress: &Progress| teller.tell(progress);
+        let mut tell = |progress: &Progress| callback.tell(progress);
         let iterations = usize::try_from(iterations).unwrap_or(usize::MAX);
         let told = report::report(&solver.session.run(iterations, Some(&mut tell))?.report);
-        teller.memory()?;
+        callback.memory()?;
         if let Some(out) = report_out {
             out.write(&told);
         }
@@ -112,7 +112,7 @@ pub extern "C" fn fairmesh_solver_run(
     })
 }
 
-/// Asks for other border normals from now on. The next run starts at the surface at hand, with the matrices at hand.
+/// Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_set_normals(
     solver: *mut fairmesh_solver,
@@ -120,19 +120,24 @@ pub extern "C" fn fairmesh_solver_set_normals(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
+        let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         check_pointer(normals, Argument(2))?;
         let mut solver = shared.take()?;
-        spans.input(normals, size_of::<fairmesh_normals>());
-        let asked = NormalsIn::new(&read(normals), Argument(2).field(0), solver.vertices, &mut spans)?;
-        spans.error(error, Argument(3))?;
+        aliases.input(normals, size_of::<fairmesh_normals>());
+        let asked = NormalsIn::new(
+            &read(normals),
+            Argument(2).field(0),
+            solver.vertices,
+            &mut aliases,
+        )?;
+        aliases.error(error, Argument(3))?;
         let asked = asked.read(solver.vertices)?;
-        let _reserve = need::reserve(solver.need)?;
-        let teller = solver.teller.fresh();
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
         point();
-        solver.session.set_border_normals(asked.normals())?;
-        teller.memory()
+        solver.session.set_boundary_normals(asked.normals())?;
+        callback.memory()
     })
 }
 
@@ -144,33 +149,33 @@ pub extern "C" fn fairmesh_solver_set_target(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
+        let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         check_pointer(new_target, Argument(2))?;
         let asked = target(&read(new_target), Argument(2).field(0))?;
-        spans.input(new_target, size_of::<fairmesh_target>());
-        spans.error(error, Argument(3))?;
+        aliases.input(new_target, size_of::<fairmesh_target>());
+        aliases.error(error, Argument(3))?;
         let mut solver = shared.take()?;
-        let _reserve = need::reserve(solver.need)?;
-        let teller = solver.teller.fresh();
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
         point();
         solver.session.set_target(asked)?;
-        teller.memory()
+        callback.memory()
     })
 }
 
 /// Tells something of a solver as it stands: `open` checks where it goes, `put` writes it there.
-fn look<Out>(
+fn with_solver<Out>(
     solver: *const fairmesh_solver,
     error: *mut fairmesh_error,
-    open: impl FnOnce(&mut Spans) -> Outcome<Out>,
-    put: impl FnOnce(Out, &Solver) -> Outcome,
+    open: impl FnOnce(&mut AliasCheck) -> CallResult<Out>,
+    put: impl FnOnce(Out, &Solver) -> CallResult,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
+        let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        let out = open(&mut spans)?;
-        spans.error(error, Argument(3))?;
+        let out = open(&mut aliases)?;
+        aliases.error(error, Argument(3))?;
         let solver = shared.take()?;
         point();
         put(out, &solver)
@@ -184,12 +189,12 @@ pub extern "C" fn fairmesh_solver_positions(
     out: *const fairmesh_points_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |spans: &mut Spans| {
+    let open = |aliases: &mut AliasCheck| {
         let out = NumbersOut::points(out, Argument(2))?;
-        spans.output(out.array.data, out.array.bytes, Argument(2))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
         Ok(out)
     };
-    look(solver, error, open, |out, solver| {
+    with_solver(solver, error, open, |out, solver| {
         put_positions(&out, &solver.session.solution().positions, Argument(2))
     })
 }
@@ -201,12 +206,12 @@ pub extern "C" fn fairmesh_solver_mean_curvature(
     out: *const fairmesh_scalars_out,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |spans: &mut Spans| {
+    let open = |aliases: &mut AliasCheck| {
         let out = NumbersOut::scalars(out, Argument(2))?;
-        spans.output(out.array.data, out.array.bytes, Argument(2))?;
+        aliases.output(out.array.data, out.array.bytes, Argument(2))?;
         Ok(out)
     };
-    look(solver, error, open, |out, solver| {
+    with_solver(solver, error, open, |out, solver| {
         let curvature = &solver.session.solution().mean_curvature;
         put_scalars(&out, curvature, solver.vertices, Argument(2))
     })
@@ -219,14 +224,14 @@ pub extern "C" fn fairmesh_solver_report(
     report: *mut fairmesh_report,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
-    let open = |spans: &mut Spans| StructOut::new(report, Argument(2), spans);
-    look(solver, error, open, |out, solver| {
+    let open = |aliases: &mut AliasCheck| StructOut::new(report, Argument(2), aliases);
+    with_solver(solver, error, open, |out, solver| {
         out.write(&report::report(&solver.session.solution().report));
         Ok(())
     })
 }
 
-/// A copy of everything that is known of the surface as it stands: curvatures, lists, border normals. `result` gets a
+/// A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
 /// handle of its own; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_result(
@@ -235,16 +240,16 @@ pub extern "C" fn fairmesh_solver_result(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut spans = Spans::new();
+        let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
-        check_slot(result, Argument(2), &mut spans)?;
-        spans.error(error, Argument(3))?;
+        check_slot(result, Argument(2), &mut aliases)?;
+        aliases.error(error, Argument(3))?;
         let solver = shared.take()?;
-        let _reserve = need::reserve(solver.need)?;
-        let teller = solver.teller.fresh();
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
         point();
         let content = Content::Faired(solver.session.solution().clone());
-        publish(Arc::new(content), result, &teller)
+        publish(Arc::new(content), result, &callback)
     })
 }
 

@@ -105,7 +105,7 @@ pub struct fairmesh_mesh {
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum fairmesh_selection_kind {
-    /// Nothing: free are all vertices that are not on the border of the mesh. `data` is NULL, `count` and `stride` 0.
+    /// Nothing: free are all vertices that are not on the boundary of the mesh. `data` is NULL, `count` and `stride` 0.
     Interior = 0,
     /// `uint8_t`, one per vertex: not zero is free.
     FreeMask = 1,
@@ -113,7 +113,7 @@ pub enum fairmesh_selection_kind {
     FixedMask = 2,
     /// `uint32_t`: the free vertices, in any order.
     FreeVertices = 3,
-    /// `uint32_t`: triangles. Free are the vertices that have no other triangles and are not on the border of the mesh.
+    /// `uint32_t`: triangles. Free are the vertices that have no other triangles and are not on the boundary of the mesh.
     Faces = 4,
 }
 
@@ -133,7 +133,7 @@ pub struct fairmesh_selection {
     pub stride: usize,
 }
 
-/// Where the normals at the border of the region come from.
+/// Where the normals at the boundary of the region come from.
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum fairmesh_normals_kind {
@@ -141,11 +141,11 @@ pub enum fairmesh_normals_kind {
     Fitted = 0,
     /// The average of the triangles outside the region.
     Averaged = 1,
-    /// Given, for some or all border vertices; fitted for the others.
+    /// Given, for some or all boundary vertices; fitted for the others.
     Given = 2,
 }
 
-/// Unit normals at the border vertices. All zero: fitted.
+/// Unit normals at the boundary vertices. All zero: fitted.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_normals {
@@ -156,7 +156,7 @@ pub struct fairmesh_normals {
     /// Given normals: unit vectors, pointing to the side that triangles are counter-clockwise seen from.
     pub vectors: fairmesh_points,
     /// The vertex of each vector. NULL (with count 0): there is one vector per vertex of the mesh, and 0 0 0 says that
-    /// none is given. Vectors at vertices that are not on the border are ignored.
+    /// none is given. Vectors at vertices that are not on the boundary are ignored.
     pub vertices: fairmesh_indices,
 }
 
@@ -269,7 +269,7 @@ pub struct fairmesh_options {
     pub struct_size: u32,
     /// A `fairmesh_inner_fairness`. Default: uniform.
     pub inner_fairness: u32,
-    /// Border normals. Default: fitted.
+    /// Boundary normals. Default: fitted.
     pub normals: fairmesh_normals,
     /// What Delta_B H has to be. Default: 0.
     pub target: fairmesh_target,
@@ -298,7 +298,7 @@ pub struct fairmesh_options {
     pub paper_damping: f64,
     /// Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
     pub paper_levels: u64,
-    /// Vertices of the base mesh; 0 (default): two and a half times the border.
+    /// Vertices of the base mesh; 0 (default): two and a half times the boundary.
     pub paper_base: u64,
     /// Stop when `defect` of the report is at most this. Default 1e-6. Greater than 0.
     pub paper_defect: f64,
@@ -318,10 +318,10 @@ pub struct fairmesh_fill_options {
     pub fair: u32,
     /// Holes of more edges stay open. Default: UINT64_MAX.
     pub max_edges: u64,
-    /// These loops only, as `fairmesh_border_loops` numbers them, outer borders included; NULL with count 0 (default): all
+    /// These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
     /// holes. With a count, `max_edges` is not read.
     pub loops: fairmesh_indices,
-    /// How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the rim; at
+    /// How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the boundary; at
     /// twice that, half as long. Between 0.1 and 10.
     pub density: f64,
     /// At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times

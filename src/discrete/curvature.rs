@@ -6,58 +6,58 @@
 //! All fits here use the equivalent basis `1, u^2 - v^2, 2 u v` of that quadratic form, in which the coefficient of
 //! `1` is `H` itself.
 
-use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled, tangent_basis, unrolled};
-use super::spokes::{Spoke, inverse_square};
+use super::ring_edges::{RingEdge, inverse_square};
+use super::simd::{Simd, Vec3, dot, minus, normalized, plus, scaled, tangent_basis, unrolled};
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
 /// says that it is not (all directions on two lines), without any switch.
-pub const RIDGE: f64 = 1e-6;
+pub(crate) const RIDGE: f64 = 1e-6;
 
 /// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
-pub const TILT_RIDGE: f64 = 1e-3;
+pub(crate) const TILT_RIDGE: f64 = 1e-3;
 
 /// A tilt ridge so large that the tilt stays zero: plain Moreton-Sequin, first order on irregular meshes.
-pub const NO_TILT: f64 = 1e6;
+pub(crate) const NO_TILT: f64 = 1e6;
 
 /// Weight of the flap vertices (across the ring's edges) beside the ring's own weight of 1.
-pub const FLAP_WEIGHT: f64 = 0.1;
+pub(crate) const FLAP_WEIGHT: f64 = 0.1;
 
 /// Curvature, normal and quadratic form at one vertex.
 #[derive(Debug, Clone, Copy)]
-pub struct Curvature<const L: usize> {
+pub(crate) struct Curvature<const L: usize> {
     /// Mean curvature.
-    pub h: Lanes<L>,
+    pub h: Simd<L>,
     /// Gaussian curvature.
-    pub k: Lanes<L>,
+    pub k: Simd<L>,
     /// The normal with the fitted tilt taken away.
     pub normal: Vec3<L>,
     /// `-dH/dt` under a motion of the vertex along `n`, every `|e|` held (paper 7.2); zero unless asked for.
-    pub response: Lanes<L>,
+    pub response: Simd<L>,
 }
 
 /// Accumulates a weighted least-squares fit with `N` basis functions; only the lower triangle of the normal
 /// equations is kept (paper (11)).
 #[derive(Debug, Clone, Copy)]
-pub struct NormalEquations<const L: usize, const N: usize> {
-    matrix: [[Lanes<L>; N]; N],
-    right: [Lanes<L>; N],
-    weight: Lanes<L>,
+pub(crate) struct NormalEquations<const L: usize, const N: usize> {
+    matrix: [[Simd<L>; N]; N],
+    right: [Simd<L>; N],
+    weight: Simd<L>,
 }
 
 impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// No samples.
     #[inline(always)]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
-            matrix: [[Lanes::zero(); N]; N],
-            right: [Lanes::zero(); N],
-            weight: Lanes::zero(),
+            matrix: [[Simd::zero(); N]; N],
+            right: [Simd::zero(); N],
+            weight: Simd::zero(),
         }
     }
 
     /// One more sample with basis values `phi`, value `kappa` and a weight.
     #[inline(always)]
-    pub fn add(&mut self, phi: &[Lanes<L>; N], kappa: Lanes<L>, weight: Lanes<L>) {
+    pub(crate) fn add(&mut self, phi: &[Simd<L>; N], kappa: Simd<L>, weight: Simd<L>) {
         unrolled!(r in (0..N) => {
             let weighted = phi[r] * weight;
             unrolled!(c in (0..r + 1) => {
@@ -70,11 +70,11 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
     #[inline(always)]
-    pub fn add_two(
+    pub(crate) fn add_two(
         &mut self,
-        a: &([Lanes<L>; N], Lanes<L>),
-        b: &([Lanes<L>; N], Lanes<L>),
-        weight: Lanes<L>,
+        a: &([Simd<L>; N], Simd<L>),
+        b: &([Simd<L>; N], Simd<L>),
+        weight: Simd<L>,
     ) {
         unrolled!(r in (0..N) => {
             let weighted = b.0[r] * weight;
@@ -88,19 +88,19 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// Adds `ridge` times the sum of weights to the diagonal and factors it.
     #[inline(always)]
-    pub fn cholesky(&self, ridge: &[f64; N]) -> [[Lanes<L>; N]; N] {
-        self.factor(&ridge.map(Lanes::splat))
+    pub(crate) fn cholesky(&self, ridge: &[f64; N]) -> [[Simd<L>; N]; N] {
+        self.factor(&ridge.map(Simd::splat))
     }
 
     /// The same with a ridge for each lane: `M = L D L^T`, with `L` below the diagonal and `1 / D` on it. No pivot of a
     /// positive semidefinite matrix plus a diagonal one is less than its entry in the latter, and rounding may not
     /// make it so: the factor is there for any samples, as long as the ridge is positive beyond the constant function.
     #[inline(always)]
-    pub fn factor(&self, ridge: &[Lanes<L>; N]) -> [[Lanes<L>; N]; N] {
+    pub(crate) fn factor(&self, ridge: &[Simd<L>; N]) -> [[Simd<L>; N]; N] {
         let mut m = self.matrix;
         unrolled!(j in (0..N) => {
             let least = self.weight * ridge[j];
-            let pivot = (m[j][j] + least).max(least).max(Lanes::splat(f64::MIN_POSITIVE));
+            let pivot = (m[j][j] + least).max(least).max(Simd::splat(f64::MIN_POSITIVE));
             m[j][j] = pivot.recip();
             // From the last row up: a row needs the entries of column j above it before they are scaled.
             unrolled!(k in (0..N - 1 - j) => {
@@ -117,7 +117,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The equations of all lanes' samples together.
     #[inline(always)]
-    pub fn sum_of_lanes(&self) -> NormalEquations<1, N> {
+    pub(crate) fn sum_of_lanes(&self) -> NormalEquations<1, N> {
         let mut sum = NormalEquations::new();
         unrolled!(r in (0..N) => {
             unrolled!(c in (0..r + 1) => {
@@ -131,18 +131,18 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The coefficients of the fit.
     #[inline(always)]
-    pub fn solve(&self, ridge: &[f64; N]) -> [Lanes<L>; N] {
+    pub(crate) fn solve(&self, ridge: &[f64; N]) -> [Simd<L>; N] {
         back_substitute(&self.cholesky(ridge), self.right)
     }
 
     /// The right-hand side.
-    pub fn right(&self) -> [Lanes<L>; N] {
+    pub(crate) fn right(&self) -> [Simd<L>; N] {
         self.right
     }
 
     /// `z^T M z` of the matrix without ridge.
-    pub fn quadratic_form(&self, z: &[Lanes<L>; N]) -> Lanes<L> {
-        let mut sum = Lanes::zero();
+    pub(crate) fn quadratic_form(&self, z: &[Simd<L>; N]) -> Simd<L> {
+        let mut sum = Simd::zero();
         for r in 0..N {
             for c in 0..r {
                 sum += z[r] * z[c] * self.matrix[r][c] * 2.0;
@@ -154,7 +154,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The sum of weights.
     #[inline(always)]
-    pub fn weight(&self) -> Lanes<L> {
+    pub(crate) fn weight(&self) -> Simd<L> {
         self.weight
     }
 }
@@ -167,10 +167,10 @@ impl<const L: usize, const N: usize> Default for NormalEquations<L, N> {
 
 /// Solves `L D L^T y = right` for a factor of [`NormalEquations::factor`].
 #[inline(always)]
-pub fn back_substitute<const L: usize, const N: usize>(
-    l: &[[Lanes<L>; N]; N],
-    right: [Lanes<L>; N],
-) -> [Lanes<L>; N] {
+pub(crate) fn back_substitute<const L: usize, const N: usize>(
+    l: &[[Simd<L>; N]; N],
+    right: [Simd<L>; N],
+) -> [Simd<L>; N] {
     let mut y = right;
     for i in 0..N {
         for k in 0..i {
@@ -188,16 +188,16 @@ pub fn back_substitute<const L: usize, const N: usize>(
 
 /// The tangent frame at a vertex in which samples are measured.
 #[derive(Debug, Clone, Copy)]
-pub struct Frame<const L: usize> {
+pub(crate) struct TangentFrame<const L: usize> {
     n: Vec3<L>,
     b_x: Vec3<L>,
     b_y: Vec3<L>,
 }
 
-impl<const L: usize> Frame<L> {
+impl<const L: usize> TangentFrame<L> {
     /// The frame of a unit normal.
     #[inline(always)]
-    pub fn new(n: Vec3<L>) -> Self {
+    pub(crate) fn new(n: Vec3<L>) -> Self {
         let (b_x, b_y) = tangent_basis(&n);
         Self { n, b_x, b_y }
     }
@@ -205,23 +205,23 @@ impl<const L: usize> Frame<L> {
     /// Basis values `1, (u^2 - v^2)/d, 2uv/d, 2lu/d, 2lv/d` and the normal curvature `2w/d` of a sample, with
     /// `d = |e|^2`, the whole length and not the projected one.
     #[inline(always)]
-    pub fn sample(&self, e: &Vec3<L>, l: Lanes<L>) -> ([Lanes<L>; 5], Lanes<L>) {
+    pub(crate) fn sample(&self, e: &Vec3<L>, l: Simd<L>) -> ([Simd<L>; 5], Simd<L>) {
         let ([one, a, b, c, d], kappa) = self.sample_at(e, inverse_square(dot(e, e)));
         ([one, a, b, l * c, l * d], kappa)
     }
 
     /// The same for `l = 1` and known `1/d`.
     #[inline(always)]
-    fn sample_at(&self, e: &Vec3<L>, inverse_square: Lanes<L>) -> ([Lanes<L>; 5], Lanes<L>) {
+    fn sample_at(&self, e: &Vec3<L>, inverse_square: Simd<L>) -> ([Simd<L>; 5], Simd<L>) {
         let (u, v, w) = (dot(e, &self.b_x), dot(e, &self.b_y), dot(e, &self.n));
         let twice = inverse_square * 2.0;
         let (c, d) = (twice * u, twice * v);
-        ([Lanes::splat(1.0), (c * u - d * v) * 0.5, c * v, c, d], twice * w)
+        ([Simd::splat(1.0), (c * u - d * v) * 0.5, c * v, c, d], twice * w)
     }
 
     /// The normal `n - g_x b_x - g_y b_y`, normalized.
     #[inline(always)]
-    pub fn tilted(&self, g_x: Lanes<L>, g_y: Lanes<L>) -> Vec3<L> {
+    pub(crate) fn tilted(&self, g_x: Simd<L>, g_y: Simd<L>) -> Vec3<L> {
         normalized(&minus(
             &self.n,
             &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y)),
@@ -236,37 +236,37 @@ impl<const L: usize> Frame<L> {
 /// mean square length of the ring. `ring` has weight 1; `flaps` are further samples with their weights (0 for none).
 /// `tilt_ridge` is [`TILT_RIDGE`] or, for plain Moreton-Sequin, [`NO_TILT`].
 #[inline(always)]
-pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
+pub(crate) fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     n: &Vec3<L>,
-    ring: &[Spoke<L>],
-    flaps: &[(Vec3<L>, Lanes<L>)],
+    ring: &[RingEdge<L>],
+    flaps: &[(Vec3<L>, Simd<L>)],
     tilt_ridge: f64,
 ) -> Curvature<L> {
-    let frame = Frame::new(*n);
+    let frame = TangentFrame::new(*n);
     let mut fit = NormalEquations::<L, 5>::new();
-    let mut moved = [Lanes::zero(); 5];
-    let mut square = Lanes::zero();
-    for (spoke, (flap, weight)) in ring.iter().zip(flaps) {
-        square += spoke.square;
-        let near = frame.sample_at(&spoke.edge, spoke.inverse_square);
+    let mut moved = [Simd::zero(); 5];
+    let mut square = Simd::zero();
+    for (ring_edge, (flap, weight)) in ring.iter().zip(flaps) {
+        square += ring_edge.square;
+        let near = frame.sample_at(&ring_edge.edge, ring_edge.inverse_square);
         let inverse_square = inverse_square(dot(flap, flap));
         let far = frame.sample_at(flap, inverse_square);
         fit.add_two(&near, &far, *weight);
         if RESPONSE {
-            add_scaled(&mut moved, &near.0, spoke.inverse_square * 2.0);
+            add_scaled(&mut moved, &near.0, ring_edge.inverse_square * 2.0);
             add_scaled(&mut moved, &far.0, *weight * inverse_square * 2.0);
         }
     }
     let ridge = inverse_square(square) * (tilt_ridge * ring.len() as f64);
-    let constant = Lanes::splat(RIDGE);
-    let factor = fit.factor(&[Lanes::zero(), constant, constant, ridge, ridge]);
+    let constant = Simd::splat(RIDGE);
+    let factor = fit.factor(&[Simd::zero(), constant, constant, ridge, ridge]);
     let [h, y_1, y_2, g_x, g_y] = back_substitute(&factor, fit.right);
     let tilt = (g_x * g_x + g_y * g_y + 1.0).sqrt().recip();
     Curvature {
         response: if RESPONSE {
             back_substitute(&factor, moved)[0] * tilt
         } else {
-            Lanes::zero()
+            Simd::zero()
         },
         h: h * tilt,
         k: (h * h - y_1 * y_1 - y_2 * y_2) * tilt * tilt,
@@ -275,77 +275,77 @@ pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
 }
 
 #[inline(always)]
-fn add_scaled<const L: usize>(sum: &mut [Lanes<L>; 5], phi: &[Lanes<L>; 5], by: Lanes<L>) {
+fn add_scaled<const L: usize>(sum: &mut [Simd<L>; 5], phi: &[Simd<L>; 5], by: Simd<L>) {
     for (sum, phi) in sum.iter_mut().zip(phi) {
         *sum += *phi * by;
     }
 }
 
-/// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a border vertex with its prescribed normal, or
+/// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a boundary vertex with its prescribed normal, or
 /// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them.
 #[derive(Debug, Clone, Copy)]
-pub struct MoretonSequin<const L: usize> {
-    frame: Frame<L>,
+pub(crate) struct MoretonSequin<const L: usize> {
+    frame: TangentFrame<L>,
     fit: NormalEquations<L, 3>,
 }
 
 impl<const L: usize> MoretonSequin<L> {
     /// No samples yet around the unit normal `n`.
     #[inline(always)]
-    pub fn new(n: Vec3<L>) -> Self {
+    pub(crate) fn new(n: Vec3<L>) -> Self {
         Self {
-            frame: Frame::new(n),
+            frame: TangentFrame::new(n),
             fit: NormalEquations::new(),
         }
     }
 
     /// One more sample; weight 0 for lanes that have none.
     #[inline(always)]
-    pub fn add(&mut self, e: &Vec3<L>, weight: Lanes<L>) {
+    pub(crate) fn add(&mut self, e: &Vec3<L>, weight: Simd<L>) {
         let ([one, a, b, ..], kappa) = self.frame.sample_at(e, inverse_square(dot(e, e)));
         self.fit.add(&[one, a, b], kappa, weight);
     }
 
     /// `(H, K)`.
     #[inline(always)]
-    pub fn curvature(&self) -> (Lanes<L>, Lanes<L>) {
+    pub(crate) fn curvature(&self) -> (Simd<L>, Simd<L>) {
         let y = self.fit.solve(&[0.0, RIDGE, RIDGE]);
         (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
     }
 
     /// `H` of one vertex whose samples are spread over the lanes.
     #[inline(always)]
-    pub fn over_lanes(&self) -> f64 {
+    pub(crate) fn over_lanes(&self) -> f64 {
         self.fit.sum_of_lanes().solve(&[0.0, RIDGE, RIDGE])[0].0[0]
     }
 }
 
 /// [`MoretonSequin`] of some samples: `(H, K)`.
 #[inline(always)]
-pub fn moreton_sequin<const L: usize>(
+pub(crate) fn moreton_sequin<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
-) -> (Lanes<L>, Lanes<L>) {
+) -> (Simd<L>, Simd<L>) {
     let mut fit = MoretonSequin::new(*n);
     for e in samples {
-        fit.add(&e, Lanes::splat(1.0));
+        fit.add(&e, Simd::splat(1.0));
     }
     fit.curvature()
 }
 
 /// The same, and `-dH/dt` under a motion of the vertex along `n`, samples and every `|e|` held (paper 7.2).
 #[inline(always)]
-pub fn moreton_sequin_with_response<const L: usize>(
+pub(crate) fn moreton_sequin_with_response<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
-) -> (Lanes<L>, Lanes<L>, Lanes<L>) {
-    let frame = Frame::new(*n);
+) -> (Simd<L>, Simd<L>, Simd<L>) {
+    let frame = TangentFrame::new(*n);
     let mut fit = NormalEquations::<L, 3>::new();
-    let mut moved = [Lanes::zero(); 3];
+    let mut moved = [Simd::zero(); 3];
     for e in samples {
         let inverse_square = inverse_square(dot(&e, &e));
         let ([one, a, b, ..], kappa) = frame.sample_at(&e, inverse_square);
-        fit.add(&[one, a, b], kappa, Lanes::splat(1.0));
+        fit.add(&[one, a, b], kappa, Simd::splat(1.0));
         for (sum, phi) in moved.iter_mut().zip([one, a, b]) {
             *sum += phi * inverse_square * 2.0;
         }
@@ -359,9 +359,9 @@ pub fn moreton_sequin_with_response<const L: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::lanes::{lane, one};
     use crate::discrete::normals::max_normal;
-    use crate::discrete::spokes::ring_of;
+    use crate::discrete::ring_edges::ring_of;
+    use crate::discrete::simd::{lane, one};
     use nalgebra::Vector3;
 
     const RING: [(f64, f64); 6] = [
@@ -389,7 +389,7 @@ mod tests {
     }
 
     fn fit_with(n: &Vec3<1>, ring: &[Vec3<1>], flaps: &[Vec3<1>], tilt_ridge: f64) -> Curvature<1> {
-        let flaps: Vec<_> = flaps.iter().map(|f| (*f, Lanes::splat(FLAP_WEIGHT))).collect();
+        let flaps: Vec<_> = flaps.iter().map(|f| (*f, Simd::splat(FLAP_WEIGHT))).collect();
         gradient_corrected::<1, false>(n, &ring_of(ring.iter().copied()), &flaps, tilt_ridge)
     }
 

@@ -5,7 +5,7 @@
 //! Inner fairness, a tangent vector per free vertex (paper 7.3): the part of `sum_j lambda_ij (q_j - q_i)` that is
 //! orthogonal to the normal. (The paper prints the projection with a plus sign; it is a minus.)
 //!
-//! Fixed positions and normals enter through `H` at the border vertices, taken one-sidedly from the region with the
+//! Fixed positions and normals enter through `H` at the boundary vertices, taken one-sidedly from the region with the
 //! prescribed normal (paper 6.1, 6.2, 7.5).
 
 use std::ops::Range;
@@ -14,19 +14,19 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
-use super::groups::{Chunk, Groups, LANES, flap_weight, gather, split_lengths};
 use super::inner_fairness::FairnessWeights;
-use super::lanes::{Lanes, Vec3, lane, minus, one, set_lane, vectorized};
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
 use super::normals::{cross_product_normal, max_normal};
-use super::spokes::Spoke;
+use super::ring_edges::RingEdge;
+use super::simd::{Simd, Vec3, lane, minus, one, set_lane, vectorized};
 use super::target::RightHandSide;
+use super::valence_batches::{Chunk, LANES, ValenceBatches, flap_weight, gather, split_lengths};
 use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FreeCurvature {
+pub(crate) enum FreeCurvature {
     /// Max's normals and the gradient-corrected fit with this tilt ridge.
     GradientCorrected {
         /// [`super::curvature::TILT_RIDGE`], or [`super::curvature::NO_TILT`] for plain Moreton-Sequin.
@@ -36,23 +36,23 @@ pub enum FreeCurvature {
     Paper,
 }
 
-/// A border vertex with up to this many triangles takes the flaps in full.
+/// A boundary vertex with up to this many triangles takes the flaps in full.
 const NARROW: usize = 2;
 
-/// A border vertex takes this many samples at once.
-const BORDER_LANES: usize = 4;
+/// A boundary vertex takes this many samples at once.
+const BOUNDARY_LANES: usize = 4;
 
 /// What does not change from surface to surface.
 #[derive(Debug)]
-pub struct Equations<'a> {
+pub(crate) struct Equations<'a> {
     /// The rings of the region.
     pub rings: &'a Rings,
     /// The same, transposed.
-    pub groups: &'a Groups,
-    /// Unit normals at the border vertices.
-    pub border_normals: &'a [Vector3<f64>],
-    /// Border vertices with a closed ring whose normal is not prescribed ([`super::passing`]); may be empty for none.
-    pub passing: &'a [bool],
+    pub batches: &'a ValenceBatches,
+    /// Unit normals at the boundary vertices.
+    pub boundary_normals: &'a [Vector3<f64>],
+    /// Boundary vertices with a closed ring whose normal is not prescribed ([`super::smooth_interior`]); may be empty for none.
+    pub smooth_interior: &'a [bool],
     /// Inner fairness.
     pub weights: &'a FairnessWeights,
     /// Curvature at free vertices.
@@ -63,13 +63,13 @@ pub struct Equations<'a> {
 
 /// Everything that is evaluated at a surface. Free vertices come first in `h`.
 #[derive(Debug, Clone, Default)]
-pub struct State {
+pub(crate) struct State {
     /// Normals of the ring: the direction of normal steps and of the tangential projection.
     pub normal: Vec<Vector3<f64>>,
     /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization) at free, then the
-    /// normals at border vertices.
+    /// normals at boundary vertices.
     pub corrected: Vec<Vector3<f64>>,
-    /// Mean curvature at free, then at border vertices.
+    /// Mean curvature at free, then at boundary vertices.
     pub h: Vec<f64>,
     /// Gaussian curvature at free vertices.
     pub k: Vec<f64>,
@@ -87,16 +87,16 @@ pub struct State {
 
 impl State {
     /// Room for a region.
-    pub fn new(groups: &Groups, border: usize) -> Self {
-        let free = groups.place.len();
+    pub(crate) fn new(batches: &ValenceBatches, boundary: usize) -> Self {
+        let free = batches.place.len();
         Self {
             normal: vec![Vector3::zeros(); free],
-            corrected: vec![Vector3::zeros(); free + border],
-            h: vec![0.0; free + border],
+            corrected: vec![Vector3::zeros(); free + boundary],
+            h: vec![0.0; free + boundary],
             k: vec![0.0; free],
             area: vec![0.0; free],
             response: vec![0.0; free],
-            weight: vec![[0.0; LANES]; groups.neighbour.len()],
+            weight: vec![[0.0; LANES]; batches.neighbour.len()],
             outer: vec![0.0; free],
             inner: vec![Vector3::zeros(); free],
         }
@@ -105,16 +105,16 @@ impl State {
 
 /// Room for the group of largest valence.
 struct Work {
-    ring: Vec<Spoke<LANES>>,
-    flaps: Vec<(Vec3<LANES>, Lanes<LANES>)>,
-    weight: Vec<Lanes<LANES>>,
+    ring: Vec<RingEdge<LANES>>,
+    flaps: Vec<(Vec3<LANES>, Simd<LANES>)>,
+    weight: Vec<Simd<LANES>>,
 }
 
 impl Work {
     fn new(m: usize) -> Self {
-        let zero = Lanes::zero();
+        let zero = Simd::zero();
         Self {
-            ring: vec![Spoke::zero(); m],
+            ring: vec![RingEdge::zero(); m],
             flaps: vec![([zero; 3], zero); m],
             weight: vec![zero; m],
         }
@@ -132,10 +132,10 @@ impl Work {
 
 /// The part of it that one group uses.
 struct Room<'w> {
-    ring: &'w mut [Spoke<LANES>],
+    ring: &'w mut [RingEdge<LANES>],
     /// Flaps from the centre, with their weights.
-    flaps: &'w mut [(Vec3<LANES>, Lanes<LANES>)],
-    weight: &'w mut [Lanes<LANES>],
+    flaps: &'w mut [(Vec3<LANES>, Simd<LANES>)],
+    weight: &'w mut [Simd<LANES>],
 }
 
 /// Where one chunk of free vertices puts its results.
@@ -152,43 +152,43 @@ struct ChunkOutput<'s> {
 
 impl Equations<'_> {
     /// Number of free vertices.
-    pub fn free(&self) -> usize {
-        self.groups.place.len()
+    pub(crate) fn free(&self) -> usize {
+        self.batches.place.len()
     }
 
-    /// Evaluates everything at the surface `x` (free, then border vertices).
-    pub fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
+    /// Evaluates everything at the surface `x` (free, then boundary vertices).
+    pub(crate) fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
         self.evaluate_as::<false>(x, state);
     }
 
     /// The same, and how `H` answers to normal motions.
-    pub fn evaluate_with_response(&self, x: &[Vector3<f64>], state: &mut State) {
+    pub(crate) fn evaluate_with_response(&self, x: &[Vector3<f64>], state: &mut State) {
         self.evaluate_as::<true>(x, state);
     }
 
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
         self.free_vertices::<RESPONSE>(x, state);
-        self.border_normals_at(x, state);
+        self.boundary_normals_at(x, state);
         let paper = self.curvature == FreeCurvature::Paper;
         if paper {
             self.paper_curvature::<RESPONSE>(x, state);
         }
         let free = self.free();
-        let (_, border) = state.h.split_at_mut(free);
+        let (_, boundary) = state.h.split_at_mut(free);
         let corrected = &state.corrected;
-        border
+        boundary
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
             .filter(|(b, _)| paper || !self.passes(*b))
-            .for_each(|(b, h)| *h = self.border_curvature(x, corrected, b));
+            .for_each(|(b, h)| *h = self.boundary_curvature(x, corrected, b));
         self.outer_residual(state);
     }
 
     /// Normals, weights, area, inner residual and (but for the paper's discretization) curvature of free vertices.
     fn free_vertices<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
-        let groups = self.groups;
-        let chunks = &groups.chunks;
+        let batches = self.batches;
+        let chunks = &batches.chunks;
         let lengths = || chunks.iter().map(|c| c.vertices.len());
         let mut weight = split_lengths(&mut state.weight, chunks.iter().map(|c| c.slots.len())).into_iter();
         let mut normal = split_lengths(&mut state.normal, lengths()).into_iter();
@@ -231,9 +231,9 @@ impl Equations<'_> {
         chunk: &Chunk,
         output: &mut ChunkOutput<'_>,
     ) {
-        let mut work = Work::new(self.groups.largest_valence);
-        for group in chunk.groups.clone() {
-            let m = self.groups.slots(group).len();
+        let mut work = Work::new(self.batches.largest_valence);
+        for group in chunk.batches.clone() {
+            let m = self.batches.slots(group).len();
             let place = (group, chunk.vertices.start, chunk.slots.start);
             self.free_group::<RESPONSE>(x, place, work.of(m), output);
         }
@@ -247,9 +247,9 @@ impl Equations<'_> {
         Room { ring, flaps, weight }: Room<'_>,
         out: &mut ChunkOutput<'_>,
     ) {
-        let groups = self.groups;
-        let slots = groups.slots(group);
-        let vertex = &groups.vertex[group];
+        let batches = self.batches;
+        let slots = batches.slots(group);
+        let vertex = &batches.vertex[group];
         let q = self.gather_ring(x, group, ring);
         let area = ring_weights(ring, weight);
         for (to, from) in out.weight[slots.start - first_slot..]
@@ -261,7 +261,7 @@ impl Equations<'_> {
         let (n, c) = match self.curvature {
             FreeCurvature::Paper => {
                 let n = cross_product_normal(ring);
-                let zero = Lanes::zero();
+                let zero = Simd::zero();
                 (
                     n,
                     Curvature {
@@ -275,7 +275,7 @@ impl Equations<'_> {
             FreeCurvature::GradientCorrected { tilt_ridge } => {
                 let n = max_normal(ring);
                 self.gather_flaps(x, slots.clone(), &q, flaps);
-                self.gather_rim(x, group, flaps);
+                self.gather_boundary(x, group, flaps);
                 (
                     n,
                     gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
@@ -304,11 +304,11 @@ impl Equations<'_> {
         x: &[Vector3<f64>],
         slots: Range<usize>,
         q: &Vec3<LANES>,
-        flaps: &mut [(Vec3<LANES>, Lanes<LANES>)],
+        flaps: &mut [(Vec3<LANES>, Simd<LANES>)],
     ) {
-        let ids = self.groups.flap[slots.clone()]
+        let ids = self.batches.flap[slots.clone()]
             .iter()
-            .zip(&self.groups.neighbour[slots]);
+            .zip(&self.batches.neighbour[slots]);
         for (to, (flap, neighbour)) in flaps.iter_mut().zip(ids) {
             *to = (gather(x, flap), flap_weight(flap, neighbour, FLAP_WEIGHT));
         }
@@ -318,59 +318,59 @@ impl Equations<'_> {
         }
     }
 
-    /// Where a ring edge lies on the rim there is no flap; the surface between its ends is known from their positions
+    /// Where a ring edge lies on the boundary there is no flap; the surface between its ends is known from their positions
     /// and normals (6.2) and takes the flap's place. Without it a vertex in a notch has too few samples.
     #[inline(always)]
-    fn gather_rim(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Lanes<LANES>)]) {
-        let groups = self.groups;
+    fn gather_boundary(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Simd<LANES>)]) {
+        let batches = self.batches;
         let free = self.free();
-        let rim = groups.rim_start[group] as usize..groups.rim_start[group + 1] as usize;
-        for edge in &groups.rim[rim] {
+        let boundary = batches.boundary_start[group] as usize..batches.boundary_start[group + 1] as usize;
+        for edge in &batches.boundary[boundary] {
             let lane = edge.lane as usize;
-            let q = &x[groups.vertex[group][lane] as usize];
+            let q = &x[batches.vertex[group][lane] as usize];
             let [a, b] = edge.ends.map(|j| one(&(x[j as usize] - q)));
-            let [n_a, n_b] = edge.ends.map(|j| one(&self.border_normals[j as usize - free]));
+            let [n_a, n_b] = edge.ends.map(|j| one(&self.boundary_normals[j as usize - free]));
             let (sample, weight) = &mut flaps[edge.slot as usize];
             let between = spiral_sample(&a, &b, &n_a, &n_b);
-            set_lane(sample, lane, &super::lanes::lane(&between, 0));
+            set_lane(sample, lane, &super::simd::lane(&between, 0));
             weight.0[lane] = 1.0;
         }
     }
 
-    /// `H` at border vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
+    /// `H` at boundary vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
     /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
-    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the border's
+    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the boundary's
     /// response, and even a sphere is then an unstable solution of the equations.
     /// The paper has no flaps there (7.5), and its discretization none either.
-    pub fn border_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+    pub(crate) fn boundary_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
-            || self.border_fit(x, corrected, b),
+            || self.boundary_fit(x, corrected, b),
         )
     }
 
     /// The same without the choice of instructions. The samples are spread over the lanes.
     #[inline(always)]
-    fn border_fit(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+    fn boundary_fit(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         let rings = self.rings;
         let free = self.free();
-        let nothing: Vec3<BORDER_LANES> = [Lanes::zero(); 3];
+        let nothing: Vec3<BOUNDARY_LANES> = [Simd::zero(); 3];
         let normal = &corrected[free + b];
         let q = &x[free + b];
         let mut n = nothing;
-        (0..BORDER_LANES).for_each(|l| set_lane(&mut n, l, normal));
+        (0..BOUNDARY_LANES).for_each(|l| set_lane(&mut n, l, normal));
         let mut fit = MoretonSequin::new(n);
-        let neighbours = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
-        for part in rings.border_neighbour[neighbours].chunks(BORDER_LANES) {
-            let (mut e, mut weight) = (nothing, Lanes::zero());
+        let neighbours = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
+        for part in rings.boundary_neighbour[neighbours].chunks(BOUNDARY_LANES) {
+            let (mut e, mut weight) = (nothing, Simd::zero());
             for (l, &j) in part.iter().enumerate() {
                 set_lane(&mut e, l, &(x[j as usize] - q));
                 weight.0[l] = 1.0;
             }
             fit.add(&e, weight);
         }
-        for part in self.border_triangles(b).chunks(BORDER_LANES) {
-            let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Lanes::zero());
+        for part in self.boundary_triangles(b).chunks(BOUNDARY_LANES) {
+            let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Simd::zero());
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
                     set_lane(&mut ends[k], l, &(x[j as usize] - q));
@@ -386,10 +386,10 @@ impl Equations<'_> {
         if self.curvature == FreeCurvature::Paper {
             return fit.over_lanes();
         }
-        let flaps = rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize;
+        let flaps = rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize;
         let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
-        for part in rings.border_flap[flaps].chunks(BORDER_LANES) {
-            let (mut e, mut weight) = (nothing, Lanes::zero());
+        for part in rings.boundary_flap[flaps].chunks(BOUNDARY_LANES) {
+            let (mut e, mut weight) = (nothing, Simd::zero());
             for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
                 set_lane(&mut e, l, &(x[j as usize] - q));
                 weight.0[l] = flap_weight;
@@ -399,26 +399,26 @@ impl Equations<'_> {
         fit.over_lanes()
     }
 
-    /// Area of the one-sided disk at border vertex `b`, and the one-sided cotangent weights to each of its ring edges'
-    /// ends are left to [`Self::border_weights`].
-    pub fn border_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
+    /// Area of the one-sided disk at boundary vertex `b`, and the one-sided cotangent weights to each of its ring edges'
+    /// ends are left to [`Self::boundary_weights`].
+    pub(crate) fn boundary_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
         let q = &x[self.free() + b];
-        self.border_triangles(b)
+        self.boundary_triangles(b)
             .iter()
             .map(|&[a, c]| area(q, &x[a as usize], &x[c as usize]))
             .sum()
     }
 
-    /// The ring edges of border vertex `b`'s triangles in the region.
-    pub fn border_triangles(&self, b: usize) -> &[[u32; 2]] {
+    /// The ring edges of boundary vertex `b`'s triangles in the region.
+    pub(crate) fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
         let rings = self.rings;
-        &rings.border_edge[rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize]
+        &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
     }
 
-    /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of border vertex `b`.
-    pub fn border_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
+    /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of boundary vertex `b`.
+    pub(crate) fn boundary_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
         let q = &x[self.free() + b];
-        for &[a, c] in self.border_triangles(b) {
+        for &[a, c] in self.boundary_triangles(b) {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
@@ -426,12 +426,12 @@ impl Equations<'_> {
     }
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::discrete::curvature::TILT_RIDGE;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, sphere_cap};
+    use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn wide_and_baseline_instructions_agree_bit_by_bit() {
@@ -439,8 +439,8 @@ mod tests {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.noise(3, 0.2));
         let rings = Rings::new(&region);
-        let groups = Groups::new(&rings);
-        let border_normals: Vec<_> = x[region.free..region.region_vertices()]
+        let batches = ValenceBatches::new(&rings);
+        let boundary_normals: Vec<_> = x[region.free..region.region_vertices()]
             .iter()
             .map(|p| p.normalize())
             .collect();
@@ -452,14 +452,14 @@ mod tests {
         ] {
             let equations = Equations {
                 rings: &rings,
-                groups: &groups,
-                border_normals: &border_normals,
-                weights: &FairnessWeights::conformal(&groups, &x),
-                passing: &[],
+                batches: &batches,
+                boundary_normals: &boundary_normals,
+                weights: &FairnessWeights::conformal(&batches, &x),
+                smooth_interior: &[],
                 curvature,
                 right_hand_side: RightHandSide::default(),
             };
-            let [mut wide, mut plain] = [(); 2].map(|()| State::new(&groups, region.border));
+            let [mut wide, mut plain] = [(); 2].map(|()| State::new(&batches, region.boundary));
             equations.free_vertices::<true>(&x, &mut wide);
             let mut output = ChunkOutput {
                 normal: &mut plain.normal,
@@ -471,21 +471,21 @@ mod tests {
                 weight: &mut plain.weight,
                 inner: &mut plain.inner,
             };
-            assert_eq!(groups.chunks.len(), 1);
-            equations.free_chunk::<true>(&x, &groups.chunks[0], &mut output);
+            assert_eq!(batches.chunks.len(), 1);
+            equations.free_chunk::<true>(&x, &batches.chunks[0], &mut output);
             assert!(
                 wide.normal == plain.normal && wide.corrected == plain.corrected && wide.inner == plain.inner
             );
             assert!(wide.h == plain.h && wide.k == plain.k && wide.area == plain.area);
             assert!(wide.response == plain.response && wide.weight == plain.weight);
-            let mut tangential = State::new(&groups, region.border);
+            let mut tangential = State::new(&batches, region.boundary);
             equations.evaluate_inner(&x, &mut tangential);
             assert!(tangential.normal == wide.normal && tangential.inner == wide.inner);
-            equations.border_normals_at(&x, &mut wide);
-            for b in 0..region.border {
-                let plain = equations.border_fit(&x, &wide.corrected, b);
+            equations.boundary_normals_at(&x, &mut wide);
+            for b in 0..region.boundary {
+                let plain = equations.boundary_fit(&x, &wide.corrected, b);
                 assert_eq!(
-                    equations.border_curvature(&x, &wide.corrected, b).to_bits(),
+                    equations.boundary_curvature(&x, &wide.corrected, b).to_bits(),
                     plain.to_bits()
                 );
             }
@@ -498,21 +498,21 @@ mod tests {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.noise(3, 0.2));
         let rings = Rings::new(&region);
-        let groups = Groups::new(&rings);
-        let weights = FairnessWeights::conformal(&groups, &x);
+        let batches = ValenceBatches::new(&rings);
+        let weights = FairnessWeights::conformal(&batches, &x);
         let equations = Equations {
             rings: &rings,
-            groups: &groups,
-            border_normals: &vec![Vector3::z(); region.border],
-            passing: &[],
+            batches: &batches,
+            boundary_normals: &vec![Vector3::z(); region.boundary],
+            smooth_interior: &[],
             weights: &weights,
             curvature: FreeCurvature::Paper,
             right_hand_side: RightHandSide::default(),
         };
-        let mut state = State::new(&groups, region.border);
+        let mut state = State::new(&batches, region.boundary);
         equations.evaluate(&x, &mut state);
         for i in 0..region.free {
-            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
             let ring = rings.ring(i).iter().enumerate();
             let sum: Vector3<f64> = ring
                 .map(|(k, &j)| (x[j as usize] - x[i]) * weights.at(first + k, lane))

@@ -5,14 +5,14 @@
 
 use nalgebra::Vector3;
 
-use super::groups::{Groups, LANES};
 use super::laplace_beltrami::cotangent;
-use crate::linear::sparse::SymmetricPattern;
+use super::valence_batches::{LANES, ValenceBatches};
 use crate::mesh::Rings;
+use fairmesh_linear::sparse::SymmetricPattern;
 
 /// A cotangent of the input mesh is clamped to this range, so that the weights are convex and the scalar Laplacian
 /// positive definite for any input.
-pub const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
+pub(crate) const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
 
 /// Mean-value weights of repairs stay within this factor of one.
 const LARGEST_RATIO: f64 = 20.0;
@@ -20,9 +20,9 @@ const LARGEST_RATIO: f64 = 20.0;
 /// Those that were asked for are left alone as long as they stay within this one.
 const LARGEST_ASKED_RATIO: f64 = 1e3;
 
-/// Weights `lambda_ij` of all free vertices, slot by slot as in [`Groups`].
+/// Weights `lambda_ij` of all free vertices, slot by slot as in [`ValenceBatches`].
 #[derive(Debug, Clone)]
-pub struct FairnessWeights {
+pub(crate) struct FairnessWeights {
     /// Per slot the weights; `None`: all are one.
     pub slots: Option<Vec<[f64; LANES]>>,
     /// Free vertices with an input triangle too thin for its cotangents or mean values: those are clamped.
@@ -31,7 +31,7 @@ pub struct FairnessWeights {
 
 impl FairnessWeights {
     /// Equal weights: a regular distribution.
-    pub fn uniform() -> Self {
+    pub(crate) fn uniform() -> Self {
         Self {
             slots: None,
             clamped: 0,
@@ -39,13 +39,13 @@ impl FairnessWeights {
     }
 
     /// `cot alpha_j + cot beta_j` of the input mesh: the result is discretely conformal to it.
-    pub fn conformal(groups: &Groups, input: &[Vector3<f64>]) -> Self {
+    pub(crate) fn conformal(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
         let mut weights = Self {
-            slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]),
+            slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
         };
-        for i in 0..groups.place.len() {
-            let was_clamped = weights.set_conformal(groups, input, i);
+        for i in 0..batches.place.len() {
+            let was_clamped = weights.set_conformal(batches, input, i);
             weights.clamped += usize::from(was_clamped);
         }
         weights
@@ -53,13 +53,13 @@ impl FairnessWeights {
 
     /// Mean-value weights of the input mesh, see [`Self::set_mean_value`]: positive without clamping, and where the ring
     /// is plane they reproduce its centre, so that a plane input mesh keeps its vertices.
-    pub fn convex(groups: &Groups, input: &[Vector3<f64>]) -> Self {
+    pub(crate) fn convex(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
         let mut weights = Self {
-            slots: Some(vec![[1.0; LANES]; groups.neighbour.len()]),
+            slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
         };
-        for i in 0..groups.place.len() {
-            let was_clamped = weights.set_bounded_mean_value(groups, input, i, LARGEST_ASKED_RATIO);
+        for i in 0..batches.place.len() {
+            let was_clamped = weights.set_bounded_mean_value(batches, input, i, LARGEST_ASKED_RATIO);
             weights.clamped += usize::from(was_clamped);
         }
         weights
@@ -67,38 +67,43 @@ impl FairnessWeights {
 
     /// Gives one vertex the clamped cotangent weights of the input mesh. Returns whether an angle was too close to 0
     /// or 180 degrees, where the fallback is the nearer end of [`COTANGENT_RANGE`].
-    pub fn set_conformal(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) -> bool {
+    pub(crate) fn set_conformal(
+        &mut self,
+        batches: &ValenceBatches,
+        input: &[Vector3<f64>],
+        i: usize,
+    ) -> bool {
         let slots = self
             .slots
-            .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
-        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
-        let valence = ring_length(groups, first);
-        let ring = |k: usize| &input[groups.neighbour[first + k][lane] as usize];
+            .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
+        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+        let valence = ring_length(batches, first);
+        let ring = |k: usize| &input[batches.neighbour[first + k][lane] as usize];
         clamped_cotangents(&input[i], valence, ring, |k, w| slots[first + k][lane] = w)
     }
 
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
     /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
     /// coordinates", CAGD 20 (2003).
-    pub fn set_mean_value(&mut self, groups: &Groups, input: &[Vector3<f64>], i: usize) {
-        self.set_bounded_mean_value(groups, input, i, LARGEST_RATIO);
+    pub(crate) fn set_mean_value(&mut self, batches: &ValenceBatches, input: &[Vector3<f64>], i: usize) {
+        self.set_bounded_mean_value(batches, input, i, LARGEST_RATIO);
     }
 
     /// The same within a factor `bound` of one. Returns whether a weight was outside, or no number: those take the
     /// nearer end, or one.
     fn set_bounded_mean_value(
         &mut self,
-        groups: &Groups,
+        batches: &ValenceBatches,
         input: &[Vector3<f64>],
         i: usize,
         bound: f64,
     ) -> bool {
         let slots = self
             .slots
-            .get_or_insert_with(|| vec![[1.0; LANES]; groups.neighbour.len()]);
-        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
-        let valence = ring_length(groups, first);
-        let edge = |k: usize| input[groups.neighbour[first + k % valence][lane] as usize] - input[i];
+            .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
+        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+        let valence = ring_length(batches, first);
+        let edge = |k: usize| input[batches.neighbour[first + k % valence][lane] as usize] - input[i];
         let half_tangent = |k: usize| {
             let (a, b) = (edge(k), edge(k + 1));
             let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
@@ -126,14 +131,14 @@ impl FairnessWeights {
     }
 
     /// The weight in one slot.
-    pub fn at(&self, slot: usize, lane: usize) -> f64 {
+    pub(crate) fn at(&self, slot: usize, lane: usize) -> f64 {
         self.slots.as_ref().map_or(1.0, |s| s[slot][lane])
     }
 }
 
 /// Hands `cot alpha_j + cot beta_j`, clamped, to `set` for each of the `valence` neighbours of a closed ring. Returns
 /// whether an angle was too close to 0 or 180 degrees; see [`FairnessWeights::set_conformal`].
-pub fn clamped_cotangents<'x>(
+pub(crate) fn clamped_cotangents<'x>(
     q: &Vector3<f64>,
     valence: usize,
     ring: impl Fn(usize) -> &'x Vector3<f64>,
@@ -160,31 +165,31 @@ pub fn clamped_cotangents<'x>(
 }
 
 /// The valence of the group whose first slot is `first`.
-fn ring_length(groups: &Groups, first: usize) -> usize {
-    let group = groups.start.partition_point(|&s| s <= first) - 1;
-    groups.start[group + 1] - first
+fn ring_length(batches: &ValenceBatches, first: usize) -> usize {
+    let group = batches.start.partition_point(|&s| s <= first) - 1;
+    batches.start[group + 1] - first
 }
 
 /// The scalar Laplacian `G` of the weights on the pattern of the free one-ring graph: `(G f)_i = sum_j m_ij (f_i -
 /// f_j)` with `m_ij` the mean of `lambda_ij` and `lambda_ji`, fixed `f_j` being zero. Symmetric positive definite.
-pub fn laplacian(
+pub(crate) fn laplacian(
     pattern: &SymmetricPattern,
     rings: &Rings,
-    groups: &Groups,
+    batches: &ValenceBatches,
     weights: &FairnessWeights,
 ) -> Vec<f64> {
     let free = pattern.order();
     let mut values = vec![0.0; pattern.column.len()];
     let mut diagonal = vec![0.0; free];
     for i in 0..free {
-        let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
         for (k, s) in (rings.start[i] as usize..rings.start[i + 1] as usize).enumerate() {
             let j = rings.neighbour[s] as usize;
             let own = weights.at(first + k, lane);
             if j >= free {
                 diagonal[i] += own;
             } else if j < i {
-                let (first, lane) = (groups.place[j].0 as usize, groups.place[j].1 as usize);
+                let (first, lane) = (batches.place[j].0 as usize, batches.place[j].1 as usize);
                 let twin = (rings.twin[s] - rings.start[j]) as usize;
                 let mean = 0.5 * (own + weights.at(first + twin, lane));
                 diagonal[i] += mean;
@@ -201,24 +206,24 @@ pub fn laplacian(
     values
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, sphere_cap};
+    use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn convex_weights_are_positive_and_reproduce_a_plane() {
         let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
-        let groups = Groups::new(&rings);
+        let batches = ValenceBatches::new(&rings);
         let mut x = region.positions(&shape.positions);
         x.iter_mut().for_each(|p| p.z = 0.0);
-        let weights = FairnessWeights::convex(&groups, &x);
+        let weights = FairnessWeights::convex(&batches, &x);
         assert_eq!(weights.clamped, 0);
         for i in 0..region.free {
-            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
             let mut sum = Vector3::zeros();
             for (k, &j) in rings.ring(i).iter().enumerate() {
                 let w = weights.at(first + k, lane);
@@ -234,12 +239,12 @@ mod tests {
         let shape = sphere_cap(60.0, 200, Sampling::Irregular { seed: 7 }, 4);
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
-        let groups = Groups::new(&rings);
+        let batches = ValenceBatches::new(&rings);
         let mut x = region.positions(&shape.positions);
         // All edges of a ring without length.
         let ring = rings.ring(0).to_vec();
         ring.iter().for_each(|&j| x[j as usize] = x[0]);
-        let weights = FairnessWeights::convex(&groups, &x);
+        let weights = FairnessWeights::convex(&batches, &x);
         assert!(weights.clamped > 0);
         let mut all = weights.slots.iter().flatten().flatten();
         assert!(all.all(|w| *w > 0.0 && w.is_finite()));

@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::equations::{Equations, FreeCurvature, State};
-use super::groups::{Chunk, LANES, gather, split_lengths};
-use super::lanes::{Lanes, Vec3, dot, lane, minus, plus, scaled, vectorized};
 use super::normals::{cross_product_normal, max_normal};
-use super::spokes::{Spoke, measure};
+use super::ring_edges::{RingEdge, measure};
+use super::simd::{Simd, Vec3, dot, lane, minus, plus, scaled, vectorized};
+use super::valence_batches::{Chunk, LANES, gather, split_lengths};
 
 impl Equations<'_> {
     /// The edges of a group's rings, measured. Returns the centres.
@@ -18,15 +18,15 @@ impl Equations<'_> {
         &self,
         x: &[Vector3<f64>],
         group: usize,
-        ring: &mut [Spoke<LANES>],
+        ring: &mut [RingEdge<LANES>],
     ) -> Vec3<LANES> {
-        let groups = self.groups;
-        let q = gather(x, &groups.vertex[group]);
-        for (spoke, j) in ring.iter_mut().zip(&groups.neighbour[groups.slots(group)]) {
-            spoke.edge = gather(x, j);
+        let batches = self.batches;
+        let q = gather(x, &batches.vertex[group]);
+        for (ring_edge, j) in ring.iter_mut().zip(&batches.neighbour[batches.slots(group)]) {
+            ring_edge.edge = gather(x, j);
         }
-        for spoke in ring.iter_mut() {
-            spoke.edge = minus(&spoke.edge, &q);
+        for ring_edge in ring.iter_mut() {
+            ring_edge.edge = minus(&ring_edge.edge, &q);
         }
         measure(ring);
         q
@@ -37,22 +37,22 @@ impl Equations<'_> {
     pub(super) fn inner_residual(
         &self,
         slots: Range<usize>,
-        ring: &[Spoke<LANES>],
+        ring: &[RingEdge<LANES>],
         n: &Vec3<LANES>,
     ) -> Vec3<LANES> {
-        let mut sum = [Lanes::zero(); 3];
-        for (s, Spoke { edge: e, .. }) in ring.iter().enumerate() {
+        let mut sum = [Simd::zero(); 3];
+        for (s, RingEdge { edge: e, .. }) in ring.iter().enumerate() {
             match &self.weights.slots {
                 None => sum = plus(&sum, e),
-                Some(w) => sum = plus(&sum, &scaled(e, Lanes(w[slots.start + s]))),
+                Some(w) => sum = plus(&sum, &scaled(e, Simd(w[slots.start + s]))),
             }
         }
         minus(&sum, &scaled(n, dot(&sum, n)))
     }
 
     /// Normals and inner residual alone, into `state.normal` and `state.inner`; the rest of `state` stays.
-    pub fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
-        let chunks = &self.groups.chunks;
+    pub(crate) fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
+        let chunks = &self.batches.chunks;
         let lengths = || chunks.iter().map(|c| c.vertices.len());
         let normal = split_lengths(&mut state.normal, lengths());
         let inner = split_lengths(&mut state.inner, lengths());
@@ -77,9 +77,9 @@ impl Equations<'_> {
         normal: &mut [Vector3<f64>],
         inner: &mut [Vector3<f64>],
     ) {
-        let mut ring = vec![Spoke::zero(); self.groups.largest_valence];
-        for group in chunk.groups.clone() {
-            let slots = self.groups.slots(group);
+        let mut ring = vec![RingEdge::zero(); self.batches.largest_valence];
+        for group in chunk.batches.clone() {
+            let slots = self.batches.slots(group);
             let ring = &mut ring[..slots.len()];
             self.gather_ring(x, group, ring);
             let n = match self.curvature {
@@ -88,7 +88,7 @@ impl Equations<'_> {
             };
             let residual = self.inner_residual(slots, ring, &n);
             // Backwards, as in the whole evaluation: only the first of a repeated vertex's lanes has its weights.
-            for (l, &i) in self.groups.vertex[group].iter().enumerate().rev() {
+            for (l, &i) in self.batches.vertex[group].iter().enumerate().rev() {
                 let i = i as usize - chunk.vertices.start;
                 normal[i] = lane(&n, l);
                 inner[i] = lane(&residual, l);

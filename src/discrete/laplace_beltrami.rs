@@ -5,25 +5,25 @@
 
 use nalgebra::Vector3;
 
-use super::lanes::{Lanes, dot};
-use super::spokes::Spoke;
+use super::ring_edges::RingEdge;
+use super::simd::{Simd, dot};
 
 /// Below this sine of a corner's angle (about), a cotangent stops growing: `1 / SMALLEST_SINE` bounds it.
 const SMALLEST_SINE: f64 = 1e-8;
 
 /// The cotangent weights of a closed ring, written to `weight`, and the area of its triangles.
 #[inline(always)]
-pub fn ring_weights<const L: usize>(ring: &[Spoke<L>], weight: &mut [Lanes<L>]) -> Lanes<L> {
-    let mut twice_area = Lanes::zero();
+pub(crate) fn ring_weights<const L: usize>(ring: &[RingEdge<L>], weight: &mut [Simd<L>]) -> Simd<L> {
+    let mut twice_area = Simd::zero();
     let m = ring.len();
-    weight[0] = Lanes::zero();
+    weight[0] = Simd::zero();
     for k in 0..m {
         let next = if k + 1 < m { k + 1 } else { 0 };
         let (a, b) = (&ring[k], &ring[next]);
         let inner = dot(&a.edge, &b.edge);
         let area = dot(&a.cross, &a.cross).sqrt();
         let floor = (a.square + b.square) * SMALLEST_SINE;
-        let inverse = area.max(floor).max(Lanes::splat(f64::MIN_POSITIVE)).recip();
+        let inverse = area.max(floor).max(Simd::splat(f64::MIN_POSITIVE)).recip();
         // The angle at b's end faces edge a, and the other way round.
         weight[k] += (b.square - inner) * inverse;
         let facing = (a.square - inner) * inverse;
@@ -34,7 +34,7 @@ pub fn ring_weights<const L: usize>(ring: &[Spoke<L>], weight: &mut [Lanes<L>]) 
 }
 
 /// Cotangent of the angle at `apex` in the triangle `(apex, a, b)`.
-pub fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub(crate) fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     let (e_a, e_b) = (a - apex, b - apex);
     let sine = e_a.cross(&e_b).norm();
     let floor = (e_a.norm_squared() + e_b.norm_squared()) * SMALLEST_SINE;
@@ -42,15 +42,15 @@ pub fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64
 }
 
 /// Area of a triangle.
-pub fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
+pub(crate) fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
     (b - a).cross(&(c - a)).norm() * 0.5
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::lanes::{Vec3, lane, minus, one, plus, scaled};
-    use crate::discrete::spokes::ring_of;
+    use crate::discrete::ring_edges::ring_of;
+    use crate::discrete::simd::{Vec3, lane, minus, one, plus, scaled};
 
     fn ring() -> (Vector3<f64>, Vec<Vector3<f64>>) {
         let q = Vector3::new(0.1, -0.2, 0.3);
@@ -67,7 +67,7 @@ mod tests {
 
     fn weights(q: &Vector3<f64>, ring: &[Vector3<f64>]) -> (Vec<f64>, f64) {
         let e = ring_of(ring.iter().map(|p| minus(&one(p), &one(q))));
-        let mut w = vec![Lanes::zero(); e.len()];
+        let mut w = vec![Simd::zero(); e.len()];
         let area = ring_weights(&e, &mut w);
         (w.iter().map(|w| w.0[0]).collect(), area.0[0])
     }
@@ -105,11 +105,11 @@ mod tests {
         let (q, p) = ring();
         let (w, _) = weights(&q, &p);
         let e: Vec<Vec3<1>> = p.iter().map(|x| minus(&one(&q), &one(x))).collect();
-        let zero = [Lanes::zero(); 3];
+        let zero = [Simd::zero(); 3];
         let sum = e
             .iter()
             .zip(&w)
-            .fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Lanes::splat(0.5 * w))));
+            .fold(zero, |s, (e, &w)| plus(&s, &scaled(e, Simd::splat(0.5 * w))));
         let gradient = lane(&sum, 0);
         for d in 0..3 {
             let mut step = Vector3::zeros();

@@ -1,7 +1,7 @@
 //! The extra sample between two neighbours (paper 6.2, Figure 5): the centre of the area that any spiral
 //! through both points, tangent to both normals' planes, must cross.
 
-use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled};
+use super::simd::{Simd, Vec3, dot, minus, normalized, plus, scaled};
 
 /// A point of the surface between `a` and `b` with unit normals `n_a`, `n_b` there.
 ///
@@ -11,28 +11,33 @@ use super::lanes::{Lanes, Vec3, dot, minus, normalized, plus, scaled};
 /// angle" to the chord, which jumps when a normal turns past 90 degrees to it; `|c|` in the denominator is the
 /// same choice without the jump.
 #[inline(always)]
-pub fn spiral_sample<const L: usize>(a: &Vec3<L>, b: &Vec3<L>, n_a: &Vec3<L>, n_b: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn spiral_sample<const L: usize>(
+    a: &Vec3<L>,
+    b: &Vec3<L>,
+    n_a: &Vec3<L>,
+    n_b: &Vec3<L>,
+) -> Vec3<L> {
     let chord = minus(b, a);
-    let length = dot(&chord, &chord).sqrt().max(Lanes::splat(f64::MIN_POSITIVE));
+    let length = dot(&chord, &chord).sqrt().max(Simd::splat(f64::MIN_POSITIVE));
     let c = scaled(&chord, length.recip());
     let sum = plus(n_a, n_b);
     let up = normalized(&minus(&sum, &scaled(&c, dot(&sum, &c))));
     let t_a = half_angle_tangent(-dot(n_a, &c), dot(n_a, &up));
     let t_b = half_angle_tangent(dot(n_b, &c), dot(n_b, &up));
-    let middle = scaled(&plus(a, b), Lanes::splat(0.5));
+    let middle = scaled(&plus(a, b), Simd::splat(0.5));
     plus(&middle, &scaled(&up, length * 0.25 * (t_a + t_b)))
 }
 
 /// `tan(phi / 2)` of the angle with sine `s` and cosine `|c|`, up to a common factor of both.
 #[inline(always)]
-fn half_angle_tangent<const L: usize>(s: Lanes<L>, c: Lanes<L>) -> Lanes<L> {
-    s / ((s * s + c * c).sqrt() + c.abs()).max(Lanes::splat(f64::MIN_POSITIVE))
+fn half_angle_tangent<const L: usize>(s: Simd<L>, c: Simd<L>) -> Simd<L> {
+    s / ((s * s + c * c).sqrt() + c.abs()).max(Simd::splat(f64::MIN_POSITIVE))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::lanes::{lane, one};
+    use crate::discrete::simd::{lane, one};
     use nalgebra::Vector3;
 
     fn sample(a: Vector3<f64>, b: Vector3<f64>, n_a: Vector3<f64>, n_b: Vector3<f64>) -> Vector3<f64> {

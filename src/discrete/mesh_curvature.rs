@@ -3,28 +3,17 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, RIDGE, TILT_RIDGE, gradient_corrected};
-use super::lanes::{Lanes, Vec3, cross, dot, normalized, one, plus};
+use super::curvature::{FLAP_WEIGHT, NormalEquations, RIDGE, TILT_RIDGE, TangentFrame, gradient_corrected};
 use super::normals::max_normal;
-use super::spokes::{Spoke, measure};
+use super::ring_edges::{RingEdge, measure};
+use super::simd::{Simd, Vec3, cross, dot, normalized, one, plus};
 use crate::error::Error;
 
-/// How often the fit at a border vertex is made.
-const BORDER_PASSES: usize = 5;
+/// How often the fit at a boundary vertex is made.
+const BOUNDARY_PASSES: usize = 5;
 
-/// Mean curvature `(k1 + k2) / 2` at every vertex, in one over the unit of the positions: the gradient-corrected
-/// Moreton-Sequin fit (paper 6.1) that the solver uses at free vertices.
-///
-/// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to; `H` is
-/// negative on a sphere with outward normals. A vertex on the border of the mesh sees its side alone, and begins
-/// with the mean normal of its triangles instead of a closed ring's; that is first order at best, and a corner with a
-/// single triangle has hardly anything to see. A vertex without triangles gets NaN. The mesh need not
-/// be a manifold: a vertex where it is none is taken as one on the border.
-///
-/// # Errors
-/// [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist, [`Error::NotFinite`] for a
-/// vertex of a triangle whose position is not finite.
-pub fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
+/// [`crate::mean_curvature`], on the threads of the pool that it is called in.
+pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     check(positions, triangles)?;
     let edges = Edges::new(positions.len(), triangles);
     Ok((0..positions.len())
@@ -64,8 +53,8 @@ struct Edges {
 /// Room for one ring.
 #[derive(Default)]
 struct Work {
-    ring: Vec<Spoke<1>>,
-    flaps: Vec<(Vec3<1>, Lanes<1>)>,
+    ring: Vec<RingEdge<1>>,
+    flaps: Vec<(Vec3<1>, Simd<1>)>,
     walked: Vec<[u32; 2]>,
     near: Vec<u32>,
 }
@@ -123,19 +112,19 @@ impl Edges {
         let q = Vector3::from(positions[v]);
         let from = |w: u32| one(&(Vector3::from(positions[w as usize]) - q));
         if !self.walk(v as u32, &mut work.walked) {
-            return self.border_curvature(v as u32, from, work);
+            return self.boundary_curvature(v as u32, from, work);
         }
         let (ring, flaps) = (&mut work.ring, &mut work.flaps);
         ring.clear();
         flaps.clear();
         for &[a, b] in &work.walked {
-            ring.push(Spoke {
+            ring.push(RingEdge {
                 edge: from(a),
-                ..Spoke::zero()
+                ..RingEdge::zero()
             });
             flaps.push(match self.apex(b, a).filter(|&f| f as usize != v) {
-                Some(f) => (from(f), Lanes::splat(FLAP_WEIGHT)),
-                None => (from(a), Lanes::zero()),
+                Some(f) => (from(f), Simd::splat(FLAP_WEIGHT)),
+                None => (from(a), Simd::zero()),
             });
         }
         measure(ring);
@@ -147,7 +136,7 @@ impl Edges {
     /// The same fit from one side, to the ring with weight 1 and to all of the second ring as to flaps: a vertex of two
     /// triangles has too few of them. Repeated, because the first normal is off by more than a closed ring's and the
     /// ridge holds back a part of what has to be taken out.
-    fn border_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut Work) -> f64 {
+    fn boundary_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut Work) -> f64 {
         let near = &mut work.near;
         near.clear();
         near.extend(self.row(v).iter().flatten());
@@ -166,17 +155,17 @@ impl Edges {
         });
         let samples = &mut work.flaps;
         samples.clear();
-        samples.extend(first.iter().map(|&w| (from(w), Lanes::splat(1.0))));
-        samples.extend(beyond.map(|k| (from(second[k]), Lanes::splat(FLAP_WEIGHT))));
-        let mut sum = [Lanes::zero(); 3];
+        samples.extend(first.iter().map(|&w| (from(w), Simd::splat(1.0))));
+        samples.extend(beyond.map(|k| (from(second[k]), Simd::splat(FLAP_WEIGHT))));
+        let mut sum = [Simd::zero(); 3];
         for &[a, b] in self.row(v) {
             sum = plus(&sum, &cross(&from(a), &from(b)));
         }
         let squares: f64 = samples[..ring].iter().map(|(e, _)| dot(e, e).0[0]).sum();
-        let l = Lanes::splat((squares / ring as f64).sqrt());
+        let l = Simd::splat((squares / ring as f64).sqrt());
         let (mut n, mut h) = (normalized(&sum), 0.0);
-        for _ in 0..BORDER_PASSES {
-            let frame = Frame::new(n);
+        for _ in 0..BOUNDARY_PASSES {
+            let frame = TangentFrame::new(n);
             let mut fit = NormalEquations::<1, 5>::new();
             for (e, weight) in samples.iter() {
                 let (phi, kappa) = frame.sample(e, l);
@@ -219,7 +208,7 @@ mod tests {
         (positions.collect(), triangles)
     }
 
-    /// Largest errors inside and on the border.
+    /// Largest errors inside and on the boundary.
     fn errors(n: usize, f: impl Fn(f64, f64) -> [f64; 3], exact: f64) -> [f64; 2] {
         let (positions, triangles) = sheet(n, f);
         let h = mean_curvature(&positions, &triangles).unwrap();
@@ -243,8 +232,8 @@ mod tests {
             [u, v, z]
         };
         let cylinder = |u: f64, v: f64| [u.sin(), v, u.cos()];
-        let [inside, border] = errors(12, sphere, -0.5);
-        assert!(inside < 1e-12 && border < 1e-3, "{inside:e} {border:e}");
+        let [inside, boundary] = errors(12, sphere, -0.5);
+        assert!(inside < 1e-12 && boundary < 1e-3, "{inside:e} {boundary:e}");
         let (coarse, fine) = (errors(12, cylinder, -0.5), errors(48, cylinder, -0.5));
         assert!(fine[0] < 2e-3 && fine[0] < 0.3 * coarse[0], "{coarse:?} {fine:?}");
         assert!(fine[1] < 0.05 && fine[1] < 0.5 * coarse[1], "{coarse:?} {fine:?}");

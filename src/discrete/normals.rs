@@ -1,29 +1,29 @@
 //! Vertex normals from a closed one-ring.
 //!
-//! The ring is given by its spokes in counter-clockwise order.
+//! The ring is given by its ring_edges in counter-clockwise order.
 
-use super::lanes::{Lanes, Vec3, normalized, plus, scaled};
-use super::spokes::Spoke;
+use super::ring_edges::RingEdge;
+use super::simd::{Simd, Vec3, normalized, plus, scaled};
 
 /// Nelson Max's weights, `n ~ sum (e_k x e_k+1) / (|e_k|^2 |e_k+1|^2)`: exact on a sphere for any ring.
 /// N. Max, "Weights for computing vertex normals from facet normals", J. Graphics Tools 4 (1999).
 #[inline(always)]
-pub fn max_normal<const L: usize>(ring: &[Spoke<L>]) -> Vec3<L> {
-    let mut sum = [Lanes::zero(); 3];
+pub(crate) fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
+    let mut sum = [Simd::zero(); 3];
     let mut next = ring[0].inverse_square;
-    for spoke in ring.iter().rev() {
-        sum = plus(&sum, &scaled(&spoke.cross, spoke.inverse_square * next));
-        next = spoke.inverse_square;
+    for ring_edge in ring.iter().rev() {
+        sum = plus(&sum, &scaled(&ring_edge.cross, ring_edge.inverse_square * next));
+        next = ring_edge.inverse_square;
     }
     normalized(&sum)
 }
 
 /// The paper's normal (section 6): the normalized sum of the triangles' cross products.
 #[inline(always)]
-pub fn cross_product_normal<const L: usize>(ring: &[Spoke<L>]) -> Vec3<L> {
-    let mut sum = [Lanes::zero(); 3];
-    for spoke in ring {
-        sum = plus(&sum, &spoke.cross);
+pub(crate) fn cross_product_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
+    let mut sum = [Simd::zero(); 3];
+    for ring_edge in ring {
+        sum = plus(&sum, &ring_edge.cross);
     }
     normalized(&sum)
 }
@@ -31,11 +31,11 @@ pub fn cross_product_normal<const L: usize>(ring: &[Spoke<L>]) -> Vec3<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::lanes::{lane, minus, one};
-    use crate::discrete::spokes::ring_of;
+    use crate::discrete::ring_edges::ring_of;
+    use crate::discrete::simd::{lane, minus, one};
     use nalgebra::Vector3;
 
-    fn ring_on_sphere(angles: &[(f64, f64)]) -> (Vector3<f64>, Vec<Spoke<1>>) {
+    fn ring_on_sphere(angles: &[(f64, f64)]) -> (Vector3<f64>, Vec<RingEdge<1>>) {
         let q = Vector3::new(0.48, 0.6, 0.64);
         let (x, y) = (Vector3::new(0.8, 0.0, -0.6), Vector3::new(-0.36, 0.8, -0.48));
         let ring = angles.iter().map(|&(phi, r): &(f64, f64)| {
@@ -55,7 +55,7 @@ mod tests {
     #[test]
     fn both_are_exact_in_a_plane_and_turn_with_the_orientation() {
         let edges =
-            [[1.0, 0.0, 0.0], [0.1, 2.0, 0.0], [-1.0, -0.3, 0.0]].map(|e: [f64; 3]| e.map(Lanes::splat));
+            [[1.0, 0.0, 0.0], [0.1, 2.0, 0.0], [-1.0, -0.3, 0.0]].map(|e: [f64; 3]| e.map(Simd::splat));
         let (ring, reversed) = (ring_of(edges), ring_of(edges.into_iter().rev()));
         for f in [max_normal::<1>, cross_product_normal::<1>] {
             assert!((lane(&f(&ring), 0) - Vector3::z()).norm() < 1e-15);

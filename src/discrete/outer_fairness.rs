@@ -3,13 +3,13 @@
 use rayon::prelude::*;
 
 use super::equations::{Equations, State};
-use super::groups::{LANES, gather_scalar, split_lengths};
-use super::lanes::{Lanes, vectorized};
+use super::simd::{Simd, vectorized};
+use super::valence_batches::{LANES, gather_scalar, split_lengths};
 
 impl Equations<'_> {
     /// `R1` from the weights, areas and curvatures of `state`. An inhomogeneous right-hand side is taken at the
     /// surface at hand.
-    pub fn outer_residual(&self, state: &mut State) {
+    pub(crate) fn outer_residual(&self, state: &mut State) {
         if self.right_hand_side.is_zero() {
             return self.residual_with(state, |sum, _, _, _| sum);
         }
@@ -25,29 +25,29 @@ impl Equations<'_> {
     fn residual_with(
         &self,
         state: &mut State,
-        finish: impl Fn(Lanes<LANES>, &Evaluated<'_>, &[u32; LANES], Lanes<LANES>) -> Lanes<LANES> + Sync,
+        finish: impl Fn(Simd<LANES>, &Evaluated<'_>, &[u32; LANES], Simd<LANES>) -> Simd<LANES> + Sync,
     ) {
-        let groups = self.groups;
+        let batches = self.batches;
         let (h, weight) = (&state.h, &state.weight);
         let evaluated = Evaluated {
             k: &state.k,
             area: &state.area,
         };
-        let pieces = split_lengths(&mut state.outer, groups.chunks.iter().map(|c| c.vertices.len()));
+        let pieces = split_lengths(&mut state.outer, batches.chunks.iter().map(|c| c.vertices.len()));
         pieces
             .into_par_iter()
-            .zip(groups.chunks.par_iter())
+            .zip(batches.chunks.par_iter())
             .for_each(|(outer, chunk)| {
                 vectorized(
                     #[inline(always)]
                     || {
-                        for group in chunk.groups.clone() {
-                            let vertex = &groups.vertex[group];
+                        for group in chunk.batches.clone() {
+                            let vertex = &batches.vertex[group];
                             let own = gather_scalar(h, vertex);
-                            let mut sum = Lanes::<LANES>::zero();
-                            for slot in groups.slots(group) {
-                                let other = gather_scalar(h, &groups.neighbour[slot]);
-                                sum += Lanes(weight[slot]) * (own - other);
+                            let mut sum = Simd::<LANES>::zero();
+                            for slot in batches.slots(group) {
+                                let other = gather_scalar(h, &batches.neighbour[slot]);
+                                sum += Simd(weight[slot]) * (own - other);
                             }
                             let residual = finish(sum, &evaluated, vertex, own);
                             for (l, &i) in vertex.iter().enumerate() {
@@ -61,11 +61,11 @@ impl Equations<'_> {
 
     /// The defect `max_i |R1_i| / sum_j |w_ij|` of the outer equation (a mean curvature: times a length it has no unit),
     /// and `|R1| / (|S| |H| + |load|)`, how much of the residual is more than cancellation.
-    pub fn defect(&self, state: &State) -> (f64, f64) {
+    pub(crate) fn defect(&self, state: &State) -> (f64, f64) {
         let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
         for i in 0..self.free() {
             let (mut absolute, mut size) = (0.0, 0.0);
-            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
+            let (first, lane) = (self.batches.place[i].0 as usize, self.batches.place[i].1 as usize);
             let start = self.rings.start[i] as usize;
             for s in start..self.rings.start[i + 1] as usize {
                 let w = state.weight[first + s - start][lane].abs();

@@ -1,10 +1,10 @@
-//! The normal of a surface at the rim of what is known of it: gradient-corrected fits, as in [`super::curvature`], to the
+//! The normal of a surface at the boundary of what is known of it: gradient-corrected fits, as in [`super::curvature`], to the
 //! vertices on one side.
 
 use nalgebra::Vector3;
 
-use super::curvature::{FLAP_WEIGHT, Frame, NormalEquations, TILT_RIDGE, back_substitute};
-use super::lanes::{Lanes, Vec3, dot, lane, one};
+use super::curvature::{FLAP_WEIGHT, NormalEquations, TILT_RIDGE, TangentFrame, back_substitute};
+use super::simd::{Simd, Vec3, dot, lane, one};
 use crate::mesh::Surroundings;
 
 /// The repeated fit stops when the normal turns by less than this (radians).
@@ -16,16 +16,16 @@ const SMALL_RING: usize = 4;
 
 /// A fitted normal.
 #[derive(Debug, Clone, Copy)]
-pub struct Fit {
+pub(crate) struct Fit {
     /// Unit length.
     pub normal: Vector3<f64>,
     /// Standard error of the tilt, radians.
     pub error: f64,
 }
 
-/// What lies around a border vertex outside: edge vectors, ring by ring.
+/// What lies around a boundary vertex outside: edge vectors, ring by ring.
 #[derive(Debug, Default)]
-pub struct Samples {
+pub(crate) struct Samples {
     edges: Vec<Vec3<1>>,
     /// How many lie within one, two and three edges.
     ends: [usize; 3],
@@ -34,8 +34,8 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// Those of border vertex `v` (local number); `found` is room to work in.
-    pub fn gather(
+    /// Those of boundary vertex `v` (local number); `found` is room to work in.
+    pub(crate) fn gather(
         &mut self,
         surroundings: &Surroundings,
         x: &[Vector3<f64>],
@@ -70,7 +70,7 @@ impl Samples {
 
 /// A fit of `N` unknowns: of second order with 5, of third with 9.
 #[derive(Debug)]
-pub struct Order<const N: usize> {
+pub(crate) struct Order<const N: usize> {
     /// Weights of the first, second and third ring outside.
     weights: [f64; 3],
     /// See [`super::curvature`].
@@ -80,14 +80,14 @@ pub struct Order<const N: usize> {
 }
 
 /// Tangential quadrics: see [`super::curvature`].
-pub const SECOND: Order<5> = Order {
+pub(crate) const SECOND: Order<5> = Order {
     weights: [1.0, FLAP_WEIGHT, 0.0],
     ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE],
     fewest: 6,
 };
 
 /// The same with `w = u^3, u^2 v, u v^2, v^3`: from one side alone, what the quadric leaves out would else tilt it.
-pub const THIRD: Order<9> = Order {
+pub(crate) const THIRD: Order<9> = Order {
     weights: [1.0, 0.5, 0.1],
     ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE, 1e-4, 1e-4, 1e-4, 1e-4],
     fewest: 14,
@@ -95,7 +95,7 @@ pub const THIRD: Order<9> = Order {
 
 impl<const N: usize> Order<N> {
     /// Fits again and again from the tilted normal, which takes the bias of the ridge away.
-    pub fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
+    pub(crate) fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
         if samples.weighted(&self.weights).count() < self.fewest {
             return None;
         }
@@ -115,15 +115,15 @@ impl<const N: usize> Order<N> {
     }
 
     fn fit_once(&self, samples: &Samples, n: &Vector3<f64>) -> Fit {
-        let frame = Frame::new(one(n));
-        let l = Lanes([samples.length]);
+        let frame = TangentFrame::new(one(n));
+        let l = Simd([samples.length]);
         let mut normal_equations = NormalEquations::<1, N>::new();
         let mut squared = NormalEquations::<1, N>::new();
         let mut count = 0.0;
         for (e, weight) in samples.weighted(&self.weights) {
             let (phi, kappa) = basis(&frame, e, l);
-            normal_equations.add(&phi, kappa, Lanes([weight]));
-            squared.add(&phi, kappa, Lanes([weight * weight]));
+            normal_equations.add(&phi, kappa, Simd([weight]));
+            squared.add(&phi, kappa, Simd([weight * weight]));
             count += 1.0;
         }
         let factor = normal_equations.cholesky(&self.ridges);
@@ -143,8 +143,8 @@ impl<const N: usize> Order<N> {
     }
 }
 
-/// The first `N` of the basis values of [`Frame::sample`] and of the cubics `w / l`, as curvatures `2w/d`.
-fn basis<const N: usize>(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<1>; N], Lanes<1>) {
+/// The first `N` of the basis values of [`TangentFrame::sample`] and of the cubics `w / l`, as curvatures `2w/d`.
+fn basis<const N: usize>(frame: &TangentFrame<1>, e: &Vec3<1>, l: Simd<1>) -> ([Simd<1>; N], Simd<1>) {
     let (five, kappa) = frame.sample(e, l);
     // 2u/d and 2v/d times l.
     let (c, d) = (five[3], five[4]);
@@ -156,21 +156,21 @@ fn basis<const N: usize>(frame: &Frame<1>, e: &Vec3<1>, l: Lanes<1>) -> ([Lanes<
 }
 
 /// Diagonal entry `r` of `M^-1 (sum w^2 phi phi^T) M^-1`.
-fn covariance<const N: usize>(factor: &[[Lanes<1>; N]; N], squared: &NormalEquations<1, N>, r: usize) -> f64 {
-    let mut unit = [Lanes([0.0]); N];
-    unit[r] = Lanes([1.0]);
+fn covariance<const N: usize>(factor: &[[Simd<1>; N]; N], squared: &NormalEquations<1, N>, r: usize) -> f64 {
+    let mut unit = [Simd([0.0]); N];
+    unit[r] = Simd([1.0]);
     let z = back_substitute(factor, unit);
     squared.quadratic_form(&z).0[0]
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, catenoid_band, sphere_cap};
+    use fairmesh_shapes::{Sampling, catenoid_band, sphere_cap};
 
     /// The largest angle in degrees between a fit and the exact normals.
-    fn worst<const N: usize>(order: &Order<N>, shape: &crate::shapes::Shape) -> f64 {
+    fn worst<const N: usize>(order: &Order<N>, shape: &fairmesh_shapes::Shape) -> f64 {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
         let surroundings = Surroundings::new(&region);

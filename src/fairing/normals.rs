@@ -1,14 +1,14 @@
-//! Which normals hold at the border vertices.
+//! Which normals hold at the boundary vertices.
 
 use nalgebra::Vector3;
 
-use crate::discrete::border_normals::estimate;
+use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
 use crate::mesh::{Region, Rings};
 
-/// Where the unit normals at the border vertices come from. Outward or inward, as the triangles run.
+/// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, Copy, Default)]
-pub enum BorderNormals<'a> {
+pub enum BoundaryNormals<'a> {
     /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
     /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
     /// To eight rings where all coordinates around are single precision numbers so far from the origin that their rounding
@@ -17,13 +17,13 @@ pub enum BorderNormals<'a> {
     Fitted,
     /// The average of the outside triangles, as the paper does (7.5).
     Averaged,
-    /// Given for some or all border vertices (`(vertex, unit normal)`); the others are fitted. Entries for
-    /// vertices that are not on the border are ignored.
+    /// Given for some or all boundary vertices (`(vertex, unit normal)`); the others are fitted. Entries for
+    /// vertices that are not on the boundary are ignored.
     Given(&'a [(u32, [f64; 3])]),
 }
 
 /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
-/// and curves. Where [`BorderNormals::Given`] has a normal for such a vertex, that one holds in any case. Along a curve of
+/// and curves. Where [`BoundaryNormals::Given`] has a normal for such a vertex, that one holds in any case. Along a curve of
 /// such vertices the surface is cut: each side meets the curve with the given normals, and has a curvature of its own. At
 /// single vertices the normal acts on the mean curvature, which is taken from all sides at once, and bends the surface
 /// little.
@@ -38,8 +38,8 @@ pub enum InteriorNormals {
 }
 
 /// The vertices whose normals are given, ascending.
-pub(super) fn given_vertices(asked: BorderNormals<'_>) -> Vec<u32> {
-    let BorderNormals::Given(list) = asked else {
+pub(super) fn given_vertices(asked: BoundaryNormals<'_>) -> Vec<u32> {
+    let BoundaryNormals::Given(list) = asked else {
         return Vec::new();
     };
     let mut vertices: Vec<u32> = list.iter().map(|(v, _)| *v).collect();
@@ -50,20 +50,20 @@ pub(super) fn given_vertices(asked: BorderNormals<'_>) -> Vec<u32> {
 /// A given normal may miss unit length by this much.
 const UNIT: f64 = 1e-3;
 
-/// Normals at the border, and where the surface passes instead; empty: nowhere.
-pub(super) fn border_normals(
+/// Normals at the boundary, and where the surface passes instead; empty: nowhere.
+pub(super) fn boundary_normals(
     region: &Region,
     rings: &Rings,
     x: &[Vector3<f64>],
-    asked: BorderNormals<'_>,
+    asked: BoundaryNormals<'_>,
     interior: InteriorNormals,
 ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
-    let mut given = vec![None; region.border];
-    if let BorderNormals::Given(list) = asked {
-        let border = &region.vertex_ids[region.free..region.region_vertices()];
+    let mut given = vec![None; region.boundary];
+    if let BoundaryNormals::Given(list) = asked {
+        let boundary = &region.vertex_ids[region.free..region.region_vertices()];
         for &(v, n) in list {
-            let first = border.partition_point(|&w| w < v);
-            let copies = border[first..].iter().take_while(|&&w| w == v).count();
+            let first = boundary.partition_point(|&w| w < v);
+            let copies = boundary[first..].iter().take_while(|&&w| w == v).count();
             if copies == 0 {
                 continue;
             }
@@ -76,19 +76,19 @@ pub(super) fn border_normals(
             given[first..first + copies].fill(Some(n / length));
         }
     }
-    let mut passing = vec![false; region.border];
+    let mut smooth_interior = vec![false; region.boundary];
     if interior == InteriorNormals::Smooth {
         for (b, given) in given.iter_mut().enumerate() {
             if rings.closed[b] && given.is_none() {
-                passing[b] = true;
+                smooth_interior[b] = true;
                 // Any will do until the first evaluation.
                 *given = Some(Vector3::z());
             }
         }
     }
-    if !passing.contains(&true) {
-        passing.clear();
+    if !smooth_interior.contains(&true) {
+        smooth_interior.clear();
     }
-    let fitted = !matches!(asked, BorderNormals::Averaged);
-    Ok((estimate(region, rings, x, fitted, &given)?, passing))
+    let fitted = !matches!(asked, BoundaryNormals::Averaged);
+    Ok((estimate(region, rings, x, fitted, &given)?, smooth_interior))
 }

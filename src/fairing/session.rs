@@ -12,7 +12,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 
 use super::{
-    BorderNormals, Options, Progress, Selection, Solution, Solver, Target, Watcher, check, with_threads,
+    BoundaryNormals, Options, Progress, Selection, Solution, Solver, Target, Watcher, check, with_threads,
 };
 use crate::error::Error;
 use crate::mesh::Region;
@@ -22,7 +22,7 @@ use worker::Problem;
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
 ///
 /// Without changes in between, any sequence of [`run`](Session::run)s finds the surface of [`fair`](super::fair) with the same
-/// options, to the last bit. After a change of the border normals or of the target, the next run starts at the surface
+/// options, to the last bit. After a change of the boundary normals or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 pub struct Session {
     commands: Option<Sender<Command>>,
@@ -92,7 +92,7 @@ impl Session {
         Self::start(input, options.normals, options.target)
     }
 
-    fn start(input: Arc<Input>, normals: BorderNormals<'_>, target: Target) -> Result<Self, Error> {
+    fn start(input: Arc<Input>, normals: BoundaryNormals<'_>, target: Target) -> Result<Self, Error> {
         let threads = input.threads;
         let problem = Problem::new(input.clone(), normals)?;
         let normals = problem.normals(normals)?;
@@ -144,12 +144,12 @@ impl Session {
         Ok(self.solution())
     }
 
-    /// Asks for other border normals from now on. Where a curve of fixed vertices inside the region gets normals, or loses them,
+    /// Asks for other boundary normals from now on. Where a curve of fixed vertices inside the region gets normals, or loses them,
     /// the region is another one, and the session begins anew.
     ///
     /// # Errors
     /// [`Error::BadNormal`], [`Error::NoNormal`]; the normals before then hold on.
-    pub fn set_border_normals(&mut self, normals: BorderNormals<'_>) -> Result<(), Error> {
+    pub fn set_boundary_normals(&mut self, normals: BoundaryNormals<'_>) -> Result<(), Error> {
         if self.connectivity != Connectivity::of(&self.input.region(normals)?) {
             // A curve inside has got its normals, or has lost them: the region is cut there.
             *self = Self::start(self.input.clone(), normals, self.target)?;

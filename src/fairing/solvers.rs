@@ -20,7 +20,7 @@ pub(super) struct Faired {
     /// Evaluated at the surface.
     pub(super) state: State,
     /// Prescribed, or the surface's own where it passes a fixed vertex.
-    pub(super) border_normals: Vec<Vector3<f64>>,
+    pub(super) boundary_normals: Vec<Vector3<f64>>,
     /// Of the outer equation, without unit.
     pub(super) defect: f64,
     pub(super) iterations: usize,
@@ -57,7 +57,7 @@ pub(super) fn fast<'a>(
         solved,
         defect: defect * system.diagonal,
         state: system.state,
-        border_normals: system.border_normals,
+        boundary_normals: system.boundary_normals,
         iterations: control.iterations,
         cancelled: control.cancelled,
         levels: Vec::new(),
@@ -101,7 +101,7 @@ fn untouched(problem: &Problem<'_>, curvature: FreeCurvature) -> Faired {
         region: problem.region,
         x: &faired.solved.x,
         normals: &faired.state.corrected,
-        border_normals: &faired.border_normals,
+        boundary_normals: &faired.boundary_normals,
         h: &faired.state.h,
     };
     faired.solved.poor = surface.poor(NEEDLE);
@@ -113,12 +113,12 @@ fn untouched(problem: &Problem<'_>, curvature: FreeCurvature) -> Faired {
 /// A surface, evaluated; its defect still has a unit.
 fn measured(problem: &Problem<'_>, curvature: FreeCurvature, solved: Solved) -> Faired {
     let equations = problem.equations(curvature);
-    let mut state = State::new(problem.groups, problem.region.border);
+    let mut state = State::new(problem.batches, problem.region.boundary);
     equations.evaluate(&solved.x, &mut state);
     let (defect, _) = equations.defect(&state);
     Faired {
         solved,
-        border_normals: state.corrected[problem.region.free..].to_vec(),
+        boundary_normals: state.corrected[problem.region.free..].to_vec(),
         state,
         defect,
         iterations: 0,

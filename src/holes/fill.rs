@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use super::loops::{BorderLoop, Links, LoopKind};
+use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::outcome::{LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};
@@ -16,9 +16,9 @@ use crate::mesh::NONE;
 /// Which loops are filled.
 #[derive(Debug, Clone, Copy)]
 pub enum Loops<'a> {
-    /// All holes of at most this many edges; outer borders stay open.
+    /// All holes of at most this many edges; outer boundaries stay open.
     UpTo(usize),
-    /// These, by their numbers in [`border_loops`](super::border_loops), outer borders included.
+    /// These, by their numbers in [`boundary_loops`](super::boundary_loops), outer boundaries included.
     Chosen(&'a [usize]),
 }
 
@@ -27,15 +27,15 @@ pub struct FillOptions<'a> {
     /// Which loops. Default: all holes of whatever size.
     pub loops: Loops<'a>,
     /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
-    /// long as those of the mesh beside the rim; at twice that, half as long. Between 0.1 and 10.
+    /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
     pub density: f64,
-    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their rims.
+    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
     /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
     /// square of a density above 1: a round hole takes a tenth, but one edge can be astronomically short.
     pub max_new_vertices: usize,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
-    /// For the fairing. Normals are those of the rim, by default fitted to the surroundings. `progress` is told about the
+    /// For the fairing. Normals are those of the boundary, by default fitted to the surroundings. `progress` is told about the
     /// whole call, with the fraction of all loops.
     pub fairing: Options<'a>,
 }
@@ -106,9 +106,9 @@ pub fn fill_holes(
     let mut pieces: Vec<Option<(Piece, f64)>> = numbers.iter().map(|_| None).collect();
     for i in order {
         let clock = Instant::now();
-        let border = &loops[numbers[i]];
-        let piece = run.fill(border);
-        run.done += border.vertices.len() as f64;
+        let boundary = &loops[numbers[i]];
+        let piece = run.fill(boundary);
+        run.done += boundary.vertices.len() as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
     let mut filled = Filled {
@@ -175,33 +175,36 @@ struct Run<'m, 'o> {
 
 impl Run<'_, '_> {
     /// What speaks against filling a loop, known before the work.
-    fn objection(&self, border: &BorderLoop) -> Option<OpenReason> {
-        if let LoopKind::NonManifold { a, b } = border.kind {
+    fn objection(&self, boundary: &BoundaryLoop) -> Option<OpenReason> {
+        if let LoopKind::NonManifold { a, b } = boundary.kind {
             return Some(OpenReason::NonManifold { a, b });
         }
         if self.cancelled {
             return Some(OpenReason::Cancelled);
         }
         if let Loops::UpTo(most) = self.options.loops
-            && border.vertices.len() > most
+            && boundary.vertices.len() > most
         {
             return Some(OpenReason::TooManyEdges);
         }
-        (border.kind == LoopKind::OuterBorder && !self.named).then_some(OpenReason::OuterBorder)
+        (boundary.kind == LoopKind::OuterBoundary && !self.named).then_some(OpenReason::OuterBoundary)
     }
 
-    fn fill(&mut self, border: &BorderLoop) -> Piece {
-        if let Some(reason) = self.objection(border) {
+    fn fill(&mut self, boundary: &BoundaryLoop) -> Piece {
+        if let Some(reason) = self.objection(boundary) {
             return Piece::open(reason);
         }
-        let mut surroundings = Surroundings::new(self.links, self.positions, border, &mut self.place);
+        let mut surroundings = Surroundings::new(self.links, self.positions, boundary, &mut self.place);
         if let Some(vertex) = surroundings.first_unusable() {
             return Piece::open(OpenReason::NotFinite { vertex });
         }
-        if !border.touching.is_empty() {
+        if !boundary.touching.is_empty() {
             self.add_made(&mut surroundings);
         }
-        let (done, total) = (self.done / self.total, border.vertices.len() as f64 / self.total);
+        let (done, total) = (
+            self.done / self.total,
+            boundary.vertices.len() as f64 / self.total,
+        );
         let watcher = &mut self.options.fairing.progress;
         let (mut cancelled, mut reached) = (false, 0.0_f64);
         let mut tell = |progress: &Progress| {
@@ -226,7 +229,7 @@ impl Run<'_, '_> {
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self
                 .left
-                .min(largest_patch(border.vertices.len(), self.options.density)),
+                .min(largest_patch(boundary.vertices.len(), self.options.density)),
             fair: self.options.fair,
             normals: self.options.fairing.normals,
             target: self.options.fairing.target,
@@ -243,13 +246,13 @@ impl Run<'_, '_> {
             return Piece::open(OpenReason::Cancelled);
         }
         self.left -= piece.positions.len();
-        let rim = border.vertices.len() as u32;
+        let boundary_count = boundary.vertices.len() as u32;
         for t in &piece.triangles {
             for k in 0..3 {
                 let (a, b) = (t[k], t[(k + 1) % 3]);
-                if a < rim && b < rim {
+                if a < boundary_count && b < boundary_count {
                     self.made
-                        .insert(edge(border.vertices[a as usize], border.vertices[b as usize]));
+                        .insert(edge(boundary.vertices[a as usize], boundary.vertices[b as usize]));
                 }
             }
         }
@@ -258,9 +261,9 @@ impl Run<'_, '_> {
 
     /// Edges that patches on touching loops have made are taken, too.
     fn add_made(&self, surroundings: &mut Surroundings) {
-        let rim = surroundings.rim as u32;
+        let boundary = surroundings.boundary as u32;
         let touching = |v: &u32| self.made.iter().any(|e| e.0 == *v || e.1 == *v);
-        let common: Vec<u32> = (0..rim)
+        let common: Vec<u32> = (0..boundary)
             .filter(|&i| touching(&surroundings.ids[i as usize]))
             .collect();
         for (k, &i) in common.iter().enumerate() {
@@ -284,12 +287,12 @@ impl Filled {
     /// Appends a piece and its report.
     fn append(&mut self, piece: Piece, index: usize, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
-        let rim = piece.rim.len() as u32;
+        let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {
-            if v < rim {
-                piece.rim[v as usize]
+            if v < boundary {
+                piece.boundary[v as usize]
             } else {
-                vertex + (v - rim)
+                vertex + (v - boundary)
             }
         };
         self.positions.extend(&piece.positions);

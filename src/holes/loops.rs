@@ -1,8 +1,8 @@
-//! Border loops of a whole mesh, found on half-edges.
+//! Boundary loops of a whole mesh, found on half-edges.
 //!
-//! Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next. An edge with one triangle is border. Flaws
+//! Half-edge `3 t + k` runs from corner `k` of triangle `t` to the next. An edge with one triangle is boundary. Flaws
 //! elsewhere (edges with three triangles, triangles that name a vertex twice, vertices of several fans) do not matter:
-//! a walk along the border only crosses edges with exactly two triangles that run through it in opposite directions.
+//! a walk along the boundary only crosses edges with exactly two triangles that run through it in opposite directions.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,8 +11,8 @@ use nalgebra::Vector3;
 use crate::error::Error;
 use crate::mesh::halfedge::{next, previous};
 
-/// No half-edge on the other side: the border.
-pub(super) const BORDER: u32 = u32::MAX;
+/// No half-edge on the other side: the boundary.
+pub(super) const BOUNDARY: u32 = u32::MAX;
 /// Three triangles or more at the edge, or two in the same direction.
 const NON_MANIFOLD: u32 = u32::MAX - 1;
 /// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
@@ -24,10 +24,10 @@ const OUTER_TURN: f64 = 0.75 * PI;
 pub enum LoopKind {
     /// A gap in the surface.
     Hole,
-    /// The loop encloses the mesh rather than a gap, like the outline of an open sheet: a smooth surface over it would
+    /// The loop encloses the mesh rather than a gap, like the outer boundary of an open sheet: a smooth surface over it would
     /// have to turn back by more than 135 degrees. Filled only if it is named.
-    OuterBorder,
-    /// The walk along the border met an edge that has three triangles or more, or two that run through it in the same
+    OuterBoundary,
+    /// The walk along the boundary met an edge that has three triangles or more, or two that run through it in the same
     /// direction. Never filled.
     NonManifold {
         /// One end of that edge, the smaller index.
@@ -37,9 +37,9 @@ pub enum LoopKind {
     },
 }
 
-/// A closed run of border edges that visits no vertex twice.
+/// A closed run of boundary edges that visits no vertex twice.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BorderLoop {
+pub struct BoundaryLoop {
     /// The vertices in the direction in which triangles that fill the loop run through it. Of a loop that is
     /// `NonManifold`, the part between the bad edges.
     pub vertices: Vec<u32>,
@@ -48,7 +48,7 @@ pub struct BorderLoop {
     /// The length of the vector area: the area of the flat surface over a plane loop, a lower bound otherwise.
     pub area: f64,
     /// The mean angle in degrees by which a smooth surface over the loop has to turn back towards it: 0 for a hole in a
-    /// plane, 90 for the end of a tube, 180 for the outline of a plane sheet. By Gauss and Bonnet the surface has the
+    /// plane, 90 for the end of a tube, 180 for the outer boundary of a plane sheet. By Gauss and Bonnet the surface has the
     /// total curvature `2 pi (1 - cos turn)`.
     pub turn: f64,
     /// Vertices that belong to another loop, too (bow-ties).
@@ -59,13 +59,13 @@ pub struct BorderLoop {
     pub(super) half_edges: Vec<u32>,
 }
 
-/// The border loops of a mesh, in the order of their first half-edge. `positions` is #V by 3, `triangles` #T by 3.
+/// The boundary loops of a mesh, in the order of their first half-edge. `positions` is #V by 3, `triangles` #T by 3.
 ///
 /// At a vertex where several gaps meet, each gap is a loop of its own.
 ///
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::TooLarge`].
-pub fn border_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BorderLoop>, Error> {
+pub fn boundary_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BoundaryLoop>, Error> {
     let links = Links::new(positions.len(), triangles)?;
     Ok(links.loops(positions))
 }
@@ -73,7 +73,7 @@ pub fn border_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Ve
 /// Which half-edges lie side by side, and the triangles at each vertex.
 pub(super) struct Links<'a> {
     pub(super) triangles: &'a [[u32; 3]],
-    /// The half-edge across, [`BORDER`], or more than one.
+    /// The half-edge across, [`BOUNDARY`], or more than one.
     opposite: Vec<u32>,
     /// Half-edges that start at vertex v: `out[start[v]..start[v + 1]]`, ascending.
     start: Vec<u32>,
@@ -99,7 +99,7 @@ impl<'a> Links<'a> {
         }
         let mut links = Self {
             triangles,
-            opposite: vec![BORDER; 3 * triangles.len()],
+            opposite: vec![BOUNDARY; 3 * triangles.len()],
             start,
             out,
         };
@@ -157,14 +157,14 @@ impl<'a> Links<'a> {
         Some(self.opposite[h as usize]).filter(|&o| o < NON_MANIFOLD)
     }
 
-    /// The border half-edge after `h` along the gap: around `h`'s origin, through its fan. `Err`: a bad edge. `visit` sees
+    /// The boundary half-edge after `h` along the gap: around `h`'s origin, through its fan. `Err`: a bad edge. `visit` sees
     /// the half-edges of the fan that end at the origin.
     pub(super) fn follow(&self, h: u32, mut visit: impl FnMut(u32)) -> Result<u32, u32> {
         let mut g = previous(h);
         loop {
             visit(g);
             match self.opposite[g as usize] {
-                BORDER => return Ok(g),
+                BOUNDARY => return Ok(g),
                 NON_MANIFOLD => return Err(g),
                 o => g = previous(o),
             }
@@ -178,29 +178,29 @@ impl<'a> Links<'a> {
         let mut others = self
             .at(self.origin(h))
             .iter()
-            .filter(|&&g| g != h && self.opposite[g as usize] == BORDER);
+            .filter(|&&g| g != h && self.opposite[g as usize] == BOUNDARY);
         match (others.next(), others.next()) {
             (Some(&other), None) => Ok(self.follow(other, |_| {}).unwrap_or(along)),
             _ => Ok(along),
         }
     }
 
-    pub(super) fn loops(&self, positions: &[[f64; 3]]) -> Vec<BorderLoop> {
-        let border: Vec<u32> = (0..self.opposite.len() as u32)
-            .filter(|&h| self.opposite[h as usize] == BORDER)
+    pub(super) fn loops(&self, positions: &[[f64; 3]]) -> Vec<BoundaryLoop> {
+        let boundary: Vec<u32> = (0..self.opposite.len() as u32)
+            .filter(|&h| self.opposite[h as usize] == BOUNDARY)
             .collect();
         let mut has_before = vec![false; self.opposite.len()];
-        for &h in &border {
+        for &h in &boundary {
             if let Ok(g) = self.follow_gap(h) {
                 has_before[g as usize] = true;
             }
         }
         let mut done = vec![false; self.opposite.len()];
-        let mut place = vec![BORDER; self.start.len()];
+        let mut place = vec![BOUNDARY; self.start.len()];
         let mut found = Vec::new();
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
-            for &h in &border {
+            for &h in &boundary {
                 let is_inside = open && has_before[h as usize];
                 if !is_inside && !done[h as usize] {
                     self.walk(h, &mut done, &mut place, &mut found);
@@ -219,7 +219,7 @@ impl<'a> Links<'a> {
             .collect()
     }
 
-    /// Walks from a border half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
+    /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
     /// in between is a loop of its own.
     fn walk(
         &self,
@@ -234,11 +234,11 @@ impl<'a> Links<'a> {
             done[h as usize] = true;
             // The gap runs from h's target to its origin.
             let v = self.origin(next(h)) as usize;
-            if place[v] != BORDER {
+            if place[v] != BOUNDARY {
                 let inner = run.split_off(place[v] as usize);
                 inner
                     .iter()
-                    .for_each(|&g| place[self.origin(next(g)) as usize] = BORDER);
+                    .for_each(|&g| place[self.origin(next(g)) as usize] = BOUNDARY);
                 found.push((inner, None));
             }
             place[v] = run.len() as u32;
@@ -250,11 +250,17 @@ impl<'a> Links<'a> {
             }
         };
         run.iter()
-            .for_each(|&g| place[self.origin(next(g)) as usize] = BORDER);
+            .for_each(|&g| place[self.origin(next(g)) as usize] = BOUNDARY);
         found.push((run, bad));
     }
 
-    fn measure(&self, run: Vec<u32>, bad: Option<u32>, positions: &[[f64; 3]], visits: &[u8]) -> BorderLoop {
+    fn measure(
+        &self,
+        run: Vec<u32>,
+        bad: Option<u32>,
+        positions: &[[f64; 3]],
+        visits: &[u8],
+    ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
         let n = vertices.len();
         let at = |v: u32| Vector3::from(positions[v as usize]);
@@ -278,7 +284,7 @@ impl<'a> Links<'a> {
                     b: a.max(b),
                 }
             }
-            None if turn > OUTER_TURN => LoopKind::OuterBorder,
+            None if turn > OUTER_TURN => LoopKind::OuterBoundary,
             None => LoopKind::Hole,
         };
         let touching = vertices
@@ -286,7 +292,7 @@ impl<'a> Links<'a> {
             .copied()
             .filter(|&v| visits[v as usize] > 1)
             .collect();
-        BorderLoop {
+        BoundaryLoop {
             vertices,
             length,
             area: area.norm(),
@@ -297,7 +303,7 @@ impl<'a> Links<'a> {
         }
     }
 
-    /// The angle of the mesh at `h`'s origin between the border half-edges `h` and `after`. Where the loop leaves `h`'s fan
+    /// The angle of the mesh at `h`'s origin between the boundary half-edges `h` and `after`. Where the loop leaves `h`'s fan
     /// (a bow-tie), what the gap leaves of a full turn.
     fn angle(&self, h: u32, after: u32, positions: &[[f64; 3]]) -> f64 {
         let at = |v: u32| Vector3::from(positions[v as usize]);

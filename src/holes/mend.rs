@@ -1,4 +1,4 @@
-//! What is left after refinement: single triangles with a small angle, nearly all of them at the rim, whose edges have to
+//! What is left after refinement: single triangles with a small angle, nearly all of them at the boundary, whose edges have to
 //! stay. Around each an edge is split or a vertex removed, if that makes the smallest angle there larger.
 
 use nalgebra::Vector3;
@@ -12,9 +12,9 @@ use crate::quality::smallest_angle;
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
 const PASSES: usize = 6;
-/// In so many of them edges at the rim keep to their ranges; after that angles count for more.
+/// In so many of them edges at the boundary keep to their ranges; after that angles count for more.
 const RANGED: usize = 4;
-/// Edges at the rim keep away from the ends of their range by this factor: fairing moves vertices a little.
+/// Edges at the boundary keep away from the ends of their range by this factor: fairing moves vertices a little.
 const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
 const LONG: f64 = 1.8;
@@ -22,7 +22,7 @@ const LONG: f64 = 1.8;
 const STEPS: usize = 3;
 
 impl Refiner<'_> {
-    /// Mends edges at the rim whose lengths are not in their range, then triangles with small angles.
+    /// Mends edges at the boundary whose lengths are not in their range, then triangles with small angles.
     pub(super) fn mend(&mut self) {
         self.mend_lengths();
         for pass in 0..PASSES {
@@ -43,18 +43,21 @@ impl Refiner<'_> {
     }
 
     fn mend_lengths(&mut self) {
-        let (mut near, mut spokes) = (Vec::new(), Vec::new());
+        let (mut near, mut ring_edges) = (Vec::new(), Vec::new());
         for v in 0..self.patch.fixed as u32 {
             let [least, most, _] = self.patch.range[v as usize];
-            self.patch.spokes(v, &mut spokes);
-            for &h in &spokes {
+            self.patch.ring_edges(v, &mut ring_edges);
+            for &h in &ring_edges {
                 if !self.is_inner(h) || self.patch.from(h) != v {
                     continue;
                 }
                 let (w, length) = (self.patch.to(h), self.patch.length(h));
                 if ROOM * length > most && !self.is_full() {
                     near.extend([w, self.patch.split(h)]);
-                } else if length < ROOM * least && !self.patch.is_rim(w) && self.makes_nothing_taken(w, v) {
+                } else if length < ROOM * least
+                    && !self.patch.is_boundary(w)
+                    && self.makes_nothing_taken(w, v)
+                {
                     near.extend(&self.ring);
                     self.collapse(self.patch.across(h));
                 }
@@ -90,7 +93,7 @@ impl Refiner<'_> {
     fn gather(&mut self, t: u32, near: &mut Vec<u32>) {
         for v in self.patch.triangles[t as usize] {
             if v != NONE {
-                self.patch.ring(v, &mut self.spokes, &mut self.ring);
+                self.patch.ring(v, &mut self.ring_edges, &mut self.ring);
                 near.push(v);
                 near.extend(&self.ring);
             }
@@ -109,8 +112,8 @@ impl Refiner<'_> {
         }
         let mut stack = Vec::new();
         for &v in &*near {
-            self.patch.spokes(v, &mut self.spokes);
-            stack.extend(&self.spokes);
+            self.patch.ring_edges(v, &mut self.ring_edges);
+            stack.extend(&self.ring_edges);
         }
         self.flip_from(stack);
     }
@@ -140,7 +143,7 @@ impl Refiner<'_> {
         let _ = self.try_collapse(middle, ranged) || self.try_collapse(long, ranged);
     }
 
-    /// Removes one end of a short edge if the smallest angle around it grows; `ranged`: and if no edge at the rim gets too
+    /// Removes one end of a short edge if the smallest angle around it grows; `ranged`: and if no edge at the boundary gets too
     /// long.
     fn try_collapse(&mut self, h: u32, ranged: bool) -> bool {
         let o = self.patch.across(h);
@@ -149,7 +152,7 @@ impl Refiner<'_> {
         }
         for g in [h, o] {
             let (a, b) = (self.patch.from(g), self.patch.to(g));
-            if self.patch.is_rim(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
+            if self.patch.is_boundary(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
                 continue;
             }
             let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));
@@ -170,7 +173,7 @@ impl Refiner<'_> {
         false
     }
 
-    /// Whether an edge from `b` to one of the ring would be too long at the rim.
+    /// Whether an edge from `b` to one of the ring would be too long at the boundary.
     fn leaves_range(&self, b: u32) -> bool {
         let target = self.patch.x[b as usize];
         let is_beyond = |v: u32, length: f64| {
@@ -216,7 +219,7 @@ mod tests {
     use crate::holes::patch::Patch;
     use crate::holes::refine::Fineness;
 
-    /// A disc of 12 rim vertices around a wheel of `inner` ones.
+    /// A disc of 12 boundary vertices around a wheel of `inner` ones.
     fn wheel(radius: f64) -> Patch {
         let at = |r: f64, k: u32| {
             let a = f64::from(k) * std::f64::consts::TAU / 12.0;

@@ -1,4 +1,4 @@
-//! Holes: border loops, their triangulation, refinement and fairing in one call.
+//! Holes: boundary loops, their triangulation, refinement and fairing in one call.
 
 mod fill;
 mod loops;
@@ -14,7 +14,7 @@ mod surroundings;
 mod triangulate;
 
 pub use fill::{FillOptions, Filled, Loops, fill_holes};
-pub use loops::{BorderLoop, LoopKind, border_loops};
+pub use loops::{BoundaryLoop, LoopKind, boundary_loops};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};

@@ -17,7 +17,7 @@ pub enum OpenReason {
         b: u32,
     },
     /// The loop encloses the mesh rather than a gap, and was not named.
-    OuterBorder,
+    OuterBoundary,
     /// The loop has more edges than asked for.
     TooManyEdges,
     /// Every triangulation has an edge or a triangle that the mesh has already.
@@ -51,7 +51,7 @@ pub enum FlatReason {
 pub enum FillOutcome {
     /// Filled with a faired surface that meets the tolerance; its report says with which reservations.
     Faired,
-    /// Filled, but the fair surface was not found: the surface of the linear problem with the same border data, or the
+    /// Filled, but the fair surface was not found: the surface of the linear problem with the same boundary data, or the
     /// best one when the iterations ran out.
     Linear,
     /// Filled with the triangulation, refined: not tangent to the surroundings.
@@ -78,7 +78,7 @@ impl FillOutcome {
 /// What became of a loop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopReport {
-    /// The loop, as numbered by [`border_loops`](super::border_loops).
+    /// The loop, as numbered by [`boundary_loops`](super::boundary_loops).
     pub index: usize,
     /// Its number of edges.
     pub edges: usize,

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::patch::Patch;
 
-/// Original vertices of the rim and their weights, which sum to one and are not negative. Unused entries repeat a
+/// Original vertices of the boundary and their weights, which sum to one and are not negative. Unused entries repeat a
 /// vertex with weight 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parents {

@@ -1,4 +1,4 @@
-//! A triangulated disc (or any orientable surface with border) that can be changed: splits, flips, collapses.
+//! A triangulated disc (or any orientable surface with boundary) that can be changed: splits, flips, collapses.
 //!
 //! Half-edge `3 t + k` runs from corner `k` of triangle `t` to corner `k + 1`. Vertices below `fixed` stay, and so do the
 //! edges without a triangle on the other side.
@@ -21,11 +21,11 @@ pub(super) struct Patch {
     pub(super) old: Vec<u32>,
     /// The edge length of the surroundings, interpolated.
     pub(super) size: Vec<f64>,
-    /// An upper bound of the edge length beside short edges of the rim.
+    /// An upper bound of the edge length beside short edges of the boundary.
     pub(super) limit: Vec<f64>,
-    /// Per rim vertex the least length of edges there, one that is rather long, and the largest.
+    /// Per boundary vertex the least length of edges there, one that is rather long, and the largest.
     pub(super) range: Vec<[f64; 3]>,
-    /// Distance to the rim along edges.
+    /// Distance to the boundary along edges.
     pub(super) depth: Vec<f64>,
     /// Corners; [`NONE`] where a triangle was removed.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -33,12 +33,12 @@ pub(super) struct Patch {
     opposite: Vec<u32>,
     /// A half-edge that starts at the vertex, [`NONE`] at removed vertices.
     out: Vec<u32>,
-    /// Vertices below this number are the rim.
+    /// Vertices below this number are the boundary.
     pub(super) fixed: usize,
 }
 
 impl Patch {
-    /// The patch of these triangles; all vertices below `fixed` are the rim. Sizes are left at zero.
+    /// The patch of these triangles; all vertices below `fixed` are the boundary. Sizes are left at zero.
     pub(super) fn new(x: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, fixed: usize) -> Self {
         let mut patch = Self {
             origin: x.clone(),
@@ -95,7 +95,7 @@ impl Patch {
     }
 
     #[inline]
-    pub(super) fn is_rim(&self, v: u32) -> bool {
+    pub(super) fn is_boundary(&self, v: u32) -> bool {
         (v as usize) < self.fixed
     }
 
@@ -119,15 +119,15 @@ impl Patch {
         (self.x[self.to(h) as usize] - self.x[self.from(h) as usize]).norm()
     }
 
-    /// The half-edges that start at a vertex, counter-clockwise; at a rim vertex from the border on.
-    pub(super) fn spokes(&self, v: u32, spokes: &mut Vec<u32>) {
-        spokes.clear();
+    /// The half-edges that start at a vertex, counter-clockwise; at a boundary vertex from the boundary on.
+    pub(super) fn ring_edges(&self, v: u32, ring_edges: &mut Vec<u32>) {
+        ring_edges.clear();
         let mut first = self.out[v as usize];
         if first == NONE {
             return;
         }
         let start = first;
-        // Clockwise to the border, if there is one.
+        // Clockwise to the boundary, if there is one.
         while self.across(first) != NONE {
             first = next(self.across(first));
             if first == start {
@@ -136,7 +136,7 @@ impl Patch {
         }
         let mut h = first;
         loop {
-            spokes.push(h);
+            ring_edges.push(h);
             h = self.across(previous(h));
             if h == NONE || h == first {
                 return;
@@ -145,11 +145,11 @@ impl Patch {
     }
 
     /// The neighbours of a vertex, counter-clockwise.
-    pub(super) fn ring(&self, v: u32, spokes: &mut Vec<u32>, ring: &mut Vec<u32>) {
-        self.spokes(v, spokes);
+    pub(super) fn ring(&self, v: u32, ring_edges: &mut Vec<u32>, ring: &mut Vec<u32>) {
+        self.ring_edges(v, ring_edges);
         ring.clear();
-        ring.extend(spokes.iter().map(|&h| self.to(h)));
-        if let Some(&last) = spokes.last()
+        ring.extend(ring_edges.iter().map(|&h| self.to(h)));
+        if let Some(&last) = ring_edges.last()
             && self.across(previous(last)) == NONE
         {
             ring.push(self.from(previous(last)));
@@ -233,35 +233,35 @@ impl Patch {
     }
 
     /// Whether two vertices have an edge in the patch.
-    pub(super) fn are_joined(&self, a: u32, b: u32, spokes: &mut Vec<u32>) -> bool {
-        self.spokes(a, spokes);
-        spokes
+    pub(super) fn are_joined(&self, a: u32, b: u32, ring_edges: &mut Vec<u32>) -> bool {
+        self.ring_edges(a, ring_edges);
+        ring_edges
             .iter()
             .any(|&h| self.to(h) == b || self.from(previous(h)) == b)
     }
 
     /// Moves the inner vertex that `h` starts at onto its other end, if the patch stays a manifold with valences of at
-    /// least 3 and no triangle turns over. `spokes` and `ring` are scratch.
-    pub(super) fn collapse(&mut self, h: u32, spokes: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
+    /// least 3 and no triangle turns over. `ring_edges` and `ring` are scratch.
+    pub(super) fn collapse(&mut self, h: u32, ring_edges: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
         let (a, b, o) = (self.from(h), self.to(h), self.across(h));
-        if self.is_rim(a) || o == NONE {
+        if self.is_boundary(a) || o == NONE {
             return false;
         }
         let (c, d) = (self.from(previous(h)), self.from(previous(o)));
-        self.ring(b, spokes, ring);
-        self.spokes(a, spokes);
-        let common = spokes.iter().filter(|&&g| ring.contains(&self.to(g))).count();
-        if common != 2 || spokes.len() < 4 {
+        self.ring(b, ring_edges, ring);
+        self.ring_edges(a, ring_edges);
+        let common = ring_edges.iter().filter(|&&g| ring.contains(&self.to(g))).count();
+        if common != 2 || ring_edges.len() < 4 {
             return false;
         }
         for v in [c, d] {
-            self.spokes(v, ring);
-            if ring.len() < 4 && !self.is_rim(v) || ring.len() < 2 {
+            self.ring_edges(v, ring);
+            if ring.len() < 4 && !self.is_boundary(v) || ring.len() < 2 {
                 return false;
             }
         }
         let target = self.x[b as usize];
-        for &g in &*spokes {
+        for &g in &*ring_edges {
             let (p, q) = (self.to(g), self.from(previous(g)));
             if p == b || q == b {
                 continue;
@@ -276,7 +276,7 @@ impl Patch {
             }
         }
         let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        for &g in &*spokes {
+        for &g in &*ring_edges {
             self.triangles[g as usize / 3][g as usize % 3] = b;
         }
         for t in [h / 3, o / 3] {
@@ -297,7 +297,7 @@ impl Patch {
         true
     }
 
-    /// Drops removed vertices and triangles; the rim keeps its numbers.
+    /// Drops removed vertices and triangles; the boundary keeps its numbers.
     pub(super) fn compact(&mut self) {
         if self.out.iter().all(|&h| h != NONE) && self.triangles.iter().all(|t| t[0] != NONE) {
             return;
@@ -356,7 +356,7 @@ impl Patch {
             if o != NONE && (self.across(o) != h || self.from(o) != b || self.to(o) != a) {
                 return Err(format!("half-edge {h} ({a}, {b}) does not match {o}"));
             }
-            if o == NONE && !(self.is_rim(a) && self.is_rim(b)) {
+            if o == NONE && !(self.is_boundary(a) && self.is_boundary(b)) {
                 return Err(format!("edge ({a}, {b}) is open"));
             }
         }

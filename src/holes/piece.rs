@@ -12,15 +12,15 @@ use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use super::surroundings::{Surroundings, bounds};
-use super::triangulate::Rim;
+use super::triangulate::Boundary;
 use crate::error::Error;
 use crate::fairing::{
-    BorderNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
+    BoundaryNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
     Solver, Target, fair,
 };
 use crate::quality::smallest_angle;
 
-/// The coarse patch's edges grow by this much per unit of distance from the rim.
+/// The coarse patch's edges grow by this much per unit of distance from the boundary.
 const COARSE_GROWTH: f64 = 0.5;
 /// How well the coarse patch is faired.
 const COARSE_TOLERANCE: f64 = 1e-3;
@@ -30,9 +30,9 @@ const COARSE_SHARE: f64 = 0.2;
 /// First growth when the vertices do not suffice, and the last.
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
-/// On short edges of the rim, edges may be this much longer than those: triangles keep 15 degrees.
+/// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
 pub(super) const BESIDE_SHORT: f64 = 1.5;
-/// A patch may leave the rim's bounding box by this much of its diagonal without being named.
+/// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
 /// A patch whose smallest angle (degrees) is below this is refined and faired again, so often at most.
@@ -47,11 +47,11 @@ fn is_failed(report: &Report) -> bool {
     )
 }
 
-/// A filled loop in numbers of its own: the rim's vertices, then the new ones.
+/// A filled loop in numbers of its own: the boundary's vertices, then the new ones.
 pub(super) struct Piece {
     pub(super) outcome: FillOutcome,
-    /// The mesh's numbers of the rim's vertices.
-    pub(super) rim: Vec<u32>,
+    /// The mesh's numbers of the boundary's vertices.
+    pub(super) boundary: Vec<u32>,
     /// New vertices, in the caller's units.
     pub(super) positions: Vec<[f64; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
@@ -70,7 +70,7 @@ impl Piece {
     pub(super) fn open(reason: OpenReason) -> Self {
         Self {
             outcome: FillOutcome::LeftOpen(reason),
-            rim: Vec::new(),
+            boundary: Vec::new(),
             positions: Vec::new(),
             triangles: Vec::new(),
             parents: Vec::new(),
@@ -91,7 +91,7 @@ pub(super) struct Task<'a> {
     pub(super) factor: f64,
     pub(super) most: usize,
     pub(super) fair: bool,
-    pub(super) normals: BorderNormals<'a>,
+    pub(super) normals: BoundaryNormals<'a>,
     pub(super) target: Target,
     pub(super) inner: InnerFairness,
     pub(super) discretization: Discretization,
@@ -179,13 +179,13 @@ impl Task<'_> {
     /// The triangulated loop with the sizes of its surroundings.
     fn triangulate(&self) -> Option<Patch> {
         let around = self.surroundings;
-        let n = around.rim;
-        let rim = Rim {
+        let n = around.boundary;
+        let boundary = Boundary {
             x: &around.x[..n],
             normals: &around.normals,
             taken: &around.taken,
         };
-        let triangles = rim.triangulate()?;
+        let triangles = boundary.triangulate()?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
         if n == 3 && around.triangles.iter().any(is_there) {
             return None;
@@ -215,7 +215,7 @@ impl Task<'_> {
         let rough = Self {
             // Averages are cheap and good enough here.
             normals: match self.normals {
-                BorderNormals::Fitted => BorderNormals::Averaged,
+                BoundaryNormals::Fitted => BoundaryNormals::Averaged,
                 asked => asked,
             },
             ..*self
@@ -268,7 +268,7 @@ impl Task<'_> {
         tell: &mut Tell<'_>,
     ) -> Result<Solution, Error> {
         let around = self.surroundings;
-        let (n, known) = (around.rim as u32, around.x.len() as u32);
+        let (n, known) = (around.boundary as u32, around.x.len() as u32);
         let inner = patch.x[patch.fixed..].iter();
         let positions: Vec<[f64; 3]> = around.x.iter().chain(inner).map(|&p| p.into()).collect();
         let number = |v: u32| if v < n { v } else { known + (v - n) };
@@ -276,10 +276,10 @@ impl Task<'_> {
         triangles.extend(patch.triangles.iter().map(|t| t.map(number)));
         let free: Vec<u32> = (known..positions.len() as u32).collect();
         let mut given = Vec::new();
-        if let BorderNormals::Given(list) = self.normals {
+        if let BoundaryNormals::Given(list) = self.normals {
             let mut list: Vec<(u32, [f64; 3])> = list.to_vec();
             list.sort_by_key(|entry| entry.0);
-            for (v, id) in (0..).zip(&around.ids[..around.rim]) {
+            for (v, id) in (0..).zip(&around.ids[..around.boundary]) {
                 if let Ok(at) = list.binary_search_by_key(id, |entry| entry.0) {
                     given.push((v, list[at].1));
                 }
@@ -287,7 +287,7 @@ impl Task<'_> {
         }
         let options = Options {
             normals: match self.normals {
-                BorderNormals::Given(_) => BorderNormals::Given(&given),
+                BoundaryNormals::Given(_) => BoundaryNormals::Given(&given),
                 other => other,
             },
             target: self.target_here(),
@@ -322,7 +322,7 @@ impl Task<'_> {
 
     /// Which vertices the loop's box, grown by [`ROOM`], does not hold.
     fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
-        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.rim]);
+        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.boundary]);
         let room = Vector3::repeat(ROOM * (high - low).norm());
         let (low, high) = (low - room, high + room);
         let is_inside = |p: &Vector3<f64>| (0..3).all(|k| p[k] >= low[k] && p[k] <= high[k]);
@@ -379,7 +379,7 @@ impl Task<'_> {
         let angles = patch.triangles.iter().map(|t| smallest_angle(&corners(t)));
         Piece {
             outcome,
-            rim: around.ids[..around.rim].to_vec(),
+            boundary: around.ids[..around.boundary].to_vec(),
             positions: patch.x[patch.fixed..].iter().map(|p| around.leave(p)).collect(),
             parents: parents(&patch, coarse, &around.ids),
             fairing: fairing.map(|report| self.in_units(report)),
@@ -440,7 +440,7 @@ impl Task<'_> {
         quality
             .h_inside
             .iter_mut()
-            .chain(&mut quality.h_border)
+            .chain(&mut quality.h_boundary)
             .for_each(|h| *h /= scale);
         report
     }

@@ -2,7 +2,7 @@
 //!
 //! Longest edges (against the length wanted there) are split in their middles first, and after every split edges are
 //! flipped towards Delaunay, so that vertices never crowd. Then rounds of splits, collapses, flips and tangential steps even
-//! the vertices out (as in Botsch and Kobbelt 2004). Rim vertices and rim edges stay.
+//! the vertices out (as in Botsch and Kobbelt 2004). Boundary vertices and boundary edges stay.
 
 use std::collections::BinaryHeap;
 
@@ -13,7 +13,7 @@ use super::relax::Sweeps;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
-/// The length wanted grows at most by this much per unit of length away from a short rim edge.
+/// The length wanted grows at most by this much per unit of length away from a short boundary edge.
 pub(super) const GRADE: f64 = 0.5;
 /// Edges longer than this many wanted lengths are split. With [`SHORT`] it makes the mean length the one wanted.
 const LONG: f64 = 1.4;
@@ -35,13 +35,13 @@ const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
 pub(super) struct Fineness {
     /// Wanted edge length over that of the surroundings.
     pub(super) factor: f64,
-    /// How much the wanted length grows per unit of distance from the rim.
+    /// How much the wanted length grows per unit of distance from the boundary.
     pub(super) growth: f64,
     /// No more inner vertices than this.
     pub(super) most: usize,
 }
 
-/// Edges between rim vertices that may not be made: pairs (smaller, larger), sorted.
+/// Edges between boundary vertices that may not be made: pairs (smaller, larger), sorted.
 pub(super) type Taken<'a> = &'a [(u32, u32)];
 
 /// A patch being refined.
@@ -49,7 +49,7 @@ pub(super) struct Refiner<'a> {
     pub(super) patch: &'a mut Patch,
     pub(super) fineness: Fineness,
     pub(super) taken: Taken<'a>,
-    pub(super) spokes: Vec<u32>,
+    pub(super) ring_edges: Vec<u32>,
     pub(super) ring: Vec<u32>,
     stack: Vec<u32>,
     sweeps: Sweeps,
@@ -61,7 +61,7 @@ impl<'a> Refiner<'a> {
             patch,
             fineness,
             taken,
-            spokes: Vec::new(),
+            ring_edges: Vec::new(),
             ring: Vec::new(),
             stack: Vec::new(),
             sweeps: Sweeps::default(),
@@ -88,7 +88,7 @@ impl<'a> Refiner<'a> {
         let mut enough = true;
         for _ in 0..ROUNDS {
             self.collapse_short();
-            self.clear_rim();
+            self.clear_boundary();
             self.flip_all();
             self.settle_sizes(1);
             self.sweeps.relax(self.patch);
@@ -96,7 +96,7 @@ impl<'a> Refiner<'a> {
             enough &= self.split_long(LONG);
         }
         self.sweeps.relax(self.patch);
-        self.clear_rim();
+        self.clear_boundary();
         self.flip_all();
         self.mend();
         self.finish();
@@ -116,7 +116,7 @@ impl<'a> Refiner<'a> {
         self.patch.compact();
     }
 
-    /// Sizes, limits and depths spread from the rim inwards.
+    /// Sizes, limits and depths spread from the boundary inwards.
     pub(super) fn settle_sizes(&mut self, sweeps: usize) {
         for _ in 0..sweeps {
             self.sweeps.settle_sizes(self.patch);
@@ -133,7 +133,7 @@ impl<'a> Refiner<'a> {
     fn ratio(&self, h: u32) -> f64 {
         let (a, b) = (self.patch.from(h), self.patch.to(h));
         let mut wanted = 0.5 * (self.wanted(a) + self.wanted(b));
-        if self.patch.is_rim(a) && self.patch.is_rim(b) {
+        if self.patch.is_boundary(a) && self.patch.is_boundary(b) {
             // An edge across the hole holds the surface in its middle: rather none.
             wanted *= 0.8;
         }
@@ -174,9 +174,9 @@ impl<'a> Refiner<'a> {
             inner += 1;
             let m = self.patch.split(h);
             let mut stack = std::mem::take(&mut self.stack);
-            self.patch.spokes(m, &mut self.spokes);
-            stack.extend(self.spokes.iter().map(|&g| next(g)));
-            let mut changed = self.spokes.clone();
+            self.patch.ring_edges(m, &mut self.ring_edges);
+            stack.extend(self.ring_edges.iter().map(|&g| next(g)));
+            let mut changed = self.ring_edges.clone();
             let mut left = MOST_FLIPS;
             while let Some(g) = stack.pop() {
                 if left > 0 && self.should_flip(g) {
@@ -189,8 +189,8 @@ impl<'a> Refiner<'a> {
                 }
             }
             self.stack = stack;
-            self.patch.spokes(m, &mut self.spokes);
-            changed.extend(&self.spokes);
+            self.patch.ring_edges(m, &mut self.ring_edges);
+            changed.extend(&self.ring_edges);
             for g in changed {
                 push(self, &mut queue, g);
             }
@@ -198,7 +198,7 @@ impl<'a> Refiner<'a> {
         true
     }
 
-    /// Whether the middle of an edge would see a rim edge beside it under a wide angle. Rim edges cannot be split, so
+    /// Whether the middle of an edge would see a boundary edge beside it under a wide angle. Boundary edges cannot be split, so
     /// vertices would gather along one that is longer than what is wanted there.
     pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
@@ -216,14 +216,14 @@ impl<'a> Refiner<'a> {
         p.dot(&q) < -0.5 * p.norm() * q.norm()
     }
 
-    /// Inner vertices that lie too near to a rim edge go to its nearer end.
-    fn clear_rim(&mut self) {
+    /// Inner vertices that lie too near to a boundary edge go to its nearer end.
+    fn clear_boundary(&mut self) {
         for h in 0..self.patch.half_edges() {
             if self.patch.triangles[h as usize / 3][0] == NONE || self.patch.across(h) != NONE {
                 continue;
             }
             let v = self.patch.from(previous(h));
-            if self.patch.is_rim(v) || !self.is_wide(&self.patch.x[v as usize], h) {
+            if self.patch.is_boundary(v) || !self.is_wide(&self.patch.x[v as usize], h) {
                 continue;
             }
             let to_start = previous(h);
@@ -244,19 +244,22 @@ impl<'a> Refiner<'a> {
     }
 
     pub(super) fn collapse(&mut self, h: u32) -> bool {
-        let (mut spokes, mut ring) = (std::mem::take(&mut self.spokes), std::mem::take(&mut self.ring));
-        let done = self.patch.collapse(h, &mut spokes, &mut ring);
-        (self.spokes, self.ring) = (spokes, ring);
+        let (mut ring_edges, mut ring) = (
+            std::mem::take(&mut self.ring_edges),
+            std::mem::take(&mut self.ring),
+        );
+        let done = self.patch.collapse(h, &mut ring_edges, &mut ring);
+        (self.ring_edges, self.ring) = (ring_edges, ring);
         done
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
     pub(super) fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
-        self.patch.ring(a, &mut self.spokes, &mut self.ring);
-        !self.patch.is_rim(b)
+        self.patch.ring(a, &mut self.ring_edges, &mut self.ring);
+        !self.patch.is_boundary(b)
             || self.ring.iter().all(|&v| {
-                let rim_edge = v != b && self.patch.is_rim(v);
-                !rim_edge
+                let boundary_edge = v != b && self.patch.is_boundary(v);
+                !boundary_edge
                     || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
                     || self.patch.are_neighbours(v, b)
             })
@@ -300,16 +303,16 @@ impl<'a> Refiner<'a> {
         } else if bend < 0.0 {
             return false;
         }
-        // A rim vertex keeps a triangle, an inner one three.
+        // A boundary vertex keeps a triangle, an inner one three.
         for v in [a, b] {
-            self.patch.spokes(v, &mut self.spokes);
-            if self.spokes.len() < 2 || !self.patch.is_rim(v) && self.spokes.len() < 4 {
+            self.patch.ring_edges(v, &mut self.ring_edges);
+            if self.ring_edges.len() < 2 || !self.patch.is_boundary(v) && self.ring_edges.len() < 4 {
                 return false;
             }
         }
-        let rim_edge = self.patch.is_rim(c) && self.patch.is_rim(d);
-        let is_taken = rim_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
-        !is_taken && !self.patch.are_joined(c, d, &mut self.spokes)
+        let boundary_edge = self.patch.is_boundary(c) && self.patch.is_boundary(d);
+        let is_taken = boundary_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
+        !is_taken && !self.patch.are_joined(c, d, &mut self.ring_edges)
     }
 
     /// Flips towards Delaunay until nothing changes, or often enough.
@@ -347,7 +350,11 @@ impl<'a> Refiner<'a> {
                 continue;
             }
             let (a, b) = (self.patch.from(h), self.patch.to(h));
-            let short = if self.patch.is_rim(b) { 0.85 * SHORT } else { SHORT };
+            let short = if self.patch.is_boundary(b) {
+                0.85 * SHORT
+            } else {
+                SHORT
+            };
             let wanted = 0.5 * (self.wanted(a) + self.wanted(b));
             if self.patch.length(h) < short * wanted && self.stays_short(a, b, LONG) {
                 self.collapse(h);
@@ -357,7 +364,7 @@ impl<'a> Refiner<'a> {
 
     /// Whether no edge would be longer than `long` wanted lengths, or one that is taken, if inner vertex `a` moved to `b`.
     pub(super) fn stays_short(&mut self, a: u32, b: u32, long: f64) -> bool {
-        if self.patch.is_rim(a) || !self.makes_nothing_taken(a, b) {
+        if self.patch.is_boundary(a) || !self.makes_nothing_taken(a, b) {
             return false;
         }
         let target = self.patch.x[b as usize];

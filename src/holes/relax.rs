@@ -144,10 +144,10 @@ impl Sweeps {
 impl Refiner<'_> {
     /// The step of [`Sweeps::relax`] for one vertex alone.
     pub(super) fn relax_one(&mut self, v: u32) {
-        if self.patch.is_rim(v) || !self.patch.is_alive(v) {
+        if self.patch.is_boundary(v) || !self.patch.is_alive(v) {
             return;
         }
-        self.patch.ring(v, &mut self.spokes, &mut self.ring);
+        self.patch.ring(v, &mut self.ring_edges, &mut self.ring);
         let (x, count) = (self.patch.x[v as usize], self.ring.len());
         let at = |k: usize| self.patch.x[self.ring[k % count] as usize];
         let cross = |p: &Vector3<f64>, k: usize| (at(k) - p).cross(&(at(k + 1) - p));
@@ -173,16 +173,16 @@ fn turns_over(old: &Vector3<f64>, new: &Vector3<f64>) -> bool {
 mod tests {
     use super::*;
 
-    /// A square of 5 by 5 vertices, its rim first; inner ones at `place`.
+    /// A square of 5 by 5 vertices, its boundary first; inner ones at `place`.
     fn square(place: impl Fn(f64, f64) -> Vector3<f64>) -> Patch {
-        let is_rim = |i: usize, j: usize| i == 0 || j == 0 || i == 4 || j == 4;
+        let is_boundary = |i: usize, j: usize| i == 0 || j == 0 || i == 4 || j == 4;
         let all: Vec<(usize, usize)> = (0..25).map(|v| (v % 5, v / 5)).collect();
-        let mut order: Vec<_> = all.iter().copied().filter(|&(i, j)| is_rim(i, j)).collect();
-        order.extend(all.iter().copied().filter(|&(i, j)| !is_rim(i, j)));
+        let mut order: Vec<_> = all.iter().copied().filter(|&(i, j)| is_boundary(i, j)).collect();
+        order.extend(all.iter().copied().filter(|&(i, j)| !is_boundary(i, j)));
         let number = |i, j| order.iter().position(|&o| o == (i, j)).unwrap() as u32;
         let x = order.iter().map(|&(i, j)| {
             let (a, b) = (i as f64, j as f64);
-            if is_rim(i, j) {
+            if is_boundary(i, j) {
                 Vector3::new(a, b, 0.0)
             } else {
                 place(a, b)
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_become_the_mean_of_the_neighbours_and_depths_the_distance_to_the_rim() {
+    fn sizes_become_the_mean_of_the_neighbours_and_depths_the_distance_to_the_boundary() {
         let mut patch = square(|a, b| Vector3::new(a, b, 0.0));
         for v in 0..25 {
             patch.size[v] = patch.x[v].x + 2.0 * patch.x[v].y;

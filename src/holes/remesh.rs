@@ -7,7 +7,7 @@ use super::refine::{Fineness, Refiner};
 use crate::error::Error;
 use crate::mesh::{NONE, Region, Selection};
 
-/// Sweeps in which edge lengths spread from the border into the region.
+/// Sweeps in which edge lengths spread from the boundary into the region.
 const SWEEPS: usize = 100;
 
 /// What is asked of [`remesh_region`].
@@ -49,7 +49,7 @@ pub struct Remeshed {
 /// Triangulates a region anew: splits, collapses and flips edges until their lengths are those of the surroundings and their
 /// angles are good. The surface stays where it is, up to the new edges; to be faired, it is best faired loosely
 /// before, so that a feature is flat when its vertices are thinned out. Fixed vertices, and edges between them that
-/// border the region, stay.
+/// boundary the region, stay.
 ///
 /// # Errors
 /// Those of [`fair`](crate::fair) for the region, and [`Error::BadOption`].
@@ -76,22 +76,22 @@ pub fn remesh_region(
     Ok(assemble(positions, triangles, &region, &coarse, &patch, &ids))
 }
 
-/// The mesh's numbers of the patch's vertices: border, then free.
+/// The mesh's numbers of the patch's vertices: boundary, then free.
 fn ids(region: &Region) -> Vec<u32> {
-    let (free, border) = region.vertex_ids[..region.region_vertices()].split_at(region.free);
-    border.iter().chain(free).copied().collect()
+    let (free, boundary) = region.vertex_ids[..region.region_vertices()].split_at(region.free);
+    boundary.iter().chain(free).copied().collect()
 }
 
-/// The region as a patch whose rim is the border, with the sizes outside.
+/// The region as a patch whose boundary is the boundary, with the sizes outside.
 fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
-    let (free, border) = (region.free as u32, region.border as u32);
-    let number = |v: u32| if v < free { v + border } else { v - free };
+    let (free, boundary) = (region.free as u32, region.boundary as u32);
+    let number = |v: u32| if v < free { v + boundary } else { v - free };
     let x: Vec<_> = ids.iter().map(|&v| positions[v as usize].into()).collect();
     let triangles: Vec<[u32; 3]> = region.triangles().iter().map(|t| t.map(number)).collect();
-    let mut patch = Patch::new(x, triangles, border as usize);
+    let mut patch = Patch::new(x, triangles, boundary as usize);
     patch.old.copy_from_slice(ids);
     // Outside where there is an outside, else inside: sums of lengths and their counts.
-    let mut sums = vec![[(0.0f64, 0.0f64); 2]; border as usize];
+    let mut sums = vec![[(0.0f64, 0.0f64); 2]; boundary as usize];
     let at = |v: u32| nalgebra::Vector3::from(positions[region.vertex_ids[v as usize] as usize]);
     for (t, tri) in region.half_edges.triangles.iter().enumerate() {
         let side = usize::from(t < region.half_edges.region_triangles);
@@ -99,7 +99,7 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
             let (a, b) = (tri[k], tri[(k + 1) % 3]);
             let length = (at(a) - at(b)).norm();
             for v in [a, b] {
-                if v >= free && v < free + border {
+                if v >= free && v < free + boundary {
                     let sum = &mut sums[(v - free) as usize][side];
                     *sum = (sum.0 + length, sum.1 + 1.0);
                 }
@@ -110,9 +110,9 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     for (v, [outside, inside]) in sums.into_iter().enumerate() {
         let (sum, count) = if outside.1 > 0.0 { outside } else { inside };
         patch.size[v] = sum / count.max(1.0);
-        mean += patch.size[v] / f64::from(border);
+        mean += patch.size[v] / f64::from(boundary);
     }
-    patch.size[border as usize..].fill(mean);
+    patch.size[boundary as usize..].fill(mean);
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
             let limit = BESIDE_SHORT * patch.length(h);
@@ -125,7 +125,7 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     patch
 }
 
-/// Edges between border vertices that the outside has.
+/// Edges between boundary vertices that the outside has.
 fn taken(region: &Region) -> Vec<(u32, u32)> {
     let (free, end) = (region.free as u32, region.region_vertices() as u32);
     let mut taken = Vec::new();

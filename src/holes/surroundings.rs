@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::loops::{BorderLoop, Links};
+use super::loops::{BoundaryLoop, Links};
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
@@ -23,7 +23,7 @@ pub(super) struct Surroundings {
     /// The mesh's number of each triangle.
     pub(super) triangle_ids: Vec<u32>,
     /// Vertices of the loop.
-    pub(super) rim: usize,
+    pub(super) boundary: usize,
     /// Unit normal of the mesh's triangle at each edge of the loop, zero if it has no area.
     pub(super) normals: Vec<Vector3<f64>>,
     /// Pairs of the loop's vertices that the mesh has an edge between: (smaller, larger), sorted.
@@ -38,12 +38,12 @@ impl Surroundings {
     pub(super) fn new(
         links: &Links<'_>,
         positions: &[[f64; 3]],
-        border: &BorderLoop,
+        boundary: &BoundaryLoop,
         place: &mut [u32],
     ) -> Self {
-        let triangle_ids = collect(links, border, place);
+        let triangle_ids = collect(links, boundary, place);
         let mut corners = Corners::new(links, &triangle_ids, place);
-        let run = &border.half_edges;
+        let run = &boundary.half_edges;
         let n = run.len();
         for i in 0..n {
             // Vertex i is where half-edge i ends and half-edge i - 1 begins.
@@ -57,7 +57,7 @@ impl Surroundings {
             let root = corners.root(corners.of(h, place));
             number[root as usize] = ((i + 1) % n) as u32;
         }
-        ids.extend(&border.vertices);
+        ids.extend(&boundary.vertices);
         let mut triangles = Vec::with_capacity(triangle_ids.len());
         for (local, &t) in triangle_ids.iter().enumerate() {
             let corner = |k: usize| {
@@ -79,9 +79,9 @@ impl Surroundings {
             ids,
             triangles,
             triangle_ids,
-            rim: n,
+            boundary: n,
             normals: Vec::with_capacity(n),
-            taken: taken(links, border),
+            taken: taken(links, boundary),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
@@ -107,7 +107,7 @@ impl Surroundings {
 
     /// Moves and scales, so that the loop lies around the origin with a diagonal of about one.
     fn enter(&mut self) {
-        let (low, high) = bounds(&self.x[..self.rim]);
+        let (low, high) = bounds(&self.x[..self.boundary]);
         let diagonal = (high - low).norm();
         self.centre = (low + high) * 0.5;
         if diagonal > 0.0 && diagonal.is_finite() {
@@ -149,18 +149,18 @@ impl Surroundings {
     /// A vertex of the loop that is not finite; the first one if all lie in one point.
     pub(super) fn first_unusable(&self) -> Option<u32> {
         let wrong = |v: &usize| !self.x[*v].iter().all(|c| c.is_finite());
-        let flat = bounds(&self.x[..self.rim]);
+        let flat = bounds(&self.x[..self.boundary]);
         let first = (flat.0 == flat.1).then_some(0);
-        (0..self.rim).find(wrong).or(first).map(|v| self.ids[v])
+        (0..self.boundary).find(wrong).or(first).map(|v| self.ids[v])
     }
 
     /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
     /// the longest.
     pub(super) fn ranges(&self) -> Vec<[f64; 3]> {
-        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.rim];
+        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.boundary];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
-            for v in [a, b].into_iter().filter(|&v| v < self.rim) {
+            for v in [a, b].into_iter().filter(|&v| v < self.boundary) {
                 let [shortest, longest, sum, count] = edges[v];
                 edges[v] = [
                     shortest.min(length),
@@ -176,12 +176,12 @@ impl Surroundings {
     }
 
     /// Per loop vertex the mean edge length of the mesh there, and the length of its shorter edge on the loop. The mean is
-    /// that of the vertex and its neighbours together: edges at the rim alone are few, and the long ones are missing.
+    /// that of the vertex and its neighbours together: edges at the boundary alone are few, and the long ones are missing.
     pub(super) fn sizes(&self) -> (Vec<f64>, Vec<f64>) {
         let mut sum = vec![(0.0, 0.0); self.x.len()];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
-            // An edge with two triangles counts twice, one of the rim once: so that both sides are alike.
+            // An edge with two triangles counts twice, one of the boundary once: so that both sides are alike.
             for v in [a, b] {
                 sum[v].0 += length;
                 sum[v].1 += 1.0;
@@ -194,11 +194,11 @@ impl Surroundings {
                 around[v].1 += sum[w].1;
             }
         });
-        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.rim]).norm();
-        let shorter = (0..self.rim)
-            .map(|i| edge(i).min(edge((i + self.rim - 1) % self.rim)))
+        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.boundary]).norm();
+        let shorter = (0..self.boundary)
+            .map(|i| edge(i).min(edge((i + self.boundary - 1) % self.boundary)))
             .collect();
-        let mean = around[..self.rim]
+        let mean = around[..self.boundary]
             .iter()
             .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
         (mean.collect(), shorter)
@@ -221,7 +221,7 @@ pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
 }
 
 /// The fans of the loop's vertices and some layers of triangles around them; `place` gets their local numbers.
-fn collect(links: &Links<'_>, border: &BorderLoop, place: &mut [u32]) -> Vec<u32> {
+fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
     let mut found: Vec<u32> = Vec::new();
     let mut add = |t: u32, found: &mut Vec<u32>| {
         if place[t as usize] == NONE {
@@ -229,7 +229,7 @@ fn collect(links: &Links<'_>, border: &BorderLoop, place: &mut [u32]) -> Vec<u32
             found.push(t);
         }
     };
-    for &h in &border.half_edges {
+    for &h in &boundary.half_edges {
         add(h / 3, &mut found);
         // The fans at both ends; at a bow-tie the next half-edge lies in another one.
         let _ = links.follow(h, |g| add(g / 3, &mut found));
@@ -291,12 +291,12 @@ impl Corners {
 }
 
 /// Pairs of the loop's vertices between which the mesh has an edge, sound or not.
-fn taken(links: &Links<'_>, border: &BorderLoop) -> Vec<(u32, u32)> {
-    let mut order: Vec<(u32, u32)> = border.vertices.iter().copied().zip(0..).collect();
+fn taken(links: &Links<'_>, boundary: &BoundaryLoop) -> Vec<(u32, u32)> {
+    let mut order: Vec<(u32, u32)> = boundary.vertices.iter().copied().zip(0..).collect();
     order.sort_unstable();
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
-    for (&v, i) in border.vertices.iter().zip(0u32..) {
+    for (&v, i) in boundary.vertices.iter().zip(0u32..) {
         for &h in links.at(v) {
             for other in [next(h), previous(h)] {
                 if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {

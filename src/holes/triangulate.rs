@@ -1,7 +1,7 @@
 //! Triangulation of a loop in space without new vertices.
 //!
 //! Up to [`DYNAMIC`] edges: the least (worst dihedral angle, area) by dynamic programming over all triangulations (Barequet
-//! and Sharir 1995; Liepa 2003, section 3), where dihedral angles count against the mesh across the rim, too. That is
+//! and Sharir 1995; Liepa 2003, section 3), where dihedral angles count against the mesh across the boundary, too. That is
 //! cubic. A longer loop is first shortened by ears: the triangle over two consecutive edges with the shortest chord,
 //! if it bends little and the ball over its chord holds no other vertex of the loop, which makes the chord a Delaunay
 //! edge of what is left (a Gabriel edge). Ears that do not fulfil this come last. Time is then quadratic in the worst
@@ -18,13 +18,13 @@ pub(super) const DYNAMIC: usize = 100;
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
 const SHARP: f64 = 1.17;
-/// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight rims.
+/// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight boundaries.
 const FLAT: f64 = 1e-6;
 /// How much later: factors on the chord's length.
 const LATER: f64 = 1e6;
 
 /// A loop in space.
-pub(super) struct Rim<'a> {
+pub(super) struct Boundary<'a> {
     /// The vertices.
     pub(super) x: &'a [Vector3<f64>],
     /// The unit normal of the mesh's triangle at each edge from a vertex to the next, zero if it has none.
@@ -33,12 +33,12 @@ pub(super) struct Rim<'a> {
     pub(super) taken: &'a [(u32, u32)],
 }
 
-impl Rim<'_> {
+impl Boundary<'_> {
     fn is_free(&self, a: u32, b: u32) -> bool {
         self.taken.binary_search(&(a.min(b), a.max(b))).is_err()
     }
 
-    /// The triangles, in numbers of the rim's vertices, or None if there is no triangulation without the edges taken.
+    /// The triangles, in numbers of the boundary's vertices, or None if there is no triangulation without the edges taken.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
         let (polygon, normals) = if self.x.len() > DYNAMIC {
@@ -77,7 +77,12 @@ impl Rim<'_> {
     }
 
     /// The best triangulation of a polygon of these vertices.
-    fn optimal(&self, polygon: &[u32], rim: &[Vector3<f64>], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
+    fn optimal(
+        &self,
+        polygon: &[u32],
+        boundary: &[Vector3<f64>],
+        triangles: &mut Vec<[u32; 3]>,
+    ) -> Option<()> {
         let n = polygon.len();
         if n < 3 {
             return None;
@@ -88,7 +93,7 @@ impl Rim<'_> {
                 worst: 0,
                 area: 0.0,
                 apex: 0,
-                normal: rim[i],
+                normal: boundary[i],
             };
         }
         for span in 2..n {
@@ -108,7 +113,7 @@ impl Rim<'_> {
                     let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
                     let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
                     if closing {
-                        bend = bend.max(bend_at(&normal, &rim[n - 1]));
+                        bend = bend.max(bend_at(&normal, &boundary[n - 1]));
                     }
                     let cell = Cell {
                         worst: below.max((bend * STEPS) as u32),
@@ -181,7 +186,7 @@ fn bend_at(normal: &Vector3<f64>, other: &Vector3<f64>) -> f64 {
 
 /// A loop that is being shortened.
 struct Ears<'a> {
-    rim: &'a Rim<'a>,
+    boundary: &'a Boundary<'a>,
     next: Vec<u32>,
     prev: Vec<u32>,
     /// The normal beyond the edge to the next vertex.
@@ -195,13 +200,13 @@ struct Ears<'a> {
 type Ear = (u64, u32, u32, u32, bool);
 
 impl<'a> Ears<'a> {
-    fn new(rim: &'a Rim<'a>) -> Self {
-        let n = rim.x.len() as u32;
+    fn new(boundary: &'a Boundary<'a>) -> Self {
+        let n = boundary.x.len() as u32;
         let mut ears = Self {
-            rim,
+            boundary,
             next: (0..n).map(|i| (i + 1) % n).collect(),
             prev: (0..n).map(|i| (i + n - 1) % n).collect(),
-            normals: rim.normals.to_vec(),
+            normals: boundary.normals.to_vec(),
             alive: vec![true; n as usize],
             left: n as usize,
             queue: BinaryHeap::new(),
@@ -212,11 +217,11 @@ impl<'a> Ears<'a> {
 
     fn push(&mut self, v: u32) {
         let (a, b) = (self.prev[v as usize], self.next[v as usize]);
-        if !self.rim.is_free(a, b) {
+        if !self.boundary.is_free(a, b) {
             return;
         }
-        let (normal, _) = self.rim.normal(a, v, b);
-        let chord = (self.rim.x[b as usize] - self.rim.x[a as usize]).norm();
+        let (normal, _) = self.boundary.normal(a, v, b);
+        let chord = (self.boundary.x[b as usize] - self.boundary.x[a as usize]).norm();
         let bend = bend(&normal, &self.normals[a as usize]).max(bend_at(&normal, &self.normals[v as usize]));
         let mut cost = chord * (1.0 + bend);
         if bend > SHARP {
@@ -244,7 +249,7 @@ impl<'a> Ears<'a> {
             self.left -= 1;
             self.next[a as usize] = b;
             self.prev[b as usize] = a;
-            self.normals[a as usize] = self.rim.normal(a, v, b).0;
+            self.normals[a as usize] = self.boundary.normal(a, v, b).0;
             self.push(a);
             self.push(b);
             return Some([a, v, b]);
@@ -253,10 +258,10 @@ impl<'a> Ears<'a> {
 
     /// Whether the ball over the chord holds another vertex of what is left.
     fn is_crowded(&self, v: u32, a: u32, b: u32) -> bool {
-        let (p, q) = (self.rim.x[a as usize], self.rim.x[b as usize]);
+        let (p, q) = (self.boundary.x[a as usize], self.boundary.x[b as usize]);
         let mut w = self.next[b as usize];
         while w != a {
-            let x = self.rim.x[w as usize];
+            let x = self.boundary.x[w as usize];
             if w != v && (p - x).dot(&(q - x)) < 0.0 {
                 return true;
             }
@@ -285,10 +290,10 @@ impl<'a> Ears<'a> {
 mod tests {
     use super::*;
 
-    fn rim(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
+    fn boundary(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
         let x: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
         let normals = vec![Vector3::zeros(); x.len()];
-        Rim {
+        Boundary {
             x: &x,
             normals: &normals,
             taken,
@@ -304,7 +309,7 @@ mod tests {
     #[test]
     fn a_polygon_with_a_notch_is_triangulated_without_folds() {
         let x = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]].map(|[x, y]| [x, y, 0.0]);
-        let triangles = rim(&x, &[]).unwrap();
+        let triangles = boundary(&x, &[]).unwrap();
         let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
         assert!(areas.iter().all(|&a| a > 0.0));
         assert!((areas.iter().sum::<f64>() - 2.5).abs() < 1e-12);
@@ -314,16 +319,16 @@ mod tests {
     fn edges_that_are_there_already_are_not_made_again() {
         let x = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
         let has = |t: &[[u32; 3]], v| t.iter().filter(|t| t.contains(&v)).count() == 2;
-        assert!(has(&rim(&x, &[(0, 2)]).unwrap(), 1));
-        assert!(has(&rim(&x, &[(1, 3)]).unwrap(), 0));
-        assert_eq!(rim(&x, &[(0, 2), (1, 3)]), None);
+        assert!(has(&boundary(&x, &[(0, 2)]).unwrap(), 1));
+        assert!(has(&boundary(&x, &[(1, 3)]).unwrap(), 0));
+        assert_eq!(boundary(&x, &[(0, 2), (1, 3)]), None);
     }
 
     #[test]
     fn the_bend_counts_before_the_area() {
         // The diagonal of a folded square that keeps the worst angle small is the ridge's own.
         let x = [[0., 0., 0.], [1., 0., 1.], [0., 1., 0.], [-1., 0., 1.]];
-        let triangles = rim(&x, &[]).unwrap();
+        let triangles = boundary(&x, &[]).unwrap();
         let bend = |t: &[[u32; 3]]| {
             let normal = |t: &[u32; 3]| {
                 let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
@@ -348,7 +353,7 @@ mod tests {
         // Without the mesh's normals nothing would tell an ear from a notch.
         let at: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
         let normals = vec![Vector3::z(); n as usize];
-        let loop_in_plane = Rim {
+        let loop_in_plane = Boundary {
             x: &at,
             normals: &normals,
             taken: &[],

@@ -337,9 +337,9 @@ fn assemble<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::ordering::{amd, landmark_coordinates, nested_dissection};
-    use crate::linear::sparse::SymmetricPattern;
-    use crate::linear::sparse::tests::{Noise, grid, laplacian};
+    use crate::ordering::{amd, landmark_coordinates, nested_dissection};
+    use crate::sparse::SymmetricPattern;
+    use crate::sparse::tests::{Noise, grid, laplacian};
 
     fn factored<T: Real>(pattern: &SymmetricPattern, order: &[u32], values: &[f64]) -> Cholesky<T> {
         let mut factor = Cholesky::new(Arc::new(Symbolic::new(pattern, order)));
@@ -460,7 +460,7 @@ mod tests {
 
     #[test]
     fn a_linear_field_is_harmonic_on_the_square_grid() {
-        // Five-point Laplacian with the border values 3 + 2 c - r eliminated.
+        // Five-point Laplacian with the boundary values 3 + 2 c - r eliminated.
         let side = 41_i64;
         let id = |r: i64, c: i64| (r * side + c) as u32;
         let mut edges = Vec::new();

@@ -326,15 +326,15 @@ impl<'a> Bisection<'a> {
     fn find_separator(&mut self, part: &[u32], middle: usize) {
         self.mark(part, middle);
         let (side, graph, stamp) = (&self.side, self.graph, self.stamp);
-        let border = |half: &[u32], other: u32, out: &mut Vec<u32>| {
+        let boundary = |half: &[u32], other: u32, out: &mut Vec<u32>| {
             out.clear();
             out.extend(
                 half.iter()
                     .filter(|&&v| graph.of(v).iter().any(|&w| side[w as usize] == other)),
             );
         };
-        border(&part[..middle], stamp + 1, &mut self.low);
-        border(&part[middle..], stamp, &mut self.high);
+        boundary(&part[..middle], stamp + 1, &mut self.low);
+        boundary(&part[middle..], stamp, &mut self.high);
         self.separator.clear();
         if self.ring == 1 {
             let smaller = if self.low.len() <= self.high.len() {
@@ -442,8 +442,8 @@ fn breadth_first(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::sparse::tests::grid;
-    use crate::linear::symbolic::Symbolic;
+    use crate::sparse::tests::grid;
+    use crate::symbolic::Symbolic;
 
     fn is_permutation(order: &[u32], n: usize) -> bool {
         let mut sorted = order.to_vec();

@@ -1,29 +1,29 @@
 //! Cuts along curves of fixed vertices inside the region whose normals are prescribed: both sides meet the curve with that
-//! normal, each with a curvature of its own, and neither sees the other. To the discretization they are border.
+//! normal, each with a curvature of its own, and neither sees the other. To the discretization they are boundary.
 
 use super::NONE;
 use super::halfedge::HalfEdges;
 
-/// Half-edges whose border vertices have a copy for each side of the curves through them.
+/// Half-edges whose boundary vertices have a copy for each side of the curves through them.
 #[derive(Debug)]
 pub(super) struct Cut {
     /// The triangles in the new local numbers.
     pub triangles: Vec<[u32; 3]>,
     /// The caller's number of each local vertex; copies stand together.
     pub vertex_ids: Vec<u32>,
-    /// How many border vertices there are now.
-    pub border: usize,
+    /// How many boundary vertices there are now.
+    pub boundary: usize,
 }
 
 /// Cuts between neighbours that are both `prescribed` (by local number), and at least one of which has a closed ring of
 /// region triangles. `None`: there is nothing to cut.
 pub(super) fn cut(
     half_edges: &HalfEdges,
-    (free, border): (usize, usize),
+    (free, boundary): (usize, usize),
     vertex_ids: &[u32],
     prescribed: impl Fn(usize) -> bool,
 ) -> Option<Cut> {
-    let fans: Vec<Fans> = (free..free + border)
+    let fans: Vec<Fans> = (free..free + boundary)
         .map(|v| {
             if prescribed(v) {
                 Fans::of(half_edges, v)
@@ -34,7 +34,7 @@ pub(super) fn cut(
         .collect();
     let of = |v: u32| (v as usize).checked_sub(free).and_then(|b| fans.get(b)).copied();
     // Where the curve meets the surroundings, the vertex stays whole: one cut leaves its triangles connected outside.
-    let only: Vec<u32> = (0..border)
+    let only: Vec<u32> = (0..boundary)
         .map(|b| match fans[b] {
             Fans::Surrounded => first_to_closed(half_edges, free + b, of),
             _ => NONE,
@@ -55,19 +55,19 @@ pub(super) fn cut(
         }
     };
     let mut side = vec![0u32; half_edges.opposite.len()];
-    let mut copies = vec![1u32; border];
-    for b in 0..border {
+    let mut copies = vec![1u32; boundary];
+    for b in 0..boundary {
         if !matches!(fans[b], Fans::Closed | Fans::Open) {
             continue;
         }
-        let spokes = half_edges.spokes(free + b);
-        let first = spokes.iter().position(|&h| is_cut(h));
+        let ring_edges = half_edges.ring_edges(free + b);
+        let first = ring_edges.iter().position(|&h| is_cut(h));
         let Some(first) = first else { continue };
         // Around a closed ring from a cut on; an open fan begins where it begins.
         let turn = if fans[b] == Fans::Closed { first } else { 0 };
         let mut current = 0;
-        for k in 0..spokes.len() {
-            let h = spokes[(k + turn) % spokes.len()];
+        for k in 0..ring_edges.len() {
+            let h = ring_edges[(k + turn) % ring_edges.len()];
             if k > 0 && is_cut(h) {
                 current += 1;
             }
@@ -78,19 +78,30 @@ pub(super) fn cut(
     if copies.iter().all(|&c| c == 1) {
         return None;
     }
-    Some(renumbered(half_edges, (free, border), vertex_ids, &side, &copies))
+    Some(renumbered(
+        half_edges,
+        (free, boundary),
+        vertex_ids,
+        &side,
+        &copies,
+    ))
 }
 
-/// The first spoke inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
+/// The first ring_edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
 fn first_to_closed(half_edges: &HalfEdges, v: usize, of: impl Fn(u32) -> Option<Fans>) -> u32 {
     let leads = |&&h: &&u32| {
         let o = half_edges.opposite[h as usize];
         half_edges.in_region(h) && half_edges.in_region(o) && of(half_edges.target(h)) == Some(Fans::Closed)
     };
-    half_edges.spokes(v).iter().find(leads).copied().unwrap_or(NONE)
+    half_edges
+        .ring_edges(v)
+        .iter()
+        .find(leads)
+        .copied()
+        .unwrap_or(NONE)
 }
 
-/// What stands around a border vertex.
+/// What stands around a boundary vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fans {
     /// One closed ring of region triangles.
@@ -105,17 +116,17 @@ enum Fans {
 
 impl Fans {
     fn of(half_edges: &HalfEdges, v: usize) -> Self {
-        let spokes = half_edges.spokes(v);
+        let ring_edges = half_edges.ring_edges(v);
         let before = |h: u32| half_edges.opposite[h as usize];
         let inside = |h: u32| h != NONE && half_edges.in_region(h);
-        let begins = spokes
+        let begins = ring_edges
             .iter()
             .filter(|&&h| inside(h) && !inside(before(h)))
             .count();
-        let is_open = spokes.iter().any(|&h| before(h) == NONE);
+        let is_open = ring_edges.iter().any(|&h| before(h) == NONE);
         match (begins, is_open) {
             (0, false) => Fans::Closed,
-            (1, true) if spokes.iter().all(|&h| inside(h)) => Fans::Open,
+            (1, true) if ring_edges.iter().all(|&h| inside(h)) => Fans::Open,
             (1, false) => Fans::Surrounded,
             _ => Fans::Other,
         }
@@ -124,7 +135,7 @@ impl Fans {
 
 fn renumbered(
     half_edges: &HalfEdges,
-    (free, border): (usize, usize),
+    (free, boundary): (usize, usize),
     vertex_ids: &[u32],
     side: &[u32],
     copies: &[u32],
@@ -136,8 +147,8 @@ fn renumbered(
         first.push(new_ids.len() as u32);
         new_ids.extend(std::iter::repeat_n(vertex_ids[free + b], count as usize));
     }
-    let new_border = new_ids.len() - free;
-    for &v in &vertex_ids[free + border..] {
+    let new_boundary = new_ids.len() - free;
+    for &v in &vertex_ids[free + boundary..] {
         first.push(new_ids.len() as u32);
         new_ids.push(v);
     }
@@ -146,6 +157,6 @@ fn renumbered(
     Cut {
         triangles: triangles.collect(),
         vertex_ids: new_ids,
-        border: new_border,
+        boundary: new_boundary,
     }
 }

@@ -8,33 +8,33 @@ use super::{NONE, Region};
 /// `k + 1`, as in [`super::HalfEdges`]. A collapse takes two triangles away, whose entries stay as they were: that is all a
 /// split needs to know.
 #[derive(Debug, Clone)]
-pub struct EditableMesh {
+pub(crate) struct EditableMesh {
     triangles: Vec<[u32; 3]>,
     alive: Vec<bool>,
     opposite: Vec<u32>,
-    /// Per free and border vertex a half-edge that leaves it: the first of an open fan.
-    spoke: Vec<u32>,
+    /// Per free and boundary vertex a half-edge that leaves it: the first of an open fan.
+    ring_edge: Vec<u32>,
     free: usize,
     region_triangles: usize,
 }
 
 /// Fewest triangles around a vertex with a closed ring after a collapse.
 const FEWEST_CLOSED: usize = 3;
-/// Fewest triangles of the region at a vertex on its border after a collapse: one fan of them fits a curvature (paper 6.1).
+/// Fewest triangles of the region at a vertex on its boundary after a collapse: one fan of them fits a curvature (paper 6.1).
 const FEWEST_OPEN: usize = 2;
 /// Most triangles around the vertex that stays.
 const MOST: usize = 14;
 
 impl EditableMesh {
     /// The region with all its triangles.
-    pub fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
-        let spoke = (0..region.region_vertices()).map(|v| half_edges.spokes(v)[0]);
+        let ring_edge = (0..region.region_vertices()).map(|v| half_edges.ring_edges(v)[0]);
         Self {
             triangles: half_edges.triangles.clone(),
             alive: vec![true; half_edges.triangles.len()],
             opposite: half_edges.opposite.clone(),
-            spoke: spoke.collect(),
+            ring_edge: ring_edge.collect(),
             free: region.free,
             region_triangles: half_edges.region_triangles,
         }
@@ -42,45 +42,45 @@ impl EditableMesh {
 
     /// The vertex that `h` starts from.
     #[inline]
-    pub fn origin(&self, h: u32) -> u32 {
+    pub(crate) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     /// The vertex that `h` runs to.
     #[inline]
-    pub fn target(&self, h: u32) -> u32 {
+    pub(crate) fn target(&self, h: u32) -> u32 {
         self.origin(next(h))
     }
 
     /// The vertex of `h`'s triangle that is not on `h`.
     #[inline]
-    pub fn apex(&self, h: u32) -> u32 {
+    pub(crate) fn apex(&self, h: u32) -> u32 {
         self.origin(previous(h))
     }
 
     /// Whether `h` lies in a triangle of the region.
     #[inline]
-    pub fn in_region(&self, h: u32) -> bool {
+    pub(crate) fn in_region(&self, h: u32) -> bool {
         (h as usize) < 3 * self.region_triangles
     }
 
     /// Whether a vertex is free.
     #[inline]
-    pub fn is_free(&self, v: u32) -> bool {
+    pub(crate) fn is_free(&self, v: u32) -> bool {
         (v as usize) < self.free
     }
 
     /// The triangles that are there, by number.
-    pub fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
         let pairs = self.triangles.iter().zip(&self.alive).enumerate();
         pairs
             .filter(|(_, (_, alive))| **alive)
             .map(|(t, (corners, _))| (t, *corners))
     }
 
-    /// The outgoing half-edges of a free or border vertex that is there, counter-clockwise, one per triangle.
-    pub fn spokes(&self, v: u32) -> impl Iterator<Item = u32> {
-        let first = self.spoke[v as usize];
+    /// The outgoing half-edges of a free or boundary vertex that is there, counter-clockwise, one per triangle.
+    pub(crate) fn ring_edges(&self, v: u32) -> impl Iterator<Item = u32> {
+        let first = self.ring_edge[v as usize];
         let following = move |&h: &u32| {
             let o = self.opposite[previous(h) as usize];
             (o != NONE && o != first).then_some(o)
@@ -89,22 +89,23 @@ impl EditableMesh {
     }
 
     /// The same, from the triangles of the region.
-    pub fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
-        self.spokes(v).filter(|&h| self.in_region(h))
+    pub(crate) fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
+        self.ring_edges(v).filter(|&h| self.in_region(h))
     }
 
     fn is_closed(&self, v: u32) -> bool {
-        let first = self.spoke[v as usize];
-        self.opposite[first as usize] != NONE && self.spokes(v).all(|h| self.in_region(h))
+        let first = self.ring_edge[v as usize];
+        self.opposite[first as usize] != NONE && self.ring_edges(v).all(|h| self.in_region(h))
     }
 
     fn are_neighbours(&self, u: u32, w: u32) -> bool {
-        self.spokes(u).any(|h| self.target(h) == w || self.apex(h) == w)
+        self.ring_edges(u)
+            .any(|h| self.target(h) == w || self.apex(h) == w)
     }
 
     /// Whether the origin of `h` may be moved into its target: it is free, the mesh stays a 2-manifold, every triangle of
     /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
-    pub fn can_collapse(&self, h: u32) -> bool {
+    pub(crate) fn can_collapse(&self, h: u32) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
         if !self.is_free(u) {
             return false;
@@ -113,18 +114,18 @@ impl EditableMesh {
         if l == r {
             return false;
         }
-        // The vertices beside both are those of the two triangles (the link condition; u is never on the border).
+        // The vertices beside both are those of the two triangles (the link condition; u is never on the boundary).
         let beside_both = |w: u32| w != u && w != l && w != r && self.are_neighbours(u, w);
         if self
-            .spokes(v)
+            .ring_edges(v)
             .any(|g| beside_both(self.target(g)) || beside_both(self.apex(g)))
         {
             return false;
         }
-        let valence = self.spokes(u).count();
+        let valence = self.ring_edges(u).count();
         if valence == 3 {
             let across = self
-                .spokes(u)
+                .ring_edges(u)
                 .map(next)
                 .find(|&g| self.target(g) == r && self.origin(g) == l);
             if across.is_some_and(|g| {
@@ -147,14 +148,14 @@ impl EditableMesh {
             return false;
         }
         let moved = self
-            .spokes(u)
+            .ring_edges(u)
             .filter(|&g| self.target(g) != v && self.apex(g) != v);
         let mut fixed = moved.filter(|&g| !self.is_free(self.target(g)) && !self.is_free(self.apex(g)));
         self.is_free(v) || fixed.next().is_none()
     }
 
     /// Moves the origin of `h` into its target. [`Self::can_collapse`] must hold.
-    pub fn collapse(&mut self, h: u32) {
+    pub(crate) fn collapse(&mut self, h: u32) {
         let v = self.target(h);
         let Around { o, a, b, c, d } = self.around(h);
         self.rename(b, c, v);
@@ -169,7 +170,7 @@ impl EditableMesh {
     }
 
     /// Undoes the last collapse, which was that of `h`; further ones in reverse order.
-    pub fn split(&mut self, h: u32) {
+    pub(crate) fn split(&mut self, h: u32) {
         let Around { o, a, b, c, d } = self.around(h);
         let u = self.origin(h);
         self.rename(b, c, u);
@@ -227,20 +228,21 @@ impl EditableMesh {
                 break;
             }
         }
-        self.spoke[v as usize] = g;
+        self.ring_edge[v as usize] = g;
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
-        let mut spokes = vec![0usize; self.spoke.len()];
+    pub(crate) fn validate(&self) -> Result<(), String> {
+        let mut ring_edges = vec![0usize; self.ring_edge.len()];
         for (t, corners) in self.triangles() {
             for k in 0..3 {
                 let h = (3 * t + k) as u32;
                 let (u, o) = (corners[k], self.opposite[h as usize]);
-                if let Some(count) = spokes.get_mut(u as usize) {
+                if let Some(count) = ring_edges.get_mut(u as usize) {
                     *count += 1;
                 }
                 if u == corners[(k + 1) % 3] {
@@ -264,8 +266,8 @@ impl EditableMesh {
                 return Err(format!("triangle {t} is on the wrong side"));
             }
         }
-        for (v, &count) in spokes.iter().enumerate().filter(|(_, count)| **count > 0) {
-            let fan: Vec<u32> = self.spokes(v as u32).take(count + 1).collect();
+        for (v, &count) in ring_edges.iter().enumerate().filter(|(_, count)| **count > 0) {
+            let fan: Vec<u32> = self.ring_edges(v as u32).take(count + 1).collect();
             if fan.len() != count || fan.iter().any(|&h| self.origin(h) as usize != v) {
                 return Err(format!("fan of {v}"));
             }
@@ -275,7 +277,7 @@ impl EditableMesh {
                 return Err(format!("two edges from {v} to one vertex"));
             }
             if self.is_free(v as u32) && self.opposite[fan[0] as usize] == NONE {
-                return Err(format!("free vertex {v} on the border"));
+                return Err(format!("free vertex {v} on the boundary"));
             }
         }
         Ok(())

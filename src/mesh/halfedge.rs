@@ -8,20 +8,20 @@ use crate::error::Error;
 
 /// The half-edge after `h` in its triangle.
 #[inline]
-pub fn next(h: u32) -> u32 {
+pub(crate) fn next(h: u32) -> u32 {
     if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
 /// The half-edge before `h` in its triangle.
 #[inline]
-pub fn previous(h: u32) -> u32 {
+pub(crate) fn previous(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
 /// Triangles and their neighbourhood: the region's triangles first, then the outside ring (the triangles
-/// that touch a border vertex without belonging to the region). An orientable 2-manifold, perhaps with border.
+/// that touch a boundary vertex without belonging to the region). An orientable 2-manifold, perhaps with boundary.
 #[derive(Debug, Clone, Default)]
-pub struct HalfEdges {
+pub(crate) struct HalfEdges {
     /// Local vertex numbers of each triangle.
     pub triangles: Vec<[u32; 3]>,
     /// The caller's number of each triangle.
@@ -30,23 +30,23 @@ pub struct HalfEdges {
     pub region_triangles: usize,
     /// Per half-edge its partner, or [`NONE`].
     pub opposite: Vec<u32>,
-    /// Rows of `spoke`; one offset per free and border vertex, and the end.
+    /// Rows of `ring_edge`; one offset per free and boundary vertex, and the end.
     pub spoke_start: Vec<u32>,
-    /// The outgoing half-edges of each free and border vertex, counter-clockwise, one per triangle. An open fan
-    /// begins at its border; a closed one at a border vertex that has an outside begins with a run of region
+    /// The outgoing half-edges of each free and boundary vertex, counter-clockwise, one per triangle. An open fan
+    /// begins at its boundary; a closed one at a boundary vertex that has an outside begins with a run of region
     /// triangles; among the choices left it begins at the smallest local vertex.
-    pub spoke: Vec<u32>,
+    pub ring_edge: Vec<u32>,
 }
 
 impl HalfEdges {
     /// Matches the half-edges of `triangles` (local numbers) and checks that they form an orientable
-    /// 2-manifold around the free and border vertices. `vertex_ids` serves the error messages.
+    /// 2-manifold around the free and boundary vertices. `vertex_ids` serves the error messages.
     pub(super) fn new(
         triangles: Vec<[u32; 3]>,
         triangle_ids: Vec<u32>,
         region_triangles: usize,
         free: usize,
-        border: usize,
+        boundary: usize,
         vertex_ids: &[u32],
     ) -> Result<Self, Error> {
         let mut half_edges = Self {
@@ -62,41 +62,41 @@ impl HalfEdges {
                 vertex: vertex_ids[v] as usize,
             });
         }
-        half_edges.link(free, free + border, vertex_ids)?;
-        half_edges.spoke_start.truncate(free + border + 1);
+        half_edges.link(free, free + boundary, vertex_ids)?;
+        half_edges.spoke_start.truncate(free + boundary + 1);
         half_edges
-            .spoke
-            .truncate(half_edges.spoke_start[free + border] as usize);
+            .ring_edge
+            .truncate(half_edges.spoke_start[free + boundary] as usize);
         Ok(half_edges)
     }
 
     /// The vertex that `h` starts from.
     #[inline]
-    pub fn origin(&self, h: u32) -> u32 {
+    pub(crate) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     /// The vertex that `h` runs to.
     #[inline]
-    pub fn target(&self, h: u32) -> u32 {
+    pub(crate) fn target(&self, h: u32) -> u32 {
         self.origin(next(h))
     }
 
     /// The vertex of `h`'s triangle that is not on `h`.
     #[inline]
-    pub fn apex(&self, h: u32) -> u32 {
+    pub(crate) fn apex(&self, h: u32) -> u32 {
         self.origin(previous(h))
     }
 
     /// Whether `h` lies in a triangle of the region.
     #[inline]
-    pub fn in_region(&self, h: u32) -> bool {
+    pub(crate) fn in_region(&self, h: u32) -> bool {
         (h as usize) < 3 * self.region_triangles
     }
 
     /// The third vertex of the region triangle across `h`, or [`NONE`].
     #[inline]
-    pub fn flap(&self, h: u32) -> u32 {
+    pub(crate) fn flap(&self, h: u32) -> u32 {
         let o = self.opposite[h as usize];
         if o != NONE && self.in_region(o) {
             self.apex(o)
@@ -107,7 +107,7 @@ impl HalfEdges {
 
     /// Origin, target and apex of `h`.
     #[inline]
-    pub fn corners(&self, h: u32) -> [u32; 3] {
+    pub(crate) fn corners(&self, h: u32) -> [u32; 3] {
         let [a, b, c] = self.triangles[h as usize / 3];
         match h % 3 {
             0 => [a, b, c],
@@ -116,10 +116,10 @@ impl HalfEdges {
         }
     }
 
-    /// The outgoing half-edges of a free or border vertex; see [`HalfEdges::spoke`].
+    /// The outgoing half-edges of a free or boundary vertex; see [`HalfEdges::ring_edge`].
     #[inline]
-    pub fn spokes(&self, vertex: usize) -> &[u32] {
-        &self.spoke[self.spoke_start[vertex] as usize..self.spoke_start[vertex + 1] as usize]
+    pub(crate) fn ring_edges(&self, vertex: usize) -> &[u32] {
+        &self.ring_edge[self.spoke_start[vertex] as usize..self.spoke_start[vertex + 1] as usize]
     }
 
     /// Sorts the half-edges by the vertex that they leave.
@@ -134,23 +134,23 @@ impl HalfEdges {
             sum += std::mem::replace(c, sum);
         }
         self.spoke_start = cursor.clone();
-        self.spoke = vec![0; 3 * self.triangles.len()];
+        self.ring_edge = vec![0; 3 * self.triangles.len()];
         for (h, &v) in self.triangles.iter().flatten().enumerate() {
             let at = &mut cursor[v as usize];
-            self.spoke[*at as usize] = h as u32;
+            self.ring_edge[*at as usize] = h as u32;
             *at += 1;
         }
     }
 
-    /// Finds every half-edge's partner, brings the spokes of free and border vertices into order, and checks
+    /// Finds every half-edge's partner, brings the ring_edges of free and boundary vertices into order, and checks
     /// that each of these has one fan.
     fn link(&mut self, free: usize, region: usize, vertex_ids: &[u32]) -> Result<(), Error> {
         let mut opposite = vec![NONE; 3 * self.triangles.len()];
-        let mut spoke = std::mem::take(&mut self.spoke);
+        let mut ring_edge = std::mem::take(&mut self.ring_edge);
         let mut fan = Fan::default();
         let (mut sound, mut open, mut bow_tie) = (true, NONE, NONE);
         for (v, &id) in vertex_ids.iter().enumerate() {
-            let row = &mut spoke[self.spoke_start[v] as usize..self.spoke_start[v + 1] as usize];
+            let row = &mut ring_edge[self.spoke_start[v] as usize..self.spoke_start[v + 1] as usize];
             sound &= fan.link(self, row, &mut opposite);
             if v < free && fan.is_open() {
                 open = open.min(id);
@@ -158,12 +158,12 @@ impl HalfEdges {
                 bow_tie = bow_tie.min(id);
             }
         }
-        (self.spoke, self.opposite) = (spoke, opposite);
+        (self.ring_edge, self.opposite) = (ring_edge, opposite);
         if !sound {
             self.find_flaws(vertex_ids).into_result()?;
         }
         if open != NONE {
-            return Err(Error::FreeVertexOnBorder {
+            return Err(Error::FreeVertexOnBoundary {
                 vertex: open as usize,
             });
         }
@@ -192,11 +192,12 @@ impl HalfEdges {
         flaws
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
+    pub(crate) fn validate(&self) -> Result<(), String> {
         if self.opposite.len() != 3 * self.triangles.len() || self.triangle_ids.len() != self.triangles.len()
         {
             return Err("lengths differ".into());
@@ -214,18 +215,18 @@ impl HalfEdges {
             }
         }
         for v in 0..self.spoke_start.len() - 1 {
-            let spokes = self.spokes(v);
-            if spokes.is_empty() || spokes.iter().any(|&h| self.origin(h) as usize != v) {
-                return Err(format!("spokes of {v}"));
+            let ring_edges = self.ring_edges(v);
+            if ring_edges.is_empty() || ring_edges.iter().any(|&h| self.origin(h) as usize != v) {
+                return Err(format!("ring_edges of {v}"));
             }
-            if spokes
+            if ring_edges
                 .windows(2)
                 .any(|s| self.opposite[previous(s[0]) as usize] != s[1])
             {
-                return Err(format!("order of the spokes of {v}"));
+                return Err(format!("order of the ring_edges of {v}"));
             }
-            let last = self.opposite[previous(spokes[spokes.len() - 1]) as usize];
-            if last != spokes[0] && (last != NONE || self.opposite[spokes[0] as usize] != NONE) {
+            let last = self.opposite[previous(ring_edges[ring_edges.len() - 1]) as usize];
+            if last != ring_edges[0] && (last != NONE || self.opposite[ring_edges[0] as usize] != NONE) {
                 return Err(format!("fan of {v}"));
             }
         }
@@ -236,53 +237,53 @@ impl HalfEdges {
 /// The triangles around one vertex, on the way from a heap to a fan. One for all vertices: no allocation.
 #[derive(Default)]
 struct Fan {
-    /// (target, apex, half-edge) of each spoke, by target.
-    spoke: Vec<[u32; 3]>,
-    /// Per spoke the next one counter-clockwise, or [`NONE`].
+    /// (target, apex, half-edge) of each ring_edge, by target.
+    ring_edge: Vec<[u32; 3]>,
+    /// Per ring_edge the next one counter-clockwise, or [`NONE`].
     following: Vec<u32>,
-    /// Per spoke the one before, or [`NONE`].
+    /// Per ring_edge the one before, or [`NONE`].
     preceding: Vec<u32>,
 }
 
 impl Fan {
-    /// Enters the spokes of `row` and finds their partners. False where an edge has two triangles on one side
+    /// Enters the ring_edges of `row` and finds their partners. False where an edge has two triangles on one side
     /// or two triangles lie back to back.
     fn link(&mut self, half_edges: &HalfEdges, row: &[u32], opposite: &mut [u32]) -> bool {
-        self.spoke.clear();
-        self.spoke.extend(row.iter().map(|&h| {
+        self.ring_edge.clear();
+        self.ring_edge.extend(row.iter().map(|&h| {
             let [_, target, apex] = half_edges.corners(h);
             [target, apex, h]
         }));
-        self.spoke.sort_unstable_by_key(|s| s[0]);
-        let mut sound = self.spoke.windows(2).all(|s| s[0][0] != s[1][0]);
+        self.ring_edge.sort_unstable_by_key(|s| s[0]);
+        let mut sound = self.ring_edge.windows(2).all(|s| s[0][0] != s[1][0]);
         self.following.clear();
         self.following.resize(row.len(), NONE);
         self.preceding.clear();
         self.preceding.resize(row.len(), NONE);
-        for (i, &[target, apex, h]) in self.spoke.iter().enumerate() {
+        for (i, &[target, apex, h]) in self.ring_edge.iter().enumerate() {
             let Some(j) = self.to(apex) else { continue };
-            sound &= self.spoke[j][1] != target && self.preceding[j] == NONE;
+            sound &= self.ring_edge[j][1] != target && self.preceding[j] == NONE;
             self.following[i] = j as u32;
             self.preceding[j] = i as u32;
-            opposite[self.spoke[j][2] as usize] = previous(h);
+            opposite[self.ring_edge[j][2] as usize] = previous(h);
         }
         sound
     }
 
-    /// The spoke to a neighbour.
+    /// The ring_edge to a neighbour.
     #[inline]
     fn to(&self, neighbour: u32) -> Option<usize> {
-        if self.spoke.len() > 16 {
-            return self.spoke.binary_search_by_key(&neighbour, |s| s[0]).ok();
+        if self.ring_edge.len() > 16 {
+            return self.ring_edge.binary_search_by_key(&neighbour, |s| s[0]).ok();
         }
-        self.spoke.iter().position(|s| s[0] == neighbour)
+        self.ring_edge.iter().position(|s| s[0] == neighbour)
     }
 
     fn is_open(&self) -> bool {
         self.following.contains(&NONE)
     }
 
-    /// Writes the spokes to `row` in order. False if they are not all of one fan.
+    /// Writes the ring_edges to `row` in order. False if they are not all of one fan.
     fn order(&self, half_edges: &HalfEdges, row: &mut [u32]) -> bool {
         let first = self.first(half_edges);
         let mut at = first;
@@ -290,15 +291,15 @@ impl Fan {
             if at == NONE || (at == first && count > 0) {
                 return false;
             }
-            *h = self.spoke[at as usize][2];
+            *h = self.ring_edge[at as usize][2];
             at = self.following[at as usize];
         }
         true
     }
 
-    /// Where the fan begins; see [`HalfEdges::spoke`].
+    /// Where the fan begins; see [`HalfEdges::ring_edge`].
     fn first(&self, half_edges: &HalfEdges) -> u32 {
-        let inside = |i: u32| half_edges.in_region(self.spoke[i as usize][2]);
+        let inside = |i: u32| half_edges.in_region(self.ring_edge[i as usize][2]);
         let enters = |&(i, &p): &(usize, &u32)| inside(i as u32) && !inside(p);
         if let Some(i) = self.preceding.iter().position(|&p| p == NONE) {
             return i as u32;
@@ -416,8 +417,8 @@ mod tests {
         let vertices = if closed { n + 1 } else { n + 2 };
         let ids: Vec<u32> = (100..100 + vertices).collect();
         let triangle_ids = (0..n).collect();
-        let (free, border) = (usize::from(closed), usize::from(!closed));
-        HalfEdges::new(triangles, triangle_ids, n as usize, free, border, &ids)
+        let (free, boundary) = (usize::from(closed), usize::from(!closed));
+        HalfEdges::new(triangles, triangle_ids, n as usize, free, boundary, &ids)
     }
 
     #[test]
@@ -435,7 +436,7 @@ mod tests {
                 let half_edges = fan(n, closed).unwrap();
                 half_edges.validate().unwrap();
                 let ring: Vec<u32> = half_edges
-                    .spokes(0)
+                    .ring_edges(0)
                     .iter()
                     .map(|&h| half_edges.target(h))
                     .collect();

@@ -17,31 +17,31 @@ const LEAST_COSINE: f64 = 0.2;
 
 /// A mesh and the collapses that have led to it.
 #[derive(Debug, Clone)]
-pub struct ProgressiveMesh {
+pub(crate) struct ProgressiveMesh {
     mesh: EditableMesh,
     /// Half-edges `(u, v)` with `u` moved into `v`, in the order of the collapses.
     collapses: Vec<u32>,
-    border: usize,
+    boundary: usize,
     free: usize,
 }
 
 /// A vertex that a split has brought back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Split {
+pub(crate) struct Split {
     /// The vertex.
     pub vertex: u32,
     /// The vertex that it had been moved into.
     pub parent: u32,
 }
 
-/// Collapses half-edges until `target` vertices (free and border) are left or no collapse is allowed. Shorter edges go
-/// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No border vertex is
+/// Collapses half-edges until `target` vertices (free and boundary) are left or no collapse is allowed. Shorter edges go
+/// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No boundary vertex is
 /// collapsed, and none loses its last free neighbour. Positions are those of `x` throughout; `region` numbers vertices.
-pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
+pub(crate) fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
     let mut progressive = ProgressiveMesh {
         mesh: EditableMesh::new(region),
         collapses: Vec::new(),
-        border: region.border,
+        boundary: region.boundary,
         free: region.free,
     };
     let mut queue = Queue {
@@ -65,7 +65,7 @@ pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Progressi
             continue;
         }
         around.clear();
-        around.extend(progressive.mesh.spokes(u).map(|g| progressive.mesh.target(g)));
+        around.extend(progressive.mesh.ring_edges(u).map(|g| progressive.mesh.target(g)));
         queue.stamp[u as usize] += 1;
         progressive.mesh.collapse(h);
         progressive.collapses.push(h);
@@ -77,18 +77,18 @@ pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Progressi
 }
 
 impl ProgressiveMesh {
-    /// Vertices that are there, free and border.
-    pub fn vertices(&self) -> usize {
-        self.free - self.collapses.len() + self.border
+    /// Vertices that are there, free and boundary.
+    pub(crate) fn vertices(&self) -> usize {
+        self.free - self.collapses.len() + self.boundary
     }
 
     /// The mesh as it is now.
-    pub fn mesh(&self) -> &EditableMesh {
+    pub(crate) fn mesh(&self) -> &EditableMesh {
         &self.mesh
     }
 
     /// Brings back the vertex collapsed last; `None` when all are there.
-    pub fn refine(&mut self) -> Option<Split> {
+    pub(crate) fn refine(&mut self) -> Option<Split> {
         let h = self.collapses.pop()?;
         self.mesh.split(h);
         Some(Split {
@@ -101,7 +101,7 @@ impl ProgressiveMesh {
     ///
     /// # Errors
     /// None on a mesh that [`decimate`] has made.
-    pub fn region(&self, x: &[Vector3<f64>]) -> Result<Region, Error> {
+    pub(crate) fn region(&self, x: &[Vector3<f64>]) -> Result<Region, Error> {
         let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
         let triangles: Vec<[u32; 3]> = self.mesh.triangles().map(|(_, corners)| corners).collect();
         let mut is_there = vec![false; self.free];
@@ -114,7 +114,7 @@ impl ProgressiveMesh {
 }
 
 /// Vertices per level, from the base to the given mesh: exponential growth (7.4). `levels` of at least 1.
-pub fn level_sizes(base: usize, vertices: usize, levels: usize) -> Vec<usize> {
+pub(crate) fn level_sizes(base: usize, vertices: usize, levels: usize) -> Vec<usize> {
     let ratio = (vertices as f64 / base.max(1) as f64).max(1.0);
     let size = |k: usize| {
         let part = k as f64 / (levels.max(2) - 1) as f64;
@@ -138,7 +138,7 @@ impl Queue {
     fn push(&mut self, mesh: &EditableMesh, x: &[Vector3<f64>], u: u32) {
         let stamp = &mut self.stamp[u as usize];
         *stamp += 1;
-        let candidates = mesh.spokes(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
+        let candidates = mesh.ring_edges(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
         let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((cost, h)) = cheapest {
             // The bits of numbers that are not negative are ordered as they are.
@@ -153,12 +153,12 @@ fn cost(mesh: &EditableMesh, x: &[Vector3<f64>], h: u32) -> Option<f64> {
     let place = |w: u32| x[w as usize];
     let cross = |a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>| (b - a).cross(&(c - a));
     let normals = mesh
-        .spokes(u)
+        .ring_edges(u)
         .map(|g| cross(place(u), place(mesh.target(g)), place(mesh.apex(g))));
     let normal = normals.sum::<Vector3<f64>>().try_normalize(f64::MIN_POSITIVE)?;
     let mut least = 1.0f64;
     for g in mesh
-        .spokes(u)
+        .ring_edges(u)
         .filter(|&g| mesh.target(g) != v && mesh.apex(g) != v)
     {
         let corners = [place(v), place(mesh.target(g)), place(mesh.apex(g))];

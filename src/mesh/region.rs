@@ -1,4 +1,4 @@
-//! What is free, fixed and border, and the numbering of the vertices that take part.
+//! What is free, fixed and boundary, and the numbering of the vertices that take part.
 
 use nalgebra::Vector3;
 
@@ -18,24 +18,24 @@ pub enum Selection<'a> {
     /// The free vertices, in any order, repeats allowed.
     Vertices(&'a [u32]),
     /// Selected triangles: free are the vertices all of whose triangles are selected and that are not on
-    /// the border of the mesh.
+    /// the boundary of the mesh.
     Faces(&'a [u32]),
 }
 
 /// The part of a mesh that is faired, with its surroundings.
 ///
-/// Region triangles are those with a free vertex, and those of [`islands`](super::islands); border vertices are their
-/// fixed vertices, those with a closed ring of region triangles included. The outside ring holds the other triangles at border vertices.
-/// Vertices have local numbers: the free ones, the border, the rest of the outside ring, then the
+/// Region triangles are those with a free vertex, and those of [`islands`](super::islands); boundary vertices are their
+/// fixed vertices, those with a closed ring of region triangles included. The outside ring holds the other triangles at boundary vertices.
+/// Vertices have local numbers: the free ones, the boundary, the rest of the outside ring, then the
 /// vertices of two more rings beyond it, each group in the caller's order.
 #[derive(Debug, Clone)]
-pub struct Region {
+pub(crate) struct Region {
     /// The caller's number of each local vertex.
     pub vertex_ids: Vec<u32>,
     /// How many vertices are free.
     pub free: usize,
-    /// How many border vertices there are.
-    pub border: usize,
+    /// How many boundary vertices there are.
+    pub boundary: usize,
     /// The triangles of the region and of the outside ring.
     pub half_edges: HalfEdges,
     /// The triangles within two more rings around those, in local numbers, as far as their vertices have a place. They
@@ -61,9 +61,9 @@ impl Region {
     /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
     /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`],
     /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
-    /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBorder`], [`Error::NonManifoldVertex`],
+    /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
     /// [`Error::NothingFixed`].
-    pub fn new(
+    pub(crate) fn new(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
@@ -72,11 +72,11 @@ impl Region {
     }
 
     /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
-    /// number); those are border then, and have a local number for each side.
+    /// number); those are boundary then, and have a local number for each side.
     ///
     /// # Errors
     /// As [`Region::new`].
-    pub fn with_normals(
+    pub(crate) fn with_normals(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
@@ -85,7 +85,7 @@ impl Region {
         check_size(positions.len(), triangles.len())?;
         let mut role = resolve(positions.len(), triangles, selection)?;
         let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
-        let (mut vertex_ids, local, free, mut border) = number(&role);
+        let (mut vertex_ids, local, free, mut boundary) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
         let numbered = triangle_ids
@@ -97,30 +97,31 @@ impl Region {
             triangle_ids,
             region_triangles,
             free,
-            border,
+            boundary,
             &vertex_ids,
         )?;
         let of_curve = |v: usize| prescribed(vertex_ids[v]);
-        if let Some(cut) = cut(&half_edges, (free, border), &vertex_ids, of_curve) {
-            (vertex_ids, border) = (cut.vertex_ids, cut.border);
+        if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
+            (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
             half_edges = HalfEdges::new(
                 cut.triangles,
                 half_edges.triangle_ids,
                 region_triangles,
                 free,
-                border,
+                boundary,
                 &vertex_ids,
             )?;
         }
         let outside = half_edges.triangle_ids[region_triangles..].iter();
-        let is_rounded = rounding::is_felt(positions, outside.map(|&t| triangles[t as usize]));
+        let is_rounded =
+            rounding::single_precision_matters(positions, outside.map(|&t| triangles[t as usize]));
         let rings = if is_rounded { RINGS_WIDE - 1 } else { RINGS_BEYOND };
         let beyond = add_beyond(positions, triangles, &role, rings, &mut vertex_ids);
-        let (component, components) = components(&half_edges, free, border, &vertex_ids)?;
+        let (component, components) = components(&half_edges, free, boundary, &vertex_ids)?;
         Ok(Self {
             vertex_ids,
             free,
-            border,
+            boundary,
             half_edges,
             beyond,
             is_rounded,
@@ -131,18 +132,18 @@ impl Region {
 
     /// Whether a local vertex is free.
     #[inline]
-    pub fn is_free(&self, vertex: u32) -> bool {
+    pub(crate) fn is_free(&self, vertex: u32) -> bool {
         (vertex as usize) < self.free
     }
 
-    /// How many vertices the region has: free and border.
+    /// How many vertices the region has: free and boundary.
     #[inline]
-    pub fn region_vertices(&self) -> usize {
-        self.free + self.border
+    pub(crate) fn region_vertices(&self) -> usize {
+        self.free + self.boundary
     }
 
     /// The positions of all local vertices, gathered from the caller's.
-    pub fn positions(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
+    pub(crate) fn positions(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
         self.vertex_ids
             .iter()
             .map(|&v| Vector3::from(positions[v as usize]))
@@ -150,18 +151,19 @@ impl Region {
     }
 
     /// The triangles of the region, in local vertex numbers.
-    pub fn triangles(&self) -> &[[u32; 3]] {
+    pub(crate) fn triangles(&self) -> &[[u32; 3]] {
         &self.half_edges.triangles[..self.half_edges.region_triangles]
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
+    pub(crate) fn validate(&self) -> Result<(), String> {
         self.half_edges.validate()?;
-        let (free, border) = self.vertex_ids[..self.region_vertices()].split_at(self.free);
-        if !free.is_sorted_by(|a, b| a < b) || !border.is_sorted() {
+        let (free, boundary) = self.vertex_ids[..self.region_vertices()].split_at(self.free);
+        if !free.is_sorted_by(|a, b| a < b) || !boundary.is_sorted() {
             return Err("local numbers are not ascending".into());
         }
         for (t, tri) in self.half_edges.triangles.iter().enumerate() {
@@ -188,8 +190,8 @@ enum Role {
     /// Elsewhere, or not known yet.
     Other,
     Free,
-    Border,
-    /// Of an outside-ring triangle, but not border.
+    Boundary,
+    /// Of an outside-ring triangle, but not boundary.
     Ring,
 }
 
@@ -270,7 +272,7 @@ fn check_indices(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<(), Erro
     })
 }
 
-/// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's border.
+/// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's boundary.
 fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     let mut selected = vec![false; triangles.len()];
     list.iter().for_each(|&t| selected[t as usize] = true);
@@ -283,7 +285,7 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
         tri.iter().for_each(|&v| role[v as usize] = Role::Other);
     }
     // An edge at a vertex that is still free has all its triangles in the list, so a single one there means
-    // the mesh's border. Edges (i, i) of broken triangles are left for the checks that follow.
+    // the mesh's boundary. Edges (i, i) of broken triangles are left for the checks that follow.
     let touched = |tri: &[u32; 3]| tri.iter().any(|&v| role[v as usize] == Role::Free);
     let kept = triangles
         .iter()
@@ -306,7 +308,7 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     }
 }
 
-/// The region's triangles, then those of the outside ring; how many belong to the region. Marks border and
+/// The region's triangles, then those of the outside ring; how many belong to the region. Marks boundary and
 /// ring vertices.
 fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -> bool) -> (Vec<u32>, usize) {
     let has = |role: &[Role], tri: &[u32; 3], r| tri.iter().any(|&v| role[v as usize] == r);
@@ -319,11 +321,11 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -
     let region = ids.len();
     for v in ids.iter().flat_map(|&t| triangles[t as usize]) {
         if role[v as usize] == Role::Other {
-            role[v as usize] = Role::Border;
+            role[v as usize] = Role::Boundary;
         }
     }
     for (t, tri) in triangles.iter().enumerate() {
-        if has(role, tri, Role::Border) && !has(role, tri, Role::Free) {
+        if has(role, tri, Role::Boundary) && !has(role, tri, Role::Free) {
             ids.push(t as u32);
         }
     }
@@ -334,7 +336,7 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -
     }
     let at = |ids: &[u32]| ids.iter().map(|&t| triangles[t as usize]).collect::<Vec<_>>();
     let of_island = islands(&at(&ids[..region]), &at(&ids[region..]), |v| {
-        role[v as usize] == Role::Border && !prescribed(v)
+        role[v as usize] == Role::Boundary && !prescribed(v)
     });
     let pairs = ids.split_off(region).into_iter().zip(of_island);
     let (island, outside): (Vec<_>, Vec<_>) = pairs.partition(|(_, of_island)| *of_island);
@@ -345,11 +347,14 @@ fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -
     (ids, region)
 }
 
-/// Local numbers: the caller's number of each, their inverse, how many are free and border.
+/// Local numbers: the caller's number of each, their inverse, how many are free and boundary.
 fn number(role: &[Role]) -> (Vec<u32>, Vec<u32>, usize, usize) {
     let mut ids = Vec::new();
     let mut ends = [0; 3];
-    for (r, end) in [Role::Free, Role::Border, Role::Ring].into_iter().zip(&mut ends) {
+    for (r, end) in [Role::Free, Role::Boundary, Role::Ring]
+        .into_iter()
+        .zip(&mut ends)
+    {
         ids.extend((0..role.len()).filter(|&v| role[v] == r).map(|v| v as u32));
         *end = ids.len();
     }
@@ -418,7 +423,7 @@ fn add_beyond(
             let any = |marked: &[bool]| tri.iter().any(|&v| marked[v as usize]);
             let inner = tri
                 .iter()
-                .any(|&v| matches!(role[v as usize], Role::Free | Role::Border));
+                .any(|&v| matches!(role[v as usize], Role::Free | Role::Boundary));
             if any(&reached) && !any(&before) && !inner && repeated(*tri).is_none() {
                 let placed = tri.iter().all(|&v| finite(&positions[v as usize]));
                 beyond.extend(placed.then_some(*tri));
@@ -448,11 +453,11 @@ fn add_beyond(
 fn components(
     half_edges: &HalfEdges,
     free: usize,
-    border: usize,
+    boundary: usize,
     vertex_ids: &[u32],
 ) -> Result<(Vec<u32>, usize), Error> {
     // Union-find whose root is the smallest vertex, so that roots come first and are free.
-    let mut parent: Vec<u32> = (0..(free + border) as u32).collect();
+    let mut parent: Vec<u32> = (0..(free + boundary) as u32).collect();
     for &[a, b, c] in &half_edges.triangles[..half_edges.region_triangles] {
         unite(&mut parent, a, b);
         unite(&mut parent, b, c);
@@ -469,7 +474,7 @@ fn components(
         }
     }
     let mut fixed = vec![false; count as usize];
-    for b in free..free + border {
+    for b in free..free + boundary {
         fixed[number[find(&mut parent, b as u32) as usize] as usize] = true;
     }
     match number.iter().position(|&c| !fixed[c as usize]) {

@@ -8,14 +8,14 @@ use super::multigrid::Problem;
 use super::vertex::Ring;
 use super::{Estimate, PaperOptions};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
-use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
+use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
 use crate::solve::Control;
 
 /// What the iteration has to reach on a level.
 #[derive(Debug, Clone, Copy)]
-pub struct Goal {
+pub(crate) struct Goal {
     /// Harmonic defect.
     pub defect: f64,
     /// `|Delta_B H|` without unit.
@@ -26,7 +26,7 @@ pub struct Goal {
 
 /// How it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub(crate) enum End {
     /// The goal is met.
     Met,
     /// Met as far as the rounding of positions lets one see.
@@ -41,7 +41,7 @@ pub enum End {
 
 /// What came of it.
 #[derive(Debug, Clone, Copy)]
-pub struct Ended {
+pub(crate) struct Ended {
     /// How.
     pub end: End,
     /// Of the surface returned.
@@ -53,16 +53,16 @@ pub struct Ended {
 }
 
 /// One level of the hierarchy with room for the iteration.
-pub struct Level<'a> {
+pub(crate) struct Level<'a> {
     rings: &'a Rings,
     problem: Problem<'a>,
     /// `lambda_ij`, ring after ring; empty where all are one.
     lambda: Vec<f64>,
     pub(super) state: State,
     dirichlet: Dirichlet<'a>,
-    /// Unit normals of free and border vertices, the newest.
+    /// Unit normals of free and boundary vertices, the newest.
     normal: Vec<Vector3<f64>>,
-    /// Estimated mean curvature, free and border.
+    /// Estimated mean curvature, free and boundary.
     h: Vec<f64>,
     /// `s` of each free vertex.
     damping: Vec<f64>,
@@ -71,17 +71,17 @@ pub struct Level<'a> {
 
 impl<'a> Level<'a> {
     /// Room for the region of a problem.
-    pub fn new(problem: &Problem<'a>) -> Self {
-        let (rings, groups, weights) = (problem.rings, problem.groups, problem.weights);
+    pub(crate) fn new(problem: &Problem<'a>) -> Self {
+        let (rings, batches, weights) = (problem.rings, problem.batches, problem.weights);
         let free = rings.free();
         let mut normal = vec![Vector3::zeros(); free];
-        normal.extend_from_slice(problem.border_normals);
+        normal.extend_from_slice(problem.boundary_normals);
         Self {
             rings,
             problem: *problem,
-            lambda: in_rings(rings, groups, weights),
-            state: State::new(groups, problem.border_normals.len()),
-            dirichlet: Dirichlet::new(rings, groups, problem.right_hand_side),
+            lambda: in_rings(rings, batches, weights),
+            state: State::new(batches, problem.boundary_normals.len()),
+            dirichlet: Dirichlet::new(rings, batches, problem.right_hand_side),
             h: vec![0.0; normal.len()],
             damping: vec![1.0; free],
             answer: Answer::default(),
@@ -89,9 +89,9 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// Iterates from `x` (free, border) until the goal is met. `x` becomes the surface of smallest defect on the way;
+    /// Iterates from `x` (free, boundary) until the goal is met. `x` becomes the surface of smallest defect on the way;
     /// the last one, where the goal is met. Progress is told after every update.
-    pub fn iterate(
+    pub(crate) fn iterate(
         &mut self,
         x: &mut [Vector3<f64>],
         options: &PaperOptions,
@@ -163,9 +163,9 @@ impl<'a> Level<'a> {
     pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
         let equations = Equations {
             rings: self.rings,
-            groups: self.problem.groups,
-            border_normals: self.problem.border_normals,
-            passing: self.problem.passing,
+            batches: self.problem.batches,
+            boundary_normals: self.problem.boundary_normals,
+            smooth_interior: self.problem.smooth_interior,
             weights: self.problem.weights,
             curvature: FreeCurvature::Paper,
             right_hand_side: self.problem.right_hand_side,
@@ -190,7 +190,7 @@ impl<'a> Level<'a> {
     }
 
     /// Sets every vertex's `s`: `damping`, or less where the estimate at a vertex answers to its own steps more than its
-    /// curvature does. That is the case beside border vertices with short edges, whose one-sided `H` is what the estimate
+    /// curvature does. That is the case beside boundary vertices with short edges, whose one-sided `H` is what the estimate
     /// is made from: the "rare constellations" of 7.5 in which a vertex alternates between two positions.
     fn measure_answers(&mut self, x: &mut [Vector3<f64>], damping: f64) {
         let free = self.rings.free();
@@ -240,11 +240,11 @@ const LARGEST_ANSWER: f64 = 1.25;
 const FIRST_MEASURE: usize = 8;
 
 /// The weights, ring after ring.
-fn in_rings(rings: &Rings, groups: &Groups, weights: &FairnessWeights) -> Vec<f64> {
+fn in_rings(rings: &Rings, batches: &ValenceBatches, weights: &FairnessWeights) -> Vec<f64> {
     let mut lambda = Vec::new();
     if weights.slots.is_some() {
         lambda.reserve(rings.neighbour.len());
-        for (i, &(first, lane)) in groups.place.iter().enumerate() {
+        for (i, &(first, lane)) in batches.place.iter().enumerate() {
             let valence = rings.ring(i).len();
             lambda.extend((0..valence).map(|k| weights.at(first as usize + k, lane as usize)));
         }

@@ -3,14 +3,14 @@
 //! [`estimate`] and [`vertex`] are the two second-order problems of 7.1, one after the other in [`iteration`];
 //! [`multigrid`] is Figure 6 around them, on the levels of [`crate::mesh::hierarchy`].
 
-pub mod estimate;
-pub mod iteration;
-pub mod local;
-pub mod multigrid;
-pub mod prolongation;
-pub mod vertex;
+pub(crate) mod estimate;
+pub(crate) mod iteration;
+pub(crate) mod local;
+pub(crate) mod multigrid;
+pub(crate) mod prolongation;
+pub(crate) mod vertex;
 
-pub use multigrid::{Found, Problem, solve};
+pub(crate) use multigrid::{Problem, solve};
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub struct PaperOptions {
     /// Levels of the hierarchy (7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each
     /// level about four times as large as the one before.
     pub levels: usize,
-    /// Vertices of the base mesh, border included. Default 0: two and a half times the border. The base has more
+    /// Vertices of the base mesh, boundary included. Default 0: two and a half times the boundary. The base has more
     /// where no further collapse is allowed.
     pub base: usize,
     /// Stop when the harmonic defect (see [`Report::defect`](crate::Report::defect)) is at most this. Default 1e-6.
@@ -79,7 +79,7 @@ impl Default for PaperOptions {
 /// What was done on one level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LevelReport {
-    /// Vertices of the region on this level: free and border.
+    /// Vertices of the region on this level: free and boundary.
     pub vertices: usize,
     /// Triangles of the region on this level.
     pub triangles: usize,

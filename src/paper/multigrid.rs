@@ -9,9 +9,9 @@ use super::iteration::{End, Ended, Goal, Level};
 use super::prolongation::Prolongation;
 use super::{LevelReport, PaperOptions};
 use crate::discrete::equations::{Equations, FreeCurvature};
-use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
+use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::{ProgressiveMesh, Region, Rings, decimate, level_sizes};
 use crate::quality::{NEEDLE, Surface};
 use crate::solve::curvature_bounds::Judged;
@@ -20,23 +20,23 @@ use crate::solve::system::Collapsed;
 use crate::solve::{Control, Ending, Solved, System};
 
 /// Inner fairness of a mesh.
-pub type Weigh = fn(&Groups, &[Vector3<f64>]) -> FairnessWeights;
+pub(crate) type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;
 
 /// What is to be faired, in the region's own centred and scaled frame.
 #[derive(Debug, Clone, Copy)]
-pub struct Problem<'a> {
+pub(crate) struct Problem<'a> {
     /// The region.
     pub region: &'a Region,
     /// Its rings.
     pub rings: &'a Rings,
     /// The same, transposed.
-    pub groups: &'a Groups,
+    pub batches: &'a ValenceBatches,
     /// The given mesh.
     pub input: &'a [Vector3<f64>],
     /// Prescribed normals.
-    pub border_normals: &'a [Vector3<f64>],
-    /// Border vertices that the surface passes, as in [`crate::discrete::equations::Equations`].
-    pub passing: &'a [bool],
+    pub boundary_normals: &'a [Vector3<f64>],
+    /// Boundary vertices that the surface passes, as in [`crate::discrete::equations::Equations`].
+    pub smooth_interior: &'a [bool],
     /// Inner fairness on the given mesh.
     pub weights: &'a FairnessWeights,
     /// How they come from a mesh, where they are not uniform: for the levels.
@@ -47,12 +47,12 @@ pub struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     /// Both equations.
-    pub fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
+    pub(crate) fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
         Equations {
             rings: self.rings,
-            groups: self.groups,
-            border_normals: self.border_normals,
-            passing: self.passing,
+            batches: self.batches,
+            boundary_normals: self.boundary_normals,
+            smooth_interior: self.smooth_interior,
             weights: self.weights,
             curvature,
             right_hand_side: self.right_hand_side,
@@ -60,17 +60,17 @@ impl<'a> Problem<'a> {
     }
 
     /// The whole system of the default solver for the problem.
-    pub fn system(&self, curvature: FreeCurvature) -> System<'a> {
+    pub(crate) fn system(&self, curvature: FreeCurvature) -> System<'a> {
         let mut system = System::new(
             self.region,
             self.rings,
-            self.groups,
+            self.batches,
             self.input,
-            self.border_normals.to_vec(),
+            self.boundary_normals.to_vec(),
             self.weights.clone(),
             curvature,
         );
-        system.passing = self.passing.to_vec();
+        system.smooth_interior = self.smooth_interior.to_vec();
         system.right_hand_side = self.right_hand_side;
         system
     }
@@ -78,7 +78,7 @@ impl<'a> Problem<'a> {
 
 /// What was found.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub(crate) struct Found {
     /// The surface, judged as the default solver judges its own.
     pub solved: Solved,
     /// The unit of the residuals.
@@ -91,8 +91,8 @@ pub struct Found {
 
 /// A level has about this many times the vertices of the one before, where their number is not given.
 const GROWTH: f64 = 4.0;
-/// The base has this many times the vertices of the border, where it is not given: with fewer, the triangles that the
-/// border's edges force upon it are too thin.
+/// The base has this many times the vertices of the boundary, where it is not given: with fewer, the triangles that the
+/// boundary's edges force upon it are too thin.
 const BASE: f64 = 2.5;
 /// Coarse levels only prepare: to this defect,
 const COARSE_DEFECT: f64 = 1e-3;
@@ -105,7 +105,7 @@ const SPLITS: usize = 512;
 ///
 /// # Errors
 /// [`Collapsed`] where not even the linear surface exists.
-pub fn solve(
+pub(crate) fn solve(
     problem: &Problem<'_>,
     options: &PaperOptions,
     control: &mut Control<'_>,
@@ -155,13 +155,13 @@ impl Run<'_> {
     fn sizes(&self) -> Vec<usize> {
         let region = self.problem.region;
         let vertices = region.region_vertices();
-        let automatic = (BASE * region.border as f64).ceil() as usize;
+        let automatic = (BASE * region.boundary as f64).ceil() as usize;
         let base = if self.options.base > 0 {
             self.options.base
         } else {
             automatic
         };
-        let base = base.clamp(region.border + 1, vertices);
+        let base = base.clamp(region.boundary + 1, vertices);
         let fitting = 1 + (vertices as f64 / base as f64).log(GROWTH).round() as usize;
         let levels = if self.options.levels > 0 {
             self.options.levels
@@ -180,7 +180,7 @@ impl Run<'_> {
         let Problem {
             region,
             input,
-            border_normals,
+            boundary_normals,
             ..
         } = *self.problem;
         let sizes = self.sizes();
@@ -190,7 +190,7 @@ impl Run<'_> {
         }
         let mut progressive = decimate(region, input, sizes[0]);
         let mut normal = vec![Vector3::z(); region.free];
-        normal.extend_from_slice(border_normals);
+        normal.extend_from_slice(boundary_normals);
         let original = self.problem.weigh.is_some().then_some(input);
         let mut surface = Prolongation::new(original, input[..count].to_vec(), normal, self.options.damping);
         for (k, &next) in sizes.iter().enumerate().skip(1) {
@@ -220,7 +220,7 @@ impl Run<'_> {
     ) -> Result<(), Collapsed> {
         let region = progressive.region(self.problem.input).map_err(|_| Collapsed)?;
         let rings = Rings::new(&region);
-        let groups = Groups::new(&rings);
+        let batches = ValenceBatches::new(&rings);
         let gather = |of: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
             let ids = region.vertex_ids[..region.region_vertices()].iter();
             ids.map(|&v| of[v as usize]).collect()
@@ -228,12 +228,12 @@ impl Run<'_> {
         let input = gather(self.problem.input);
         let weights = match self.problem.weigh {
             None => FairnessWeights::uniform(),
-            Some(weigh) => weigh(&groups, &input),
+            Some(weigh) => weigh(&batches, &input),
         };
         let level_problem = Problem {
             region: &region,
             rings: &rings,
-            groups: &groups,
+            batches: &batches,
             input: &input,
             weights: &weights,
             ..*self.problem
@@ -318,7 +318,7 @@ fn judged(
         region: problem.region,
         x: &x,
         normals: &level.state.corrected,
-        border_normals: &level.state.corrected[problem.region.free..],
+        boundary_normals: &level.state.corrected[problem.region.free..],
         h: &level.state.h,
     };
     let bounds = Judged {
@@ -342,7 +342,7 @@ fn judged(
     }
 }
 
-/// The linear surface of connectivity and border data, its vertices distributed by inner fairness.
+/// The linear surface of connectivity and boundary data, its vertices distributed by inner fairness.
 fn linear_start(problem: &Problem<'_>, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
     let mut system = problem.system(FreeCurvature::Paper);
     let mut x = system.linear_surface(control)?;

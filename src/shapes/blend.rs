@@ -20,7 +20,7 @@ pub const BLEND_RADIUS: f64 = 0.5;
 pub const BLEND_DISTANCE: f64 = 1.2;
 
 /// The paper's cylinder blend: 920 vertices, 1,746 triangles, three fixed circles of 32 vertices that are
-/// the border of the mesh, with the normals of the tubes.
+/// the boundary of the mesh, with the normals of the tubes.
 ///
 /// Symmetric under rotation by 120 degrees and under reflection at z = 0 and at the three planes through
 /// an axis and the z axis. The positions are a smooth start, not the solution.

@@ -180,14 +180,14 @@ pub(super) fn trisect(
         match (third(a, b), third(b, c), third(c, a)) {
             (Some(ab), Some(bc), Some(ca)) if fine => {
                 let m = add_between(shape, &place, [a, b, c], [1.0 / 3.0; 3]);
-                let rim = [a, ab[0], ab[1], b, bc[0], bc[1], c, ca[0], ca[1]];
+                let boundary = [a, ab[0], ab[1], b, bc[0], bc[1], c, ca[0], ca[1]];
                 for k in 0..9 {
                     // The three corners are cut off by the edge between their neighbours.
-                    let (v, w) = (rim[k], rim[(k + 1) % 9]);
+                    let (v, w) = (boundary[k], boundary[(k + 1) % 9]);
                     match k % 3 {
                         0 => shape
                             .triangles
-                            .extend([[v, w, rim[(k + 8) % 9]], [m, rim[(k + 8) % 9], w]]),
+                            .extend([[v, w, boundary[(k + 8) % 9]], [m, boundary[(k + 8) % 9], w]]),
                         1 => shape.triangles.push([m, v, w]),
                         _ => {}
                     }

@@ -65,7 +65,7 @@ const FAR: u32 = u32::MAX;
 
 /// Keeps the triangles within `outside` rings around those that touch a free vertex, and drops the rest.
 ///
-/// Where the jagged rim of the kept triangles touches itself in a vertex (or encloses a lone triangle)
+/// Where the jagged boundary of the kept triangles touches itself in a vertex (or encloses a lone triangle)
 /// that vertex is counted one ring nearer; with no ring outside it becomes free.
 pub(super) fn cut<P: Copy>(points: &[P], all: &[[u32; 3]], free: &[bool], outside: usize) -> Chart<P> {
     let outside = outside.min(MOST_OUTSIDE) as u32;
@@ -111,32 +111,36 @@ fn grow(all: &[[u32; 3]], ring: &mut [u32], k: u32) {
     }
 }
 
-/// Rim vertices that make the kept part pinched or perforated; `None` when there are none.
+/// Boundary vertices that make the kept part pinched or perforated; `None` when there are none.
 fn touching(all: &[[u32; 3]], ring: &[u32], outside: u32) -> Option<Vec<u32>> {
-    let on_rim = |v: u32| ring[v as usize] == outside + 1;
+    let on_boundary = |v: u32| ring[v as usize] == outside + 1;
     let edges = |t: &[u32; 3]| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])];
     let mut run: Vec<(u32, u32)> = Vec::new();
     for t in all.iter().filter(|t| nearest(ring, t) <= outside) {
-        run.extend(edges(t).into_iter().filter(|&(a, b)| on_rim(a) && on_rim(b)));
+        run.extend(
+            edges(t)
+                .into_iter()
+                .filter(|&(a, b)| on_boundary(a) && on_boundary(b)),
+        );
     }
     run.sort_unstable();
-    let border: Vec<(u32, u32)> = run
+    let boundary: Vec<(u32, u32)> = run
         .iter()
         .copied()
         .filter(|&(a, b)| run.binary_search(&(b, a)).is_err())
         .collect();
-    let mut found: Vec<u32> = border
+    let mut found: Vec<u32> = boundary
         .windows(2)
         .filter(|w| w[0].0 == w[1].0)
         .map(|w| w[0].0)
         .collect();
     for t in all
         .iter()
-        .filter(|t| nearest(ring, t) == outside + 1 && t.iter().all(|&v| on_rim(v)))
+        .filter(|t| nearest(ring, t) == outside + 1 && t.iter().all(|&v| on_boundary(v)))
     {
         if edges(t)
             .into_iter()
-            .all(|(a, b)| border.binary_search(&(b, a)).is_ok())
+            .all(|(a, b)| boundary.binary_search(&(b, a)).is_ok())
         {
             found.push(t[0]);
         }

@@ -46,7 +46,7 @@ impl Domain for Disc {
         let mut points = Vec::new();
         for j in -rows..=rows {
             for i in -m..=m {
-                // Off centre, so that the rim meets the lattice in no special way.
+                // Off centre, so that the boundary meets the lattice in no special way.
                 let x = (i as f64 + 0.5 * (j & 1) as f64 + 0.31) * hx;
                 let y = (j as f64 + 0.17) * hy;
                 if x.hypot(y) < self.reach {
@@ -97,13 +97,13 @@ pub(super) fn band_chart(
     let count = lattice_count(n, sampling, &band);
     let h = (TAU * (high - low) * 2.0 / (3f64.sqrt() * count)).sqrt();
     band.columns = (TAU / h).round().max(8.0);
-    // The rows on the rims themselves are fixed; shaken, half of them fall inside.
-    let rims = if matches!(sampling, Sampling::Irregular { .. }) {
+    // The rows on the boundaries themselves are fixed; shaken, half of them fall inside.
+    let boundaries = if matches!(sampling, Sampling::Irregular { .. }) {
         0.0
     } else {
         1.0
     };
-    band.rows = ((count / band.columns).round() + rims).max(2.0);
+    band.rows = ((count / band.columns).round() + boundaries).max(2.0);
     band.beyond = margin(outside).ceil();
     let points = sample(&band, sampling);
     let rounding = 1e-9 * (high - low) / band.rows;
@@ -120,7 +120,7 @@ struct Band {
     high: f64,
     columns: f64,
     rows: f64,
-    /// Rows beyond each rim.
+    /// Rows beyond each boundary.
     beyond: f64,
 }
 

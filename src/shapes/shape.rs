@@ -25,7 +25,7 @@ pub struct Shape {
 pub(super) struct Lifted {
     pub(super) position: [f64; 3],
     pub(super) normal: [f64; 3],
-    /// Where the point goes in a wrong shape with the same rim.
+    /// Where the point goes in a wrong shape with the same boundary.
     pub(super) flat: [f64; 3],
 }
 
@@ -67,11 +67,11 @@ impl Shape {
     }
 
     /// Fixed vertices that share a triangle with a free one, increasing, with their exact normals.
-    pub fn border_normals(&self) -> Vec<(u32, [f64; 3])> {
+    pub fn boundary_normals(&self) -> Vec<(u32, [f64; 3])> {
         let near = self.near_free();
-        let border = |&v: &u32| near[v as usize] && !self.free[v as usize];
+        let boundary = |&v: &u32| near[v as usize] && !self.free[v as usize];
         (0..self.free.len() as u32)
-            .filter(border)
+            .filter(boundary)
             .map(|v| (v, self.normals[v as usize]))
             .collect()
     }
@@ -89,7 +89,7 @@ impl Shape {
         near
     }
 
-    /// Positions with the free part replaced by a wrong shape over the same rim: a spherical part by a flat
+    /// Positions with the free part replaced by a wrong shape over the same boundary: a spherical part by a flat
     /// disc, a zone of the sphere, a catenoid or an unduloid by a straight tube, a cylinder by one that is
     /// pinched by 40 %, the saddle by a flatter one. The cylinder blend keeps its start.
     pub fn flat(&self) -> Vec<[f64; 3]> {
@@ -110,7 +110,7 @@ impl Shape {
         self.positions.iter().zip(&self.free).map(moved).collect()
     }
 
-    /// Positions with every free vertex anywhere in the bounding box of the free region and its rim.
+    /// Positions with every free vertex anywhere in the bounding box of the free region and its boundary.
     pub fn random(&self, seed: u64) -> Vec<[f64; 3]> {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for (p, _) in self

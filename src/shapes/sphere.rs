@@ -17,17 +17,17 @@ pub(super) fn stereographic(p: [f64; 2]) -> [f64; 3] {
 
 /// Lift to the sphere; the flat shape is the disc in the plane of the circle `|p| = radius`.
 pub(super) fn on_sphere(position: [f64; 3], p: [f64; 2], radius: f64) -> Lifted {
-    let rim = stereographic([radius, 0.0]);
-    let shrink = rim[0] / radius;
+    let boundary = stereographic([radius, 0.0]);
+    let shrink = boundary[0] / radius;
     Lifted {
         position,
         normal: position,
-        flat: [p[0] * shrink, p[1] * shrink, rim[2]],
+        flat: [p[0] * shrink, p[1] * shrink, boundary[2]],
     }
 }
 
 /// A cap of the unit sphere about the north pole, free within `half_angle` degrees (1 to 150) of it.
-/// The lattice is drawn in the stereographic plane, so triangles grow smaller towards the rim.
+/// The lattice is drawn in the stereographic plane, so triangles grow smaller towards the boundary.
 pub fn sphere_cap(half_angle: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
     let radius = (0.5 * between(1.0, half_angle, 150.0).to_radians()).tan();
     let chart = disc_chart(radius, n, sampling, outside);
@@ -37,7 +37,7 @@ pub fn sphere_cap(half_angle: f64, n: usize, sampling: Sampling, outside: usize)
 }
 
 /// The graph of `0.8 (x^2 - y^2) + 0.5 y sin 3x`, free over the unit disc. Not a solution of the fairing
-/// equation, so there is no exact surface to come back to: the rim and its normals are what matters.
+/// equation, so there is no exact surface to come back to: the boundary and its normals are what matters.
 pub fn saddle_graph(n: usize, sampling: Sampling, outside: usize) -> Shape {
     let height = |x: f64, y: f64| 0.8 * (x * x - y * y) + 0.5 * y * (3.0 * x).sin();
     Shape::lifted(disc_chart(1.0, n, sampling, outside), None, |p| {

@@ -1,28 +1,28 @@
 //! The frozen matrix of the normal step, `P = S_I D S_I^T`, and of the linear start.
 //!
 //! Moving by `t` along the normals changes `H` by about `-D S t` with `D_i = 3 / (4 A_i)` (paper (5)), so `P t = R1`
-//! with the free rows `S_I` of `S` and all its columns: the clamped bilaplacian. The factor `D_b` at fixed border
+//! with the free rows `S_I` of `S` and all its columns: the clamped bilaplacian. The factor `D_b` at fixed boundary
 //! vertices says how much the one-sided `H_b` answers to the surface beside it.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::discrete::equations::{Equations, State};
-use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::linear::sparse::SymmetricPattern;
+use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
 use crate::mesh::{NONE, Region, Rings};
+use fairmesh_linear::sparse::SymmetricPattern;
 
 /// `S` and `D` of one surface, vertex by vertex.
 #[derive(Debug, Clone, Default)]
-pub struct Metric {
+pub(crate) struct Metric {
     /// `w_ij` of the free vertices' rings, parallel to `rings.neighbour`.
     weight: Vec<f64>,
     /// `sum_j w_ij` of the free vertices.
     total: Vec<f64>,
-    /// One-sided `w_bj` of the border vertices, parallel to `rings.border_neighbour`.
-    border_weight: Vec<f64>,
-    /// `D` at free, then at border vertices.
+    /// One-sided `w_bj` of the boundary vertices, parallel to `rings.boundary_neighbour`.
+    boundary_weight: Vec<f64>,
+    /// `D` at free, then at boundary vertices.
     d: Vec<f64>,
 }
 
@@ -39,22 +39,28 @@ fn moreton_sequin_response(ring: &[u32], x: &[Vector3<f64>], i: usize) -> f64 {
 /// `D_i` stays within these factors of `3 / (4 A_i)`.
 const FREE_RANGE: [f64; 2] = [0.1, 5.0];
 /// `D_b` stays within this factor of `3 / (4 A_b)`.
-const BORDER_RANGE: f64 = 4.0;
+const BOUNDARY_RANGE: f64 = 4.0;
 
 impl Metric {
     /// `S` and `D` at the evaluated surface `x`. With `response`, `D_b` is taken from the finite-difference answer of
     /// `H_b` to a shift of all free vertices along their normals; else `D_b = 3 / (4 A_b)`.
-    pub fn update(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &State, response: bool) {
-        let (rings, groups) = (equations.rings, equations.groups);
+    pub(crate) fn update(
+        &mut self,
+        equations: &Equations<'_>,
+        x: &[Vector3<f64>],
+        state: &State,
+        response: bool,
+    ) {
+        let (rings, batches) = (equations.rings, equations.batches);
         let free = equations.free();
-        let border = rings.closed.len();
+        let boundary = rings.closed.len();
         self.weight.resize(rings.neighbour.len(), 0.0);
         self.total.resize(free, 0.0);
-        self.border_weight.clear();
-        self.border_weight.resize(rings.border_neighbour.len(), 0.0);
-        self.d.resize(free + border, 0.0);
+        self.boundary_weight.clear();
+        self.boundary_weight.resize(rings.boundary_neighbour.len(), 0.0);
+        self.d.resize(free + boundary, 0.0);
         for i in 0..free {
-            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
             let range = rings.start[i] as usize..rings.start[i + 1] as usize;
             let mut total = 0.0;
             for (k, w) in self.weight[range].iter_mut().enumerate() {
@@ -71,16 +77,16 @@ impl Metric {
             self.d[i] = (answer / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
         }
         let shifted = response.then(|| Shift::new(equations, x, state));
-        for b in 0..border {
-            let range = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
-            let neighbours = &rings.border_neighbour[range.clone()];
-            let weights = &mut self.border_weight[range];
-            equations.border_weights(x, b, |j, w| {
+        for b in 0..boundary {
+            let range = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
+            let neighbours = &rings.boundary_neighbour[range.clone()];
+            let weights = &mut self.boundary_weight[range];
+            equations.boundary_weights(x, b, |j, w| {
                 if let Some(k) = neighbours.iter().position(|&n| n == j) {
                     weights[k] += w;
                 }
             });
-            let plain = 0.75 / equations.border_area(x, b).max(f64::MIN_POSITIVE);
+            let plain = 0.75 / equations.boundary_area(x, b).max(f64::MIN_POSITIVE);
             let to_free = neighbours
                 .iter()
                 .zip(weights)
@@ -89,7 +95,7 @@ impl Metric {
             self.d[free + b] = match &shifted {
                 Some(shift) if sum > 0.0 => {
                     let answer = shift.answer(equations, state, b) / sum;
-                    answer.clamp(plain / BORDER_RANGE, plain * BORDER_RANGE)
+                    answer.clamp(plain / BOUNDARY_RANGE, plain * BOUNDARY_RANGE)
                 }
                 _ => plain,
             };
@@ -99,18 +105,23 @@ impl Metric {
 
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
     /// the inner fairness condition has about these weights, whatever its shape.
-    pub fn combinatorial(&mut self, rings: &Rings, groups: &Groups, fairness: &FairnessWeights) {
+    pub(crate) fn combinatorial(
+        &mut self,
+        rings: &Rings,
+        batches: &ValenceBatches,
+        fairness: &FairnessWeights,
+    ) {
         // Of an edge of two equilateral triangles.
         let equilateral = 2.0 / 3f64.sqrt();
         let free = rings.free();
         self.weight.resize(rings.neighbour.len(), 0.0);
         self.total.resize(free, 0.0);
-        self.border_weight.clear();
-        self.border_weight.resize(rings.border_neighbour.len(), 0.0);
+        self.boundary_weight.clear();
+        self.boundary_weight.resize(rings.boundary_neighbour.len(), 0.0);
         self.d.clear();
-        self.d.resize(free + rings.border(), 1.0);
+        self.d.resize(free + rings.boundary(), 1.0);
         for i in 0..free {
-            let (first, lane) = (groups.place[i].0 as usize, groups.place[i].1 as usize);
+            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
             let start = rings.start[i] as usize;
             for s in start..rings.start[i + 1] as usize {
                 let own = fairness.at(first + s - start, lane);
@@ -119,20 +130,20 @@ impl Metric {
                     own
                 } else {
                     let j = rings.neighbour[s] as usize;
-                    let (first, lane) = (groups.place[j].0 as usize, groups.place[j].1 as usize);
+                    let (first, lane) = (batches.place[j].0 as usize, batches.place[j].1 as usize);
                     0.5 * (own + fairness.at(first + twin as usize - rings.start[j] as usize, lane))
                 };
                 self.weight[s] = equilateral * mean;
             }
             self.total[i] = self.weight[start..rings.start[i + 1] as usize].iter().sum();
         }
-        for b in 0..rings.border() {
-            let first = rings.border_start[b] as usize;
-            let edges = &rings.border_edge
-                [rings.border_edge_start[b] as usize..rings.border_edge_start[b + 1] as usize];
-            for (k, &j) in rings.border_ring(b).iter().enumerate() {
+        for b in 0..rings.boundary() {
+            let first = rings.boundary_start[b] as usize;
+            let edges = &rings.boundary_edge
+                [rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize];
+            for (k, &j) in rings.boundary_ring(b).iter().enumerate() {
                 let triangles = edges.iter().filter(|e| e.contains(&j)).count();
-                self.border_weight[first + k] = if (j as usize) < free {
+                self.boundary_weight[first + k] = if (j as usize) < free {
                     self.weight_between(rings, j as usize, (free + b) as u32)
                 } else {
                     0.5 * equilateral * triangles as f64
@@ -160,7 +171,7 @@ impl Metric {
     }
 
     /// Puts the values of `P + diag(mass)` on `pattern`, row by row; `mass(i)` is 0 for the plain matrix.
-    pub fn assemble(
+    pub(crate) fn assemble(
         &self,
         rings: &Rings,
         pattern: &SymmetricPattern,
@@ -172,7 +183,7 @@ impl Metric {
             let end = (i + CHUNK).min(free);
             pattern.start[end] - pattern.start[i]
         });
-        let pieces = crate::discrete::groups::split_lengths(values, lengths);
+        let pieces = crate::discrete::valence_batches::split_lengths(values, lengths);
         pieces.into_par_iter().enumerate().for_each_init(
             || vec![0u32; free],
             |place, (chunk, piece)| {
@@ -222,11 +233,11 @@ impl Metric {
                 }
             } else {
                 let b = k - free;
-                let ring = rings.border_start[b] as usize..rings.border_start[b + 1] as usize;
+                let ring = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
                 column(
                     factor,
-                    &rings.border_neighbour[ring.clone()],
-                    &self.border_weight[ring],
+                    &rings.boundary_neighbour[ring.clone()],
+                    &self.boundary_weight[ring],
                 );
             }
         }
@@ -235,9 +246,9 @@ impl Metric {
         row[last] = diagonal;
     }
 
-    /// `y = S_I D (S x - flux)`, all vertices of the region in `x`, `flux` at border vertices; `u` is scratch of the
+    /// `y = S_I D (S x - flux)`, all vertices of the region in `x`, `flux` at boundary vertices; `u` is scratch of the
     /// same length as `x`.
-    pub fn apply<const K: usize>(
+    pub(crate) fn apply<const K: usize>(
         &self,
         rings: &Rings,
         x: &[[f64; K]],
@@ -255,8 +266,8 @@ impl Metric {
                     (range, &rings.neighbour, &self.weight)
                 } else {
                     let range =
-                        rings.border_start[k - free] as usize..rings.border_start[k - free + 1] as usize;
-                    (range, &rings.border_neighbour, &self.border_weight)
+                        rings.boundary_start[k - free] as usize..rings.boundary_start[k - free + 1] as usize;
+                    (range, &rings.boundary_neighbour, &self.boundary_weight)
                 };
                 let mut sum = [0.0; K];
                 for (j, w) in neighbours[range.clone()].iter().zip(&weights[range]) {
@@ -311,27 +322,30 @@ impl Shift {
 
     /// Change of `H_b` per unit shift.
     fn answer(&self, equations: &Equations<'_>, state: &State, b: usize) -> f64 {
-        let after = equations.border_curvature_of_any(&self.x, &state.corrected, b);
+        let after = equations.boundary_curvature_of_any(&self.x, &state.corrected, b);
         (after - state.h[equations.free() + b]) / self.length
     }
 }
 
-/// The conormal flux that the G1 data prescribe: at border vertex `b` the sum over its border edges of `e x n`, `e`
+/// The conormal flux that the G1 data prescribe: at boundary vertex `b` the sum over its boundary edges of `e x n`, `e`
 /// running with the region on its left and `n` the mean of the edge's two normals (the outward conormal times the
 /// edge's length; paper, section 7.4, asks for a linear start without saying how normals enter).
-pub fn conormal_flux(
+pub(crate) fn conormal_flux(
     region: &Region,
     rings: &Rings,
     x: &[Vector3<f64>],
-    border_normals: &[Vector3<f64>],
+    boundary_normals: &[Vector3<f64>],
 ) -> Vec<[f64; 3]> {
-    let mut flux = vec![Vector3::zeros(); region.border];
-    for &half_edge in &rings.border_half_edges {
+    let mut flux = vec![Vector3::zeros(); region.boundary];
+    for &half_edge in &rings.boundary_half_edges {
         let (a, b) = (
             region.half_edges.origin(half_edge) as usize,
             region.half_edges.target(half_edge) as usize,
         );
-        let (n_a, n_b) = (border_normals[a - region.free], border_normals[b - region.free]);
+        let (n_a, n_b) = (
+            boundary_normals[a - region.free],
+            boundary_normals[b - region.free],
+        );
         let n = (n_a + n_b).try_normalize(1e-9).unwrap_or(n_a);
         let conormal = (x[b] - x[a]).cross(&n);
         flux[a - region.free] += conormal;

@@ -1,4 +1,4 @@
-//! Continuation in the border normals, from the membrane's own to the prescribed ones. Where it stalls short of the end,
+//! Continuation in the boundary normals, from the membrane's own to the prescribed ones. Where it stalls short of the end,
 //! no surface with these normals was found on this branch.
 
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ use super::control::Control;
 use super::globalize::iterated;
 use super::quasi_newton::{End, Plan};
 use super::system::System;
-use crate::discrete::border_normals::{angle, average};
+use crate::discrete::boundary_normals::{angle, average};
 
 /// The first step turns no normal further than this, 25 degrees.
 const FIRST_STEP: f64 = 25.0 * std::f64::consts::PI / 180.0;
@@ -19,27 +19,27 @@ const ON_THE_WAY: f64 = 1e-4;
 
 /// Where the continuation ended.
 #[derive(Debug)]
-pub struct Continued {
+pub(crate) struct Continued {
     /// The surface with the prescribed normals, where it was reached.
     pub candidate: Option<Candidate>,
     /// The fraction of the way for which a sound surface was found.
     pub reached: f64,
-    /// Border vertices by how far their normal was from the prescribed one, the farthest first.
+    /// Boundary vertices by how far their normal was from the prescribed one, the farthest first.
     pub farthest: Vec<u32>,
 }
 
 /// Follows the normals; the system's normals are the prescribed ones before and after.
-pub fn continuation(
+pub(crate) fn continuation(
     system: &mut System<'_>,
     linear: &[Vector3<f64>],
     control: &mut Control<'_>,
 ) -> Continued {
-    let prescribed = system.border_normals.clone();
+    let prescribed = system.boundary_normals.clone();
     let membrane = system.membrane();
     let free = system.free();
     let own: Vec<Vector3<f64>> = (0..prescribed.len())
         .map(|b| {
-            average(&membrane, free + b, system.equations().border_triangles(b)).unwrap_or(prescribed[b])
+            average(&membrane, free + b, system.equations().boundary_triangles(b)).unwrap_or(prescribed[b])
         })
         .collect();
     let angles: Vec<f64> = own.iter().zip(&prescribed).map(|(a, b)| angle(a, b)).collect();
@@ -53,7 +53,7 @@ pub fn continuation(
         farthest,
     };
 
-    system.border_normals = own.clone();
+    system.boundary_normals = own.clone();
     let start = system.linear_surface(control).unwrap_or_else(|_| linear.to_vec());
     let mut x = start;
     system.tangential_steps(&mut x, control);
@@ -66,7 +66,7 @@ pub fn continuation(
             (continued.reached + step).min(1.0)
         };
         let last = target >= 1.0;
-        system.border_normals = (0..own.len())
+        system.boundary_normals = (0..own.len())
             .map(|b| slerp(&own[b], &prescribed[b], target))
             .collect();
         let tolerance = if last {
@@ -100,7 +100,7 @@ pub fn continuation(
             step *= 0.5;
         }
     }
-    system.border_normals = prescribed;
+    system.boundary_normals = prescribed;
     continued
 }
 

@@ -5,7 +5,7 @@ use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::target::RightHandSide;
 
-/// The largest `|H|` inside, against the border's.
+/// The largest `|H|` inside, against the boundary's.
 const OVERSHOOT: f64 = 1.05;
 /// Curvatures below this, times the diagonal, count as none.
 const OVERSHOOT_FLOOR: f64 = 0.1;
@@ -15,7 +15,7 @@ const TOTAL_CURVATURE: f64 = 4.0;
 
 impl System<'_> {
     /// [`Judged::overshoots`] at the last evaluation.
-    pub fn overshoots(&self) -> bool {
+    pub(crate) fn overshoots(&self) -> bool {
         let judged = Judged {
             state: &self.state,
             right_hand_side: self.right_hand_side,
@@ -27,7 +27,7 @@ impl System<'_> {
 
 /// A surface and the equation that it should satisfy.
 #[derive(Debug, Clone, Copy)]
-pub struct Judged<'a> {
+pub(crate) struct Judged<'a> {
     /// Evaluated at the surface.
     pub state: &'a State,
     /// What `Delta_B H` should be.
@@ -42,29 +42,29 @@ impl Judged<'_> {
     }
 
     /// Whether `H` inside exceeds what the equation allows, and the discretization besides.
-    pub fn overshoots(&self) -> bool {
+    pub(crate) fn overshoots(&self) -> bool {
         let right = &self.right_hand_side;
         if right.energy != 0.0 {
             self.is_unresolved()
         } else if right.constant != 0.0 {
             self.overshoots_load(right.constant)
         } else {
-            self.overshoots_border()
+            self.overshoots_boundary()
         }
     }
 
-    /// Harmonic functions have their extrema on the border.
-    fn overshoots_border(&self) -> bool {
+    /// Harmonic functions have their extrema on the boundary.
+    fn overshoots_boundary(&self) -> bool {
         let largest = |h: &[f64]| h.iter().fold(0.0f64, |m, h| m.max(h.abs()));
-        let (inside, border) = self.state.h.split_at(self.free());
-        largest(inside) > OVERSHOOT * largest(border) + OVERSHOOT_FLOOR / self.diagonal
+        let (inside, boundary) = self.state.h.split_at(self.free());
+        largest(inside) > OVERSHOOT * largest(boundary) + OVERSHOOT_FLOOR / self.diagonal
     }
 
-    /// With `Delta_B H = c > 0` the maximum still is on the border. The minimum is lower than there by at most `c` times
-    /// the largest `u` with `-Delta_B u = 1` and no border value, for which that of a strip as wide as the diagonal is
+    /// With `Delta_B H = c > 0` the maximum still is on the boundary. The minimum is lower than there by at most `c` times
+    /// the largest `u` with `-Delta_B u = 1` and no boundary value, for which that of a strip as wide as the diagonal is
     /// taken, `L^2 / 8`: no domain in a plane or on a cylinder between two planes `L` apart has a larger one.
     fn overshoots_load(&self, c: f64) -> bool {
-        let (inside, border) = self.state.h.split_at(self.free());
+        let (inside, boundary) = self.state.h.split_at(self.free());
         let upward = c.signum();
         let range = |h: &[f64]| {
             h.iter()
@@ -72,11 +72,11 @@ impl Judged<'_> {
                     [low.min(upward * h), high.max(upward * h)]
                 })
         };
-        let ([low, high], [border_low, border_high]) = (range(inside), range(border));
+        let ([low, high], [boundary_low, boundary_high]) = (range(inside), range(boundary));
         let slack =
-            (OVERSHOOT - 1.0) * border_low.abs().max(border_high.abs()) + OVERSHOOT_FLOOR / self.diagonal;
+            (OVERSHOOT - 1.0) * boundary_low.abs().max(boundary_high.abs()) + OVERSHOOT_FLOOR / self.diagonal;
         let dip = c.abs() * self.diagonal * self.diagonal / 8.0;
-        high > border_high + slack || low < border_low - dip - slack
+        high > boundary_high + slack || low < boundary_low - dip - slack
     }
 
     /// Surfaces of minimal energy obey no maximum principle: a strip bent round is curved most in its middle. But where a

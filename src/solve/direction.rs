@@ -8,14 +8,14 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use crate::discrete::groups::CHUNK;
+use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;
 
 /// At most this many averagings: a few edges around.
 const MOST_ROUNDS: usize = 20;
 
 /// The averagings for a largest step of this length on a surface with 1-disks of this mean area: one per edge length.
-pub fn rounds(largest: f64, disk: f64) -> usize {
+pub(crate) fn rounds(largest: f64, disk: f64) -> usize {
     // Of six equilateral triangles.
     let edge = (disk / (1.5 * 3f64.sqrt())).sqrt();
     let lengths = largest / edge;
@@ -26,12 +26,12 @@ pub fn rounds(largest: f64, disk: f64) -> usize {
     }
 }
 
-/// Averages the unit normals of the free vertices this many times over their closed rings, in which border vertices have
+/// Averages the unit normals of the free vertices this many times over their closed rings, in which boundary vertices have
 /// the prescribed normals. Unit vectors; the vertex's own normal where nothing is left.
-pub fn averaged(
+pub(crate) fn averaged(
     rings: &Rings,
     normal: &[Vector3<f64>],
-    border_normals: &[Vector3<f64>],
+    boundary_normals: &[Vector3<f64>],
     rounds: usize,
 ) -> Vec<Vector3<f64>> {
     let free = normal.len();
@@ -48,7 +48,7 @@ pub fn averaged(
                     sum += if j < free {
                         field[j]
                     } else {
-                        border_normals[j - free]
+                        boundary_normals[j - free]
                     };
                 }
                 *next = sum / (ring.len() + 1) as f64;
@@ -66,7 +66,7 @@ pub fn averaged(
 mod tests {
     use super::*;
 
-    /// A free vertex with a wrong normal among six border vertices.
+    /// A free vertex with a wrong normal among six boundary vertices.
     fn star() -> Rings {
         Rings {
             start: vec![0, 6],
@@ -77,10 +77,10 @@ mod tests {
 
     #[test]
     fn one_round_is_the_mean_over_the_closed_ring() {
-        let border = [Vector3::z(); 6];
-        let d = averaged(&star(), &[Vector3::x()], &border, 1);
+        let boundary = [Vector3::z(); 6];
+        let d = averaged(&star(), &[Vector3::x()], &boundary, 1);
         assert!((d[0] - Vector3::new(1.0, 0.0, 6.0).normalize()).norm() < 1e-15);
-        assert_eq!(averaged(&star(), &[Vector3::x()], &border, 0), [Vector3::x()]);
+        assert_eq!(averaged(&star(), &[Vector3::x()], &boundary, 0), [Vector3::x()]);
     }
 
     #[test]
@@ -88,11 +88,11 @@ mod tests {
         let tilted = Vector3::new(0.48, 0.6, 0.64);
         let d = averaged(&star(), &[tilted], &[tilted; 6], 10);
         assert!((d[0] - tilted).norm() < 1e-15);
-        let mut border = [Vector3::z(); 6];
-        border[3..].fill(-Vector3::z());
-        border[0] = -Vector3::x();
-        border[3] = Vector3::zeros();
-        assert_eq!(averaged(&star(), &[Vector3::x()], &border, 1), [Vector3::x()]);
+        let mut boundary = [Vector3::z(); 6];
+        boundary[3..].fill(-Vector3::z());
+        boundary[0] = -Vector3::x();
+        boundary[3] = Vector3::zeros();
+        assert_eq!(averaged(&star(), &[Vector3::x()], &boundary, 1), [Vector3::x()]);
     }
 
     #[test]

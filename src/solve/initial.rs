@@ -1,4 +1,4 @@
-//! The start surface, made from connectivity and border data alone, so that the result does not depend on the input's
+//! The start surface, made from connectivity and boundary data alone, so that the result does not depend on the input's
 //! interior: a membrane, a linear clamped bilaplacian on its metric with the G1 data as conormal flux, and a few
 //! tangential steps.
 
@@ -7,10 +7,10 @@ use nalgebra::Vector3;
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
 use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
-use crate::linear::cholesky::Cholesky;
-use crate::linear::ordering::amd;
-use crate::linear::sparse::SymmetricPattern;
-use crate::linear::symbolic::Symbolic;
+use fairmesh_linear::cholesky::Cholesky;
+use fairmesh_linear::ordering::amd;
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 
 /// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
 /// about thin triangles ought not to depend on the order of elimination.
@@ -23,12 +23,12 @@ const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 /// What it is called in progress reports.
-pub const STAGE: &str = "start surface";
+pub(crate) const STAGE: &str = "start surface";
 
 impl System<'_> {
     /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
     /// component has other fixed ones: they give their place to a better metric.
-    pub fn membrane(&mut self) -> Vec<Vector3<f64>> {
+    pub(crate) fn membrane(&mut self) -> Vec<Vector3<f64>> {
         let mut x = self.input[..self.region.region_vertices()].to_vec();
         self.relax_fixed_inside(&mut x);
         x[..self.region.free].fill(Vector3::zeros());
@@ -50,7 +50,7 @@ impl System<'_> {
     /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
     fn fairness_residual(&self, x: &[Vector3<f64>], residual: &mut [[f64; 3]]) {
         for (i, r) in residual.iter_mut().enumerate() {
-            let (first, lane) = (self.groups.place[i].0 as usize, self.groups.place[i].1 as usize);
+            let (first, lane) = (self.batches.place[i].0 as usize, self.batches.place[i].1 as usize);
             let mut sum = Vector3::zeros();
             for (k, &j) in self.rings.ring(i).iter().enumerate() {
                 sum += (x[j as usize] - x[i]) * self.weights.at(first + k, lane);
@@ -59,21 +59,21 @@ impl System<'_> {
         }
     }
 
-    /// Moves fixed vertices with a closed ring to the uniform membrane of their component's open border.
+    /// Moves fixed vertices with a closed ring to the uniform membrane of their component's open boundary.
     fn relax_fixed_inside(&self, x: &mut [Vector3<f64>]) {
         let free = self.region.free;
-        let mut has_open_border = vec![false; self.region.components];
+        let mut has_open_boundary = vec![false; self.region.components];
         for (b, &closed) in self.rings.closed.iter().enumerate() {
-            let touched = self.rings.border_ring(b).iter().find(|&&j| (j as usize) < free);
+            let touched = self.rings.boundary_ring(b).iter().find(|&&j| (j as usize) < free);
             if let (false, Some(&j)) = (closed, touched) {
-                has_open_border[self.region.component[j as usize] as usize] = true;
+                has_open_boundary[self.region.component[j as usize] as usize] = true;
             }
         }
         let relaxes = |v: usize| {
             v < free
                 || self.rings.closed[v - free]
-                    && self.rings.border_ring(v - free).iter().all(|&j| {
-                        j as usize >= free || has_open_border[self.region.component[j as usize] as usize]
+                    && self.rings.boundary_ring(v - free).iter().all(|&j| {
+                        j as usize >= free || has_open_boundary[self.region.component[j as usize] as usize]
                     })
         };
         let unknown: Vec<u32> = (0..x.len() as u32).filter(|&v| relaxes(v as usize)).collect();
@@ -114,20 +114,23 @@ impl System<'_> {
         }
     }
 
-    /// The linear surface: `S_I D (S x - F) = 0` with the fixed positions and the conormal flux `F` of the border normals,
+    /// The linear surface: `S_I D (S x - F) = 0` with the fixed positions and the conormal flux `F` of the boundary normals,
     /// on the metric of connectivity alone. (On the metric of a membrane a tube would pinch: its membrane is a thread,
     /// and a thread is conformally endless.)
     /// Where the run is stopped meanwhile, it is a surface on the way there.
-    pub fn linear_surface(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    pub(crate) fn linear_surface(
+        &mut self,
+        control: &mut Control<'_>,
+    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
-        metric.combinatorial(self.rings, self.groups, &self.weights);
+        metric.combinatorial(self.rings, self.batches, &self.weights);
         self.metric = metric;
         self.refactor(|_| 0.0)?;
         self.linear_solve(control)
     }
 
     /// The same on the metric of `membrane`.
-    pub fn linear_surface_on(
+    pub(crate) fn linear_surface_on(
         &mut self,
         membrane: &[Vector3<f64>],
         control: &mut Control<'_>,
@@ -140,7 +143,7 @@ impl System<'_> {
     /// Solves on the metric that `P` is factored on, by conjugate gradients with that factor.
     fn linear_solve(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let free = self.region.free;
-        let flux = conormal_flux(self.region, self.rings, self.input, &self.border_normals);
+        let flux = conormal_flux(self.region, self.rings, self.input, &self.boundary_normals);
         let mut x = vec![[0.0; 3]; self.region.region_vertices()];
         for (x, p) in x[free..].iter_mut().zip(&self.input[free..]) {
             *x = (*p).into();
@@ -219,7 +222,7 @@ impl System<'_> {
     }
 
     /// Tangential steps alone, each as long as the edges allow.
-    pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
+    pub(crate) fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
         let mut step = vec![0.0; 3 * self.region.free];
         for _ in 0..TANGENTIAL_STEPS {
             if !control.goes_on(STAGE) {

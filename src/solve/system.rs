@@ -9,14 +9,14 @@ use super::bilaplacian::Metric;
 use super::direction;
 use super::factor::Factor;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
-use crate::discrete::groups::{CHUNK, Groups};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
-use crate::linear::interrupt::Interrupt;
-use crate::linear::ordering::fill_reducing;
-use crate::linear::sparse::SymmetricPattern;
-use crate::linear::symbolic::Symbolic;
+use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
 use crate::mesh::{Region, Rings};
+use fairmesh_linear::interrupt::Interrupt;
+use fairmesh_linear::ordering::fill_reducing;
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 
 /// Tangential steps below this, in diagonals, are projected.
 const NEAR: f64 = 1e-3;
@@ -26,22 +26,22 @@ const NEAR: f64 = 1e-3;
 const SINGLE_UP_TO: usize = 250_000;
 
 /// Largest edge-relative change of one step.
-pub const LARGEST_CHANGE: f64 = 0.5;
+pub(crate) const LARGEST_CHANGE: f64 = 0.5;
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
-pub struct System<'a> {
+pub(crate) struct System<'a> {
     /// The region.
     pub region: &'a Region,
     /// Its rings.
     pub rings: &'a Rings,
     /// The same, transposed.
-    pub groups: &'a Groups,
-    /// The input surface of the region (free, border).
+    pub batches: &'a ValenceBatches,
+    /// The input surface of the region (free, boundary).
     pub input: &'a [Vector3<f64>],
     /// Prescribed normals; those of the last evaluation where the surface passes.
-    pub border_normals: Vec<Vector3<f64>>,
-    /// Border vertices with a closed ring that the surface passes smoothly; empty: none.
-    pub passing: Vec<bool>,
+    pub boundary_normals: Vec<Vector3<f64>>,
+    /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
+    pub smooth_interior: Vec<bool>,
     /// Inner fairness.
     pub weights: FairnessWeights,
     /// Curvature at free vertices.
@@ -67,11 +67,11 @@ pub struct System<'a> {
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Collapsed;
+pub(crate) struct Collapsed;
 
 /// One quasi-Newton step's size, in diagonals.
 #[derive(Debug, Clone, Copy)]
-pub struct StepNorm {
+pub(crate) struct StepNorm {
     /// Root mean square of the normal step.
     pub normal: f64,
     /// Root mean square of the tangential step.
@@ -82,19 +82,19 @@ pub struct StepNorm {
 
 impl StepNorm {
     /// Both together: what tolerances are about.
-    pub fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.normal + self.tangential
     }
 }
 
 impl<'a> System<'a> {
     /// Orders and analyses both matrices from connectivity, and factors `G`.
-    pub fn new(
+    pub(crate) fn new(
         region: &'a Region,
         rings: &'a Rings,
-        groups: &'a Groups,
+        batches: &'a ValenceBatches,
         input: &'a [Vector3<f64>],
-        border_normals: Vec<Vector3<f64>>,
+        boundary_normals: Vec<Vector3<f64>>,
         weights: FairnessWeights,
         curvature: FreeCurvature,
     ) -> Self {
@@ -102,7 +102,7 @@ impl<'a> System<'a> {
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
                 let order = fill_reducing(&g_pattern, &g_pattern, 1, None);
-                let values = laplacian(&g_pattern, rings, groups, &weights);
+                let values = laplacian(&g_pattern, rings, batches, &weights);
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
@@ -120,14 +120,14 @@ impl<'a> System<'a> {
         Self {
             region,
             rings,
-            groups,
+            batches,
             input,
-            border_normals,
-            passing: Vec::new(),
+            boundary_normals,
+            smooth_interior: Vec::new(),
             weights,
             curvature,
             right_hand_side: RightHandSide::default(),
-            state: State::new(groups, region.border),
+            state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
             g_pattern,
@@ -143,24 +143,24 @@ impl<'a> System<'a> {
     }
 
     /// Factorizations fail from when this is set; [`Control::goes_on`](super::Control::goes_on) tells whether it is.
-    pub fn heed(&mut self, interrupt: &Interrupt) {
+    pub(crate) fn heed(&mut self, interrupt: &Interrupt) {
         self.interrupt = interrupt.clone();
         self.g.heed(interrupt);
         self.p.heed(interrupt);
     }
 
     /// Number of free vertices.
-    pub fn free(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.region.free
     }
 
     /// The equations with the current normals, weights and curvature.
-    pub fn equations(&self) -> Equations<'_> {
+    pub(crate) fn equations(&self) -> Equations<'_> {
         Equations {
             rings: self.rings,
-            groups: self.groups,
-            border_normals: &self.border_normals,
-            passing: &self.passing,
+            batches: self.batches,
+            boundary_normals: &self.boundary_normals,
+            smooth_interior: &self.smooth_interior,
             weights: &self.weights,
             curvature: self.curvature,
             right_hand_side: self.right_hand_side,
@@ -168,16 +168,21 @@ impl<'a> System<'a> {
     }
 
     /// Evaluates both equations at `x` into `state`.
-    pub fn evaluate(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate(&mut self, x: &[Vector3<f64>]) {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
-        self.take_passing_normals();
+        self.take_smooth_interior_normals();
     }
 
-    fn take_passing_normals(&mut self) {
+    fn take_smooth_interior_normals(&mut self) {
         let (_, current) = self.state.corrected.split_at(self.region.free);
-        for ((normal, current), passes) in self.border_normals.iter_mut().zip(current).zip(&self.passing) {
+        for ((normal, current), passes) in self
+            .boundary_normals
+            .iter_mut()
+            .zip(current)
+            .zip(&self.smooth_interior)
+        {
             if *passes {
                 *normal = *current;
             }
@@ -185,22 +190,22 @@ impl<'a> System<'a> {
     }
 
     /// Evaluates only what a tangential step needs.
-    pub fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate_inner(x, &mut state);
         self.state = state;
     }
 
     /// Takes new inner-fairness weights.
-    pub fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
+    pub(crate) fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
         self.weights = weights;
-        let values = laplacian(&self.g_pattern, self.rings, self.groups, &self.weights);
+        let values = laplacian(&self.g_pattern, self.rings, self.batches, &self.weights);
         self.g.factor(&values).map_err(|_| Collapsed)
     }
 
     /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal. With `response` it evaluates at
     /// `x` itself.
-    pub fn rebuild(
+    pub(crate) fn rebuild(
         &mut self,
         x: &[Vector3<f64>],
         response: bool,
@@ -210,7 +215,7 @@ impl<'a> System<'a> {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
-            self.take_passing_normals();
+            self.take_smooth_interior_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
@@ -219,7 +224,7 @@ impl<'a> System<'a> {
     }
 
     /// Factors `P` of the metric that is there.
-    pub fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
+    pub(crate) fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
         self.metric
             .assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
         match self.p.factor(&self.p_values) {
@@ -230,24 +235,24 @@ impl<'a> System<'a> {
     }
 
     /// Goes over to a 64-bit factor of the same matrix.
-    pub fn refactor_double(&mut self) -> Result<(), Collapsed> {
+    pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
         self.p = Factor::new(&self.p_symbolic, true);
         self.p.heed(&self.interrupt);
         self.p.factor(&self.p_values).map_err(|_| Collapsed)
     }
 
     /// Whether `P` is factored in 64 bits.
-    pub fn is_double(&self) -> bool {
+    pub(crate) fn is_double(&self) -> bool {
         self.p.is_double()
     }
 
     /// Solves with the factor of `P`, three columns.
-    pub fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
         self.p.solve(x);
     }
 
     /// Solves with the factor of `G`, three columns.
-    pub fn solve_g(&mut self, x: &mut [[f64; 3]]) {
+    pub(crate) fn solve_g(&mut self, x: &mut [[f64; 3]]) {
         self.g.solve(x);
     }
 
@@ -255,7 +260,7 @@ impl<'a> System<'a> {
     /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
     /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
     /// Near the solution it is projected, or each equation would disturb the other.
-    pub fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
+    pub(crate) fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
         rayon::join(
@@ -288,7 +293,7 @@ impl<'a> System<'a> {
         let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
         let rounds = direction::rounds(norm.largest * self.diagonal, disk);
         let averaged = (rounds > 0)
-            .then(|| direction::averaged(self.rings, &self.state.normal, &self.border_normals, rounds));
+            .then(|| direction::averaged(self.rings, &self.state.normal, &self.boundary_normals, rounds));
         let along = averaged.as_ref().unwrap_or(&self.state.normal);
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
@@ -302,7 +307,7 @@ impl<'a> System<'a> {
     }
 
     /// The normal part of the last step.
-    pub fn normal_step(&self, step: &mut [f64]) {
+    pub(crate) fn normal_step(&self, step: &mut [f64]) {
         for ((s, t), n) in step
             .chunks_exact_mut(3)
             .zip(&self.normal_step)
@@ -313,12 +318,12 @@ impl<'a> System<'a> {
     }
 
     /// The tangential part of the last step.
-    pub fn tangential_step(&self, step: &mut [f64]) {
+    pub(crate) fn tangential_step(&self, step: &mut [f64]) {
         step.copy_from_slice(self.tangential_step.as_flattened());
     }
 
     /// The largest change of an edge by `step` relative to its length at `x`.
-    pub fn edge_change(&self, x: &[Vector3<f64>], step: &[f64]) -> f64 {
+    pub(crate) fn edge_change(&self, x: &[Vector3<f64>], step: &[f64]) -> f64 {
         let free = self.free();
         let of = |i: usize| Vector3::new(step[3 * i], step[3 * i + 1], step[3 * i + 2]);
         let squared = (0..free.div_ceil(CHUNK))
@@ -345,7 +350,7 @@ impl<'a> System<'a> {
 }
 
 /// `x += scale step` at the free vertices.
-pub fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
+pub(crate) fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
     for (x, s) in x.iter_mut().zip(step.chunks_exact(3)) {
         *x += Vector3::new(s[0], s[1], s[2]) * scale;
     }

@@ -1,4 +1,4 @@
-//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged rim.
+//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged boundary.
 
 use nalgebra::Vector3;
 
@@ -7,11 +7,11 @@ use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
-pub const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
+pub(crate) const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
 /// Vertices marked so far.
 #[derive(Debug)]
-pub struct Repair {
+pub(crate) struct Repair {
     asked: FairnessWeights,
     marked: Vec<bool>,
     round: usize,
@@ -19,7 +19,7 @@ pub struct Repair {
 
 impl Repair {
     /// Nothing marked; the system's weights are the asked ones.
-    pub fn new(system: &System<'_>) -> Self {
+    pub(crate) fn new(system: &System<'_>) -> Self {
         Self {
             asked: system.weights.clone(),
             marked: vec![false; system.free()],
@@ -28,9 +28,9 @@ impl Repair {
     }
 
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
-    /// like everything here, taken from connectivity and border alone and not from the input's interior. `None` when
+    /// like everything here, taken from connectivity and boundary alone and not from the input's interior. `None` when
     /// there is nothing left to try.
-    pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
+    pub(crate) fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
         self.round += 1;
         system.evaluate(x);
@@ -48,13 +48,13 @@ impl Repair {
         untangle(system.rings, &self.marked, &mut better);
         let mut weights = self.asked.clone();
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
-            weights.set_mean_value(system.groups, &better, i);
+            weights.set_mean_value(system.batches, &better, i);
         }
         Some(weights)
     }
 
     /// Whether another round would be left after this one.
-    pub fn has_more(&self) -> bool {
+    pub(crate) fn has_more(&self) -> bool {
         self.round < THRESHOLDS.len()
     }
 

@@ -111,7 +111,7 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case SOLVER: return fairmesh_solver_new(c->p_mesh, c->p_selection, c->p_options, c->p_solver, error);
     case REMESH: return fairmesh_remesh(c->p_mesh, c->p_selection, c->p_remesh, c->p_result, error);
     case FILL: return fairmesh_fill_holes(c->p_mesh, c->p_fill, c->p_options, c->p_result, error);
-    case LOOPS: return fairmesh_border_loops(c->p_mesh, c->p_result, error);
+    case LOOPS: return fairmesh_boundary_loops(c->p_mesh, c->p_result, error);
     default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
     }
 }
@@ -314,7 +314,7 @@ static Expected normal_out_of_range(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
-/* Free vertices of the grid of 9: 3 to 5 in both directions; 2 and 6 are their border. */
+/* Free vertices of the grid of 9: 3 to 5 in both directions; 2 and 6 are their boundary. */
 static uint64_t inner(int k) { return (uint64_t)((2 + k % 5) + SIDE * (2 + k / 5 % 5)); }
 
 static Expected not_finite(Call *c, int f, int k) {
@@ -379,19 +379,19 @@ static Expected orientation(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_INCONSISTENT_ORIENTATION, FAIRMESH_ELEMENT_EDGE, NONE - 1, NONE - 1);
 }
 static Expected non_manifold_vertex(Call *c, int f, int k) {
-    /* The last triangle hangs at a border vertex of the region by its corner alone. */
+    /* The last triangle hangs at a boundary vertex of the region by its corner alone. */
     uint32_t *extra = c->cap.corners + 3 * (c->cap.triangles - 1);
     uint32_t v = (uint32_t)((k % 2 ? 2 : 6) + SIDE * (3 + k / 2));
     (void)f;
     extra[0] = v, extra[1] = SIDE * SIDE - 1, extra[2] = SIDE - 1;
     return expect(FAIRMESH_STATUS_NON_MANIFOLD_VERTEX, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
-static Expected free_on_border(Call *c, int f, int k) {
+static Expected free_on_boundary(Call *c, int f, int k) {
     uint64_t v = (uint64_t)(k % 4 == 0 ? k + 1 : k % 4 == 1 ? SIDE * (1 + k % 7) : k % 4 == 2 ? SIDE * (2 + k % 6) - 1
                                                                             : SIDE * (SIDE - 1) + 1 + k % 6);
     (void)f;
     c->cap.free_mask[v] = 1;
-    return expect(FAIRMESH_STATUS_FREE_VERTEX_ON_BORDER, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+    return expect(FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
 static Expected free_without_triangle(Call *c, int f, int k) {
     uint64_t v = (uint64_t)(1 + k), t;
@@ -622,7 +622,7 @@ static const Row table[] = {
     {"non-manifold edge", "fin", non_manifold_edge, REGION, 9},
     {"non-manifold vertex", "bow-tie", non_manifold_vertex, REGION, 6},
     {"orientation", "one turned", orientation, REGION, 9},
-    {"region", "free on border", free_on_border, REGION, 8},
+    {"region", "free on boundary", free_on_boundary, REGION, 8},
     {"region", "free without triangle", free_without_triangle, REGION, 7},
     {"region", "empty", empty_region, REGION, 4},
     {"region", "nothing fixed", nothing_fixed, REGION, 8},
@@ -732,7 +732,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_report report, report_before;
     fairmesh_info info;
     fairmesh_level level;
-    fairmesh_loop border;
+    fairmesh_loop boundary;
     fairmesh_fill_report filled;
     fairmesh_error e;
     fairmesh_normals normals;
@@ -745,7 +745,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     report_before = report;
     info.struct_size = sizeof info;
     level.struct_size = sizeof level;
-    border.struct_size = sizeof border;
+    boundary.struct_size = sizeof boundary;
     filled.struct_size = sizeof filled;
     if (is_solver) {
         expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
@@ -763,7 +763,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_result_info(r, &info, &e), &e, wanted, what);
         expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
-        expect_handle(fairmesh_result_loop(r, 0, &border, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
         expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
         expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
@@ -810,15 +810,15 @@ static void not_available(void) {
     Cap cap = cap_new(SIDE);
     fairmesh_result *result = NULL;
     fairmesh_error error;
-    fairmesh_loop border;
+    fairmesh_loop boundary;
     fairmesh_report report;
     uint32_t which, index = 7;
     size_t size = 99;
-    border.struct_size = sizeof border;
+    boundary.struct_size = sizeof boundary;
     report.struct_size = sizeof report;
-    OK(fairmesh_border_loops(&cap.mesh, &result, &error));
-    CHECK(fairmesh_result_loop(result, 1, &border, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
-    CHECK(fairmesh_result_loop(result, UINT64_MAX, &border, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_boundary_loops(&cap.mesh, &result, &error));
+    CHECK(fairmesh_result_loop(result, 1, &boundary, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_loop(result, UINT64_MAX, &boundary, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_report(result, 0, &report, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     CHECK(fairmesh_result_list(result, FAIRMESH_LIST_LOOP_VERTICES, 0, &index, 1, &size, &error) ==
           FAIRMESH_STATUS_BUFFER_TOO_SMALL);
@@ -842,8 +842,8 @@ static void error_in_the_way(void) {
     double *kept = (double *)must(malloc(bytes));
     fairmesh_result *result = NULL;
     memcpy(kept, cap.positions, bytes);
-    CHECK(fairmesh_border_loops(&cap.mesh, &result, (fairmesh_error *)(void *)cap.positions) == FAIRMESH_STATUS_ALIASING);
-    CHECK(fairmesh_border_loops(&cap.mesh, &result, (fairmesh_error *)(void *)((char *)cap.positions + 1)) ==
+    CHECK(fairmesh_boundary_loops(&cap.mesh, &result, (fairmesh_error *)(void *)cap.positions) == FAIRMESH_STATUS_ALIASING);
+    CHECK(fairmesh_boundary_loops(&cap.mesh, &result, (fairmesh_error *)(void *)((char *)cap.positions + 1)) ==
           FAIRMESH_STATUS_MISALIGNED);
     CHECK(memcmp(kept, cap.positions, bytes) == 0 && result == NULL);
     cases += 2;

@@ -47,7 +47,7 @@ static void one_shot(void) {
     fairmesh_info info;
     size_t bytes = 3 * cap.vertices * sizeof(double), v, size = 0;
     double *out = (double *)must(malloc(bytes)), *in_place, *h, *k, *normals;
-    uint32_t *border;
+    uint32_t *boundary;
     fairmesh_points_out to = points_out_of(out, cap.vertices);
     fairmesh_scalars_out numbers;
     Watch w;
@@ -81,19 +81,19 @@ static void one_shot(void) {
             CHECK(h[v] != h[v] && k[v] != k[v]);
         }
     }
-    CHECK(info.border_vertex_count > 0);
-    border = (uint32_t *)must(malloc((size_t)info.border_vertex_count * 4));
-    normals = (double *)must(malloc((size_t)info.border_vertex_count * 24));
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BORDER_VERTICES, 0, NULL, 0, &size, &error));
-    CHECK(size == info.border_vertex_count);
-    OK(fairmesh_result_list(result, FAIRMESH_LIST_BORDER_VERTICES, 0, border, size, &size, &error));
+    CHECK(info.boundary_vertex_count > 0);
+    boundary = (uint32_t *)must(malloc((size_t)info.boundary_vertex_count * 4));
+    normals = (double *)must(malloc((size_t)info.boundary_vertex_count * 24));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, NULL, 0, &size, &error));
+    CHECK(size == info.boundary_vertex_count);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, boundary, size, &size, &error));
     {
         fairmesh_points_out vectors = points_out_of(normals, size);
-        OK(fairmesh_result_vectors(result, FAIRMESH_VECTORS_BORDER_NORMALS, &vectors, &error));
+        OK(fairmesh_result_vectors(result, FAIRMESH_VECTORS_BOUNDARY_NORMALS, &vectors, &error));
     }
     for (v = 0; v < size; v++) {
-        const double *p = cap.positions + 3 * border[v], *n = normals + 3 * v;
-        CHECK(!cap.free_mask[border[v]]);
+        const double *p = cap.positions + 3 * boundary[v], *n = normals + 3 * v;
+        CHECK(!cap.free_mask[boundary[v]]);
         CHECK(p[0] * n[0] + p[1] * n[1] + p[2] * n[2] > 0.999);
     }
     {
@@ -115,15 +115,15 @@ static void one_shot(void) {
     CHECK(fairmesh_result_free(result) == FAIRMESH_STATUS_BAD_HANDLE);
     OK(fairmesh_result_free(NULL));
 
-    /* The border normals as used, given back: the same bits. */
+    /* The boundary normals as used, given back: the same bits. */
     {
         double *again = (double *)must(malloc(bytes));
         fairmesh_points_out into = points_out_of(again, cap.vertices);
         options = quick();
         options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-        options.normals.vectors = points_of(normals, (size_t)info.border_vertex_count);
-        options.normals.vertices.data = border;
-        options.normals.vertices.count = (size_t)info.border_vertex_count;
+        options.normals.vectors = points_of(normals, (size_t)info.boundary_vertex_count);
+        options.normals.vertices.data = boundary;
+        options.normals.vertices.count = (size_t)info.boundary_vertex_count;
         OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, NULL));
         for (v = 0; v < 3 * cap.vertices; v++) CHECK(fabs(again[v] - out[v]) < 1e-7);
         free(again);
@@ -196,7 +196,7 @@ static void one_shot(void) {
         free(fixed);
     }
 
-    /* Everything but the outline is free, cancelled after one iteration. */
+    /* Everything but the outer boundary is free, cancelled after one iteration. */
     memset(&w, 0, sizeof w);
     w.stop_at = 1;
     options = quick();
@@ -229,7 +229,7 @@ static void one_shot(void) {
     free(in_place);
     free(h);
     free(k);
-    free(border);
+    free(boundary);
     free(normals);
     cap_free(&cap);
 }
@@ -322,7 +322,7 @@ static void holes(void) {
     fairmesh_remesh_options again;
     fairmesh_result *loops = NULL, *filled = NULL, *remeshed = NULL;
     fairmesh_info info;
-    fairmesh_loop border;
+    fairmesh_loop boundary;
     fairmesh_fill_report what;
     fairmesh_error error;
     fairmesh_report report;
@@ -338,16 +338,16 @@ static void holes(void) {
         }
     }
     mesh.triangles.count = kept;
-    OK(fairmesh_border_loops(&mesh, &loops, &error));
+    OK(fairmesh_boundary_loops(&mesh, &loops, &error));
     info.struct_size = sizeof info;
     OK(fairmesh_result_info(loops, &info, &error));
     CHECK(info.kind == FAIRMESH_RESULT_KIND_LOOPS && info.loop_count == 2);
-    border.struct_size = sizeof border;
+    boundary.struct_size = sizeof boundary;
     for (l = 0; l < 2; l++) {
-        OK(fairmesh_result_loop(loops, l, &border, &error));
+        OK(fairmesh_result_loop(loops, l, &boundary, &error));
         OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_VERTICES, l, NULL, 0, &size, &error));
-        CHECK(size == border.vertex_count && border.edge_a == UINT32_MAX);
-        if (border.kind == FAIRMESH_LOOP_KIND_HOLE) hole = l;
+        CHECK(size == boundary.vertex_count && boundary.edge_a == UINT32_MAX);
+        if (boundary.kind == FAIRMESH_LOOP_KIND_HOLE) hole = l;
         OK(fairmesh_result_list(loops, FAIRMESH_LIST_LOOP_TOUCHING, l, NULL, 0, &size, &error));
         CHECK(size == 0);
     }

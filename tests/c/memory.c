@@ -70,7 +70,7 @@ static void steps(Scene *s) {
 static void loops(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
-    if (passed(s, fairmesh_border_loops(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+    if (passed(s, fairmesh_boundary_loops(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
 }
 
 static void remesh(Scene *s) {
@@ -167,7 +167,7 @@ static void panics(Scene *s) {
     CHECK(fairmesh_solver_positions(solver, &out, &error) == FAIRMESH_STATUS_INTERNAL);
     CHECK(strstr(error.message, "free it") != NULL);
     OK(fairmesh_solver_free(solver));
-    OK(fairmesh_border_loops(&s->cap.mesh, &result, &error));
+    OK(fairmesh_boundary_loops(&s->cap.mesh, &result, &error));
     fairmesh_test_panic(0);
     {
         fairmesh_info info;

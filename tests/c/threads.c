@@ -90,7 +90,7 @@ static int32_t inside(const fairmesh_progress *progress, void *user_data) {
     CHECK(fairmesh_solver_positions(in->solver, &to, &error) == FAIRMESH_STATUS_BUSY);
     CHECK(fairmesh_solver_result(in->solver, &result, &error) == FAIRMESH_STATUS_BUSY);
     CHECK(fairmesh_solver_free(in->solver) == FAIRMESH_STATUS_BUSY);
-    OK(fairmesh_border_loops(&cap.mesh, &result, &error));
+    OK(fairmesh_boundary_loops(&cap.mesh, &result, &error));
     OK(fairmesh_result_free(result));
     return 0;
 }

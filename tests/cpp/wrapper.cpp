@@ -39,9 +39,9 @@ void fairing() {
     CHECK(found.info().kind == FAIRMESH_RESULT_KIND_FAIRED);
     auto x = found.positions();
     CHECK(off_sphere(x.data()->data(), x.size()) < 2e-3);
-    auto border = found.list(FAIRMESH_LIST_BORDER_VERTICES);
-    auto normals = found.vectors(FAIRMESH_VECTORS_BORDER_NORMALS);
-    CHECK(border.size() == normals.size() && !border.empty());
+    auto boundary = found.list(FAIRMESH_LIST_BOUNDARY_VERTICES);
+    auto normals = found.vectors(FAIRMESH_VECTORS_BOUNDARY_NORMALS);
+    CHECK(boundary.size() == normals.size() && !boundary.empty());
     auto h = found.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
     CHECK(h.size() == s.positions.size());
 
@@ -136,7 +136,7 @@ void holes() {
         if (!s.mask[t[0]] && !s.mask[t[1]] && !s.mask[t[2]]) left.push_back(t);
     }
     auto mesh = fairmesh::mesh(s.positions, left);
-    auto loops = fairmesh::border_loops(mesh);
+    auto loops = fairmesh::boundary_loops(mesh);
     CHECK(loops.info().loop_count == 2 && loops.loop(0).vertex_count == loops.list(FAIRMESH_LIST_LOOP_VERTICES, 0).size());
     fairmesh::fill_options fill;
     fill.density = 2.0;

@@ -29,9 +29,9 @@ class Region:
 class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
     """Replace the selected region by the smoothest surface that meets its surroundings tangentially.
 
-    In face select mode the outline of the selected faces stays where it is and the vertices inside move.
+    In face select mode the boundary of the selected faces stays where it is and the vertices inside move.
     In vertex and edge select mode, also if combined with faces, the selected vertices move.
-    The border of the mesh, hidden vertices and vertices of hidden faces stay"""
+    The boundary of the mesh, hidden vertices and vertices of hidden faces stay"""
 
     bl_idname = "mesh.fairmesh_fair"
     bl_label = "Fair Selection"
@@ -42,7 +42,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         description="Which vertices may move",
         items=(
             ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
-            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the outline of the selection stays"),
+            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the boundary of the selection stays"),
             ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
         ),
         default="AUTO",
@@ -91,10 +91,10 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
     def _nothing(self, context):
         if self._by_faces(context):
             return (
-                "No vertex can move: the outline of the selected faces stays, and nothing is inside. "
+                "No vertex can move: the boundary of the selected faces stays, and nothing is inside. "
                 "Select more faces, or set Region to Selected Vertices"
             )
-        return "No vertex can move: select vertices inside the mesh. Its border and vertices of hidden faces stay"
+        return "No vertex can move: select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
 
     def finish(self, context, regions):
         moved = [_positions(part) for part in regions]
@@ -128,7 +128,7 @@ def _remember(part):
         found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} poor faces", faces=faces))
     elif len(result.unreached_vertices):
         vertices = result.unreached_vertices
-        what = f"{len(vertices)} border vertices with unreachable normals"
+        what = f"{len(vertices)} boundary vertices with unreachable normals"
         found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
 
 

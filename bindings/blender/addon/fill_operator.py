@@ -26,7 +26,7 @@ class Holes:
 class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator):
     """Close holes with new triangles as large as those around them, on a surface that goes on smoothly.
 
-    Selected are holes whose border edges are all selected; if there is none, holes with a selected border edge or vertex"""
+    Selected are holes whose boundary edges are all selected; if there is none, holes with a selected boundary edge or vertex"""
 
     bl_idname = "mesh.fairmesh_fill_holes"
     bl_label = "Fill Hole and Fair"
@@ -36,7 +36,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         name="Holes",
         description="Which holes are filled. Those with hidden vertices stay open",
         items=(
-            ("SELECTED", "Selected", "Holes whose borders are selected, or touched by the selection"),
+            ("SELECTED", "Selected", "Holes whose boundaries are selected, or touched by the selection"),
             ("ALL", "All", "All holes of the mesh, up to a size"),
         ),
         default="SELECTED",
@@ -48,8 +48,8 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         min=0,
     )
     outer: BoolProperty(
-        name="Outlines, Too",
-        description="Also fill the outline of an open surface, not only gaps in it",
+        name="Outer boundaries, Too",
+        description="Also fill the outer boundary of an open surface, not only gaps in it",
         default=False,
     )
     density: FloatProperty(
@@ -114,7 +114,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
     def _holes(self, obj):
         mesh = snapshot.read(obj)
         with messages.about(mesh):
-            loops = list(enumerate(fairmesh.border_loops(mesh.seen(), mesh.triangles)))
+            loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
         holes = Holes(mesh, loops)
         if self.scope == "SELECTED":
             holes.loops = _selected(mesh, loops)
@@ -122,8 +122,8 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         if not self.outer:
             self._leave_out(
                 holes,
-                'it is the outline of an open surface: switch on "Outlines, Too" to fill it',
-                lambda loop: loop.kind is fairmesh.LoopKind.OUTER_BORDER,
+                'it is the outer boundary of an open surface: switch on "Outer boundaries, Too" to fill it',
+                lambda loop: loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY,
             )
         if self.scope == "ALL" and self.max_edges:
             self._leave_out(holes, "it is larger than Largest Hole", lambda loop: len(loop.vertices) > self.max_edges)
@@ -140,7 +140,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
             for count, why in holes.skipped:
                 return f"Nothing was filled, {count} left open: {why}"
         if self.scope == "SELECTED":
-            return "No hole is selected: select border edges of a hole (Alt-click on one), or set Holes to All"
+            return "No hole is selected: select boundary edges of a hole (Alt-click on one), or set Holes to All"
         return "The mesh has no hole"
 
     def finish(self, context, chosen):

@@ -75,7 +75,7 @@ def faired(report):
         Outcome.NORMALS_NOT_REACHABLE: (
             "WARNING",
             f"No fair surface meets the surroundings with their tangent planes ({reached} of the way); a rough one was "
-            "made. Select a larger region, or choose Averaged border normals",
+            "made. Select a larger region, or choose Averaged boundary normals",
         ),
         Outcome.TARGET_NOT_REACHABLE: (
             "WARNING",
@@ -94,11 +94,11 @@ def faired(report):
 
 
 _OPEN = {
-    FillReason.NON_MANIFOLD: "its border runs into an edge with more than two faces",
-    FillReason.OUTER_BORDER: "it is the outline of an open surface",
+    FillReason.NON_MANIFOLD: "its boundary runs into an edge with more than two faces",
+    FillReason.OUTER_BOUNDARY: "it is the outer boundary of an open surface",
     FillReason.TOO_MANY_EDGES: "it has more edges than Largest Hole",
     FillReason.NO_TRIANGULATION: "every way to close it uses an edge that the mesh has already",
-    FillReason.NOT_FINITE: "a vertex of its border has no valid position, or all are the same point",
+    FillReason.NOT_FINITE: "a vertex of its boundary has no valid position, or all are the same point",
     FillReason.CANCELLED: "it was cancelled",
     FillReason.NO_INNER_VERTEX: "it is too small to have vertices inside",
     FillReason.UNSOUND: "no fair surface was found",

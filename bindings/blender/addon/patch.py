@@ -2,7 +2,7 @@
 """Writes the new vertices and faces of filled holes into an edit mesh, with everything that the mesh stores on them.
 
 New vertices have three parents among the old ones, with weights: what can be interpolated, is. New faces take material,
-shading and other values from a face at their hole's rim.
+shading and other values from a face at their hole's boundary.
 """
 
 import bmesh

@@ -11,7 +11,7 @@ MIRROR_DISTANCE = 2e-5
 def free_mask(snapshot, by_faces):
     """The free vertices, (n,).
 
-    By faces: vertices all of whose faces are selected. Otherwise: selected vertices. Vertices without faces, on the border
+    By faces: vertices all of whose faces are selected. Otherwise: selected vertices. Vertices without faces, on the boundary
     of the mesh, hidden or with a hidden face are never free.
     """
     if by_faces:
@@ -27,7 +27,7 @@ def movable_mask(snapshot):
     """The vertices that are free if they are selected, (n,)."""
     movable = _corners(snapshot, snapshot.triangles) & ~snapshot.vertex_hidden
     movable &= ~_corners(snapshot, snapshot.triangles[snapshot.face_hidden[snapshot.face_of]])
-    return movable & ~snapshot.on_border
+    return movable & ~snapshot.on_boundary
 
 
 def _corners(snapshot, triangles):

@@ -19,7 +19,7 @@ class FairingOptions:
         default="UNIFORM",
     )
     normals: EnumProperty(
-        name="Border Normals",
+        name="Boundary Normals",
         description="The tangent planes in which the surface meets the faces around it",
         items=(
             ("FITTED", "Fitted", "Fitted to the curved surface around the region: the most accurate"),

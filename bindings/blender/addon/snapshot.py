@@ -35,7 +35,7 @@ class Snapshot:
     corner_starts: np.ndarray
     #: How many faces each edge has, (e,), and the vertices at edges with one, (n,).
     edge_faces: np.ndarray
-    on_border: np.ndarray
+    on_boundary: np.ndarray
     #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
     shape: object
 
@@ -79,12 +79,12 @@ def read(obj):
         edge_of_corner=edge_of_corner,
         corner_starts=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),
         edge_faces=edge_faces,
-        on_border=_on_border(mesh, edge_faces),
+        on_boundary=_on_boundary(mesh, edge_faces),
         shape=_shape(obj),
     )
 
 
-def _on_border(mesh, edge_faces):
+def _on_boundary(mesh, edge_faces):
     mask = np.zeros(len(mesh.vertices), bool)
     for edge in np.flatnonzero(edge_faces == 1).tolist():
         mask[list(mesh.edges[edge].vertices)] = True

@@ -115,14 +115,14 @@ def restore(obj, positions):
     bmesh.update_edit_mesh(obj.data)
 
 
-def test_the_border_of_the_mesh_stays():
+def test_the_boundary_of_the_mesh_stays():
     obj = bumpy()
     before = coordinates(obj)
     bpy.ops.mesh.select_all(action="SELECT")
     fair()
-    border = {v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.is_boundary}
-    assert len(border) == 40
-    assert not moved(obj, before) & border
+    boundary = {v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.is_boundary}
+    assert len(boundary) == 40
+    assert not moved(obj, before) & boundary
     assert len(moved(obj, before)) > 70
 
 
@@ -492,7 +492,7 @@ def test_coordinates_that_are_no_numbers():
 
 
 def test_folded_surroundings_are_a_warning_and_the_mesh_is_usable():
-    # The rim's normals contradict each other: no fair surface has them.
+    # The boundary's normals contradict each other: no fair surface has them.
     bpy.ops.mesh.primitive_cylinder_add(vertices=48, end_fill_type="NOTHING", depth=2)
     obj = bpy.context.object
     edit(obj)

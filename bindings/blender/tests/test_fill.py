@@ -35,12 +35,12 @@ def holed(frequency=20):
     return obj, len(obj.data.vertices)
 
 
-def border_edges(obj):
+def boundary_edges(obj):
     return [e for e in bmesh.from_edit_mesh(obj.data).edges if e.is_boundary]
 
 
-def select_border(obj, chosen=lambda edge: True):
-    for edge in border_edges(obj):
+def select_boundary(obj, chosen=lambda edge: True):
+    for edge in boundary_edges(obj):
         if chosen(edge):
             edge.select_set(True)
     bmesh.update_edit_mesh(obj.data)
@@ -53,14 +53,14 @@ def middle(edge):
 def test_the_patch_of_a_sphere_is_the_sphere():
     obj, old = holed()
     before, faces = coordinates(obj), len(obj.data.polygons)
-    select_border(obj)
+    select_boundary(obj)
     assert fill() == {"FINISHED"}
     after = coordinates(obj)
     assert len(after) > old + 50
     assert np.array_equal(after[:old], before)
     assert np.abs(np.linalg.norm(after, axis=1) - 1).max() < BAR
     mesh = bmesh.from_edit_mesh(obj.data)
-    assert not border_edges(obj)
+    assert not boundary_edges(obj)
     assert all(e.is_manifold and e.is_contiguous for e in mesh.edges)
     # Selected are the new faces.
     selected = [f for f in mesh.faces if f.select]
@@ -96,7 +96,7 @@ def test_everything_stored_is_carried_on():
     old = len(mesh.vertices)
     read = common.part("snapshot").read(obj)
     common.part("native").load()
-    select_border(obj)
+    select_boundary(obj)
     fill(density=2.0)
     # The same from the library: it says which old vertices each new one comes from.
     filled = common.part("fairmesh").fill_holes(read.vertices, read.triangles, density=2.0 * np.sqrt(2.0), tolerance=1e-7)
@@ -135,7 +135,7 @@ def test_shape_keys_carry_the_patch_along():
     key.data.foreach_set("co", flat)
     obj.active_shape_key_index = 0
     delete_faces(obj, lambda f: f.calc_center_median().z > 0.85)
-    select_border(obj)
+    select_boundary(obj)
     fill()
     bpy.ops.object.mode_set(mode="OBJECT")
     keys = obj.data.shape_keys.key_blocks
@@ -159,23 +159,23 @@ def test_only_the_selected_hole():
         common.clear()
         obj = two_holes()
         if chosen:
-            select_border(obj, chosen)
+            select_boundary(obj, chosen)
         else:
             edit(obj, "VERT")
-            top = max((v for e in border_edges(obj) for v in e.verts), key=lambda v: v.co.z)
+            top = max((v for e in boundary_edges(obj) for v in e.verts), key=lambda v: v.co.z)
             select_vertices(obj, lambda v: v == top)
         fill()
-        left = border_edges(obj)
+        left = boundary_edges(obj)
         assert left and all(middle(e).z < 0 for e in left)
 
 
 def test_all_holes_up_to_a_size():
     obj = two_holes()
-    small = len([e for e in border_edges(obj) if middle(e).z < 0])
+    small = len([e for e in boundary_edges(obj) if middle(e).z < 0])
     fill(scope="ALL", max_edges=small)
-    assert border_edges(obj) and all(middle(e).z > 0 for e in border_edges(obj))
+    assert boundary_edges(obj) and all(middle(e).z > 0 for e in boundary_edges(obj))
     fill(scope="ALL")
-    assert not border_edges(obj)
+    assert not boundary_edges(obj)
     runner.raises(lambda: fill(scope="ALL"), "The mesh has no hole")
 
 
@@ -185,23 +185,23 @@ def test_holes_with_hidden_vertices_stay_open():
         vertex.hide_set(True)
     bmesh.update_edit_mesh(obj.data)
     fill(scope="ALL")
-    left = border_edges(obj)
+    left = boundary_edges(obj)
     assert left and all(middle(e).z < 0 for e in left)
     assert all(e.hide for e in left)
 
 
-def test_the_outline_of_a_piece_is_filled_on_demand_only():
+def test_the_outer_boundary_of_a_piece_is_filled_on_demand_only():
     obj = irregular_sphere(12)
     delete_faces(obj, lambda f: f.calc_center_median().z < 0.8 or f.calc_center_median().z > 0.97)
-    outline = len([e for e in border_edges(obj) if middle(e).z < 0.9])
+    outer = len([e for e in boundary_edges(obj) if middle(e).z < 0.9])
     bpy.ops.mesh.select_all(action="SELECT")
     fill()
-    left = border_edges(obj)
-    assert len(left) == outline and all(middle(e).z < 0.9 for e in left)
+    left = boundary_edges(obj)
+    assert len(left) == outer and all(middle(e).z < 0.9 for e in left)
     bpy.ops.mesh.select_all(action="SELECT")
-    runner.raises(fill, "outline of an open surface", "Outlines, Too")
+    runner.raises(fill, "outer boundary of an open surface", "Outer boundaries, Too")
     fill(outer=True)
-    assert not border_edges(obj)
+    assert not boundary_edges(obj)
 
 
 def test_a_triangle():
@@ -209,7 +209,7 @@ def test_a_triangle():
     delete_faces(obj, lambda f: f.index == 100)
     vertices = len(coordinates(obj))
     fill(scope="ALL")
-    assert not border_edges(obj)
+    assert not boundary_edges(obj)
     assert len(coordinates(obj)) == vertices
 
 
@@ -218,7 +218,7 @@ def test_density_and_fairing_are_options():
     for options in ({}, {"density": 2.0}, {"smooth": False}):
         common.clear()
         obj, old = holed()
-        select_border(obj)
+        select_boundary(obj)
         fill(**options)
         after = coordinates(obj)
         sizes.append(len(after) - old)
@@ -235,7 +235,7 @@ def test_scaled_objects():
     bmesh.update_edit_mesh(obj.data)
     obj.scale = (1, 1, 3)
     bpy.context.view_layer.update()
-    select_border(obj)
+    select_boundary(obj)
     fill()
     assert np.abs(np.linalg.norm(coordinates(obj) * [1, 1, 3], axis=1) - 1).max() < BAR
 
@@ -250,21 +250,21 @@ def test_nothing_selected():
 def test_undo():
     obj, old = holed()
     name = obj.name
-    select_border(obj)
+    select_boundary(obj)
     bpy.ops.ed.undo_push(message="before")
     fill("EXEC_DEFAULT", True)
     assert len(coordinates(obj)) > old
     bpy.ops.ed.undo()
     obj = bpy.data.objects[name]
-    assert len(coordinates(obj)) == old and border_edges(obj)
+    assert len(coordinates(obj)) == old and boundary_edges(obj)
     bpy.ops.ed.redo()
     obj = bpy.data.objects[name]
-    assert len(coordinates(obj)) > old and not border_edges(obj)
+    assert len(coordinates(obj)) > old and not boundary_edges(obj)
 
 
 def test_fill_then_fair_again():
     obj, old = holed()
-    select_border(obj)
+    select_boundary(obj)
     fill(smooth=False)
     bpy.context.tool_settings.mesh_select_mode = (False, False, True)
     bpy.ops.mesh.fairmesh_fair()

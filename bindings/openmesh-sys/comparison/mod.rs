@@ -5,8 +5,8 @@ mod stationary;
 
 use std::time::Instant;
 
-use fairmesh::shapes::*;
-use fairmesh::{BorderNormals, Options, Outcome, Selection, fair};
+use fairmesh::{BoundaryNormals, Options, Outcome, Selection, fair};
+use fairmesh_shapes::*;
 use openmesh_sys::openmesh::{Mesh, Smoothing};
 
 pub use stationary::stationary;
@@ -22,7 +22,7 @@ pub struct Case {
     pub triangulation: &'static str,
     /// The exact mesh.
     pub shape: Shape,
-    /// A wrong interior over the same rim: where both begin.
+    /// A wrong interior over the same boundary: where both begin.
     pub start: Vec<[f64; 3]>,
 }
 
@@ -65,7 +65,7 @@ pub struct Measured {
     pub max: f64,
     /// Root mean square of the same.
     pub rms: f64,
-    /// Root mean square angle, in degrees, between exact normals at border vertices and the free triangles there.
+    /// Root mean square angle, in degrees, between exact normals at boundary vertices and the free triangles there.
     pub normals: f64,
     /// Whether it says that it is done.
     pub converged: bool,
@@ -117,7 +117,7 @@ impl Case {
     }
 
     /// How far the triangles with a free vertex turn from the exact normals at their fixed vertices.
-    fn border_normals(&self, positions: &[[f64; 3]]) -> f64 {
+    fn boundary_normals(&self, positions: &[[f64; 3]]) -> f64 {
         let shape = &self.shape;
         let free = |v: &u32| shape.free[*v as usize];
         let inside = shape.triangles.iter().filter(|t| t.iter().any(free));
@@ -162,7 +162,7 @@ impl Case {
                 }
             }),
             rms: rms(off()),
-            normals: self.border_normals(&positions),
+            normals: self.boundary_normals(&positions),
             converged,
             positions,
         }
@@ -198,15 +198,15 @@ impl Case {
 
     /// fairmesh with its defaults on one thread. It sees what the smoother sees: no normals are given.
     pub fn ours(&self) -> Measured {
-        self.faired(BorderNormals::Fitted)
+        self.faired(BoundaryNormals::Fitted)
     }
 
-    /// fairmesh with the exact border normals.
+    /// fairmesh with the exact boundary normals.
     pub fn ours_with_normals(&self) -> Measured {
-        self.faired(BorderNormals::Given(&self.shape.border_normals()))
+        self.faired(BoundaryNormals::Given(&self.shape.boundary_normals()))
     }
 
-    fn faired(&self, normals: BorderNormals<'_>) -> Measured {
+    fn faired(&self, normals: BoundaryNormals<'_>) -> Measured {
         let clock = Instant::now();
         let options = Options {
             normals,
@@ -226,7 +226,7 @@ impl Case {
     }
 }
 
-/// The one that came closest, by the root mean square: the largest distance hardly falls, because fairing begins at the rim.
+/// The one that came closest, by the root mean square: the largest distance hardly falls, because fairing begins at the boundary.
 pub fn best(runs: &[Measured]) -> &Measured {
     runs.iter()
         .min_by(|a, b| a.rms.total_cmp(&b.rms))

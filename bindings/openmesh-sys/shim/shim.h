@@ -59,7 +59,7 @@ void om_mesh_update_normals(om_mesh *mesh);
 /** Vertex normals, as they are stored. */
 void om_mesh_normals(const om_mesh *mesh, double *out);
 
-/** JacobiLaplaceSmootherT: selected vertices move, or all where none is selected; not those of the border, nor locked
+/** JacobiLaplaceSmootherT: selected vertices move, or all where none is selected; not those of the boundary, nor locked
  * ones; with `skip_features` not those of features either. */
 bool om_mesh_smooth(om_mesh *mesh, uint32_t component, uint32_t continuity, uint32_t iterations, bool skip_features);
 

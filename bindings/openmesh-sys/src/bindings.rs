@@ -88,7 +88,7 @@ unsafe extern "C" {
     pub fn om_mesh_normals(mesh: *const om_mesh, out: *mut f64);
 }
 unsafe extern "C" {
-    #[doc = " JacobiLaplaceSmootherT: selected vertices move, or all where none is selected; not those of the border, nor locked\n ones; with `skip_features` not those of features either."]
+    #[doc = " JacobiLaplaceSmootherT: selected vertices move, or all where none is selected; not those of the boundary, nor locked\n ones; with `skip_features` not those of features either."]
     pub fn om_mesh_smooth(
         mesh: *mut om_mesh,
         component: u32,

@@ -280,7 +280,7 @@ impl<S: Scalar> Mesh<S> {
         all
     }
 
-    /// Smooths the selected vertices, or all if none is selected; never those of the mesh's border, nor locked ones. C1
+    /// Smooths the selected vertices, or all if none is selected; never those of the mesh's boundary, nor locked ones. C1
     /// leaves their neighbours, too.
     pub fn smooth(&mut self, asked: Smoothing) -> Result<(), Error> {
         // SAFETY: a living mesh; the numbers are those of the shim.

@@ -1,6 +1,6 @@
 //! The safe layer: meshes, files, status, normals and the smoother do what OpenMesh's documents say.
 
-use fairmesh::shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
 use openmesh_sys::openmesh::*;
 
 fn cap() -> Shape {
@@ -12,15 +12,15 @@ fn float(p: &[f64; 3]) -> [f64; 3] {
 }
 
 /// Vertices with a triangle whose edges are not all shared: by counting directed edges.
-fn on_border(shape: &Shape) -> Vec<bool> {
+fn on_boundary(shape: &Shape) -> Vec<bool> {
     let edges = |t: &[u32; 3]| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])];
     let directed: std::collections::BTreeSet<_> = shape.triangles.iter().flat_map(edges).collect();
-    let mut border = vec![false; shape.positions.len()];
+    let mut boundary = vec![false; shape.positions.len()];
     for &(a, b) in directed.iter().filter(|&&(a, b)| !directed.contains(&(b, a))) {
-        border[a as usize] = true;
-        border[b as usize] = true;
+        boundary[a as usize] = true;
+        boundary[b as usize] = true;
     }
-    border
+    boundary
 }
 
 #[test]
@@ -175,12 +175,12 @@ fn one_iteration_is_the_one_that_we_think() {
     }
 }
 
-/// What is selected and neither locked nor on the border moves; without a selection everything; with features not they.
+/// What is selected and neither locked nor on the boundary moves; without a selection everything; with features not they.
 #[test]
 fn the_smoother_moves_what_it_may() {
     let shape = cap();
     let x = shape.noise(1, 0.3);
-    let border = on_border(&shape);
+    let boundary = on_boundary(&shape);
     let edge = shape
         .triangles
         .iter()
@@ -203,7 +203,7 @@ fn the_smoother_moves_what_it_may() {
         mesh.smooth(asked).unwrap();
         for (v, p) in mesh.positions().iter().enumerate() {
             let feature = skip_features && (v == a || v == b);
-            let may = !border[v] && v != locked && !feature && (!selected || shape.free[v]);
+            let may = !boundary[v] && v != locked && !feature && (!selected || shape.free[v]);
             assert_eq!(
                 *p != x[v],
                 may,

@@ -138,18 +138,18 @@ def test_all_ways_to_select():
 
 
 def test_without_a_selection_everything_inside_is_free():
-    border = fairmesh.border_loops(VERTICES, FACES)[0].vertices
+    boundary = fairmesh.boundary_loops(VERTICES, FACES)[0].vertices
     result = fairmesh.fair(VERTICES, FACES)
     # Those in the corners have no free neighbour.
-    assert set(result.border_vertices) < set(border) and len(result.border_vertices) >= len(border) - 4
-    assert result.report.free_vertices == len(VERTICES) - len(border)
+    assert set(result.boundary_vertices) < set(boundary) and len(result.boundary_vertices) >= len(boundary) - 4
+    assert result.report.free_vertices == len(VERTICES) - len(boundary)
 
 
 def test_normals_of_any_layout():
-    border = WHOLE.border_vertices
-    vectors = EXACT[border]
-    expected = fairmesh.fair(VERTICES, FACES, free=FREE, normals=(border, vectors)).vertices
-    for given in ((border.astype(np.int32), np.asfortranarray(vectors)), (border.tolist(), vectors.tolist())):
+    boundary = WHOLE.boundary_vertices
+    vectors = EXACT[boundary]
+    expected = fairmesh.fair(VERTICES, FACES, free=FREE, normals=(boundary, vectors)).vertices
+    for given in ((boundary.astype(np.int32), np.asfortranarray(vectors)), (boundary.tolist(), vectors.tolist())):
         assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, normals=given).vertices, expected)
     assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, normals=EXACT).vertices, expected)
     single = fairmesh.fair(VERTICES, FACES, free=FREE, normals=EXACT.astype(np.float32)).vertices

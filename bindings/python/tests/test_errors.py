@@ -153,9 +153,9 @@ def test_a_triangle_turned_around():
     assert error.value.element < error.value.other
 
 
-def test_a_free_vertex_on_the_border():
-    message = "free vertex 3 lies on the border of the mesh; fix it or leave it out of the selection"
-    refused(Status.FREE_VERTEX_ON_BORDER, message, ElementKind.VERTEX, 3, free=[INSIDE, 3])
+def test_a_free_vertex_on_the_boundary():
+    message = "free vertex 3 lies on the boundary of the mesh; fix it or leave it out of the selection"
+    refused(Status.FREE_VERTEX_ON_BOUNDARY, message, ElementKind.VERTEX, 3, free=[INSIDE, 3])
 
 
 def test_a_free_vertex_without_triangles():
@@ -194,7 +194,7 @@ def test_an_empty_mesh(vertices):
     message = "no vertex is free: the selection holds no vertex all of whose triangles may move"
     refused(Status.EMPTY_REGION, message, vertices=vertices, faces=[], free=None)
     refused(Status.EMPTY_REGION, message, vertices=vertices, faces=np.empty((0, 3), np.uint32), free=None)
-    assert fairmesh.border_loops(vertices, []) == []
+    assert fairmesh.boundary_loops(vertices, []) == []
     assert fairmesh.mean_curvature(vertices, []).shape == (0,)
     filled = fairmesh.fill_holes(vertices, [])
     assert filled.vertices.shape == filled.faces.shape == filled.parents.shape == (0, 3)
@@ -234,11 +234,11 @@ def test_a_selection_of_faces_out_of_range():
 
 @pytest.mark.parametrize("vector", [[0, 0, 2], [0, 0, np.inf], [np.nan, 0, 1]])
 def test_a_normal_that_is_no_unit_vector(vector):
-    border = int(fair().border_vertices[5])
-    message = f"the normal given for vertex {border} is not a finite unit vector"
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, border, normals=([border], [vector]))
-    rows = changed(np.zeros_like(VERTICES), border, vector)
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, border, normals=rows)
+    boundary = int(fair().boundary_vertices[5])
+    message = f"the normal given for vertex {boundary} is not a finite unit vector"
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=([boundary], [vector]))
+    rows = changed(np.zeros_like(VERTICES), boundary, vector)
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=rows)
 
 
 def test_a_normal_of_no_vertex():
@@ -355,7 +355,7 @@ def test_wrong_shapes_and_names(message, call):
 
 
 def test_other_functions_check_the_same():
-    for function in (fairmesh.fill_holes, fairmesh.border_loops, fairmesh.mean_curvature, fairmesh.remesh):
+    for function in (fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.mean_curvature, fairmesh.remesh):
         with pytest.raises(ValueError, match="vertices: the shape"):
             function(VERTICES[:, :2], FACES)
         with pytest.raises(fairmesh.InputError) as error:

@@ -44,31 +44,31 @@ def test_a_cylinder_with_given_normals():
 
 @pytest.mark.parametrize("angle", [20.0, 45.0])
 def test_given_normals_turn_a_disc_into_a_cap(angle):
-    # The unit circle with normals tilted outward by an angle is the rim of a sphere's cap of radius 1 / sin(angle).
+    # The unit circle with normals tilted outward by an angle is the boundary of a sphere's cap of radius 1 / sin(angle).
     vertices, faces, free, _ = disc()
-    rim = np.flatnonzero(~free)
+    boundary = np.flatnonzero(~free)
     tilt = np.radians(angle)
-    vectors = vertices[rim] * np.sin(tilt) + [0, 0, np.cos(tilt)]
-    result = fairmesh.fair(vertices, faces, normals=(rim, vectors))
+    vectors = vertices[boundary] * np.sin(tilt) + [0, 0, np.cos(tilt)]
+    result = fairmesh.fair(vertices, faces, normals=(boundary, vectors))
     assert result.outcome.is_success
     centre = [0, 0, -1 / np.tan(tilt)]
     assert off_sphere(result.vertices - centre, 1 / np.sin(tilt)) < 1e-7
     # The other way to say the same: a row per vertex, NaN or zeros where there is none.
     for nothing in (np.nan, 0.0):
         rows = np.full(vertices.shape, nothing)
-        rows[rim] = vectors
+        rows[boundary] = vectors
         assert np.array_equal(fairmesh.fair(vertices, faces, normals=rows).vertices, result.vertices)
         assert np.isnan(rows).any() == np.isnan(nothing)
-    assert np.array_equal(result.border_vertices, rim)
-    assert np.abs(result.border_normals - vectors).max() < 1e-12
+    assert np.array_equal(result.boundary_vertices, boundary)
+    assert np.abs(result.boundary_normals - vectors).max() < 1e-12
 
 
 def test_some_normals_given_the_others_fitted():
     vertices, faces, free, exact = dented_sphere()
-    border = fairmesh.fair(vertices, faces, free=free).border_vertices
-    result = fairmesh.fair(vertices, faces, free=free, normals=(border[::2], exact[border[::2]]))
+    boundary = fairmesh.fair(vertices, faces, free=free).boundary_vertices
+    result = fairmesh.fair(vertices, faces, free=free, normals=(boundary[::2], exact[boundary[::2]]))
     assert off_sphere(result.vertices) < 1e-8
-    assert np.abs(result.border_normals[::2] - exact[border[::2]]).max() < 1e-15
+    assert np.abs(result.boundary_normals[::2] - exact[boundary[::2]]).max() < 1e-15
 
 
 def test_averaged_normals_are_worse_than_fitted_ones():
@@ -80,18 +80,18 @@ def test_averaged_normals_are_worse_than_fitted_ones():
 
 def test_a_positive_target_pushes_along_the_normals():
     vertices, faces, free, _ = disc()
-    rim = np.flatnonzero(~free)
-    up = np.tile([0.0, 0.0, 1.0], (len(rim), 1))
-    flat = fairmesh.fair(vertices, faces, normals=(rim, up))
+    boundary = np.flatnonzero(~free)
+    up = np.tile([0.0, 0.0, 1.0], (len(boundary), 1))
+    flat = fairmesh.fair(vertices, faces, normals=(boundary, up))
     assert np.abs(flat.vertices[:, 2]).max() < 1e-12
-    out = fairmesh.fair(vertices, faces, normals=(rim, up), target=1.0)
+    out = fairmesh.fair(vertices, faces, normals=(boundary, up), target=1.0)
     # Small heights: the clamped plate, Delta^2 z = 2 c, so that z = 2 c (1 - r^2)^2 / 64 with Delta_B H = c and
     # H = Delta z / 2.
     assert out.outcome.is_success
     assert abs(out.vertices[0, 2]) == pytest.approx(2 / 64, rel=0.05)
     assert out.vertices[0, 2] > 0
-    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(rim, up), target=0.0).vertices, flat.vertices)
-    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(rim, up), target="harmonic").vertices, flat.vertices)
+    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(boundary, up), target=0.0).vertices, flat.vertices)
+    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(boundary, up), target="harmonic").vertices, flat.vertices)
 
 
 def test_spheres_have_minimal_energy():
@@ -119,7 +119,7 @@ def test_a_fixed_vertex_inside_is_passed(interior):
     vertices[inside] = exact[inside]
     result = fairmesh.fair(vertices, faces, free=free, interior_normals=interior)
     assert np.array_equal(result.vertices[inside], exact[inside])
-    assert inside in result.border_vertices
+    assert inside in result.boundary_vertices
     if interior == "smooth":
         assert off_sphere(result.vertices) < 1e-8
 
@@ -170,7 +170,7 @@ def test_a_hole_in_a_sphere_is_filled(dtype, integers):
     assert filled.new_faces == slice(len(faces), len(filled.faces))
     bar = 1e-8 if dtype == np.float64 else 1e-5
     assert off_sphere(filled.vertices[filled.new_vertices], 3.0) < bar
-    assert fairmesh.border_loops(filled.vertices, filled.faces) == []
+    assert fairmesh.boundary_loops(filled.vertices, filled.faces) == []
 
     (loop,) = filled.loops
     assert (loop.outcome, loop.reason, loop.refused) == ("faired", "none", None)
@@ -192,7 +192,7 @@ def test_fill_options():
     assert few.new_vertex_count <= 20 and few.loops[0].coarsened
     flat = fairmesh.fill_holes(vertices, faces, fair=False)
     assert flat.outcomes == ["flat"] and flat.loops[0].reason == "not_asked" and flat.loops[0].report is None
-    edges = fairmesh.border_loops(vertices, faces)[0].vertices.size
+    edges = fairmesh.boundary_loops(vertices, faces)[0].vertices.size
     open_ = fairmesh.fill_holes(vertices, faces, max_edges=edges - 1)
     assert open_.outcomes == ["left_open"] and open_.loops[0].reason == "too_many_edges"
     assert open_.new_vertex_count == 0 and np.array_equal(open_.faces, faces)
@@ -202,12 +202,12 @@ def test_fill_options():
 def test_an_open_sheet_is_filled_only_if_it_is_named():
     _, faces, free, exact = dented_sphere()
     faces = faces[~free[faces].any(axis=1)]
-    kinds = [loop.kind for loop in fairmesh.border_loops(exact, faces)]
-    assert sorted(kinds) == ["hole", "outer_border"]
+    kinds = [loop.kind for loop in fairmesh.boundary_loops(exact, faces)]
+    assert sorted(kinds) == ["hole", "outer_boundary"]
     filled = fairmesh.fill_holes(exact, faces)
     assert sorted((loop.outcome, loop.reason) for loop in filled.loops) == [
         ("faired", "none"),
-        ("left_open", "outer_border"),
+        ("left_open", "outer_boundary"),
     ]
     hole = kinds.index("hole")
     only = fairmesh.fill_holes(exact, faces, loops=[hole])
@@ -215,10 +215,10 @@ def test_an_open_sheet_is_filled_only_if_it_is_named():
     assert np.array_equal(only.vertices, filled.vertices)
 
 
-def test_border_loops_of_a_disc():
+def test_boundary_loops_of_a_disc():
     vertices, faces, free, _ = disc(rings=4)
-    (loop,) = fairmesh.border_loops(vertices, faces)
-    assert loop.kind is fairmesh.LoopKind.OUTER_BORDER and loop.edge is None
+    (loop,) = fairmesh.boundary_loops(vertices, faces)
+    assert loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY and loop.edge is None
     assert sorted(loop.vertices) == list(np.flatnonzero(~free))
     # Triangles that fill it would run the other way than the disc's.
     step = (np.roll(loop.vertices, -1) - loop.vertices) % 24
@@ -227,18 +227,18 @@ def test_border_loops_of_a_disc():
     assert loop.area == pytest.approx(12 * np.sin(np.pi / 12), rel=1e-12)
     assert loop.turn == pytest.approx(180, abs=1e-3)
     assert loop.touching.size == 0
-    assert fairmesh.border_loops(*sphere(1)) == []
+    assert fairmesh.boundary_loops(*sphere(1)) == []
 
 
 def test_loops_that_touch_and_loops_at_a_bad_edge():
     # Two triangles that share one vertex.
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], float)
-    loops = fairmesh.border_loops(vertices, [[0, 1, 2], [0, 3, 4]])
+    loops = fairmesh.boundary_loops(vertices, [[0, 1, 2], [0, 3, 4]])
     assert sorted(loop.vertices.size for loop in loops) == [3, 3]
     assert all(list(loop.touching) == [0] for loop in loops)
     # Three triangles at one edge.
     vertices = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]], float)
-    loops = fairmesh.border_loops(vertices, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    loops = fairmesh.boundary_loops(vertices, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     bad = [loop for loop in loops if loop.kind == "non_manifold"]
     assert bad and all(loop.edge == (0, 1) for loop in bad)
 

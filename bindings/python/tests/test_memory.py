@@ -22,10 +22,10 @@ def resident():
 
 def one_of_everything():
     result = fairmesh.fair(VERTICES, FACES, free=FREE, threads=1)
-    assert len(result.mean_curvature) == len(VERTICES) and len(result.border_normals) > 0
+    assert len(result.mean_curvature) == len(VERTICES) and len(result.boundary_normals) > 0
     filled = fairmesh.fill_holes(*HOLE, threads=1)
     assert filled.loops[0].report is not None and len(filled.parents) > 0
-    assert len(fairmesh.border_loops(*HOLE)) == 1
+    assert len(fairmesh.boundary_loops(*HOLE)) == 1
     solver = fairmesh.Solver(SMALL.vertices, SMALL.faces, threads=1)
     solver.run(1)
     solver.result()

@@ -54,7 +54,7 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
         assert said.startswith("0 ") and "faired none" in said and "hole" in said
         assert np.allclose(names["colours"], 1) and len(names["colours"]) == names["filled"].new_vertex_count
     if "InputError" in text:
-        assert said.splitlines()[0].startswith("free vertex 3 lies on the border of the mesh; ")
+        assert said.splitlines()[0].startswith("free vertex 3 lies on the boundary of the mesh; ")
         assert said.splitlines()[1].endswith("3 None None")
     if "Solver" in text:
         assert len(shown) > 3 and names["result"].outcome.is_success

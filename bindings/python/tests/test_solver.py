@@ -31,7 +31,7 @@ def test_steps_find_what_one_call_finds(dtype):
         result = solver.result()
     # A result is a copy: it outlives the solver.
     assert np.array_equal(result.vertices, whole.vertices)
-    assert np.array_equal(result.border_normals, whole.border_normals)
+    assert np.array_equal(result.boundary_normals, whole.boundary_normals)
     assert result.report.outcome is fairmesh.Outcome.CONVERGED
 
 
@@ -58,11 +58,11 @@ def test_errors_of_a_solver():
         with pytest.raises(ValueError, match="normals: 440 rows, but 441 are needed"):
             solver.set_normals(exact[1:])
         wrong = exact.copy()
-        border = int(solver.result().border_vertices[3])
-        wrong[border] *= 2
+        boundary = int(solver.result().boundary_vertices[3])
+        wrong[boundary] *= 2
         with pytest.raises(fairmesh.InputError) as error:
             solver.set_normals(wrong)
-        assert (error.value.status, error.value.element) == (fairmesh.Status.BAD_NORMAL, border)
+        assert (error.value.status, error.value.element) == (fairmesh.Status.BAD_NORMAL, boundary)
         with pytest.raises(ValueError, match="target: 'flat' is neither"):
             solver.set_target("flat")
         with pytest.raises(TypeError, match="iterations: an integer is needed, not float"):
@@ -75,7 +75,7 @@ def test_errors_of_a_solver():
             use()
         assert error.value.status is fairmesh.Status.BAD_HANDLE
     solver.close()
-    with pytest.raises(fairmesh.InputError, match="free vertex 0 lies on the border"):
+    with pytest.raises(fairmesh.InputError, match="free vertex 0 lies on the boundary"):
         fairmesh.Solver(vertices, faces, free=np.ones(len(vertices), bool))
 
 

@@ -67,7 +67,7 @@ def test_one_result_read_by_many_threads():
 
     def read(_):
         barrier.wait(30)
-        return result.mean_curvature.tobytes(), result.border_vertices.tobytes()
+        return result.mean_curvature.tobytes(), result.boundary_vertices.tobytes()
 
     with ThreadPoolExecutor(8) as pool:
         answers = set(pool.map(read, range(8)))

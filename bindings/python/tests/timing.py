@@ -44,7 +44,7 @@ def cost(mesh, result):
     np.empty_like(given.vertices)
     result._handle.report()
     result._handle.scalars(fairmesh._abi.fairmesh_scalars.MEAN_CURVATURE, len(mesh.vertices))
-    result._handle.list(fairmesh._abi.fairmesh_list.BORDER_VERTICES)
+    result._handle.list(fairmesh._abi.fairmesh_list.BOUNDARY_VERTICES)
     return time.process_time() - start
 
 

@@ -4,7 +4,7 @@ use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::error::Error;
 use crate::fairing::normals::given_vertices;
-use crate::fairing::{BorderNormals, Discretization, InnerFairness, InteriorNormals, Options, Selection};
+use crate::fairing::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Selection};
 use crate::mesh::Region;
 
 /// Normals that outlive the call.
@@ -15,19 +15,19 @@ pub(super) enum Normals {
 }
 
 impl Normals {
-    pub(super) fn new(normals: BorderNormals<'_>) -> Self {
+    pub(super) fn new(normals: BoundaryNormals<'_>) -> Self {
         match normals {
-            BorderNormals::Fitted => Self::Fitted,
-            BorderNormals::Averaged => Self::Averaged,
-            BorderNormals::Given(list) => Self::Given(list.to_vec()),
+            BoundaryNormals::Fitted => Self::Fitted,
+            BoundaryNormals::Averaged => Self::Averaged,
+            BoundaryNormals::Given(list) => Self::Given(list.to_vec()),
         }
     }
 
-    pub(super) fn as_asked(&self) -> BorderNormals<'_> {
+    pub(super) fn as_asked(&self) -> BoundaryNormals<'_> {
         match self {
-            Self::Fitted => BorderNormals::Fitted,
-            Self::Averaged => BorderNormals::Averaged,
-            Self::Given(list) => BorderNormals::Given(list),
+            Self::Fitted => BoundaryNormals::Fitted,
+            Self::Averaged => BoundaryNormals::Averaged,
+            Self::Given(list) => BoundaryNormals::Given(list),
         }
     }
 }
@@ -77,7 +77,7 @@ impl Input {
     }
 
     /// The region, cut where these normals ask for it.
-    pub(super) fn region(&self, normals: BorderNormals<'_>) -> Result<Region, Error> {
+    pub(super) fn region(&self, normals: BoundaryNormals<'_>) -> Result<Region, Error> {
         let prescribed = given_vertices(normals);
         let selection = match &self.selection {
             Selected::Mask(mask) => Selection::Mask(mask),

@@ -9,13 +9,14 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use super::{Answer, Command, Input};
-use crate::discrete::groups::Groups;
 use crate::discrete::inner_fairness::FairnessWeights;
+use crate::discrete::valence_batches::ValenceBatches;
 use crate::error::Error;
-use crate::fairing::normals::border_normals;
+use crate::fairing::normals::boundary_normals;
 use crate::fairing::solvers::Faired;
 use crate::fairing::{
-    BorderNormals, Frame, Given, InnerFairness, Outcome, Progress, Seconds, Solution, Target, conclude,
+    BoundaryNormals, Given, InnerFairness, Normalization, Outcome, Progress, Seconds, Solution, Target,
+    conclude,
 };
 use crate::mesh::{Region, Rings};
 use crate::quality::NEEDLE;
@@ -27,9 +28,9 @@ pub(super) struct Problem {
     input: Arc<Input>,
     pub(super) region: Region,
     rings: Rings,
-    groups: Groups,
-    frame: Frame,
-    /// The region's positions, in the frame.
+    batches: ValenceBatches,
+    normalization: Normalization,
+    /// The region's positions, in the normalization.
     x: Vec<Vector3<f64>>,
     clock: Instant,
 }
@@ -106,33 +107,36 @@ impl Desk<'_> {
 
 impl Problem {
     /// Checks and prepares the region.
-    pub(super) fn new(input: Arc<Input>, normals: BorderNormals<'_>) -> Result<Self, Error> {
+    pub(super) fn new(input: Arc<Input>, normals: BoundaryNormals<'_>) -> Result<Self, Error> {
         let clock = Instant::now();
         let region = input.region(normals)?;
         let rings = Rings::new(&region);
         let mut x = region.positions(&input.positions);
-        let frame = Frame::new(&region, &x);
-        frame.enter(&mut x);
+        let normalization = Normalization::new(&region, &x);
+        normalization.enter(&mut x);
         Ok(Self {
-            groups: Groups::new(&rings),
+            batches: ValenceBatches::new(&rings),
             input,
             region,
             rings,
-            frame,
+            normalization,
             x,
             clock,
         })
     }
 
-    pub(super) fn normals(&self, asked: BorderNormals<'_>) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
-        border_normals(&self.region, &self.rings, &self.x, asked, self.input.interior)
+    pub(super) fn normals(
+        &self,
+        asked: BoundaryNormals<'_>,
+    ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+        boundary_normals(&self.region, &self.rings, &self.x, asked, self.input.interior)
     }
 
     fn prepared(&self, command: Command) -> Result<Option<Change>, Error> {
         match command {
             Command::Normals(normals) => {
-                let (normals, passing) = self.normals(normals.as_asked())?;
-                Ok(Some(Change::Normals(normals, passing)))
+                let (normals, smooth_interior) = self.normals(normals.as_asked())?;
+                Ok(Some(Change::Normals(normals, smooth_interior)))
             }
             Command::Target(target) => Ok(Some(Change::Target(target))),
             Command::Run(_) | Command::GoOn(_) => Ok(None),
@@ -142,7 +146,7 @@ impl Problem {
     /// The life of the thread.
     pub(super) fn serve(
         &self,
-        (normals, passing): (Vec<Vector3<f64>>, Vec<bool>),
+        (normals, smooth_interior): (Vec<Vector3<f64>>, Vec<bool>),
         mut target: Target,
         orders: &Receiver<Command>,
         answers: &Sender<Answer>,
@@ -157,8 +161,8 @@ impl Problem {
         };
         let weights = match self.input.inner {
             InnerFairness::Uniform => FairnessWeights::uniform(),
-            InnerFairness::Conformal => FairnessWeights::conformal(&self.groups, &self.x),
-            InnerFairness::Convex => FairnessWeights::convex(&self.groups, &self.x),
+            InnerFairness::Conformal => FairnessWeights::conformal(&self.batches, &self.x),
+            InnerFairness::Convex => FairnessWeights::convex(&self.batches, &self.x),
         };
         let mut seconds = Seconds {
             setup: self.clock.elapsed().as_secs_f64(),
@@ -167,14 +171,14 @@ impl Problem {
         let mut system = System::new(
             &self.region,
             &self.rings,
-            &self.groups,
+            &self.batches,
             &self.x,
             normals,
             weights.clone(),
             self.input.curvature(),
         );
-        system.passing = passing;
-        system.right_hand_side = target.right_hand_side(self.frame.scale);
+        system.smooth_interior = smooth_interior;
+        system.right_hand_side = target.right_hand_side(self.normalization.scale);
         let mut x = self.x[..self.region.region_vertices()].to_vec();
         system.diagonal = diagonal(&x);
         system.evaluate(&x);
@@ -184,7 +188,7 @@ impl Problem {
             region: &self.region,
             rings: &self.rings,
             input: &self.x,
-            frame: &self.frame,
+            normalization: &self.normalization,
             fallback_weights: weights.clamped,
         };
         let first = measured(&system, &x, 0, f64::NAN);
@@ -279,14 +283,14 @@ impl Problem {
                 return;
             }
             match desk.change.take() {
-                Some(Change::Normals(normals, passing)) => {
-                    system.border_normals = normals;
-                    system.passing = passing;
+                Some(Change::Normals(normals, smooth_interior)) => {
+                    system.boundary_normals = normals;
+                    system.smooth_interior = smooth_interior;
                     ended = None;
                 }
                 Some(Change::Target(asked)) => {
                     target = asked;
-                    system.right_hand_side = asked.right_hand_side(self.frame.scale);
+                    system.right_hand_side = asked.right_hand_side(self.normalization.scale);
                     ended = None;
                 }
                 None => {}
@@ -309,7 +313,7 @@ fn measured(system: &System<'_>, x: &[Vector3<f64>], iterations: usize, step: f6
         },
         defect: defect * system.diagonal,
         state: system.state.clone(),
-        border_normals: system.border_normals.clone(),
+        boundary_normals: system.boundary_normals.clone(),
         iterations,
         cancelled: false,
         levels: Vec::new(),

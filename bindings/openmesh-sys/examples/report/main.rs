@@ -129,7 +129,7 @@ fn surfaces(n: usize) -> String {
         about the surface. It is nearly right in the limit where the lattice is conformal to the surface, as the regular catenoid's.\n\n";
     let _ = write!(
         text,
-        "## Border normals\n\nRoot mean square angle, in degrees, between the exact normals at the border and the free triangles there. Exact \
+        "## Boundary normals\n\nRoot mean square angle, in degrees, between the exact normals at the boundary and the free triangles there. Exact \
         triangles\nturn from the normals at their corners, too: last column.\n\n\
         | surface | triangulation | {COLUMNS} | exact mesh |\n|---|---|---|---|---|---|---|---|\n"
     );

@@ -206,7 +206,7 @@ void regions() {
     options.region = fairmesh::openmesh_region::selected_faces;
     CHECK(fairmesh::fair(faces, options).free_vertices == 81);
     CHECK(points_of(faces) == points_of(vertices));
-    // Everything: the border stays, without any status.
+    // Everything: the boundary stays, without any status.
     auto plain = cap<Doubles>();
     plain.release_vertex_status();
     plain.release_edge_status();
@@ -234,7 +234,7 @@ void regions() {
 }
 
 void fixed() {
-    // Locked vertices, feature vertices, corners of feature edges and feature faces, and the border, selected or not.
+    // Locked vertices, feature vertices, corners of feature edges and feature faces, and the boundary, selected or not.
     auto mesh = cap<Doubles>();
     for (auto v : mesh.vertices()) mesh.status(v).set_selected(true);
     std::set<int> stay;
@@ -333,7 +333,7 @@ void normals() {
             for (std::size_t k = 0; k < 3; k++) mesh.property(property, v)[k] = static_cast<typename Vector::value_type>(p[k]);
         }
         fairmesh::openmesh_options options;
-        options.border_normals = name;
+        options.boundary_normals = name;
         auto report = fairmesh::fair(mesh, options);
         CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
         return off_sphere(mesh);
@@ -347,7 +347,7 @@ void normals() {
     zero.add_property(property, "mine");
     for (auto v : zero.vertices()) zero.property(property, v) = OpenMesh::Vec3d(0, 0, 0);
     fairmesh::openmesh_options options;
-    options.border_normals = "mine";
+    options.boundary_normals = "mine";
     auto fitted = selected_cap<Doubles>();
     fairmesh::fair(fitted);
     fairmesh::fair(zero, options);
@@ -362,7 +362,7 @@ void normals() {
     } catch (const fairmesh::error &e) {
         CHECK(e.status() == FAIRMESH_STATUS_BAD_NORMAL && e.detail().element == std::uint64_t(bad.idx()));
     }
-    options.border_normals = "nowhere";
+    options.boundary_normals = "nowhere";
     try {
         fairmesh::fair(zero, options);
         CHECK(false);

@@ -14,7 +14,7 @@ from ._holes import (
     LoopKind,
     LoopReport,
     Remeshed,
-    border_loops,
+    boundary_loops,
     fill_holes,
     remesh,
 )
@@ -45,7 +45,7 @@ __all__ = [
     "Result",
     "Solver",
     "Status",
-    "border_loops",
+    "boundary_loops",
     "default_fill_options",
     "default_options",
     "default_remesh_options",

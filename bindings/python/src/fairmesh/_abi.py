@@ -97,7 +97,7 @@ class fairmesh_outcome(enum.IntEnum):
 
 class fairmesh_loop_kind(enum.IntEnum):
     HOLE = 0
-    OUTER_BORDER = 1
+    OUTER_BOUNDARY = 1
     NON_MANIFOLD = 2
     OTHER = 255
 
@@ -113,7 +113,7 @@ class fairmesh_fill_outcome(enum.IntEnum):
 class fairmesh_fill_reason(enum.IntEnum):
     NONE = 0
     NON_MANIFOLD = 1
-    OUTER_BORDER = 2
+    OUTER_BOUNDARY = 2
     TOO_MANY_EDGES = 3
     NO_TRIANGULATION = 4
     NOT_FINITE = 5
@@ -138,7 +138,7 @@ class fairmesh_list(enum.IntEnum):
     NEEDLES = 2
     SUSPICIOUS_NORMALS = 3
     UNREACHED_VERTICES = 4
-    BORDER_VERTICES = 16
+    BOUNDARY_VERTICES = 16
     LOOP_VERTICES = 32
     LOOP_TOUCHING = 33
     OUTSIDE_VERTICES = 48
@@ -149,7 +149,7 @@ class fairmesh_list(enum.IntEnum):
 
 
 class fairmesh_vectors(enum.IntEnum):
-    BORDER_NORMALS = 0
+    BOUNDARY_NORMALS = 0
     PARENT_WEIGHTS = 1
 
 
@@ -311,7 +311,7 @@ class fairmesh_report(Structure):
         ("worst_angle", c_double),
         ("worst_triangle", c_uint64),
         ("h_inside", c_double * 2),
-        ("h_border", c_double * 2),
+        ("h_boundary", c_double * 2),
         ("normal_deviation", c_double),
         ("normal_deviation_vertex", c_uint64),
         ("normal_deviation_rms", c_double),
@@ -353,7 +353,7 @@ class fairmesh_info(Structure):
         ("new_vertex_count", c_uint64),
         ("new_triangle_count", c_uint64),
         ("loop_count", c_uint64),
-        ("border_vertex_count", c_uint64),
+        ("boundary_vertex_count", c_uint64),
     )
 
 
@@ -453,7 +453,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "fairmesh_solver_report": (c_int32, (c_void_p, POINTER(fairmesh_report), POINTER(fairmesh_error))),
     "fairmesh_solver_result": (c_int32, (c_void_p, POINTER(c_void_p), POINTER(fairmesh_error))),
     "fairmesh_solver_free": (c_int32, (c_void_p,)),
-    "fairmesh_border_loops": (c_int32, (POINTER(fairmesh_mesh), POINTER(c_void_p), POINTER(fairmesh_error))),
+    "fairmesh_boundary_loops": (c_int32, (POINTER(fairmesh_mesh), POINTER(c_void_p), POINTER(fairmesh_error))),
     "fairmesh_fill_holes": (
         c_int32,
         (

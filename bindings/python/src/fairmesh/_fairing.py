@@ -55,14 +55,14 @@ class Result:
         return self._handle.scalars(_abi.fairmesh_scalars.GAUSSIAN_CURVATURE, len(self.vertices))
 
     @cached_property
-    def border_vertices(self) -> NDArray[np.intp]:
+    def boundary_vertices(self) -> NDArray[np.intp]:
         """The fixed vertices around and in the region, ascending, (b,)."""
-        return self._handle.list(_lists.BORDER_VERTICES)
+        return self._handle.list(_lists.BOUNDARY_VERTICES)
 
     @cached_property
-    def border_normals(self) -> NDArray[np.float64]:
+    def boundary_normals(self) -> NDArray[np.float64]:
         """The unit normals that were used there, (b, 3)."""
-        return self._handle.vectors(_abi.fairmesh_vectors.BORDER_NORMALS, len(self.border_vertices))
+        return self._handle.vectors(_abi.fairmesh_vectors.BOUNDARY_NORMALS, len(self.boundary_vertices))
 
     @cached_property
     def poor_triangles(self) -> NDArray[np.intp]:
@@ -81,12 +81,12 @@ class Result:
 
     @cached_property
     def suspicious_normals(self) -> NDArray[np.intp]:
-        """Border vertices whose normal contradicts the surface or its neighbours'."""
+        """Boundary vertices whose normal contradicts the surface or its neighbours'."""
         return self._handle.list(_lists.SUSPICIOUS_NORMALS)
 
     @cached_property
     def unreached_vertices(self) -> NDArray[np.intp]:
-        """Border vertices whose normals stood farthest away, worst first."""
+        """Boundary vertices whose normals stood farthest away, worst first."""
         return self._handle.list(_lists.UNREACHED_VERTICES)
 
     @cached_property
@@ -131,7 +131,7 @@ def fair(
         free: The vertices that may move: a mask (n,) of bool, or indices in any order.
         fixed: In its place the vertices that may not.
         free_faces: In its place a mask (m,) or indices of faces: free are vertices that have no other faces and are not
-            on the border of the mesh. With none of the three: all vertices that are not on the border of the mesh.
+            on the boundary of the mesh. With none of the three: all vertices that are not on the boundary of the mesh.
         progress: Called with a `Progress` after every iteration and at stages of the preparation, on this thread. False
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
@@ -243,7 +243,7 @@ class Solver:
         return report_of(report)
 
     def set_normals(self, normals: Normals) -> None:
-        """Asks for other border normals from now on, given as in `fair`. The next run starts at the surface at hand."""
+        """Asks for other boundary normals from now on, given as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
         self._call("fairmesh_solver_set_normals", ctypes.byref(view.struct))
 

@@ -1,4 +1,4 @@
-"""Border loops, filling of holes, remeshing of regions."""
+"""Boundary loops, filling of holes, remeshing of regions."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ _lists = _abi.fairmesh_list
 
 
 class LoopKind(str, Enum):
-    """What kind of gap a border loop is."""
+    """What kind of gap a boundary loop is."""
 
     #: A gap in the surface.
     HOLE = "hole"
-    #: The outline of an open surface. Filled only if it is named.
-    OUTER_BORDER = "outer_border"
+    #: The outer boundary of an open surface. Filled only if it is named.
+    OUTER_BOUNDARY = "outer_boundary"
     #: It meets a bad edge. Never filled.
     NON_MANIFOLD = "non_manifold"
     OTHER = "other"
@@ -66,7 +66,7 @@ class FillReason(str, Enum):
     #: Open: the loop runs into a bad edge.
     NON_MANIFOLD = "non_manifold"
     #: Open: the loop encloses the mesh and was not named.
-    OUTER_BORDER = "outer_border"
+    OUTER_BOUNDARY = "outer_boundary"
     #: Open: the loop has more than ``max_edges``.
     TOO_MANY_EDGES = "too_many_edges"
     #: Open: every triangulation has an edge or triangle that the mesh has already.
@@ -96,7 +96,7 @@ def _named(numbers: Any, names: Any, number: int) -> Any:
 
 @dataclass(frozen=True)
 class Loop:
-    """A border loop of a mesh."""
+    """A boundary loop of a mesh."""
 
     kind: LoopKind
     #: The vertices in the direction of triangles that fill it.
@@ -108,21 +108,21 @@ class Loop:
     #: The length of the vector area.
     area: float
     #: The mean angle, in degrees, by which a smooth surface over the loop has to turn back: 0 for a hole in a plane, 90
-    #: for the end of a tube, 180 for the outline of a plane sheet.
+    #: for the end of a tube, 180 for the outer boundary of a plane sheet.
     turn: float
     #: The bad edge of a non-manifold loop, otherwise None.
     edge: tuple[int, int] | None
 
 
-def border_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
-    """The border loops of a mesh: holes and outer borders. ``vertices`` and ``faces`` as in `fair`.
+def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
+    """The boundary loops of a mesh: holes and outer boundaries. ``vertices`` and ``faces`` as in `fair`.
 
     Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     address = ctypes.c_void_p()
-    call(library, "fairmesh_border_loops", ctypes.byref(mesh.struct), ctypes.byref(address))
+    call(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct), ctypes.byref(address))
     handle = ResultHandle(library, address)
     return [_loop(handle, index) for index in range(handle.info().loop_count)]
 
@@ -155,7 +155,7 @@ class LoopReport:
         self.reason: FillReason = _named(_abi.fairmesh_fill_reason, FillReason, struct.reason)
         #: The status that the fairing was refused with, or None.
         self.refused: Status | None = Status(struct.refused_status) if struct.refused_status else None
-        #: The loop, as `border_loops` numbers it.
+        #: The loop, as `boundary_loops` numbers it.
         self.loop_index: int = struct.loop_index
         self.edge_count: int = struct.edge_count
         #: Its new vertices and triangles, in the arrays of the filled mesh.
@@ -271,14 +271,14 @@ def fill_holes(
     """Fills holes: triangulates, refines and fairs each.
 
     Vertices and faces given keep their numbers and bits; new ones follow. A loop that cannot be filled says so in its
-    `LoopReport` and does not affect the others. Outlines of open surfaces are filled only if they are named.
+    `LoopReport` and does not affect the others. Outer boundaries of open surfaces are filled only if they are named.
 
     Args:
         vertices, faces: As in `fair`.
-        loops: Only these loops, as `border_loops` numbers them. Default: all holes.
+        loops: Only these loops, as `boundary_loops` numbers them. Default: all holes.
         max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
-            beside the rim; at twice that, half as long.
+            beside the boundary; at twice that, half as long.
         max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
             1000 + n^2, times the square of a density above 1.
         fair: False: patches are triangulated and refined only. Default True.

@@ -31,7 +31,7 @@ class FairingOptions(TypedDict, total=False):
     """How fairing is done: the keywords that `fair`, `fill_holes` and `Solver` have in common. None is the default.
 
     Keywords:
-        normals: Unit normals at the border of the region, pointing to the side that faces are counter-clockwise
+        normals: Unit normals at the boundary of the region, pointing to the side that faces are counter-clockwise
             seen from: "fitted" (default) to second order to the surface outside; "averaged" over the faces outside;
             an array (n, 3), one row per vertex, zeros or NaN where none is given; or a pair (indices (k,), vectors
             (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
@@ -55,7 +55,7 @@ class FairingOptions(TypedDict, total=False):
         paper_estimate_iterations: Iterations of the estimate. Default 10.
         paper_damping: The part of each normal step that is taken, in (0, 1]. Default 0.9.
         paper_levels: Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
-        paper_base: Vertices of the base mesh; 0 (default): two and a half times the border.
+        paper_base: Vertices of the base mesh; 0 (default): two and a half times the boundary.
         paper_defect: Stop when ``defect`` of the report is at most this. Default 1e-6.
         paper_laplacian: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
         paper_max_updates: At most this many updates on all levels. Default 20000.
@@ -203,7 +203,7 @@ def target_struct(value: Target) -> _abi.fairmesh_target:
 
 
 class NormalsView:
-    """Border normals, as the library reads them. Keeps the arrays alive."""
+    """Boundary normals, as the library reads them. Keeps the arrays alive."""
 
     def __init__(self, given: Normals, vertex_count: int) -> None:
         kinds = _abi.fairmesh_normals_kind

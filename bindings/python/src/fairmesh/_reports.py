@@ -17,7 +17,7 @@ class Outcome(str, Enum):
     CONVERGED_POOR_TRIANGLES = "converged_poor_triangles"
     #: A sound surface with a reservation, told in ``reason``.
     CONVERGED_LOOSELY = "converged_loosely"
-    #: No surface with these border normals was found; the surface of the linear problem is returned.
+    #: No surface with these boundary normals was found; the surface of the linear problem is returned.
     NORMALS_NOT_REACHABLE = "normals_not_reachable"
     #: A surface was found for the part ``reached`` of the target only; that of the linear problem is returned.
     TARGET_NOT_REACHABLE = "target_not_reachable"
@@ -58,7 +58,7 @@ class Report:
     step: float
     #: The diagonal of the region's bounding box.
     diagonal: float
-    #: How much of the border normals or the target was reached, 0 to 1.
+    #: How much of the boundary normals or the target was reached, 0 to 1.
     reached: float
     free_vertices: int
     #: The surface is that of the linear problem.
@@ -77,9 +77,9 @@ class Report:
     worst_triangle: int | None
     #: The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
     h_inside: tuple[float, float]
-    #: The same at border vertices.
-    h_border: tuple[float, float]
-    #: The largest angle between a border normal and the triangles of the region there, and the vertex.
+    #: The same at boundary vertices.
+    h_boundary: tuple[float, float]
+    #: The largest angle between a boundary normal and the triangles of the region there, and the vertex.
     normal_deviation: float
     normal_deviation_vertex: int | None
     #: The root mean square of those angles.
@@ -106,7 +106,7 @@ def report_of(struct: _abi.fairmesh_report) -> Report:
         worst_triangle=element_or_none(struct.worst_triangle),
         normal_deviation_vertex=element_or_none(struct.normal_deviation_vertex),
         h_inside=tuple(struct.h_inside),
-        h_border=tuple(struct.h_border),
+        h_boundary=tuple(struct.h_boundary),
         reason=struct.reason.decode("utf-8", "replace"),
     )
     return Report(**fields)
@@ -121,7 +121,7 @@ def element_or_none(number: int) -> int | None:
 class Level:
     """What was done on one level of the paper's scheme."""
 
-    #: Vertices of the region: free and border.
+    #: Vertices of the region: free and boundary.
     vertices: int
     triangles: int
     #: Updates of the mesh.

@@ -53,8 +53,8 @@ class Status(enum.IntEnum):
     NON_MANIFOLD_VERTEX = 20
     #: Two triangles run through an edge in the same direction. Element: the edge.
     INCONSISTENT_ORIENTATION = 21
-    #: A free vertex is on the border of the mesh. Element: the vertex.
-    FREE_VERTEX_ON_BORDER = 22
+    #: A free vertex is on the boundary of the mesh. Element: the vertex.
+    FREE_VERTEX_ON_BOUNDARY = 22
     #: A free vertex has no triangle. Element: the vertex.
     FREE_VERTEX_WITHOUT_TRIANGLE = 23
     #: A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
@@ -65,7 +65,7 @@ class Status(enum.IntEnum):
     SELECTION_OUT_OF_RANGE = 26
     #: A normal is not a finite vector of length one (to 0.001). Element: the vertex.
     BAD_NORMAL = 27
-    #: No normal can be found for a border vertex: give one. Element: the vertex.
+    #: No normal can be found for a boundary vertex: give one. Element: the vertex.
     NO_NORMAL = 28
     #: The result has nothing of this kind, or nothing with this index.
     NOT_AVAILABLE = 29

@@ -1,0 +1,91 @@
+//! How much memory a call needs at most: what [`Reserve`](super::memory::Reserve) sets aside. Measured by
+//! `tests/capi.rs`, which holds these bounds against what is taken when every allocation fails.
+
+use super::input::{MeshIn, Selected};
+use super::memory::Reserve;
+use super::status::{CallResult, Failure};
+use super::views::try_with_capacity;
+
+/// For threads, channels and small things.
+const BASE: usize = 1 << 20;
+/// Per thread: its queues, and the room that dense kernels work in.
+const THREAD: usize = 6 << 20;
+/// Per vertex and per triangle of the whole mesh: copies and numberings.
+const VERTEX: usize = 160;
+const TRIANGLE: usize = 120;
+/// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
+const FREE: usize = 4 << 10;
+const FREE_DIGIT: usize = 400;
+/// Per entry of the two-ring pattern.
+const PATTERN: usize = 96;
+/// What a solver holds between its calls.
+pub(crate) const STANDING: usize = 64 << 10;
+
+/// Sets the memory for a call aside.
+pub(crate) fn reserve(bytes: usize) -> CallResult<Reserve> {
+    Reserve::new(bytes).ok_or_else(Failure::out_of_memory)
+}
+
+fn threads(asked: usize) -> usize {
+    if asked > 0 {
+        asked
+    } else {
+        std::thread::available_parallelism().map_or(1, usize::from)
+    }
+}
+
+/// For fairing a region.
+pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> CallResult<usize> {
+    let free = selected.candidates(mesh)?;
+    // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
+    let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
+    valence.resize(mesh.vertices(), 0);
+    let vertex = |v: u32| (v as usize) < free.len();
+    for t in 0..mesh.triangles.count {
+        let corners = mesh.triangles.index::<3>(t);
+        if corners.iter().any(|&v| vertex(v) && free[v as usize]) {
+            corners
+                .iter()
+                .filter(|v| vertex(**v))
+                .for_each(|&v| valence[v as usize] += 1);
+        }
+    }
+    // Beyond what a valence of 6 makes of it.
+    let beyond = valence
+        .iter()
+        .map(|&d| (d as usize).saturating_mul(d as usize).saturating_sub(36));
+    let irregular = beyond.fold(0, usize::saturating_add);
+    let free = free.iter().filter(|f| **f).count();
+    Ok(sum(mesh, asked_threads).saturating_add(of_region(free, irregular)))
+}
+
+fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {
+    let counts = mesh.vertices() * VERTEX + mesh.triangles.count * TRIANGLE;
+    BASE + threads(asked_threads) * THREAD + counts
+}
+
+fn of_region(free: usize, irregular: usize) -> usize {
+    let digits = (usize::BITS - free.leading_zeros()) as usize;
+    free.saturating_mul(FREE + FREE_DIGIT * digits)
+        .saturating_add(irregular.saturating_mul(PATTERN))
+}
+
+/// For what looks at the whole mesh once.
+pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
+    sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
+}
+
+/// For patches with so many new vertices, at most, on boundaries of so many edges.
+pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads: usize) -> usize {
+    // Triangulation is quadratic up to the length where ears are cut first.
+    let table = longest.min(200).pow(2) * 64;
+    of_whole_mesh(mesh, asked_threads) + table + of_region(vertices, 0) + vertices * 2000
+}
+
+/// For remeshing a region.
+pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> CallResult<usize> {
+    let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
+    // Edges may become ten times shorter.
+    let vertices = free.max(most.min(free.saturating_mul(200)));
+    Ok(of_whole_mesh(mesh, 1).saturating_add(vertices.saturating_mul(2000)))
+}

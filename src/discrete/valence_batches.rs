@@ -1,0 +1,183 @@
+//! Free vertices in groups of [`LANES`] with equal valence, so that one formula runs on a whole group at once.
+//!
+//! ValenceBatches never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
+//! threads, and the same whatever their number.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::simd::{Simd, Vec3};
+use crate::mesh::{NONE, Rings};
+
+/// Vertices per group.
+pub(crate) const LANES: usize = 8;
+
+/// Vertices per chunk.
+pub(crate) const CHUNK: usize = 2048;
+
+/// Free vertices `vertices` and the batches that hold them.
+#[derive(Debug, Clone)]
+pub(crate) struct Chunk {
+    /// A run of free vertices.
+    pub vertices: Range<usize>,
+    /// Their batches.
+    pub batches: Range<usize>,
+    /// The slots of those batches.
+    pub slots: Range<usize>,
+}
+
+/// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
+#[derive(Debug, Clone)]
+pub(crate) struct ValenceBatches {
+    /// The chunks, in the order of their vertices.
+    pub chunks: Vec<Chunk>,
+    /// Per group its vertices; a group that is not full repeats its last vertex.
+    pub vertex: Vec<[u32; LANES]>,
+    /// Per group its first slot, and the end.
+    pub start: Vec<usize>,
+    /// Per slot the neighbours.
+    pub neighbour: Vec<[u32; LANES]>,
+    /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
+    pub flap: Vec<[u32; LANES]>,
+    /// Rows of `boundary`, by group, and the end.
+    pub boundary_start: Vec<u32>,
+    /// Slots without a flap: the ring edge lies on the boundary of the region, with fixed vertices at both ends.
+    pub boundary: Vec<BoundaryEdge>,
+    /// Per free vertex its first slot and its lane.
+    pub place: Vec<(u32, u32)>,
+    /// The largest valence.
+    pub largest_valence: usize,
+}
+
+/// A ring edge that has no flap.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoundaryEdge {
+    /// The ring position of its first end.
+    pub slot: u32,
+    /// The lane of the vertex in whose ring it is.
+    pub lane: u32,
+    /// Its ends, both fixed.
+    pub ends: [u32; 2],
+}
+
+impl ValenceBatches {
+    /// Sorts the rings of the free vertices into batches.
+    pub(crate) fn new(rings: &Rings) -> Self {
+        let free = rings.start.len() - 1;
+        let valence = |i: u32| (rings.start[i as usize + 1] - rings.start[i as usize]) as usize;
+        let mut batches = Self {
+            chunks: Vec::with_capacity(free.div_ceil(CHUNK)),
+            vertex: Vec::new(),
+            start: vec![0],
+            neighbour: Vec::new(),
+            flap: Vec::new(),
+            boundary_start: vec![0],
+            boundary: Vec::new(),
+            place: vec![(0, 0); free],
+            largest_valence: (0..free as u32).map(valence).max().unwrap_or(0),
+        };
+        let mut sorted: Vec<u32> = Vec::with_capacity(CHUNK);
+        for first in (0..free).step_by(CHUNK) {
+            let vertices = first..(first + CHUNK).min(free);
+            let (group, slot) = (batches.vertex.len(), batches.neighbour.len());
+            sorted.clear();
+            sorted.extend(vertices.clone().map(|i| i as u32));
+            sorted.sort_by_key(|&i| (valence(i), i));
+            for class in sorted.chunk_by(|&a, &b| valence(a) == valence(b)) {
+                for members in class.chunks(LANES) {
+                    batches.push(rings, members);
+                }
+            }
+            batches.chunks.push(Chunk {
+                vertices,
+                batches: group..batches.vertex.len(),
+                slots: slot..batches.neighbour.len(),
+            });
+        }
+        batches
+    }
+
+    fn push(&mut self, rings: &Rings, members: &[u32]) {
+        let vertex: [u32; LANES] = std::array::from_fn(|l| members[l.min(members.len() - 1)]);
+        let first = self.neighbour.len();
+        for (l, &i) in members.iter().enumerate() {
+            self.place[i as usize] = (first as u32, l as u32);
+        }
+        let start = vertex.map(|i| rings.start[i as usize] as usize);
+        let valence = rings.start[vertex[0] as usize + 1] as usize - start[0];
+        for k in 0..valence {
+            self.neighbour.push(start.map(|s| rings.neighbour[s + k]));
+            self.flap.push(start.map(|s| {
+                let flap = rings.flap[s + k];
+                if flap == NONE {
+                    rings.neighbour[s + k]
+                } else {
+                    flap
+                }
+            }));
+        }
+        for (lane, &i) in members.iter().enumerate() {
+            let s = rings.start[i as usize] as usize;
+            for k in (0..valence).filter(|k| rings.flap[s + k] == NONE) {
+                self.boundary.push(BoundaryEdge {
+                    slot: k as u32,
+                    lane: lane as u32,
+                    ends: [rings.neighbour[s + k], rings.neighbour[s + (k + 1) % valence]],
+                });
+            }
+        }
+        self.boundary_start.push(self.boundary.len() as u32);
+        self.vertex.push(vertex);
+        self.start.push(self.neighbour.len());
+    }
+
+    /// The slots of a group.
+    pub(crate) fn slots(&self, group: usize) -> Range<usize> {
+        self.start[group]..self.start[group + 1]
+    }
+}
+
+/// The positions of one slot.
+#[inline(always)]
+pub(crate) fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
+    let mut r = [Simd::zero(); 3];
+    for (l, &i) in vertex.iter().enumerate() {
+        let p = &x[i as usize];
+        r[0].0[l] = p.x;
+        r[1].0[l] = p.y;
+        r[2].0[l] = p.z;
+    }
+    r
+}
+
+/// The numbers of one slot.
+#[inline(always)]
+pub(crate) fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Simd<LANES> {
+    let mut r = Simd::zero();
+    for (l, &i) in vertex.iter().enumerate() {
+        r.0[l] = x[i as usize];
+    }
+    r
+}
+
+/// `weight` where a slot has a flap, else 0.
+#[inline(always)]
+pub(crate) fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Simd<LANES> {
+    let mut weights = Simd::splat(weight);
+    for l in 0..LANES {
+        weights.0[l] = if flap[l] == neighbour[l] { 0.0 } else { weight };
+    }
+    weights
+}
+
+/// Cuts a slice into consecutive pieces of the given lengths.
+pub(crate) fn split_lengths<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    let mut pieces = Vec::with_capacity(lengths.size_hint().0);
+    for length in lengths {
+        let (head, tail) = slice.split_at_mut(length);
+        pieces.push(head);
+        slice = tail;
+    }
+    pieces
+}
