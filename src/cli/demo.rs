@@ -48,11 +48,11 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     let rough = shape.noise(1, ROUGHNESS);
     let normals = boundary_normals(&shape);
     let options = Options {
-        normals: BoundaryNormals::Given(&normals),
+        boundary_normals: BoundaryNormals::Given(normals),
         ..Options::default()
     };
     let solving = Instant::now();
-    let solution = fairmesh::fair(&rough, &shape.triangles, Selection::Mask(&shape.free), options)
+    let solution = fairmesh::fair(&rough, &shape.triangles, Selection::Mask(&shape.free), &options)
         .map_err(|error| Failure::new(format!("demo: {error}")))?;
     let solve = solving.elapsed().as_secs_f64();
 

@@ -80,7 +80,7 @@ pub fn outcome(report: &Report) -> String {
                 triangles.len()
             )
         }
-        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {reason}"),
+        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {}", reason.text()),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
             "no surface with the boundary normals was found: {:.0} % of the way was reached, and the normals of {} \
              vertices stand farthest off",

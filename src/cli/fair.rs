@@ -303,18 +303,18 @@ pub fn solve(
     let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = Options::default();
     let options = Options {
-        normals: match region.normals.as_deref() {
-            Some(given) => BoundaryNormals::Given(given),
+        boundary_normals: match &region.normals {
+            Some(given) => BoundaryNormals::Given(given.clone()),
             None if args.average_normals => BoundaryNormals::Averaged,
             None => BoundaryNormals::Fitted,
         },
-        interior: if args.interior_from_input {
+        interior_normals: if args.interior_from_input {
             InteriorNormals::Input
         } else {
             InteriorNormals::Smooth
         },
         target: args.target,
-        inner: match args.inner {
+        inner_fairness: match args.inner {
             Inner::Uniform => InnerFairness::Uniform,
             Inner::Conformal => InnerFairness::Conformal,
             Inner::Convex => InnerFairness::Convex,
@@ -327,13 +327,13 @@ pub fn solve(
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
-        progress: Some(&mut progress),
     };
-    let solution = fairmesh::fair(
+    let solution = fairmesh::fair_with_progress(
         &geometry.positions,
         &geometry.triangles,
         region.selection(),
-        options,
+        &options,
+        &mut progress,
     );
     bar.finish();
     solution

@@ -280,7 +280,7 @@ fn listed(elements: &[impl ToString], singular: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use fairmesh::{Quality, Seconds};
+    use fairmesh::{LooseReason, Quality, Seconds};
 
     use super::*;
     use crate::formats::{Format, MeshFile};
@@ -358,7 +358,7 @@ mod tests {
         let outcomes = [
             Outcome::ConvergedPoorTriangles { triangles: vec![1] },
             Outcome::ConvergedLoosely {
-                reason: "the step stayed at 1e-6".into(),
+                reason: LooseReason::Bump,
             },
             Outcome::NormalsNotReachable {
                 reached: 0.4,
