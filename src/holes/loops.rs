@@ -10,6 +10,8 @@ use nalgebra::Vector3;
 
 use crate::error::Error;
 use crate::mesh::halfedge::{next, previous};
+use crate::mesh::input;
+use crate::mesh::rows::Rows;
 
 /// No half-edge on the other side: the boundary.
 pub(super) const BOUNDARY: u32 = u32::MAX;
@@ -75,33 +77,18 @@ pub(super) struct Links<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     /// The half-edge across, [`BOUNDARY`], or more than one.
     opposite: Vec<u32>,
-    /// Half-edges that start at vertex v: `out[start[v]..start[v + 1]]`, ascending.
-    start: Vec<u32>,
-    out: Vec<u32>,
+    /// The half-edges that start at each vertex, ascending.
+    outgoing: Rows<u32>,
 }
 
 impl<'a> Links<'a> {
     pub(super) fn new(vertices: usize, triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
-        check(vertices, triangles)?;
-        let mut start = vec![0u32; vertices + 1];
-        triangles
-            .iter()
-            .flatten()
-            .for_each(|&v| start[v as usize + 1] += 1);
-        for v in 0..vertices {
-            start[v + 1] += start[v];
-        }
-        let mut fill = start.clone();
-        let mut out = vec![0; 3 * triangles.len()];
-        for (h, &v) in triangles.iter().flatten().enumerate() {
-            out[fill[v as usize] as usize] = h as u32;
-            fill[v as usize] += 1;
-        }
+        input::check(vertices, triangles)?;
+        let corners = (0..).zip(triangles.iter().flatten());
         let mut links = Self {
             triangles,
             opposite: vec![BOUNDARY; 3 * triangles.len()],
-            start,
-            out,
+            outgoing: Rows::collect(vertices, corners.map(|(h, &v)| (v, h))),
         };
         links.pair();
         Ok(links)
@@ -110,10 +97,9 @@ impl<'a> Links<'a> {
     /// Pairs half-edges: per vertex the edges to larger numbers, in both directions, sorted.
     fn pair(&mut self) {
         let mut edges: Vec<(u32, u32)> = Vec::new();
-        for v in 0..self.start.len() as u32 - 1 {
+        for v in 0..self.outgoing.len() as u32 {
             edges.clear();
-            for i in self.start[v as usize]..self.start[v as usize + 1] {
-                let h = self.out[i as usize];
+            for &h in self.outgoing.row(v as usize) {
                 if repeats(&self.triangles[h as usize / 3]) {
                     self.opposite[h as usize] = NON_MANIFOLD;
                     continue;
@@ -143,7 +129,7 @@ impl<'a> Links<'a> {
 
     /// The half-edges that start at a vertex.
     pub(super) fn at(&self, v: u32) -> &[u32] {
-        &self.out[self.start[v as usize] as usize..self.start[v as usize + 1] as usize]
+        self.outgoing.row(v as usize)
     }
 
     #[inline]
@@ -196,7 +182,7 @@ impl<'a> Links<'a> {
             }
         }
         let mut done = vec![false; self.opposite.len()];
-        let mut place = vec![BOUNDARY; self.start.len()];
+        let mut place = vec![BOUNDARY; self.outgoing.len()];
         let mut found = Vec::new();
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
@@ -208,7 +194,7 @@ impl<'a> Links<'a> {
             }
         }
         found.sort_by_key(|(run, _): &(Vec<u32>, _)| run.iter().copied().min());
-        let mut visits = vec![0u8; self.start.len()];
+        let mut visits = vec![0u8; self.outgoing.len()];
         for &h in found.iter().flat_map(|(run, _)| run) {
             let v = self.origin(next(h)) as usize;
             visits[v] = visits[v].saturating_add(1);
@@ -324,31 +310,4 @@ impl<'a> Links<'a> {
 
 fn repeats([a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
-}
-
-fn check(vertices: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
-    if vertices > NON_MANIFOLD as usize {
-        return Err(Error::TooLarge {
-            what: "vertices",
-            count: vertices,
-        });
-    }
-    if triangles.len() > NON_MANIFOLD as usize / 3 {
-        return Err(Error::TooLarge {
-            what: "triangles",
-            count: triangles.len(),
-        });
-    }
-    let wrong = triangles
-        .iter()
-        .enumerate()
-        .find_map(|(t, tri)| tri.iter().find(|&&v| v as usize >= vertices).map(|&v| (t, v)));
-    match wrong {
-        Some((triangle, index)) => Err(Error::IndexOutOfRange {
-            triangle,
-            index,
-            vertex_count: vertices,
-        }),
-        None => Ok(()),
-    }
 }

@@ -23,8 +23,8 @@ const SHORT: f64 = 0.7;
 const FIRST: f64 = 1.6;
 /// Rounds of splits, collapses, flips and steps.
 const ROUNDS: usize = 4;
-/// Sweeps in which origins follow at the end.
-const ORIGINS: usize = 3;
+/// Sweeps at the end in which the places on the source surface follow.
+const SOURCE_SWEEPS: usize = 3;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
 const MOST_FLIPS: usize = 40;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
@@ -49,7 +49,7 @@ pub(super) struct Refiner<'a> {
     pub(super) patch: &'a mut Patch,
     pub(super) fineness: Fineness,
     pub(super) taken: Taken<'a>,
-    pub(super) ring_edges: Vec<u32>,
+    pub(super) outgoing: Vec<u32>,
     pub(super) ring: Vec<u32>,
     stack: Vec<u32>,
     sweeps: Sweeps,
@@ -61,7 +61,7 @@ impl<'a> Refiner<'a> {
             patch,
             fineness,
             taken,
-            ring_edges: Vec::new(),
+            outgoing: Vec::new(),
             ring: Vec::new(),
             stack: Vec::new(),
             sweeps: Sweeps::default(),
@@ -110,8 +110,8 @@ impl<'a> Refiner<'a> {
     }
 
     fn finish(&mut self) {
-        for _ in 0..ORIGINS {
-            self.sweeps.settle_origins(self.patch);
+        for _ in 0..SOURCE_SWEEPS {
+            self.sweeps.settle_sources(self.patch);
         }
         self.patch.compact();
     }
@@ -131,7 +131,7 @@ impl<'a> Refiner<'a> {
 
     /// Length over the wanted one.
     fn ratio(&self, h: u32) -> f64 {
-        let (a, b) = (self.patch.from(h), self.patch.to(h));
+        let (a, b) = (self.patch.origin(h), self.patch.target(h));
         let mut wanted = 0.5 * (self.wanted(a) + self.wanted(b));
         if self.patch.is_boundary(a) && self.patch.is_boundary(b) {
             // An edge across the hole holds the surface in its middle: rather none.
@@ -151,18 +151,18 @@ impl<'a> Refiner<'a> {
             if this.is_inner(h) {
                 let ratio = this.ratio(h);
                 if ratio > long {
-                    queue.push((ratio.to_bits(), h, this.patch.from(h), this.patch.to(h)));
+                    queue.push((ratio.to_bits(), h, this.patch.origin(h), this.patch.target(h)));
                 }
             }
         };
         for h in 0..self.patch.half_edges() {
-            if self.is_inner(h) && self.patch.from(h) < self.patch.to(h) {
+            if self.is_inner(h) && self.patch.origin(h) < self.patch.target(h) {
                 push(self, &mut queue, h);
             }
         }
         let mut inner = self.inner_vertices();
         while let Some((_, h, a, b)) = queue.pop() {
-            if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
+            if !self.is_inner(h) || self.patch.origin(h) != a || self.patch.target(h) != b {
                 continue;
             }
             if self.would_encroach(h) {
@@ -174,9 +174,9 @@ impl<'a> Refiner<'a> {
             inner += 1;
             let m = self.patch.split(h);
             let mut stack = std::mem::take(&mut self.stack);
-            self.patch.ring_edges(m, &mut self.ring_edges);
-            stack.extend(self.ring_edges.iter().map(|&g| next(g)));
-            let mut changed = self.ring_edges.clone();
+            self.patch.outgoing(m, &mut self.outgoing);
+            stack.extend(self.outgoing.iter().map(|&g| next(g)));
+            let mut changed = self.outgoing.clone();
             let mut left = MOST_FLIPS;
             while let Some(g) = stack.pop() {
                 if left > 0 && self.should_flip(g) {
@@ -189,8 +189,8 @@ impl<'a> Refiner<'a> {
                 }
             }
             self.stack = stack;
-            self.patch.ring_edges(m, &mut self.ring_edges);
-            changed.extend(&self.ring_edges);
+            self.patch.outgoing(m, &mut self.outgoing);
+            changed.extend(&self.outgoing);
             for g in changed {
                 push(self, &mut queue, g);
             }
@@ -202,7 +202,7 @@ impl<'a> Refiner<'a> {
     /// vertices would gather along one that is longer than what is wanted there.
     pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
-        let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
+        let (a, b) = (self.patch.origin(h) as usize, self.patch.target(h) as usize);
         let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
         [next(h), previous(h), next(o), previous(o)]
             .into_iter()
@@ -211,8 +211,8 @@ impl<'a> Refiner<'a> {
 
     /// Whether a point sees an edge under more than 120 degrees.
     fn is_wide(&self, m: &Vector3<f64>, h: u32) -> bool {
-        let p = self.patch.x[self.patch.from(h) as usize] - m;
-        let q = self.patch.x[self.patch.to(h) as usize] - m;
+        let p = self.patch.x[self.patch.origin(h) as usize] - m;
+        let q = self.patch.x[self.patch.target(h) as usize] - m;
         p.dot(&q) < -0.5 * p.norm() * q.norm()
     }
 
@@ -222,7 +222,7 @@ impl<'a> Refiner<'a> {
             if self.patch.triangles[h as usize / 3][0] == NONE || self.patch.across(h) != NONE {
                 continue;
             }
-            let v = self.patch.from(previous(h));
+            let v = self.patch.apex(h);
             if self.patch.is_boundary(v) || !self.is_wide(&self.patch.x[v as usize], h) {
                 continue;
             }
@@ -235,7 +235,7 @@ impl<'a> Refiner<'a> {
                 [to_end, to_start]
             };
             for g in order {
-                let end = if g == NONE { v } else { self.patch.to(g) };
+                let end = if g == NONE { v } else { self.patch.target(g) };
                 if g != NONE && self.makes_nothing_taken(v, end) && self.collapse(g) {
                     break;
                 }
@@ -244,24 +244,21 @@ impl<'a> Refiner<'a> {
     }
 
     pub(super) fn collapse(&mut self, h: u32) -> bool {
-        let (mut ring_edges, mut ring) = (
-            std::mem::take(&mut self.ring_edges),
-            std::mem::take(&mut self.ring),
-        );
-        let done = self.patch.collapse(h, &mut ring_edges, &mut ring);
-        (self.ring_edges, self.ring) = (ring_edges, ring);
+        let (mut outgoing, mut ring) = (std::mem::take(&mut self.outgoing), std::mem::take(&mut self.ring));
+        let done = self.patch.collapse(h, &mut outgoing, &mut ring);
+        (self.outgoing, self.ring) = (outgoing, ring);
         done
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
     pub(super) fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
-        self.patch.ring(a, &mut self.ring_edges, &mut self.ring);
+        self.patch.ring(a, &mut self.outgoing, &mut self.ring);
         !self.patch.is_boundary(b)
             || self.ring.iter().all(|&v| {
                 let boundary_edge = v != b && self.patch.is_boundary(v);
                 !boundary_edge
                     || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
-                    || self.patch.are_neighbours(v, b)
+                    || self.patch.are_neighbours(v, b, &mut self.outgoing)
             })
     }
 
@@ -272,8 +269,8 @@ impl<'a> Refiner<'a> {
         if o == NONE || self.patch.triangles[h as usize / 3][0] == NONE {
             return false;
         }
-        let [a, b] = [self.patch.from(h), self.patch.to(h)];
-        let [c, d] = [self.patch.from(previous(h)), self.patch.from(previous(o))];
+        let [a, b] = [self.patch.origin(h), self.patch.target(h)];
+        let [c, d] = [self.patch.apex(h), self.patch.apex(o)];
         let [p, q, r, s] = [a, b, c, d].map(|v| self.patch.x[v as usize]);
         let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
         let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
@@ -305,20 +302,20 @@ impl<'a> Refiner<'a> {
         }
         // A boundary vertex keeps a triangle, an inner one three.
         for v in [a, b] {
-            self.patch.ring_edges(v, &mut self.ring_edges);
-            if self.ring_edges.len() < 2 || !self.patch.is_boundary(v) && self.ring_edges.len() < 4 {
+            self.patch.outgoing(v, &mut self.outgoing);
+            if self.outgoing.len() < 2 || !self.patch.is_boundary(v) && self.outgoing.len() < 4 {
                 return false;
             }
         }
         let boundary_edge = self.patch.is_boundary(c) && self.patch.is_boundary(d);
         let is_taken = boundary_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
-        !is_taken && !self.patch.are_joined(c, d, &mut self.ring_edges)
+        !is_taken && !self.patch.are_neighbours(c, d, &mut self.outgoing)
     }
 
     /// Flips towards Delaunay until nothing changes, or often enough.
     pub(super) fn flip_all(&mut self) {
         let stack = (0..self.patch.half_edges())
-            .filter(|&h| self.is_inner(h) && self.patch.from(h) < self.patch.to(h))
+            .filter(|&h| self.is_inner(h) && self.patch.origin(h) < self.patch.target(h))
             .collect();
         self.flip_from(stack);
     }
@@ -349,7 +346,7 @@ impl<'a> Refiner<'a> {
             if !self.is_inner(h) {
                 continue;
             }
-            let (a, b) = (self.patch.from(h), self.patch.to(h));
+            let (a, b) = (self.patch.origin(h), self.patch.target(h));
             let short = if self.patch.is_boundary(b) {
                 0.85 * SHORT
             } else {

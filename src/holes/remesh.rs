@@ -116,7 +116,7 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
             let limit = BESIDE_SHORT * patch.length(h);
-            for v in [patch.from(h), patch.to(h)] {
+            for v in [patch.origin(h), patch.target(h)] {
                 let of = &mut patch.limit[v as usize];
                 *of = of.min(limit);
             }

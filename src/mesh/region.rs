@@ -6,6 +6,7 @@ use super::NONE;
 use super::cut::cut;
 use super::disjoint_sets::DisjointSets;
 use super::halfedge::{HalfEdges, each_edge};
+use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::rounding;
 use super::surroundings::RINGS_WIDE;
@@ -196,23 +197,6 @@ enum Role {
     Ring,
 }
 
-/// Indices, half-edge numbers and [`NONE`] must fit into 32 bits.
-fn check_size(vertices: usize, triangles: usize) -> Result<(), Error> {
-    if vertices > NONE as usize {
-        return Err(Error::TooLarge {
-            what: "vertices",
-            count: vertices,
-        });
-    }
-    if triangles > NONE as usize / 3 {
-        return Err(Error::TooLarge {
-            what: "triangles",
-            count: triangles,
-        });
-    }
-    Ok(())
-}
-
 /// Marks the free vertices. Also checks every index of the mesh, and that free vertices have triangles.
 fn resolve(vertices: usize, triangles: &[[u32; 3]], selection: Selection<'_>) -> Result<Vec<Role>, Error> {
     let mut role = vec![Role::Other; vertices];
@@ -255,22 +239,6 @@ fn check_selection(list: &[u32], count: usize) -> Result<(), Error> {
         }),
         None => Ok(()),
     }
-}
-
-fn check_indices(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
-    let outside = |tri: &[u32; 3]| tri[0].max(tri[1]).max(tri[2]) as usize >= vertex_count;
-    let Some(triangle) = triangles.iter().position(outside) else {
-        return Ok(());
-    };
-    let index = triangles[triangle]
-        .into_iter()
-        .find(|&v| v as usize >= vertex_count)
-        .unwrap_or(NONE);
-    Err(Error::IndexOutOfRange {
-        triangle,
-        index,
-        vertex_count,
-    })
 }
 
 /// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's boundary.
@@ -483,22 +451,6 @@ fn components(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sizes_that_fit_into_32_bits() {
-        let (most, third) = (u32::MAX as usize, u32::MAX as usize / 3);
-        assert_eq!(check_size(most, third), Ok(()));
-        let vertices = Error::TooLarge {
-            what: "vertices",
-            count: most + 1,
-        };
-        assert_eq!(check_size(most + 1, 0), Err(vertices));
-        let triangles = Error::TooLarge {
-            what: "triangles",
-            count: third + 1,
-        };
-        assert_eq!(check_size(0, third + 1), Err(triangles));
-    }
 
     #[test]
     fn repeated_corners() {
