@@ -373,10 +373,32 @@ fn add_beyond(
     rings: usize,
     vertex_ids: &mut Vec<u32>,
 ) -> Vec<[u32; 3]> {
+    let mut beyond = reach_beyond(positions, triangles, role, rings);
     let mut local = vec![NONE; role.len()];
-    for (l, &v) in vertex_ids.iter().enumerate() {
-        local[v as usize] = l as u32;
+    for (l, &v) in (0..).zip(&*vertex_ids) {
+        local[v as usize] = l;
     }
+    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
+    new.retain(|&v| local[v as usize] == NONE);
+    new.sort_unstable();
+    new.dedup();
+    for v in new {
+        local[v as usize] = vertex_ids.len() as u32;
+        vertex_ids.push(v);
+    }
+    for v in beyond.iter_mut().flatten() {
+        *v = local[*v as usize];
+    }
+    beyond
+}
+
+/// The triangles of so many rings beyond the outside ring, in the caller's numbers.
+fn reach_beyond(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    role: &[Role],
+    rings: usize,
+) -> Vec<[u32; 3]> {
     let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
     let mut before = vec![false; role.len()];
     let mut beyond = Vec::new();
@@ -397,17 +419,6 @@ fn add_beyond(
             .iter()
             .flatten()
             .for_each(|&v| reached[v as usize] = true);
-    }
-    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
-    new.retain(|&v| local[v as usize] == NONE);
-    new.sort_unstable();
-    new.dedup();
-    for v in new {
-        local[v as usize] = vertex_ids.len() as u32;
-        vertex_ids.push(v);
-    }
-    for v in beyond.iter_mut().flatten() {
-        *v = local[*v as usize];
     }
     beyond
 }
