@@ -42,14 +42,7 @@ pub(crate) fn estimate(
             normals[b] = n;
             continue;
         }
-        let outside = rings.outside_triangles(b);
-        let average = if outside.is_empty() {
-            average_beside(region, rings, x, b)
-                .or_else(|| average(x, region.free + b, rings.boundary_triangles(b)))
-        } else {
-            average(x, region.free + b, outside)
-        };
-        normals[b] = average.ok_or(Error::NoNormal {
+        normals[b] = average_at(region, rings, x, b).ok_or(Error::NoNormal {
             vertex: region.vertex_ids[region.free + b] as usize,
         })?;
         if let Some(surroundings) = &surroundings {
@@ -107,6 +100,15 @@ fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], piece: &[u32
         for &b in piece {
             fits[b as usize] = others[b as usize].or(fits[b as usize]);
         }
+    }
+}
+
+/// The average at boundary vertex `b`, of the triangles that [`estimate`] names.
+fn average_at(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
+    match rings.outside_triangles(b) {
+        [] => average_beside(region, rings, x, b)
+            .or_else(|| average(x, region.free + b, rings.boundary_triangles(b))),
+        outside => average(x, region.free + b, outside),
     }
 }
 

@@ -243,31 +243,7 @@ impl Equations<'_> {
         {
             *to = from.0;
         }
-        let (n, c) = match self.curvature {
-            FreeCurvature::Paper => {
-                let n = cross_product_normal(ring);
-                let zero = Simd::zero();
-                (
-                    n,
-                    Curvature {
-                        h: zero,
-                        k: zero,
-                        normal: n,
-                        response: zero,
-                    },
-                )
-            }
-            FreeCurvature::GradientCorrected { tilt_ridge } => {
-                let n = max_normal(ring);
-                let flaps = &mut work.flaps[..m];
-                self.gather_flaps(x, slots.clone(), &q, flaps);
-                self.gather_boundary(x, batch, flaps);
-                (
-                    n,
-                    gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
-                )
-            }
-        };
+        let (n, c) = self.free_curvature::<RESPONSE>(x, batch, &q, ring, &mut work.flaps[..m]);
         let inner = self.inner_residual(slots, ring, &n);
         // Backwards: a batch that is not full repeats its last vertex, and only the first of these lanes has its weights.
         for (l, &i) in vertex.iter().enumerate().rev() {
@@ -282,6 +258,33 @@ impl Equations<'_> {
             }
             out.area[i] = area.0[l];
         }
+    }
+
+    /// Normals and curvatures of a batch. The paper's curvatures need the neighbours' normals: they are zero here.
+    #[inline(always)]
+    fn free_curvature<const RESPONSE: bool>(
+        &self,
+        x: &[Vector3<f64>],
+        batch: usize,
+        q: &Vec3<LANES>,
+        ring: &[RingEdge<LANES>],
+        flaps: &mut [(Vec3<LANES>, Simd<LANES>)],
+    ) -> (Vec3<LANES>, Curvature<LANES>) {
+        let FreeCurvature::GradientCorrected { tilt_ridge } = self.curvature else {
+            let (normal, zero) = (cross_product_normal(ring), Simd::zero());
+            let nothing = Curvature {
+                h: zero,
+                k: zero,
+                normal,
+                response: zero,
+            };
+            return (normal, nothing);
+        };
+        let n = max_normal(ring);
+        self.gather_flaps(x, self.batches.slots(batch), q, flaps);
+        self.gather_boundary(x, batch, flaps);
+        let curvature = gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge);
+        (n, curvature)
     }
 
     #[inline(always)]
@@ -345,14 +348,7 @@ impl Equations<'_> {
         let mut n = nothing;
         (0..BOUNDARY_LANES).for_each(|l| set_lane(&mut n, l, normal));
         let mut fit = MoretonSequin::new(n);
-        for part in rings.boundary_ring(b).chunks(BOUNDARY_LANES) {
-            let (mut e, mut weight) = (nothing, Simd::zero());
-            for (l, &j) in part.iter().enumerate() {
-                set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = 1.0;
-            }
-            fit.add(&e, weight);
-        }
+        add_vertices(&mut fit, x, q, rings.boundary_ring(b), 1.0);
         for part in rings.boundary_triangles(b).chunks(BOUNDARY_LANES) {
             let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Simd::zero());
             for (l, edge) in part.iter().enumerate() {
@@ -372,14 +368,7 @@ impl Equations<'_> {
         }
         let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
-        for part in flaps.chunks(BOUNDARY_LANES) {
-            let (mut e, mut weight) = (nothing, Simd::zero());
-            for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
-                set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = flap_weight;
-            }
-            fit.add(&e, weight);
-        }
+        add_vertices(&mut fit, x, q, flaps, flap_weight);
         fit.over_lanes()
     }
 
@@ -401,6 +390,25 @@ impl Equations<'_> {
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
         }
+    }
+}
+
+/// Adds vertices to the fit at `q`, all with the same weight; [`NONE`] is no vertex.
+#[inline(always)]
+fn add_vertices(
+    fit: &mut MoretonSequin<BOUNDARY_LANES>,
+    x: &[Vector3<f64>],
+    q: &Vector3<f64>,
+    vertices: &[u32],
+    weight: f64,
+) {
+    for part in vertices.chunks(BOUNDARY_LANES) {
+        let (mut e, mut weights): (Vec3<BOUNDARY_LANES>, _) = ([Simd::zero(); 3], Simd::zero());
+        for (l, &j) in part.iter().enumerate().filter(|vertex| *vertex.1 != NONE) {
+            set_lane(&mut e, l, &(x[j as usize] - q));
+            weights.0[l] = weight;
+        }
+        fit.add(&e, weights);
     }
 }
 

@@ -248,21 +248,40 @@ impl<'a> Links<'a> {
         visits: &[u8],
     ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
-        let n = vertices.len();
         let at = |v: u32| Vector3::from(positions[v as usize]);
-        let origin = at(vertices[0]);
+        let first = at(vertices[0]);
         let (mut length, mut area) = (0.0, Vector3::zeros());
-        for i in 0..n {
-            let (p, q) = (at(vertices[i]) - origin, at(self.origin(run[i])) - origin);
+        for (&v, &h) in vertices.iter().zip(&run) {
+            let (p, q) = (at(v) - first, at(self.origin(h)) - first);
             length += (q - p).norm();
             area += 0.5 * p.cross(&q);
         }
-        // Sum of the exterior angles seen from the mesh.
-        let turning: f64 = (0..n)
-            .map(|i| PI - self.angle(run[i], run[(i + 1) % n], positions))
-            .sum();
-        let turn = (-turning / TAU).clamp(-1.0, 1.0).acos();
-        let kind = match bad {
+        let turn = self.turn(&run, positions);
+        let mut touching = vertices.clone();
+        touching.retain(|&v| visits[v as usize] > 1);
+        BoundaryLoop {
+            vertices,
+            length,
+            area: area.norm(),
+            turn: turn.to_degrees(),
+            touching,
+            kind: self.kind(bad, turn),
+            half_edges: run,
+        }
+    }
+
+    /// [`BoundaryLoop::turn`], in radians.
+    fn turn(&self, run: &[u32], positions: &[[f64; 3]]) -> f64 {
+        let n = run.len();
+        let exterior = |i: usize| PI - self.angle(run[i], run[(i + 1) % n], positions);
+        // Seen from the mesh.
+        let turning: f64 = (0..n).map(exterior).sum();
+        (-turning / TAU).clamp(-1.0, 1.0).acos()
+    }
+
+    /// The kind of a loop whose walk met a `bad` edge, or none.
+    fn kind(&self, bad: Option<u32>, turn: f64) -> LoopKind {
+        match bad {
             Some(g) => {
                 let (a, b) = (self.origin(g), self.origin(next(g)));
                 LoopKind::NonManifold {
@@ -272,20 +291,6 @@ impl<'a> Links<'a> {
             }
             None if turn > OUTER_TURN => LoopKind::OuterBoundary,
             None => LoopKind::Hole,
-        };
-        let touching = vertices
-            .iter()
-            .copied()
-            .filter(|&v| visits[v as usize] > 1)
-            .collect();
-        BoundaryLoop {
-            vertices,
-            length,
-            area: area.norm(),
-            turn: turn.to_degrees(),
-            touching,
-            kind,
-            half_edges: run,
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Longest edges (against the length wanted there) are split in their middles first, and after every split edges are
 //! flipped towards Delaunay, so that vertices never crowd. Then rounds of splits, collapses, flips and tangential steps even
-//! the vertices out (as in Botsch and Kobbelt 2004). Boundary vertices and boundary edges stay.
+//! the vertices out (M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004). Boundary vertices and boundary edges stay.
 
 use std::collections::BinaryHeap;
 
@@ -51,7 +51,6 @@ pub(super) struct Refiner<'a> {
     pub(super) taken: Taken<'a>,
     pub(super) outgoing: Vec<u32>,
     pub(super) ring: Vec<u32>,
-    stack: Vec<u32>,
     sweeps: Sweeps,
 }
 
@@ -63,12 +62,11 @@ impl<'a> Refiner<'a> {
             taken,
             outgoing: Vec::new(),
             ring: Vec::new(),
-            stack: Vec::new(),
             sweeps: Sweeps::default(),
         }
     }
 
-    /// Splits, evens out, and drops what was removed. False, and not finished: the vertices did not suffice.
+    /// Splits, evens out, and drops what was removed. False if the vertices did not suffice; the patch is not finished then.
     pub(super) fn run(&mut self) -> bool {
         self.flip_all();
         if !self.split_long(FIRST) {
@@ -77,7 +75,7 @@ impl<'a> Refiner<'a> {
         self.even_out()
     }
 
-    /// The same, and finished with the vertices there are.
+    /// The same, but finished with the vertices there are.
     pub(super) fn run_to_end(&mut self) -> bool {
         self.flip_all();
         let enough = self.split_long(FIRST);
@@ -172,30 +170,23 @@ impl<'a> Refiner<'a> {
                 return false;
             }
             inner += 1;
-            let m = self.patch.split(h);
-            let mut stack = std::mem::take(&mut self.stack);
-            self.patch.outgoing(m, &mut self.outgoing);
-            stack.extend(self.outgoing.iter().map(|&g| next(g)));
-            let mut changed = self.outgoing.clone();
-            let mut left = MOST_FLIPS;
-            while let Some(g) = stack.pop() {
-                if left > 0 && self.should_flip(g) {
-                    left -= 1;
-                    let o = self.patch.across(g);
-                    self.patch.flip(g);
-                    let (t0, t1) = (g / 3, o / 3);
-                    stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
-                    changed.push(3 * t0 + 2);
-                }
-            }
-            self.stack = stack;
-            self.patch.outgoing(m, &mut self.outgoing);
-            changed.extend(&self.outgoing);
-            for g in changed {
+            for g in self.split_and_flip(h) {
                 push(self, &mut queue, g);
             }
         }
         true
+    }
+
+    /// Splits an edge, and flips around the new vertex; the half-edges that are new.
+    fn split_and_flip(&mut self, h: u32) -> Vec<u32> {
+        let m = self.patch.split(h);
+        self.patch.outgoing(m, &mut self.outgoing);
+        let mut new = self.outgoing.clone();
+        let around = new.iter().map(|&g| next(g)).collect();
+        self.flip(around, MOST_FLIPS, |g| new.push(g));
+        self.patch.outgoing(m, &mut self.outgoing);
+        new.extend(&self.outgoing);
+        new
     }
 
     /// Whether the middle of an edge would see a boundary edge beside it under a wide angle. Boundary edges cannot be split, so
@@ -244,10 +235,7 @@ impl<'a> Refiner<'a> {
     }
 
     pub(super) fn collapse(&mut self, h: u32) -> bool {
-        let (mut outgoing, mut ring) = (std::mem::take(&mut self.outgoing), std::mem::take(&mut self.ring));
-        let done = self.patch.collapse(h, &mut outgoing, &mut ring);
-        (self.outgoing, self.ring) = (outgoing, ring);
-        done
+        self.patch.collapse(h, &mut self.outgoing, &mut self.ring)
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
@@ -321,8 +309,13 @@ impl<'a> Refiner<'a> {
     }
 
     /// The same, from these half-edges on.
-    pub(super) fn flip_from(&mut self, mut stack: Vec<u32>) {
-        let mut left = MOST_FLIPS * self.patch.x.len();
+    pub(super) fn flip_from(&mut self, stack: Vec<u32>) {
+        self.flip(stack, MOST_FLIPS * self.patch.x.len(), |_| {});
+    }
+
+    /// The same, at most so many; `flipped` is told about every new edge.
+    fn flip(&mut self, mut stack: Vec<u32>, most: usize, mut flipped: impl FnMut(u32)) {
+        let mut left = most;
         while let Some(h) = stack.pop() {
             if left > 0 && self.should_flip(h) {
                 left -= 1;
@@ -330,6 +323,7 @@ impl<'a> Refiner<'a> {
                 self.patch.flip(h);
                 let (t0, t1) = (h / 3, o / 3);
                 stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+                flipped(3 * t0 + 2);
             }
         }
     }

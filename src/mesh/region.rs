@@ -90,29 +90,22 @@ impl Region {
         let (mut vertex_ids, local, free, mut boundary) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
-        let numbered = triangle_ids
-            .iter()
-            .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
-            .collect();
-        let mut half_edges = HalfEdges::new(
-            numbered,
-            triangle_ids,
-            region_triangles,
-            free,
-            boundary,
-            &vertex_ids,
-        )?;
+        let ids = triangle_ids.iter();
+        let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
+        let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
+            HalfEdges::new(
+                numbered,
+                triangle_ids,
+                region_triangles,
+                (free, boundary),
+                vertex_ids,
+            )
+        };
+        let mut half_edges = link(numbered.collect(), triangle_ids, boundary, &vertex_ids)?;
         let of_curve = |v: usize| prescribed(vertex_ids[v]);
         if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
             (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
-            half_edges = HalfEdges::new(
-                cut.triangles,
-                half_edges.triangle_ids,
-                region_triangles,
-                free,
-                boundary,
-                &vertex_ids,
-            )?;
+            half_edges = link(cut.triangles, half_edges.triangle_ids, boundary, &vertex_ids)?;
         }
         let outside = half_edges.triangle_ids[region_triangles..].iter();
         let is_rounded =
