@@ -1,6 +1,6 @@
 //! Intrinsic G1 fairing of triangle meshes.
 //!
-//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that boundary
+//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that bound
 //! them, fairmesh moves the free vertices until the surface solves `Delta_B H = 0`, so that the shape
 //! depends on the boundary alone and not on the triangulation.
 //!

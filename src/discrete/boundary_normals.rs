@@ -11,7 +11,7 @@ use super::eight_ring_fit::EightRingSamples;
 use super::outside_fit::{Fit, SECOND, Samples, THIRD};
 use crate::error::Error;
 use crate::mesh::disjoint_sets::DisjointSets;
-use crate::mesh::{Region, Rings, Surroundings};
+use crate::mesh::{OutsideNeighbours, Region, Rings};
 
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
@@ -35,7 +35,7 @@ pub(crate) fn estimate(
     let mut normals = vec![Vector3::zeros(); region.boundary];
     let mut fits = Fits::new(if fitted { region.boundary } else { 0 });
     let mut eight_rings = EightRingSamples::default();
-    let surroundings = fitted.then(|| Surroundings::new(region));
+    let neighbours = fitted.then(|| OutsideNeighbours::new(region));
     let (mut samples, mut found) = (Samples::default(), Vec::new());
     for b in 0..region.boundary {
         if let Some(n) = given[b] {
@@ -45,12 +45,12 @@ pub(crate) fn estimate(
         normals[b] = average_at(region, rings, x, b).ok_or(Error::NoNormal {
             vertex: region.vertex_ids[region.free + b] as usize,
         })?;
-        if let Some(surroundings) = &surroundings {
-            samples.gather(surroundings, x, region.free + b, &mut found);
+        if let Some(neighbours) = &neighbours {
+            samples.gather(neighbours, x, region.free + b, &mut found);
             fits.second[b] = SECOND.fit(&samples, normals[b]);
             fits.third[b] = THIRD.fit(&samples, normals[b]);
             if region.is_rounded {
-                eight_rings.gather(surroundings, x, region.free + b);
+                eight_rings.gather(neighbours, x, region.free + b);
                 fits.eight_rings[b] = eight_rings.fit(normals[b]);
             }
         }

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use super::curvature::{NormalEquations, TangentFrame, back_substitute};
 use super::outside_fit::{Fit, repeated, root_mean_square, squared_residual};
 use super::simd::{Simd, Vec3, dot, lane, one};
-use crate::mesh::surroundings::{Marks, RINGS_WIDE, Surroundings};
+use crate::mesh::outside_neighbours::{Marks, OutsideNeighbours, RINGS_WIDE};
 
 /// Unknowns: those of [`TangentFrame::sample`] and the constant.
 const UNKNOWNS: usize = 6;
@@ -33,8 +33,8 @@ pub(crate) struct EightRingSamples {
 
 impl EightRingSamples {
     /// Those of boundary vertex `v` (local number).
-    pub(crate) fn gather(&mut self, surroundings: &Surroundings, x: &[Vector3<f64>], v: usize) {
-        surroundings.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
+    pub(crate) fn gather(&mut self, outside: &OutsideNeighbours, x: &[Vector3<f64>], v: usize) {
+        outside.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
         self.edges.clear();
         self.edges
             .extend(self.found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
@@ -95,13 +95,13 @@ mod tests {
     fn worst(shape: &Shape, positions: &[[f64; 3]]) -> [f64; 2] {
         let region = Region::new(positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(positions);
-        let surroundings = Surroundings::new(&region);
+        let outside = OutsideNeighbours::new(&region);
         let (mut eight, mut three, mut found) = (EightRingSamples::default(), Samples::default(), Vec::new());
         let mut worst = [0.0_f64; 2];
         for v in region.free..region.region_vertices() {
             let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);
-            eight.gather(&surroundings, &x, v);
-            three.gather(&surroundings, &x, v, &mut found);
+            eight.gather(&outside, &x, v);
+            three.gather(&outside, &x, v, &mut found);
             let fits = [eight.fit(exact).unwrap(), SECOND.fit(&three, exact).unwrap()];
             for (worst, fit) in worst.iter_mut().zip(fits) {
                 *worst = worst.max(fit.normal.cross(&exact).norm());

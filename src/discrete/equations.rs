@@ -164,7 +164,7 @@ impl Equations<'_> {
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
-            .filter(|(b, _)| paper || !self.passes(*b))
+            .filter(|(b, _)| paper || !self.is_smooth_interior(*b))
             .for_each(|(b, h)| *h = self.boundary_curvature(x, corrected, b));
         self.outer_residual(state);
     }

@@ -17,7 +17,7 @@ const BOUNDARY_PASSES: usize = 5;
 /// [`crate::mean_curvature`], on the threads of the pool that it is called in.
 pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     check(positions, triangles)?;
-    let fans = Fans::new(positions.len(), triangles);
+    let fans = VertexTriangles::new(positions.len(), triangles);
     Ok((0..positions.len())
         .into_par_iter()
         .with_min_len(256)
@@ -35,7 +35,7 @@ fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), Error> {
 }
 
 /// Per vertex `v` its triangles `(v, a, b)` as `[a, b]`, by `a`.
-struct Fans(Rows<[u32; 2]>);
+struct VertexTriangles(Rows<[u32; 2]>);
 
 /// Room for one ring.
 #[derive(Default)]
@@ -46,7 +46,7 @@ struct Work {
     near: Vec<u32>,
 }
 
-impl Fans {
+impl VertexTriangles {
     fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
         let corners = triangles
             .iter()

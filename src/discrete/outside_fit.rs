@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::curvature::{FLAP_WEIGHT, NormalEquations, TILT_RIDGE, TangentFrame, back_substitute};
 use super::simd::{Simd, Vec3, dot, lane, one};
-use crate::mesh::Surroundings;
+use crate::mesh::OutsideNeighbours;
 
 /// The repeated fit stops when the normal turns by less than this (radians).
 const STANDS: f64 = 1e-13;
@@ -71,15 +71,15 @@ pub(crate) struct Samples {
 }
 
 impl Samples {
-    /// Those of boundary vertex `v` (local number); `found` is room to work in.
+    /// Those of boundary vertex `v` (local number); `found` is scratch.
     pub(crate) fn gather(
         &mut self,
-        surroundings: &Surroundings,
+        outside: &OutsideNeighbours,
         x: &[Vector3<f64>],
         v: usize,
         found: &mut Vec<u32>,
     ) {
-        self.ends = surroundings.rings(v as u32, found);
+        self.ends = outside.rings(v as u32, found);
         self.edges.clear();
         self.edges
             .extend(found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
@@ -192,10 +192,10 @@ mod tests {
     fn worst<const N: usize>(order: &Order<N>, shape: &fairmesh_shapes::Shape) -> f64 {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
-        let surroundings = Surroundings::new(&region);
+        let outside = OutsideNeighbours::new(&region);
         let (mut samples, mut found) = (Samples::default(), Vec::new());
         let error = |v: usize| {
-            samples.gather(&surroundings, &x, v, &mut found);
+            samples.gather(&outside, &x, v, &mut found);
             let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);
             let fit = order.fit(&samples, exact)?;
             Some(fit.normal.cross(&exact).norm().asin().to_degrees())

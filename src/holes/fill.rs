@@ -279,7 +279,7 @@ impl Run<'_, '_> {
 
     /// Edges that patches on touching loops have made are taken, too.
     fn add_made(&self, surroundings: &mut Surroundings) {
-        let boundary = surroundings.boundary as u32;
+        let boundary = surroundings.loop_vertices as u32;
         let touching = |v: &u32| self.made.iter().any(|e| e.0 == *v || e.1 == *v);
         let common: Vec<u32> = (0..boundary)
             .filter(|&i| touching(&surroundings.ids[i as usize]))

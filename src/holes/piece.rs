@@ -10,7 +10,7 @@ use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use super::surroundings::{Surroundings, bounds};
-use super::triangulate::Boundary;
+use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
     BoundaryNormals, Options, Outcome, Progress, ProgressCallback, Report, Selection, Solution, Target,
@@ -112,7 +112,7 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
 fn local_normals(around: &Surroundings, list: &[(u32, [f64; 3])]) -> Vec<(u32, [f64; 3])> {
     let mut list = list.to_vec();
     list.sort_by_key(|entry| entry.0);
-    let boundary = (0..).zip(&around.ids[..around.boundary]);
+    let boundary = (0..).zip(&around.ids[..around.loop_vertices]);
     boundary
         .filter_map(|(v, id)| {
             let at = list.binary_search_by_key(id, |entry| entry.0).ok()?;
@@ -200,13 +200,13 @@ impl Task<'_> {
     /// The triangulated loop with the sizes of its surroundings.
     fn triangulate(&self) -> Option<Patch> {
         let around = self.surroundings;
-        let n = around.boundary;
-        let boundary = Boundary {
+        let n = around.loop_vertices;
+        let polygon = Polygon {
             x: &around.x[..n],
             normals: &around.normals,
             taken: &around.taken,
         };
-        let triangles = boundary.triangulate()?;
+        let triangles = polygon.triangulate()?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
         if n == 3 && around.triangles.iter().any(is_there) {
             return None;
@@ -289,7 +289,7 @@ impl Task<'_> {
         tell: &mut ProgressCallback<'_>,
     ) -> Result<Solution, Error> {
         let around = self.surroundings;
-        let (n, known) = (around.boundary as u32, around.x.len() as u32);
+        let (n, known) = (around.loop_vertices as u32, around.x.len() as u32);
         let inner = patch.x[patch.fixed..].iter();
         let positions: Vec<[f64; 3]> = around.x.iter().chain(inner).map(|&p| p.into()).collect();
         let number = |v: u32| if v < n { v } else { known + (v - n) };
@@ -310,7 +310,7 @@ impl Task<'_> {
 
     /// Which vertices the loop's box, grown by [`ROOM`], does not hold.
     fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
-        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.boundary]);
+        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.loop_vertices]);
         let room = Vector3::repeat(ROOM * (high - low).norm());
         let (low, high) = (low - room, high + room);
         let is_inside = |p: &Vector3<f64>| (0..3).all(|k| p[k] >= low[k] && p[k] <= high[k]);
@@ -367,7 +367,7 @@ impl Task<'_> {
         let angles = patch.triangles.iter().map(|t| smallest_angle(&corners(t)));
         Piece {
             outcome,
-            boundary: around.ids[..around.boundary].to_vec(),
+            boundary: around.ids[..around.loop_vertices].to_vec(),
             positions: patch.x[patch.fixed..].iter().map(|p| around.leave(p)).collect(),
             parents: parents(&patch, coarse, &around.ids),
             fairing: fairing.map(|report| self.in_units(report)),

@@ -9,7 +9,7 @@ use super::patch::Patch;
 use super::refine::{GRADE, Refiner};
 use crate::mesh::NONE;
 
-/// So often are vertices held back whose triangles would turn over; then nothing moves.
+/// Vertices whose triangles would turn over are held back in at most so many rounds; if that is not enough, nothing moves.
 const HOLDS: usize = 20;
 
 /// Scratch of the sweeps.

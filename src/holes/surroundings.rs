@@ -23,8 +23,8 @@ pub(super) struct Surroundings {
     pub(super) triangles: Vec<[u32; 3]>,
     /// The mesh's number of each triangle.
     pub(super) triangle_ids: Vec<u32>,
-    /// Vertices of the loop.
-    pub(super) boundary: usize,
+    /// How many vertices the loop has.
+    pub(super) loop_vertices: usize,
     /// Unit normal of the mesh's triangle at each edge of the loop, zero if it has no area.
     pub(super) normals: Vec<Vector3<f64>>,
     /// Pairs of the loop's vertices that the mesh has an edge between: (smaller, larger), sorted.
@@ -39,11 +39,11 @@ impl Surroundings {
     pub(super) fn new(
         links: &Links<'_>,
         positions: &[[f64; 3]],
-        boundary: &BoundaryLoop,
+        boundary_loop: &BoundaryLoop,
         place: &mut [u32],
     ) -> Self {
-        let triangle_ids = collect(links, boundary, place);
-        let (ids, triangles) = number(links, boundary, &triangle_ids, place);
+        let triangle_ids = collect(links, boundary_loop, place);
+        let (ids, triangles) = number(links, boundary_loop, &triangle_ids, place);
         triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
         let at = |&v: &u32| Vector3::from(positions[v as usize]);
         let mut surroundings = Self {
@@ -51,9 +51,9 @@ impl Surroundings {
             ids,
             triangles,
             triangle_ids,
-            boundary: boundary.vertices.len(),
+            loop_vertices: boundary_loop.vertices.len(),
             normals: Vec::new(),
-            taken: taken(links, boundary),
+            taken: taken(links, boundary_loop),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
@@ -61,13 +61,17 @@ impl Surroundings {
         surroundings.drop_infinite();
         let triangle =
             |&h: &u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
-        surroundings.normals = boundary.half_edges.iter().map(|h| normal(&triangle(h))).collect();
+        surroundings.normals = boundary_loop
+            .half_edges
+            .iter()
+            .map(|h| normal(&triangle(h)))
+            .collect();
         surroundings
     }
 
     /// Moves and scales, so that the loop lies around the origin with a diagonal of about one.
     fn enter(&mut self) {
-        let (low, high) = bounds(&self.x[..self.boundary]);
+        let (low, high) = bounds(&self.x[..self.loop_vertices]);
         let diagonal = (high - low).norm();
         self.centre = (low + high) * 0.5;
         if diagonal > 0.0 && diagonal.is_finite() {
@@ -109,18 +113,18 @@ impl Surroundings {
     /// A vertex of the loop that is not finite; the first one if all lie in one point.
     pub(super) fn first_unusable(&self) -> Option<u32> {
         let wrong = |v: &usize| !self.x[*v].iter().all(|c| c.is_finite());
-        let flat = bounds(&self.x[..self.boundary]);
+        let flat = bounds(&self.x[..self.loop_vertices]);
         let first = (flat.0 == flat.1).then_some(0);
-        (0..self.boundary).find(wrong).or(first).map(|v| self.ids[v])
+        (0..self.loop_vertices).find(wrong).or(first).map(|v| self.ids[v])
     }
 
     /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
     /// the longest.
     pub(super) fn ranges(&self) -> Vec<[f64; 3]> {
-        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.boundary];
+        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.loop_vertices];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
-            for v in [a, b].into_iter().filter(|&v| v < self.boundary) {
+            for v in [a, b].into_iter().filter(|&v| v < self.loop_vertices) {
                 let [shortest, longest, sum, count] = edges[v];
                 edges[v] = [
                     shortest.min(length),
@@ -154,11 +158,11 @@ impl Surroundings {
                 around[v].1 += sum[w].1;
             }
         });
-        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.boundary]).norm();
-        let shorter = (0..self.boundary)
-            .map(|i| edge(i).min(edge((i + self.boundary - 1) % self.boundary)))
+        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.loop_vertices]).norm();
+        let shorter = (0..self.loop_vertices)
+            .map(|i| edge(i).min(edge((i + self.loop_vertices - 1) % self.loop_vertices)))
             .collect();
-        let mean = around[..self.boundary]
+        let mean = around[..self.loop_vertices]
             .iter()
             .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
         (mean.collect(), shorter)
@@ -181,7 +185,7 @@ pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
 }
 
 /// The fans of the loop's vertices and some layers of triangles around them; `place` gets their local numbers.
-fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
+fn collect(links: &Links<'_>, boundary_loop: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
     let mut found: Vec<u32> = Vec::new();
     let mut add = |t: u32, found: &mut Vec<u32>| {
         if place[t as usize] == NONE {
@@ -189,7 +193,7 @@ fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec
             found.push(t);
         }
     };
-    for &h in &boundary.half_edges {
+    for &h in &boundary_loop.half_edges {
         add(h / 3, &mut found);
         // The fans at both ends; at a bow-tie the next half-edge lies in another one.
         let _ = links.follow(h, |g| add(g / 3, &mut found));
@@ -212,14 +216,14 @@ fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec
 /// The vertices of these triangles, the loop's first, and the triangles in their numbers.
 fn number(
     links: &Links<'_>,
-    boundary: &BoundaryLoop,
+    boundary_loop: &BoundaryLoop,
     triangle_ids: &[u32],
     place: &[u32],
 ) -> (Vec<u32>, Vec<[u32; 3]>) {
     let at = |h: u32| 3 * place[h as usize / 3] + h % 3;
-    let mut corners = unite_corners(links, boundary, triangle_ids, place, at);
-    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], boundary.vertices.clone());
-    for (&h, i) in boundary.half_edges.iter().zip(1..) {
+    let mut corners = unite_corners(links, boundary_loop, triangle_ids, place, at);
+    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], boundary_loop.vertices.clone());
+    for (&h, i) in boundary_loop.half_edges.iter().zip(1..) {
         let corner = corners.smallest(at(h));
         number[corner as usize] = i % ids.len() as u32;
     }
@@ -252,7 +256,7 @@ fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
 /// Which corners are one vertex. `at` is the local corner that a half-edge of the mesh starts at.
 fn unite_corners(
     links: &Links<'_>,
-    boundary: &BoundaryLoop,
+    boundary_loop: &BoundaryLoop,
     triangle_ids: &[u32],
     place: &[u32],
     at: impl Fn(u32) -> u32,
@@ -265,7 +269,7 @@ fn unite_corners(
         }
     }
     // A vertex of the loop is where one half-edge of it ends and the one before begins.
-    let run = &boundary.half_edges;
+    let run = &boundary_loop.half_edges;
     for (i, &h) in run.iter().enumerate() {
         corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
     }
@@ -273,12 +277,12 @@ fn unite_corners(
 }
 
 /// Pairs of the loop's vertices between which the mesh has an edge, sound or not.
-fn taken(links: &Links<'_>, boundary: &BoundaryLoop) -> Vec<(u32, u32)> {
-    let mut order: Vec<(u32, u32)> = boundary.vertices.iter().copied().zip(0..).collect();
+fn taken(links: &Links<'_>, boundary_loop: &BoundaryLoop) -> Vec<(u32, u32)> {
+    let mut order: Vec<(u32, u32)> = boundary_loop.vertices.iter().copied().zip(0..).collect();
     order.sort_unstable();
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
-    for (&v, i) in boundary.vertices.iter().zip(0u32..) {
+    for (&v, i) in boundary_loop.vertices.iter().zip(0u32..) {
         for &h in links.at(v) {
             for other in [next(h), previous(h)] {
                 if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {

@@ -26,15 +26,19 @@ pub(super) fn cut(
     let curves = Curves::new(half_edges, (free, boundary), prescribed);
     let mut side = vec![0u32; half_edges.opposite.len()];
     let mut copies = vec![1u32; boundary];
-    for (b, fans) in curves.fans.iter().enumerate() {
-        if !matches!(fans, Fans::Closed | Fans::Open) {
+    for (b, around) in curves.around.iter().enumerate() {
+        if !matches!(around, Neighbourhood::Closed | Neighbourhood::Open) {
             continue;
         }
         let outgoing = half_edges.outgoing.row(free + b);
         let first = outgoing.iter().position(|&h| curves.is_cut(h));
         let Some(first) = first else { continue };
         // Around a closed ring from a cut on; an open fan begins where it begins.
-        let turn = if *fans == Fans::Closed { first } else { 0 };
+        let turn = if *around == Neighbourhood::Closed {
+            first
+        } else {
+            0
+        };
         let mut current = 0;
         for k in 0..outgoing.len() {
             let h = outgoing[(k + turn) % outgoing.len()];
@@ -62,7 +66,7 @@ struct Curves<'a> {
     half_edges: &'a HalfEdges,
     free: usize,
     /// Per boundary vertex; `Other` where the normal is not prescribed.
-    fans: Vec<Fans>,
+    around: Vec<Neighbourhood>,
     /// Per boundary vertex where the curve meets the surroundings the only half-edge that is cut, else [`NONE`]. Such a
     /// vertex stays whole: one cut leaves its triangles connected outside.
     only: Vec<u32>,
@@ -74,22 +78,22 @@ impl<'a> Curves<'a> {
         (free, boundary): (usize, usize),
         prescribed: impl Fn(usize) -> bool,
     ) -> Self {
-        let fans = (free..free + boundary).map(|v| {
+        let around = (free..free + boundary).map(|v| {
             if prescribed(v) {
-                Fans::of(half_edges, v)
+                Neighbourhood::of(half_edges, v)
             } else {
-                Fans::Other
+                Neighbourhood::Other
             }
         });
         let mut curves = Self {
             half_edges,
             free,
-            fans: fans.collect(),
+            around: around.collect(),
             only: Vec::new(),
         };
         curves.only = (0..boundary)
-            .map(|b| match curves.fans[b] {
-                Fans::Surrounded => curves.first_to_closed(free + b),
+            .map(|b| match curves.around[b] {
+                Neighbourhood::Surrounded => curves.first_to_closed(free + b),
                 _ => NONE,
             })
             .collect();
@@ -97,9 +101,9 @@ impl<'a> Curves<'a> {
     }
 
     /// What stands around a vertex; `None` of a free vertex or one outside.
-    fn at(&self, v: u32) -> Option<Fans> {
+    fn at(&self, v: u32) -> Option<Neighbourhood> {
         let b = (v as usize).checked_sub(self.free)?;
-        self.fans.get(b).copied()
+        self.around.get(b).copied()
     }
 
     /// Whether `h` lies between two triangles of the region.
@@ -110,8 +114,9 @@ impl<'a> Curves<'a> {
 
     /// The first half-edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
     fn first_to_closed(&self, v: usize) -> u32 {
-        let leads =
-            |h: &&u32| self.is_inside(**h) && self.at(self.half_edges.target(**h)) == Some(Fans::Closed);
+        let leads = |h: &&u32| {
+            self.is_inside(**h) && self.at(self.half_edges.target(**h)) == Some(Neighbourhood::Closed)
+        };
         let mut outgoing = self.half_edges.outgoing.row(v).iter();
         outgoing.find(leads).copied().unwrap_or(NONE)
     }
@@ -121,10 +126,10 @@ impl<'a> Curves<'a> {
         let is_only = |v: u32, h: u32| self.only[v as usize - self.free] == h;
         self.is_inside(h)
             && match (self.at(origin), self.at(target)) {
-                (Some(Fans::Closed), Some(Fans::Closed | Fans::Open))
-                | (Some(Fans::Open), Some(Fans::Closed)) => true,
-                (Some(Fans::Surrounded), Some(Fans::Closed)) => is_only(origin, h),
-                (Some(Fans::Closed), Some(Fans::Surrounded)) => {
+                (Some(Neighbourhood::Closed), Some(Neighbourhood::Closed | Neighbourhood::Open))
+                | (Some(Neighbourhood::Open), Some(Neighbourhood::Closed)) => true,
+                (Some(Neighbourhood::Surrounded), Some(Neighbourhood::Closed)) => is_only(origin, h),
+                (Some(Neighbourhood::Closed), Some(Neighbourhood::Surrounded)) => {
                     is_only(target, self.half_edges.opposite[h as usize])
                 }
                 _ => false,
@@ -134,7 +139,7 @@ impl<'a> Curves<'a> {
 
 /// What stands around a boundary vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Fans {
+enum Neighbourhood {
     /// One closed ring of region triangles.
     Closed,
     /// One open fan of region triangles, and nothing else.
@@ -145,7 +150,7 @@ enum Fans {
     Other,
 }
 
-impl Fans {
+impl Neighbourhood {
     fn of(half_edges: &HalfEdges, v: usize) -> Self {
         let outgoing = half_edges.outgoing.row(v);
         let before = |h: u32| half_edges.opposite[h as usize];
@@ -156,10 +161,10 @@ impl Fans {
             .count();
         let is_open = outgoing.iter().any(|&h| before(h) == NONE);
         match (begins, is_open) {
-            (0, false) => Fans::Closed,
-            (1, true) if outgoing.iter().all(|&h| inside(h)) => Fans::Open,
-            (1, false) => Fans::Surrounded,
-            _ => Fans::Other,
+            (0, false) => Neighbourhood::Closed,
+            (1, true) if outgoing.iter().all(|&h| inside(h)) => Neighbourhood::Open,
+            (1, false) => Neighbourhood::Surrounded,
+            _ => Neighbourhood::Other,
         }
     }
 }

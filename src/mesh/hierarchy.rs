@@ -12,7 +12,7 @@ use crate::error::Error;
 
 /// A collapse must leave no triangle with less than this roundness.
 const LEAST_ROUNDNESS: f64 = 0.15;
-/// The normal of no triangle turns further from that of its vertex: cosine.
+/// A collapse leaves no triangle whose normal is further than this from that of the vertex: cosine of the angle.
 const LEAST_COSINE: f64 = 0.2;
 
 /// A mesh and the collapses that have led to it.

@@ -7,17 +7,17 @@ pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
 pub(crate) mod input;
 mod islands;
+pub(crate) mod outside_neighbours;
 pub(crate) mod region;
 pub(crate) mod rings;
 mod rounding;
 pub(crate) mod rows;
-pub(crate) mod surroundings;
 
 pub(crate) use editable::EditableMesh;
 pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
+pub(crate) use outside_neighbours::OutsideNeighbours;
 pub(crate) use region::{Region, Selection};
 pub(crate) use rings::Rings;
-pub(crate) use surroundings::Surroundings;
 
 #[cfg(test)]
 mod tests;

@@ -8,8 +8,8 @@ use super::disjoint_sets::DisjointSets;
 use super::halfedge::{HalfEdges, each_edge};
 use super::input::{check_indices, check_size};
 use super::islands::islands;
+use super::outside_neighbours::RINGS_WIDE;
 use super::rounding;
-use super::surroundings::RINGS_WIDE;
 use crate::error::Error;
 
 /// Which vertices may move.

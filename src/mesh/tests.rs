@@ -1,6 +1,6 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
-use super::{NONE, Region, Rings, Selection, Surroundings, decimate};
+use super::{NONE, OutsideNeighbours, Region, Rings, Selection, decimate};
 use crate::error::Error;
 use fairmesh_shapes::{
     OUTSIDE, Sampling, Shape, cylinder_band, cylinder_blend, sphere_cap, tetra_thing_coarse,
@@ -292,7 +292,7 @@ fn one_free_vertex_in_a_grid() {
 fn surroundings_are_three_rings_of_neighbours() {
     let mesh = grid(13);
     let (region, _) = sound(&mesh, Selection::Vertices(&[84]));
-    let surroundings = Surroundings::new(&region);
+    let surroundings = OutsideNeighbours::new(&region);
     // By the definition: breadth first along the edges of triangles that are not of the region.
     let outside: Vec<_> = mesh.1.iter().filter(|t| !t.contains(&84)).collect();
     let mut found = Vec::new();
@@ -326,7 +326,7 @@ fn broken_surroundings_are_left_out() {
     let all = |mesh: &Mesh| {
         let (region, _) = sound(mesh, Selection::Vertices(&[84]));
         let mut found = Vec::new();
-        Surroundings::new(&region).rings::<3>(region.free as u32, &mut found);
+        OutsideNeighbours::new(&region).rings::<3>(region.free as u32, &mut found);
         found
             .iter()
             .map(|&v| region.vertex_ids[v as usize])
@@ -448,7 +448,7 @@ fn curves_with_prescribed_normals_are_cut() {
         list.retain(|v| !line.contains(v));
         let (whole, _) = sound(&mesh, Selection::Vertices(&list));
         let boundary: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
-        // All boundary vertices have normals, those of the boundary as well.
+        // All boundary vertices have normals, those on the outer boundary too.
         let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
             boundary.contains(&v)
         })

@@ -1,5 +1,6 @@
 //! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
-//! values on the boundary, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
+//! values on the boundary, `S H = right` with the matrix of (6), (7) frozen. `right` is zero, or an inhomogeneous
+//! right-hand side (7.5). Solved by a few iterations only.
 
 use nalgebra::Vector3;
 

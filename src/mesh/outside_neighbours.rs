@@ -6,19 +6,19 @@ use super::rows::Rows;
 
 /// Neighbours of the vertices outside, boundary vertices included, along edges of triangles that are not of the region.
 #[derive(Debug, Clone)]
-pub(crate) struct Surroundings {
+pub(crate) struct OutsideNeighbours {
     neighbour: Rows<u32>,
 }
 
-/// So many rings are fitted where rounding is felt.
+/// Fits reach this many rings where single precision matters.
 pub(crate) const RINGS_WIDE: usize = 8;
 
-/// Which vertices were found already; room to work in.
+/// Which vertices were found already; scratch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Marks(Vec<bool>);
 
-impl Surroundings {
-    /// Of a region, by local vertex number.
+impl OutsideNeighbours {
+    /// Those of a region, by local vertex number.
     pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
         let outside = &half_edges.triangles[half_edges.region_triangles..];
