@@ -11,11 +11,11 @@ use fairmesh::{
 };
 use serde_json::{Value, json};
 
+use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
-use crate::fair::{Bar, prepare_json};
 use crate::formats::{Added, Format, MeshFile};
-use crate::output::Output;
+use crate::output::{Output, prepare_json};
 
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
@@ -74,9 +74,8 @@ pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
     let json = prepare_json(args.json.as_deref(), &[&args.input])?;
     let geometry = &mesh.geometry;
-    let name = args.input.display();
     let loops = boundary_loops(&geometry.positions, &geometry.triangles)
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
+        .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let mut text = match loops.len() {
         0 => "no boundary: the mesh is closed\n".to_owned(),
         _ => "loop   edges      length        area  turn  kind\n".to_owned(),
@@ -96,7 +95,7 @@ pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
     crate::say(&text);
     if let Some(json) = json {
         let all: Vec<Value> = loops.iter().map(described).collect();
-        json.write(format!("{:#}\n", Value::from(all)).as_bytes())?;
+        json.write_json(&Value::from(all))?;
     }
     Ok(true)
 }
@@ -135,13 +134,11 @@ fn described(boundary: &BoundaryLoop) -> Value {
 pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let format = Format::of(&args.output)?;
-    let name = args.input.display().to_string();
     let mesh = MeshFile::read(&args.input)?;
     let output = Output::prepare(&args.output)?;
     let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let solving = Instant::now();
-    let filled = solve(args, &mesh)
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
+    let filled = solve(args, &mesh).map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -155,7 +152,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         let value = json!({ "loops": loops, "new_vertices": filled.parents.len(),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } });
-        json.write(format!("{value:#}\n").as_bytes())?;
+        json.write_json(&value)?;
     }
     if !args.quiet {
         crate::say(&readable(&filled));
