@@ -5,7 +5,7 @@ LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 DESTDIR    ?=
 CARGO      ?= cargo
-FEATURES   ?= capi
+FEATURES   ?=
 OUT        ?= target/release
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
@@ -24,8 +24,8 @@ FILL = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUD
 
 # Full debug information of this crate, for abidiff; what is installed is stripped.
 all:
-	$(CARGO) build --release --locked --lib --no-default-features --features $(FEATURES) \
-		--config 'profile.release.package.fairmesh.debug=2'
+	$(CARGO) build --release --locked -p fairmesh-capi --features '$(FEATURES)' \
+		--config 'profile.release.package.fairmesh-capi.debug=2'
 
 # One object of all members, whose only global symbols are those of the header: two Rust libraries in one program do
 # not meet.

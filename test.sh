@@ -64,10 +64,8 @@ install_c_tools
 step cargo --version
 step cargo fmt --all --check
 step cargo clippy --release --locked --workspace --all-targets -- -D warnings
-step cargo clippy --release --locked --all-targets --no-default-features -- -D warnings
-step cargo clippy --release --locked --all-targets --features capi-hooks -- -D warnings
+step cargo clippy --release --locked -p fairmesh-capi --all-targets --features hooks -- -D warnings
 RUSTDOCFLAGS="-D warnings" step cargo doc --release --locked --no-deps --lib
-step cargo build --release --locked --no-default-features
 step cargo build --release --locked
 step check_demo
 # With bindings/openmesh-sys, in one build.

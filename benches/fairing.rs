@@ -1,4 +1,4 @@
-//! Whole solves: seconds per stage, iterations, work units and memory, by size and shape.
+//! Whole solves: seconds per stage, iterations and memory, by size and shape.
 //!
 //! `cargo bench --bench fairing` runs 1,000, 13,000 and 100,000 free vertices; other sizes, such as 1000000, and
 //! `threads=N` go after `--`:
@@ -8,24 +8,16 @@
 //! ```
 //!
 //! Every case is a process of its own that reads its mesh from a file, so that the growth of its peak memory is the
-//! solver's. A work unit (WU) is one evaluation of both fairness equations. Times are the best of several runs.
+//! solver's. Times are the best of several runs.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark does")]
 
 use std::fs;
 use std::io;
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
 
-use fairmesh::discrete::curvature::TILT_RIDGE;
-use fairmesh::discrete::equations::{Equations, FreeCurvature, State};
-use fairmesh::discrete::inner_fairness::FairnessWeights;
-use fairmesh::discrete::target::RightHandSide;
-use fairmesh::discrete::valence_batches::ValenceBatches;
-use fairmesh::mesh::{Region, Rings};
-use fairmesh::shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
 use fairmesh::{BoundaryNormals, Options, Report, Selection, Solution, fair};
-use nalgebra::Vector3;
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
 
 const SIZES: [usize; 3] = [1_000, 13_000, 100_000];
 const CHILD: &str = "--one-case";
@@ -46,18 +38,8 @@ fn main() -> io::Result<()> {
         .find_map(|a| a.strip_prefix("threads="))
         .unwrap_or("0");
     println!(
-        "{:9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5} {:>9} {:>7} {:>9}  outcome",
-        "shape",
-        "free",
-        "setup s",
-        "start s",
-        "iterate s",
-        "quality s",
-        "total s",
-        "iter",
-        "WU s",
-        "WU",
-        "bytes/v"
+        "{:9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>5} {:>9}  outcome",
+        "shape", "free", "setup s", "start s", "iterate s", "quality s", "total s", "iter", "bytes/v"
     );
     for n in sizes {
         let sampling = Sampling::Irregular { seed: 1 };
@@ -168,21 +150,19 @@ fn one_case(path: &Path, name: &str, threads: usize) -> io::Result<()> {
             best = report;
         }
     }
-    let unit = work_unit(&case, &first.boundary_normals, threads).map_err(io::Error::other)?;
     let bytes = match (before, peak) {
         (Some(before), Some(peak)) => format!("{:.0}", (peak - before) / n as f64),
         _ => "?".to_owned(),
     };
     let s = &best.seconds;
     println!(
-        "{name:9} {n:8} {:9.4} {:9.4} {:9.4} {:9.4} {:9.4} {:5} {unit:9.6} {:7.0} {bytes:>9}  {}",
+        "{name:9} {n:8} {:9.4} {:9.4} {:9.4} {:9.4} {:9.4} {:5} {bytes:>9}  {}",
         s.setup,
         s.start,
         s.iterate,
         s.quality,
         s.total,
         best.iterations,
-        s.total / unit,
         best.outcome.name()
     );
     Ok(())
@@ -201,39 +181,6 @@ fn solve(case: &Case, threads: usize) -> io::Result<Solution> {
         options,
     )
     .map_err(io::Error::other)
-}
-
-/// Seconds of one evaluation of both equations, the best of many.
-fn work_unit(case: &Case, normals: &[(u32, [f64; 3])], threads: usize) -> Result<f64, String> {
-    let region = Region::new(&case.positions, &case.triangles, Selection::Vertices(&case.free))
-        .map_err(|e| e.to_string())?;
-    let rings = Rings::new(&region);
-    let batches = ValenceBatches::new(&rings);
-    let normals: Vec<Vector3<f64>> = normals.iter().map(|n| Vector3::from(n.1)).collect();
-    let weights = FairnessWeights::uniform();
-    let equations = Equations {
-        rings: &rings,
-        batches: &batches,
-        boundary_normals: &normals,
-        passing: &[],
-        weights: &weights,
-        curvature: FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
-        right_hand_side: RightHandSide::default(),
-    };
-    let x = region.positions(&case.positions);
-    let mut state = State::new(&batches, region.boundary);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|e| e.to_string())?;
-    let mut timed = || {
-        let clock = Instant::now();
-        equations.evaluate(&x, &mut state);
-        clock.elapsed().as_secs_f64()
-    };
-    Ok(pool.install(|| (0..20).map(|_| timed()).fold(f64::INFINITY, f64::min)))
 }
 
 /// A size in bytes from the status that Linux keeps of this process.

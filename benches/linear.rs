@@ -4,11 +4,11 @@
 use std::sync::{Arc, OnceLock};
 
 use divan::Bencher;
-use fairmesh::linear::Real;
-use fairmesh::linear::cholesky::{Cholesky, SolveWork};
-use fairmesh::linear::ordering::{amd, fill_reducing, landmark_coordinates, nested_dissection};
-use fairmesh::linear::sparse::SymmetricPattern;
-use fairmesh::linear::symbolic::Symbolic;
+use fairmesh_linear::Real;
+use fairmesh_linear::cholesky::{Cholesky, SolveWork};
+use fairmesh_linear::ordering::{amd, fill_reducing, landmark_coordinates, nested_dissection};
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 
 fn main() {
     divan::main();

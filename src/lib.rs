@@ -9,21 +9,17 @@
 //!
 //! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
 
-#[cfg(feature = "capi")]
-pub mod capi;
-pub mod discrete;
-pub mod error;
-pub mod fairing;
-pub mod holes;
-pub mod linear;
-pub mod mesh;
-pub mod paper;
-pub mod quality;
-#[cfg(feature = "shapes")]
-pub mod shapes;
-pub mod solve;
+mod curvature;
+mod discrete;
+mod error;
+mod fairing;
+mod holes;
+mod mesh;
+mod paper;
+mod quality;
+mod solve;
 
-pub use discrete::mesh_curvature::mean_curvature;
+pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,

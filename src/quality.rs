@@ -6,7 +6,7 @@ use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::{Region, Rings};
 
 /// An angle below this makes a triangle a needle, in degrees.
-pub const NEEDLE: f64 = 1.0;
+pub(crate) const NEEDLE: f64 = 1.0;
 
 /// A boundary deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
 const STRAINED_DEGREES: f64 = 15.0;
@@ -46,7 +46,7 @@ impl Quality {
 
 /// A surface to be judged: positions of the region's vertices (free, boundary), unit normals and mean curvature there.
 #[derive(Debug, Clone, Copy)]
-pub struct Surface<'a> {
+pub(crate) struct Surface<'a> {
     /// Connectivity.
     pub region: &'a Region,
     /// Positions.
@@ -60,7 +60,7 @@ pub struct Surface<'a> {
 }
 
 /// The worst angle of a triangle in degrees.
-pub fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
+pub(crate) fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
     let edge = [0, 1, 2].map(|i| p[(i + 2) % 3] - p[(i + 1) % 3]);
     let length = edge.map(|e| e.norm_squared());
     // It is opposite to the shortest edge.
@@ -82,7 +82,7 @@ impl Surface<'_> {
     }
 
     /// Calls `visit(triangle, flipped, smallest angle)` for every region triangle (local number).
-    pub fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
+    pub(crate) fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
         let half_edges = &self.region.half_edges;
         for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
             .iter()
@@ -99,7 +99,7 @@ impl Surface<'_> {
     }
 
     /// All figures.
-    pub fn quality(&self) -> Quality {
+    pub(crate) fn quality(&self) -> Quality {
         let free = self.region.free;
         let mut quality = Quality {
             worst_angle: f64::INFINITY,
@@ -135,7 +135,7 @@ impl Surface<'_> {
     }
 
     /// Region triangles (local numbers) that are flipped or have an angle below `degrees`.
-    pub fn poor(&self, degrees: f64) -> Vec<u32> {
+    pub(crate) fn poor(&self, degrees: f64) -> Vec<u32> {
         let mut poor = Vec::new();
         self.triangles(|t, flipped, angle| {
             if flipped || angle < degrees {
@@ -146,7 +146,7 @@ impl Surface<'_> {
     }
 
     /// Whether single boundary vertices deviate from their normals far more than the rest.
-    pub fn is_strained(&self) -> bool {
+    pub(crate) fn is_strained(&self) -> bool {
         let deviations = self.normal_deviations();
         let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
         let worst = deviations.iter().copied().fold(0.0, f64::max);
@@ -157,7 +157,7 @@ impl Surface<'_> {
     /// or against those of the region on this surface; and of two neighbours on the boundary with opposite normals the one
     /// that stands farther off this surface. Any of them is probably flipped: the equations alone do not tell (paper
     /// 6.1).
-    pub fn suspicious_normals(&self, rings: &Rings, input: &[Vector3<f64>]) -> Vec<u32> {
+    pub(crate) fn suspicious_normals(&self, rings: &Rings, input: &[Vector3<f64>]) -> Vec<u32> {
         let (free, normals) = (self.region.free, self.boundary_normals);
         let deviations = self.normal_deviations();
         let mut marked: Vec<bool> = (0..self.region.boundary)
@@ -182,7 +182,7 @@ impl Surface<'_> {
 
     /// Per boundary vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross
     /// products.
-    pub fn normal_deviations(&self) -> Vec<f64> {
+    pub(crate) fn normal_deviations(&self) -> Vec<f64> {
         let free = self.region.free;
         let half_edges = &self.region.half_edges;
         let mut sums = vec![Vector3::zeros(); self.region.boundary];

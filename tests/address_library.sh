@@ -9,6 +9,6 @@ export RUSTC_BOOTSTRAP=1
 export RUSTFLAGS="-Zsanitizer=address -Cforce-frame-pointers=yes -Cpasses=sancov-module \
 -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
 -Cllvm-args=-sanitizer-coverage-pc-table"
-cargo rustc --release --locked --quiet --lib --no-default-features --features capi-hooks --crate-type staticlib \
+cargo rustc --release --locked --quiet -p fairmesh-capi --features hooks --crate-type staticlib \
     --target "$host" --target-dir target/asan >&2
 echo "target/asan/$host/release/libfairmesh.a"

@@ -24,7 +24,7 @@ thread() {
     # With the standard library: without its source, its locks and channels are not seen, and races found that are none.
     rustup component add rust-src
     RUSTC_BOOTSTRAP=1 RUSTFLAGS="-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer" \
-        cargo rustc -Zbuild-std --release --locked --quiet --lib --no-default-features --features capi-hooks \
+        cargo rustc -Zbuild-std --release --locked --quiet -p fairmesh-capi --features hooks \
         --crate-type staticlib --target "$host" --target-dir target/tsan
     local out=target/tsan runtime
     runtime=$(ls "$(rustc --print sysroot)/lib/rustlib/$host/lib/"librustc-*_rt.tsan.a)

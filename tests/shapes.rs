@@ -1,7 +1,7 @@
 //! The generators against what they promise: topology, exactness, counts, determinism.
 #![cfg(feature = "shapes")]
 
-use fairmesh::shapes::*;
+use fairmesh_shapes::*;
 use std::collections::HashMap;
 
 const IRREGULAR: Sampling = Sampling::Irregular { seed: 7 };

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-COMMAND = ["cargo", "metadata", "--format-version", "1", "--locked", "--no-default-features", "--features", "capi"]
+COMMAND = ["cargo", "metadata", "--format-version", "1", "--locked", "--manifest-path", "src/capi/Cargo.toml"]
 PLATFORM = ["--filter-platform", "x86_64-unknown-linux-gnu"]
 TEXTS = ("LICENSE", "COPYING", "NOTICE")
 
@@ -16,7 +16,7 @@ def packages(root):
     metadata = json.loads(subprocess.run([*COMMAND, *PLATFORM], cwd=root, stdout=subprocess.PIPE, check=True).stdout)
     known = {package["id"]: package for package in metadata["packages"]}
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
-    start = next(i for i, package in known.items() if package["name"] == "fairmesh")
+    start = next(i for i, package in known.items() if package["name"] == "fairmesh-capi")
     seen, left = set(), [start]
     while left:
         current = left.pop()

@@ -20,7 +20,7 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 TOOLS = ["ziglang==0.17.0", "cargo-zigbuild==0.24.0"]
 TRIPLE = "x86_64-unknown-linux-gnu"
 GLIBC = (2, 28)
-BUILD = ["--release", "--locked", "--lib", "--no-default-features", "--features"]
+BUILD = ["--release", "--locked", "-p", "fairmesh-capi"]
 # The libraries that every Linux has, of the policy manylinux_2_28.
 SYSTEM = {
     f"lib{name}" for name in ("c.so.6", "m.so.6", "dl.so.2", "pthread.so.0", "rt.so.1", "util.so.1", "gcc_s.so.1")
@@ -47,8 +47,8 @@ def cargo() -> str:
 def build() -> Path:
     """The library for this machine. The options are those of the Makefile, so that cargo builds it once."""
     _check_root()
-    debug = ["--config", "profile.release.package.fairmesh.debug=2"]
-    subprocess.run([cargo(), "build", *BUILD, "capi", *debug], cwd=ROOT, check=True, stdout=sys.stderr)
+    debug = ["--config", "profile.release.package.fairmesh-capi.debug=2"]
+    subprocess.run([cargo(), "build", *BUILD, *debug], cwd=ROOT, check=True, stdout=sys.stderr)
     return _copied(TARGET / "release" / file_name(), "native", strip=True)
 
 
@@ -59,7 +59,7 @@ def build_portable(*, hooks: bool = False) -> Path:
     path = f"{tools / 'bin'}{os.pathsep}{Path(cargo()).parent}{os.pathsep}{os.environ['PATH']}"
     target = f"{TRIPLE}.{GLIBC[0]}.{GLIBC[1]}"
     settings = ["--config", "profile.release.strip=true", "--config", "profile.release.debug=false"]
-    command = ["cargo-zigbuild", "zigbuild", *BUILD, "capi-hooks" if hooks else "capi", "--target", target, *settings]
+    command = ["cargo-zigbuild", "zigbuild", *BUILD, *(["--features", "hooks"] if hooks else []), "--target", target, *settings]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr, env={**os.environ, "PATH": path})
     library = _copied(TARGET / TRIPLE / "release" / "libfairmesh.so", "hooks" if hooks else "portable", strip=False)
     check_portable(library)

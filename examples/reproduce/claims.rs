@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::io;
 
-use fairmesh::shapes::{Surface, Unduloid};
+use fairmesh_shapes::{Surface, Unduloid};
 
 use crate::measure::{Distance, apart, diagonal, distortion, order, to_mesh};
 use crate::short;

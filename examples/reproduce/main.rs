@@ -68,7 +68,7 @@ fn main() -> io::Result<()> {
             "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]",
         ));
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let work = root.join("target/reproduction");
     let tool = Tool::new(arguments.binary, work, root.join("docs/reproduction"))?;
     let mut text = head();

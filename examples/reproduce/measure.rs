@@ -2,56 +2,37 @@
 
 use std::fs;
 use std::io;
+use std::ops::ControlFlow;
 
-use fairmesh::discrete::curvature::TILT_RIDGE;
-use fairmesh::discrete::equations::FreeCurvature;
-use fairmesh::discrete::inner_fairness::FairnessWeights;
-use fairmesh::discrete::valence_batches::ValenceBatches;
-use fairmesh::mesh::{Region, Rings};
-use fairmesh::solve::{Control, System};
-use fairmesh::{InnerFairness, Selection};
+use fairmesh::{BoundaryNormals, InnerFairness, Options, Selection, fair};
 use nalgebra::Vector3;
 
 use crate::tool::Case;
 
-/// The solution of the linear problem with G1 boundary data (paper (3), 7.4), which the solver starts from.
+/// The solution of the linear problem with G1 boundary data (paper (3), 7.4), which the solver starts from: a run that is
+/// stopped at its first iteration.
 pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64; 3]>> {
-    let region = Region::new(&case.positions, &case.triangles, Selection::Vertices(&case.free))
-        .map_err(io::Error::other)?;
-    let rings = Rings::new(&region);
-    let batches = ValenceBatches::new(&rings);
-    let x = region.positions(&case.positions);
-    let weights = if inner == InnerFairness::Conformal {
-        FairnessWeights::conformal(&batches, &x)
-    } else {
-        FairnessWeights::uniform()
-    };
-    let curvature = FreeCurvature::GradientCorrected {
-        tilt_ridge: TILT_RIDGE,
-    };
     let given = given_normals(case)?;
-    let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
-    let normals: Vec<Vector3<f64>> = boundary
-        .map(|v| {
-            given
-                .iter()
-                .find(|(w, _)| w == v)
-                .map(|(_, n)| *n)
-                .unwrap_or_default()
-        })
-        .collect();
-    let mut system = System::new(&region, &rings, &batches, &x, normals, weights, curvature);
-    let solved = system
-        .linear_surface(&mut Control::new(1.0, 1, None))
-        .map_err(|_| io::Error::other("the linear problem has no solution"))?;
-    let mut positions = case.positions.clone();
-    for (p, &v) in solved[..region.free].iter().zip(&region.vertex_ids) {
-        positions[v as usize] = (*p).into();
-    }
-    Ok(positions)
+    let mut stop = |progress: &fairmesh::Progress| match progress.iterations {
+        0 => ControlFlow::Continue(()),
+        _ => ControlFlow::Break(()),
+    };
+    let options = Options {
+        normals: BoundaryNormals::Given(&given),
+        inner,
+        progress: Some(&mut stop),
+        ..Options::default()
+    };
+    let solution = fair(
+        &case.positions,
+        &case.triangles,
+        Selection::Vertices(&case.free),
+        options,
+    );
+    Ok(solution.map_err(io::Error::other)?.positions)
 }
 
-fn given_normals(case: &Case) -> io::Result<Vec<(u32, Vector3<f64>)>> {
+fn given_normals(case: &Case) -> io::Result<Vec<(u32, [f64; 3])>> {
     let path = case
         .normals_file
         .as_ref()
@@ -59,7 +40,7 @@ fn given_normals(case: &Case) -> io::Result<Vec<(u32, Vector3<f64>)>> {
     let text = fs::read_to_string(path)?;
     let line = |line: &str| {
         let words: Vec<f64> = line.split_whitespace().filter_map(|w| w.parse().ok()).collect();
-        (words.len() == 4).then(|| (words[0] as u32, Vector3::new(words[1], words[2], words[3])))
+        (words.len() == 4).then(|| (words[0] as u32, [words[1], words[2], words[3]]))
     };
     Ok(text.lines().filter_map(line).collect())
 }

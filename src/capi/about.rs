@@ -8,7 +8,7 @@ use super::report;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::holes::{FillOptions, RemeshOptions};
+use fairmesh::{FillOptions, RemeshOptions};
 
 use fairmesh_status as Status;
 

@@ -12,8 +12,8 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::discrete::mesh_curvature::mean_curvature;
-use crate::fairing::{Progress, Solution, fair, with_threads};
+use fairmesh::mean_curvature;
+use fairmesh::{Progress, Solution, fair};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
@@ -122,8 +122,7 @@ pub extern "C" fn fairmesh_mean_curvature(
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
         let callback = ProgressCallback::new(None, core::ptr::null_mut());
         point();
-        // Not on the global pool, whose threads would outlive the library.
-        let curvature = with_threads(0, |pool| pool.install(|| mean_curvature(&positions, &triangles)))??;
+        let curvature = mean_curvature(&positions, &triangles)?;
         callback.memory()?;
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));

@@ -13,8 +13,8 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::fairing::Progress;
-use crate::holes::{
+use fairmesh::Progress;
+use fairmesh::{
     BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops, fill_holes, remesh_region,
 };
 

@@ -7,7 +7,7 @@ use super::status::{CallResult, Failure, fairmesh_error, fairmesh_status};
 use super::views::aligned;
 
 /// Runs an exported function.
-pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
+pub(crate) fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
     // Without it there is no place to say more than the status.
     if !aligned(error, align_of::<fairmesh_error>()) {
         return fairmesh_status::Misaligned;
@@ -31,8 +31,8 @@ pub fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) ->
 }
 
 /// Where a test lets a call panic: after its handle was taken, before its work.
-pub fn point() {
-    #[cfg(feature = "capi-hooks")]
+pub(crate) fn point() {
+    #[cfg(feature = "hooks")]
     super::hooks::panic_if_asked();
 }
 

@@ -19,14 +19,14 @@ fn table() -> std::sync::MutexGuard<'static, Table> {
 }
 
 /// Makes a handle.
-pub fn add<H, T: Any + Send + Sync>(thing: Arc<T>) -> *mut H {
+pub(crate) fn add<H, T: Any + Send + Sync>(thing: Arc<T>) -> *mut H {
     let number = NEXT.fetch_add(2, Ordering::SeqCst);
     table().insert(number, thing);
     core::ptr::without_provenance_mut(number)
 }
 
 /// What the handle stands for.
-pub fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> CallResult<Arc<T>> {
+pub(crate) fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> CallResult<Arc<T>> {
     if handle.is_null() {
         return Err(argument
             .itself()
@@ -39,7 +39,7 @@ pub fn get<H, T: Any + Send + Sync>(handle: *const H, argument: Argument) -> Cal
 }
 
 /// Takes it out of the table; with the last user it ends.
-pub fn remove<H>(handle: *const H) {
+pub(crate) fn remove<H>(handle: *const H) {
     let mut table = table();
     let gone = table.remove(&(handle as usize));
     if table.is_empty() {

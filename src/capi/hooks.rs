@@ -1,4 +1,4 @@
-//! What tests let go wrong (feature `capi-hooks`): not in the header, and not in libraries that are installed.
+//! What tests let go wrong (feature `hooks`): not in the header, and not in libraries that are installed.
 
 use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering};
 

@@ -9,16 +9,20 @@ use super::views::{
     AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_reserved, entries, indices_in,
     read_struct, try_with_capacity,
 };
-use crate::fairing::{BoundaryNormals, Selection};
+use fairmesh::{BoundaryNormals, Selection};
 
 /// A mesh, checked but not read.
-pub struct MeshIn {
+pub(crate) struct MeshIn {
     pub positions: PointsIn,
     pub triangles: Array,
 }
 
 impl MeshIn {
-    pub fn new(mesh: *const fairmesh_mesh, argument: Argument, aliases: &mut AliasCheck) -> CallResult<Self> {
+    pub(crate) fn new(
+        mesh: *const fairmesh_mesh,
+        argument: Argument,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
         let view = read_struct(mesh, argument)?;
         check_reserved(view.reserved, argument.field(offset_of!(fairmesh_mesh, reserved)))?;
         let positions = PointsIn::new(
@@ -45,26 +49,26 @@ impl MeshIn {
         Ok(Self { positions, triangles })
     }
 
-    pub fn vertices(&self) -> usize {
+    pub(crate) fn vertices(&self) -> usize {
         self.positions.array.count
     }
 }
 
 /// A selection in the caller's memory.
-pub struct SelectionIn {
+pub(crate) struct SelectionIn {
     kind: fairmesh_selection_kind,
     array: Array,
 }
 
 /// A selection as the library takes it.
-pub enum Selected {
+pub(crate) enum Selected {
     Mask(Vec<bool>),
     Vertices(Cow<'static, [[u32; 1]]>),
     Faces(Vec<u32>),
 }
 
 impl SelectionIn {
-    pub fn new(
+    pub(crate) fn new(
         selection: *const fairmesh_selection,
         argument: Argument,
         mesh: &MeshIn,
@@ -115,7 +119,7 @@ impl SelectionIn {
         Ok(Self { kind, array })
     }
 
-    pub fn read(&self, mesh: &MeshIn) -> CallResult<Selected> {
+    pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<Selected> {
         use fairmesh_selection_kind as Kind;
         let array = &self.array;
         Ok(match self.kind {
@@ -156,7 +160,7 @@ impl SelectionIn {
 }
 
 impl Selected {
-    pub fn selection(&self) -> Selection<'_> {
+    pub(crate) fn selection(&self) -> Selection<'_> {
         match self {
             Self::Mask(mask) => Selection::Mask(mask),
             Self::Vertices(list) => Selection::Vertices(list.as_flattened()),
@@ -165,7 +169,7 @@ impl Selected {
     }
 
     /// Marks the vertices that may turn out to be free.
-    pub fn candidates(&self, mesh: &MeshIn) -> CallResult<Vec<bool>> {
+    pub(crate) fn candidates(&self, mesh: &MeshIn) -> CallResult<Vec<bool>> {
         let mut marked = try_with_capacity(mesh.vertices())?;
         match self {
             Self::Mask(mask) => marked.extend_from_slice(mask),
@@ -188,21 +192,21 @@ impl Selected {
 }
 
 /// Boundary normals, checked but not read.
-pub struct NormalsIn {
+pub(crate) struct NormalsIn {
     kind: fairmesh_normals_kind,
     vectors: Option<PointsIn>,
     vertices: Array,
 }
 
 /// Boundary normals as the library takes them.
-pub enum NormalsRead {
+pub(crate) enum NormalsRead {
     Fitted,
     Averaged,
     Given(Vec<(u32, [f64; 3])>),
 }
 
 impl NormalsIn {
-    pub fn new(
+    pub(crate) fn new(
         view: &fairmesh_normals,
         base: FieldPath,
         vertices: usize,
@@ -255,7 +259,7 @@ impl NormalsIn {
         })
     }
 
-    pub fn read(&self, vertices: usize) -> CallResult<NormalsRead> {
+    pub(crate) fn read(&self, vertices: usize) -> CallResult<NormalsRead> {
         let Some(vectors) = &self.vectors else {
             return Ok(match self.kind {
                 fairmesh_normals_kind::Averaged => NormalsRead::Averaged,
@@ -288,7 +292,7 @@ impl NormalsIn {
 }
 
 impl NormalsRead {
-    pub fn normals(&self) -> BoundaryNormals<'_> {
+    pub(crate) fn normals(&self) -> BoundaryNormals<'_> {
         match self {
             Self::Fitted => BoundaryNormals::Fitted,
             Self::Averaged => BoundaryNormals::Averaged,

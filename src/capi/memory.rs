@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const UNIT: usize = 64;
 
 /// The allocator of the C libraries.
-pub struct Reserving;
+pub(crate) struct Reserving;
 
 #[global_allocator]
 static ALLOCATOR: Reserving = Reserving;
@@ -78,14 +78,14 @@ fn rounded(size: usize) -> Option<usize> {
 }
 
 /// A reserve, set aside until this is dropped; then it goes back to the system with the last of its blocks.
-pub struct Reserve(*mut Segment);
+pub(crate) struct Reserve(*mut Segment);
 
 // SAFETY: the pointer is only used under the lock.
 unsafe impl Send for Reserve {}
 
 impl Reserve {
     /// Sets so many bytes aside; None if they are not there.
-    pub fn new(bytes: usize) -> Option<Self> {
+    pub(crate) fn new(bytes: usize) -> Option<Self> {
         let size = rounded(bytes)?.checked_add(HEAD)?;
         let layout = Layout::from_size_align(size, UNIT).ok()?;
         if refused() {
@@ -100,7 +100,7 @@ impl Reserve {
         // SAFETY: `start` has `size` bytes, aligned to units, and is ours alone until it is in the list.
         let segment = unsafe { Segment::make(start, size, list.0) };
         list.0 = segment;
-        #[cfg(feature = "capi-hooks")]
+        #[cfg(feature = "hooks")]
         ASIDE.fetch_max(bytes, Ordering::SeqCst);
         Some(Self(segment))
     }
@@ -118,7 +118,7 @@ impl Drop for Reserve {
 }
 
 /// Blocks that live in reserves; for tests.
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 pub fn live_blocks() -> usize {
     let list = lock();
     // SAFETY: under the lock.
@@ -127,25 +127,25 @@ pub fn live_blocks() -> usize {
 }
 
 /// Bytes in use at most since the last call, and the size of the largest reserve; for tests.
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 pub fn peak() -> (usize, usize) {
     (PEAK.swap(0, Ordering::SeqCst), ASIDE.swap(0, Ordering::SeqCst))
 }
 
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 static USED: AtomicUsize = AtomicUsize::new(0);
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 static PEAK: AtomicUsize = AtomicUsize::new(0);
-#[cfg(feature = "capi-hooks")]
+#[cfg(feature = "hooks")]
 static ASIDE: AtomicUsize = AtomicUsize::new(0);
 
 /// How many allocations have failed so far. A call that sees another number at its end has run out of memory.
-pub fn failures() -> usize {
+pub(crate) fn failures() -> usize {
     FAILURES.load(Ordering::SeqCst)
 }
 
 /// Runs what can answer for a failed allocation itself, such as `try_reserve`, and must not use other calls' reserves.
-pub fn without_reserve<T>(work: impl FnOnce() -> T) -> T {
+pub(crate) fn without_reserve<T>(work: impl FnOnce() -> T) -> T {
     WITHOUT.with(|w| w.set(true));
     let done = work();
     WITHOUT.with(|w| w.set(false));
@@ -158,9 +158,9 @@ fn lock() -> std::sync::MutexGuard<'static, List> {
 
 /// Whether a test lets this allocation fail.
 fn refused() -> bool {
-    #[cfg(feature = "capi-hooks")]
+    #[cfg(feature = "hooks")]
     return super::hooks::refuse_allocation();
-    #[cfg(not(feature = "capi-hooks"))]
+    #[cfg(not(feature = "hooks"))]
     false
 }
 
@@ -321,7 +321,7 @@ fn from_reserve(layout: Layout) -> *mut u8 {
     let block = unsafe { lock().take(layout) };
     if !block.is_null() {
         LIVE.fetch_add(1, Ordering::SeqCst);
-        #[cfg(feature = "capi-hooks")]
+        #[cfg(feature = "hooks")]
         {
             let size = rounded(layout.size()).unwrap_or(0);
             PEAK.fetch_max(USED.fetch_add(size, Ordering::SeqCst) + size, Ordering::SeqCst);
@@ -344,7 +344,7 @@ fn back_to_reserve(block: *mut u8, layout: Layout) -> bool {
         list.give(segment, block, rounded(layout.size()).unwrap_or(0));
     }
     LIVE.fetch_sub(1, Ordering::SeqCst);
-    #[cfg(feature = "capi-hooks")]
+    #[cfg(feature = "hooks")]
     USED.fetch_sub(rounded(layout.size()).unwrap_or(0), Ordering::SeqCst);
     true
 }
@@ -352,7 +352,7 @@ fn back_to_reserve(block: *mut u8, layout: Layout) -> bool {
 /// Counts blocks in use; for tests.
 #[inline]
 fn counted(_block: *mut u8, _by: isize) {
-    #[cfg(feature = "capi-hooks")]
+    #[cfg(feature = "hooks")]
     if !_block.is_null() {
         super::hooks::count_block(_by);
     }

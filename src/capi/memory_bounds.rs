@@ -19,10 +19,10 @@ const FREE_DIGIT: usize = 400;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
-pub const STANDING: usize = 64 << 10;
+pub(crate) const STANDING: usize = 64 << 10;
 
 /// Sets the memory for a call aside.
-pub fn reserve(bytes: usize) -> CallResult<Reserve> {
+pub(crate) fn reserve(bytes: usize) -> CallResult<Reserve> {
     Reserve::new(bytes).ok_or_else(Failure::out_of_memory)
 }
 
@@ -35,7 +35,7 @@ fn threads(asked: usize) -> usize {
 }
 
 /// For fairing a region.
-pub fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> CallResult<usize> {
+pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> CallResult<usize> {
     let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
     let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
@@ -71,19 +71,19 @@ fn of_region(free: usize, irregular: usize) -> usize {
 }
 
 /// For what looks at the whole mesh once.
-pub fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
+pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
     sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
 }
 
 /// For patches with so many new vertices, at most, on boundaries of so many edges.
-pub fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads: usize) -> usize {
+pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads: usize) -> usize {
     // Triangulation is quadratic up to the length where ears are cut first.
     let table = longest.min(200).pow(2) * 64;
     of_whole_mesh(mesh, asked_threads) + table + of_region(vertices, 0) + vertices * 2000
 }
 
 /// For remeshing a region.
-pub fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> CallResult<usize> {
+pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> CallResult<usize> {
     let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
     // Edges may become ten times shorter.
     let vertices = free.max(most.min(free.saturating_mul(200)));

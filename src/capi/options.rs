@@ -9,12 +9,10 @@ use super::memory;
 use super::status::{CallResult, Failure, Text, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
-use crate::fairing::{
-    Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target, Watcher,
-};
-use crate::paper::{Estimate, PaperOptions};
+use fairmesh::{Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target, Watcher};
+use fairmesh::{Estimate, PaperOptions};
 
-pub fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
+pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
     check_reserved(view.reserved, base.plus(offset_of!(fairmesh_target, reserved)))?;
     match view.kind {
         0 => Ok(Target::Harmonic),
@@ -35,7 +33,7 @@ pub fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
 }
 
 /// Options, checked; arrays in them not read.
-pub struct OptionsIn {
+pub(crate) struct OptionsIn {
     pub normals: NormalsIn,
     pub callback: ProgressCallback,
     target: Target,
@@ -49,7 +47,7 @@ pub struct OptionsIn {
 }
 
 /// The library's defaults, which are the C interface's.
-pub fn default_options() -> fairmesh_options {
+pub(crate) fn default_options() -> fairmesh_options {
     let (options, paper) = (Options::default(), PaperOptions::default());
     let no_points = fairmesh_points {
         data: core::ptr::null(),
@@ -115,7 +113,7 @@ macro_rules! choose {
 }
 
 impl OptionsIn {
-    pub fn new(
+    pub(crate) fn new(
         options: *const fairmesh_options,
         argument: Argument,
         vertices: usize,
@@ -221,7 +219,7 @@ impl OptionsIn {
         })
     }
 
-    pub fn options<'a>(
+    pub(crate) fn options<'a>(
         &self,
         normals: &'a NormalsRead,
         progress: Option<&'a mut Watcher<'a>>,
@@ -243,7 +241,7 @@ impl OptionsIn {
 
 /// The callback, and the watch on the memory.
 #[derive(Clone, Copy)]
-pub struct ProgressCallback {
+pub(crate) struct ProgressCallback {
     progress: fairmesh_progress_fn,
     user_data: *mut c_void,
     failures: usize,
@@ -255,7 +253,7 @@ unsafe impl Send for ProgressCallback {}
 unsafe impl Sync for ProgressCallback {}
 
 impl ProgressCallback {
-    pub fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
+    pub(crate) fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
         Self {
             progress,
             user_data,
@@ -264,12 +262,12 @@ impl ProgressCallback {
     }
 
     /// The watch begins now.
-    pub fn fresh(&self) -> Self {
+    pub(crate) fn fresh(&self) -> Self {
         Self::new(self.progress, self.user_data)
     }
 
     /// Passes a message on; stops when memory has run out.
-    pub fn tell(&self, progress: &Progress) -> ControlFlow<()> {
+    pub(crate) fn tell(&self, progress: &Progress) -> ControlFlow<()> {
         if memory::failures() != self.failures {
             return ControlFlow::Break(());
         }
@@ -295,7 +293,7 @@ impl ProgressCallback {
     }
 
     /// An error if memory has run out since this was made.
-    pub fn memory(&self) -> CallResult {
+    pub(crate) fn memory(&self) -> CallResult {
         if memory::failures() == self.failures {
             Ok(())
         } else {

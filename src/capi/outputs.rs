@@ -10,7 +10,7 @@ use super::types::fairmesh_result;
 use super::views::{Argument, NumbersOut, write};
 
 /// Makes a result, unless memory has run out.
-pub fn publish(
+pub(crate) fn publish(
     content: Arc<Content>,
     result: *mut *mut fairmesh_result,
     callback: &ProgressCallback,
@@ -24,14 +24,14 @@ pub fn publish(
     Ok(())
 }
 
-pub fn put_positions(out: &NumbersOut<3>, positions: &[[f64; 3]], argument: Argument) -> CallResult {
+pub(crate) fn put_positions(out: &NumbersOut<3>, positions: &[[f64; 3]], argument: Argument) -> CallResult {
     out.check_count(positions.len(), argument)?;
     out.check_range(positions.iter().copied().enumerate())?;
     positions.iter().enumerate().for_each(|(v, p)| out.set(v, *p));
     Ok(())
 }
 
-pub fn put_scalars(
+pub(crate) fn put_scalars(
     out: &NumbersOut<1>,
     values: &[(u32, f64)],
     vertices: usize,

@@ -4,12 +4,12 @@ use core::ffi::c_char;
 
 use super::status::{Failure, Text, fairmesh_status};
 use super::types::*;
-use crate::fairing::{Outcome, Report};
-use crate::holes::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
-use crate::paper::LevelReport;
+use fairmesh::LevelReport;
+use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
+use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
-pub fn report(of: &Report) -> fairmesh_report {
+pub(crate) fn report(of: &Report) -> fairmesh_report {
     let (outcome, reached, reason) = outcome(&of.outcome);
     let quality = &of.quality;
     fairmesh_report {
@@ -45,14 +45,14 @@ pub fn report(of: &Report) -> fairmesh_report {
     }
 }
 
-pub fn poor(of: &Report) -> &[u32] {
+pub(crate) fn poor(of: &Report) -> &[u32] {
     match &of.outcome {
         Outcome::ConvergedPoorTriangles { triangles } => triangles,
         _ => &[],
     }
 }
 
-pub fn unreached(of: &Report) -> &[u32] {
+pub(crate) fn unreached(of: &Report) -> &[u32] {
     match &of.outcome {
         Outcome::NormalsNotReachable { vertices, .. } => vertices,
         _ => &[],
@@ -75,11 +75,12 @@ fn outcome(of: &Outcome) -> (fairmesh_outcome, f64, [c_char; 160]) {
         Outcome::NotConverged => (C::NotConverged, 0.0, nothing),
         Outcome::IterationLimit => (C::IterationLimit, 1.0, nothing),
         Outcome::Cancelled => (C::Cancelled, 1.0, nothing),
+        _ => (C::Other, 0.0, nothing),
     }
 }
 
 /// The name of any outcome number.
-pub fn outcome_name(number: u32) -> &'static core::ffi::CStr {
+pub(crate) fn outcome_name(number: u32) -> &'static core::ffi::CStr {
     match number {
         0 => c"converged",
         1 => c"converged_poor_triangles",
@@ -94,7 +95,7 @@ pub fn outcome_name(number: u32) -> &'static core::ffi::CStr {
 }
 
 /// One level of the paper's scheme.
-pub fn level(of: &LevelReport) -> fairmesh_level {
+pub(crate) fn level(of: &LevelReport) -> fairmesh_level {
     fairmesh_level {
         struct_size: size_of::<fairmesh_level>() as u32,
         reserved: 0,
@@ -105,11 +106,12 @@ pub fn level(of: &LevelReport) -> fairmesh_level {
     }
 }
 
-pub fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
+pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
     let (kind, edge_a, edge_b) = match of.kind {
         LoopKind::Hole => (fairmesh_loop_kind::Hole, u32::MAX, u32::MAX),
         LoopKind::OuterBoundary => (fairmesh_loop_kind::OuterBoundary, u32::MAX, u32::MAX),
         LoopKind::NonManifold { a, b } => (fairmesh_loop_kind::NonManifold, a, b),
+        _ => (fairmesh_loop_kind::Other, u32::MAX, u32::MAX),
     };
     fairmesh_loop {
         struct_size: size_of::<fairmesh_loop>() as u32,
@@ -124,7 +126,7 @@ pub fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
     }
 }
 
-pub fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
+pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
     use fairmesh_fill_outcome as C;
     use fairmesh_fill_reason as Why;
     let mut refused = fairmesh_status::Ok;
@@ -140,6 +142,7 @@ pub fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
                     Why::Refused
                 }
                 FlatReason::Unsound => Why::Unsound,
+                _ => Why::Other,
             };
             (C::Flat, why)
         }
@@ -151,9 +154,11 @@ pub fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
                 OpenReason::NoTriangulation => Why::NoTriangulation,
                 OpenReason::NotFinite { .. } => Why::NotFinite,
                 OpenReason::Cancelled => Why::Cancelled,
+                _ => Why::Other,
             };
             (C::LeftOpen, why)
         }
+        _ => (C::Other, Why::Other),
     };
     fairmesh_fill_report {
         struct_size: size_of::<fairmesh_fill_report>() as u32,

@@ -3,15 +3,15 @@
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use crate::fairing::{Report, Solution};
-use crate::holes::{BoundaryLoop, Filled, Parents, Remeshed};
+use fairmesh::{BoundaryLoop, Filled, Parents, Remeshed};
+use fairmesh::{Report, Solution};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
 
 /// What a handle of a result stands for. It never changes.
 #[allow(clippy::large_enum_variant, reason = "one per handle")]
-pub enum Content {
+pub(crate) enum Content {
     Faired(Solution),
     Loops(Vec<BoundaryLoop>),
     Filled {
@@ -38,7 +38,7 @@ fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> CallResult<&'a T> {
 }
 
 impl Content {
-    pub fn info(&self) -> fairmesh_info {
+    pub(crate) fn info(&self) -> fairmesh_info {
         let mut info = fairmesh_info {
             struct_size: size_of::<fairmesh_info>() as u32,
             kind: fairmesh_result_kind::Faired as u32,
@@ -81,7 +81,7 @@ impl Content {
         info
     }
 
-    pub fn report(&self, index: u64) -> CallResult<&Report> {
+    pub(crate) fn report(&self, index: u64) -> CallResult<&Report> {
         match self {
             Self::Faired(solution) => entry(std::slice::from_ref(&solution.report), index, "report"),
             Self::Filled { filled, .. } => {
@@ -94,26 +94,26 @@ impl Content {
         }
     }
 
-    pub fn level(&self, index: u64) -> CallResult<fairmesh_level> {
+    pub(crate) fn level(&self, index: u64) -> CallResult<fairmesh_level> {
         let report = self.report(0)?;
         entry(&report.levels, index, "level").map(report::level)
     }
 
-    pub fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {
+    pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {
         match self {
             Self::Loops(loops) => entry(loops, index, "loop").map(report::boundary_loop),
             _ => Err(not_available("boundary loops")),
         }
     }
 
-    pub fn filled_loop(&self, index: u64) -> CallResult<fairmesh_fill_report> {
+    pub(crate) fn filled_loop(&self, index: u64) -> CallResult<fairmesh_fill_report> {
         match self {
             Self::Filled { filled, .. } => entry(&filled.loops, index, "loop").map(report::filled_loop),
             _ => Err(not_available("filled loops")),
         }
     }
 
-    pub fn positions(&self) -> CallResult<&[[f64; 3]]> {
+    pub(crate) fn positions(&self) -> CallResult<&[[f64; 3]]> {
         match self {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
@@ -122,7 +122,7 @@ impl Content {
         }
     }
 
-    pub fn triangles(&self) -> CallResult<&[[u32; 3]]> {
+    pub(crate) fn triangles(&self) -> CallResult<&[[u32; 3]]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.triangles),
             Self::Remeshed(mesh) => Ok(&mesh.triangles),
@@ -131,7 +131,7 @@ impl Content {
     }
 
     /// Numbers at some vertices, of so many in all.
-    pub fn scalars(&self, which: u32) -> CallResult<(&[(u32, f64)], usize)> {
+    pub(crate) fn scalars(&self, which: u32) -> CallResult<(&[(u32, f64)], usize)> {
         let Self::Faired(solution) = self else {
             return Err(not_available("numbers per vertex"));
         };
@@ -152,7 +152,7 @@ impl Content {
     }
 
     /// Vectors by their number, and how many.
-    pub fn vectors(&self, which: u32) -> CallResult<Numbered<'_, [f64; 3]>> {
+    pub(crate) fn vectors(&self, which: u32) -> CallResult<Numbered<'_, [f64; 3]>> {
         match which {
             0 => match self {
                 Self::Faired(solution) => {
@@ -170,7 +170,7 @@ impl Content {
     }
 
     /// Indices by their number, and how many.
-    pub fn list(&self, which: u32, index: u64) -> CallResult<Numbered<'_, u32>> {
+    pub(crate) fn list(&self, which: u32, index: u64) -> CallResult<Numbered<'_, u32>> {
         fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }

@@ -5,12 +5,12 @@ use std::sync::{Mutex, MutexGuard, TryLockError};
 use super::memory::Reserve;
 use super::options::ProgressCallback;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
-use crate::fairing::Session;
+use fairmesh::Session;
 
 /// One user at a time. Who panics with the lock poisons it.
-pub struct Shared(Mutex<Solver>);
+pub(crate) struct Shared(Mutex<Solver>);
 
-pub struct Solver {
+pub(crate) struct Solver {
     pub session: Session,
     pub callback: ProgressCallback,
     pub vertices: usize,
@@ -21,12 +21,12 @@ pub struct Solver {
 }
 
 impl Shared {
-    pub fn new(solver: Solver) -> Self {
+    pub(crate) fn new(solver: Solver) -> Self {
         Self(Mutex::new(solver))
     }
 
     /// The solver, if nobody uses it.
-    pub fn take(&self) -> CallResult<MutexGuard<'_, Solver>> {
+    pub(crate) fn take(&self) -> CallResult<MutexGuard<'_, Solver>> {
         self.0.try_lock().map_err(|why| match why {
             TryLockError::WouldBlock => Failure::new(Status::Busy, format_args!("the solver is in use")),
             TryLockError::Poisoned(_) => Failure::new(
@@ -37,7 +37,7 @@ impl Shared {
     }
 
     /// Whether somebody uses it.
-    pub fn is_busy(&self) -> bool {
+    pub(crate) fn is_busy(&self) -> bool {
         matches!(self.0.try_lock(), Err(TryLockError::WouldBlock))
     }
 }

@@ -3,10 +3,10 @@
 use core::ffi::c_char;
 use std::fmt::{self, Write};
 
-use crate::error::Error;
+use fairmesh::Error;
 
 /// Bytes of the text in `fairmesh_error`.
-pub const MESSAGE: usize = 232;
+pub(crate) const MESSAGE: usize = 232;
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. Numbers are never
 /// reused. After any status but OK no output was written, except for the `fairmesh_error`.
@@ -168,7 +168,7 @@ impl Status {
 /// What `element` of a `fairmesh_error` counts.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_element {
+pub(crate) enum fairmesh_element {
     /// Nothing.
     None = 0,
     /// A vertex of the mesh given.
@@ -185,7 +185,7 @@ pub enum fairmesh_element {
 }
 
 /// In place of an index: there is none.
-pub const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
+pub(crate) const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
 
 /// What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
 /// overlaps something else), with
@@ -207,7 +207,7 @@ pub struct fairmesh_error {
 
 /// Why a call fails. Needs no memory but its own.
 #[derive(Clone, Copy)]
-pub struct Failure {
+pub(crate) struct Failure {
     pub status: Status,
     pub kind: fairmesh_element,
     pub element: u64,
@@ -217,17 +217,17 @@ pub struct Failure {
     pub silent: bool,
 }
 
-pub type CallResult<T = ()> = Result<T, Failure>;
+pub(crate) type CallResult<T = ()> = Result<T, Failure>;
 
 /// Text in a fixed array; too long a text is cut.
 #[derive(Clone, Copy)]
-pub struct Text<const N: usize> {
+pub(crate) struct Text<const N: usize> {
     bytes: [u8; N],
     length: usize,
 }
 
 impl<const N: usize> Text<N> {
-    pub fn new(what: fmt::Arguments<'_>) -> Self {
+    pub(crate) fn new(what: fmt::Arguments<'_>) -> Self {
         let mut text = Self {
             bytes: [0; N],
             length: 0,
@@ -236,7 +236,7 @@ impl<const N: usize> Text<N> {
         text
     }
 
-    pub fn characters(&self) -> [c_char; N] {
+    pub(crate) fn characters(&self) -> [c_char; N] {
         self.bytes.map(|b| b as c_char)
     }
 }
@@ -256,7 +256,7 @@ impl<const N: usize> Write for Text<N> {
 }
 
 impl Failure {
-    pub fn new(status: Status, message: fmt::Arguments<'_>) -> Self {
+    pub(crate) fn new(status: Status, message: fmt::Arguments<'_>) -> Self {
         Self {
             status,
             kind: fairmesh_element::None,
@@ -267,7 +267,7 @@ impl Failure {
         }
     }
 
-    pub fn at(self, kind: fairmesh_element, element: usize) -> Self {
+    pub(crate) fn at(self, kind: fairmesh_element, element: usize) -> Self {
         Self {
             kind,
             element: element as u64,
@@ -275,18 +275,18 @@ impl Failure {
         }
     }
 
-    pub fn and(self, other: usize) -> Self {
+    pub(crate) fn and(self, other: usize) -> Self {
         Self {
             other: other as u64,
             ..self
         }
     }
 
-    pub fn out_of_memory() -> Self {
+    pub(crate) fn out_of_memory() -> Self {
         Self::new(Status::OutOfMemory, format_args!("memory ran out"))
     }
 
-    pub fn detail(&self) -> fairmesh_error {
+    pub(crate) fn detail(&self) -> fairmesh_error {
         fairmesh_error {
             status: self.status as i32,
             element_kind: self.kind as u32,
@@ -330,6 +330,7 @@ impl From<Error> for Failure {
             Error::BadOption { .. } => of(Status::BadOption),
             Error::TooLarge { .. } => of(Status::TooLarge),
             Error::Threads { .. } => of(Status::Threads),
+            _ => of(Status::Internal),
         }
     }
 }

@@ -15,7 +15,7 @@ use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use crate::fairing::{Progress, Session};
+use fairmesh::{Progress, Session};
 
 use fairmesh_status as Status;
 
@@ -35,7 +35,7 @@ pub extern "C" fn fairmesh_solver_new(
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
         let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
-        if asked.solver != crate::fairing::Solver::Fast {
+        if asked.solver != fairmesh::Solver::Fast {
             let place = Argument(3).field(offset_of!(fairmesh_options, solver));
             return Err(place.refuse(
                 Status::BadOption,

@@ -7,30 +7,30 @@ use super::types::Versioned;
 
 /// An argument, counted from 1.
 #[derive(Clone, Copy)]
-pub struct Argument(pub usize);
+pub(crate) struct Argument(pub usize);
 
 impl Argument {
     /// The field at this offset of the struct that the argument points to.
-    pub fn field(self, offset: usize) -> FieldPath {
+    pub(crate) fn field(self, offset: usize) -> FieldPath {
         FieldPath(self.0, offset as u64)
     }
 
-    pub fn itself(self) -> FieldPath {
+    pub(crate) fn itself(self) -> FieldPath {
         FieldPath(self.0, FAIRMESH_NO_ELEMENT)
     }
 }
 
 /// An argument, or a field in it.
 #[derive(Clone, Copy)]
-pub struct FieldPath(usize, u64);
+pub(crate) struct FieldPath(usize, u64);
 
 impl FieldPath {
     /// A field of a struct that is a field itself.
-    pub fn plus(self, offset: usize) -> Self {
+    pub(crate) fn plus(self, offset: usize) -> Self {
         Self(self.0, self.1.wrapping_add(offset as u64))
     }
 
-    pub fn refuse(self, status: Status, why: std::fmt::Arguments<'_>) -> Failure {
+    pub(crate) fn refuse(self, status: Status, why: std::fmt::Arguments<'_>) -> Failure {
         let mut failure = if self.1 == FAIRMESH_NO_ELEMENT {
             Failure::new(status, format_args!("argument {}: {why}", self.0))
         } else {
@@ -44,12 +44,12 @@ impl FieldPath {
     }
 }
 
-pub fn aligned<T>(pointer: *const T, to: usize) -> bool {
+pub(crate) fn aligned<T>(pointer: *const T, to: usize) -> bool {
     (pointer as usize).is_multiple_of(to)
 }
 
 /// Checks a pointer to something.
-pub fn check_pointer<T>(pointer: *const T, argument: Argument) -> CallResult {
+pub(crate) fn check_pointer<T>(pointer: *const T, argument: Argument) -> CallResult {
     if pointer.is_null() {
         return Err(argument
             .itself()
@@ -73,7 +73,7 @@ fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallRe
     check_size::<T>(size, argument.field(0))
 }
 
-pub fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
+pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
     if size < T::FIRST || size > LARGEST || !size.is_multiple_of(8) {
         let (first, known) = (T::FIRST, size_of::<T>());
         return Err(place.refuse(
@@ -86,7 +86,7 @@ pub fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usi
 
 /// Reads a struct of any version. Fields that it does not have yet are zero; fields that this library does not know yet
 /// have to be.
-pub fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallResult<T> {
+pub(crate) fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallResult<T> {
     let size = size_of_struct(pointer, argument)?;
     let known = size.min(size_of::<T>());
     let mut value = MaybeUninit::<T>::zeroed();
@@ -109,19 +109,19 @@ pub fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallR
 }
 
 /// Where a struct of any version goes.
-pub struct StructOut<T> {
+pub(crate) struct StructOut<T> {
     pointer: *mut T,
     size: usize,
 }
 
 impl<T: Versioned> StructOut<T> {
-    pub fn new(pointer: *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult<Self> {
+    pub(crate) fn new(pointer: *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult<Self> {
         let size = size_of_struct(pointer, argument)?;
         aliases.output(pointer.cast(), size, argument)?;
         Ok(Self { pointer, size })
     }
 
-    pub fn optional(
+    pub(crate) fn optional(
         pointer: *mut T,
         argument: Argument,
         aliases: &mut AliasCheck,
@@ -134,7 +134,7 @@ impl<T: Versioned> StructOut<T> {
     }
 
     /// Writes what the caller's version has. `struct_size` stays the caller's.
-    pub fn write(&self, value: &T) {
+    pub(crate) fn write(&self, value: &T) {
         let known = self.size.min(size_of::<T>());
         // SAFETY: by contract the caller's struct has `size` bytes.
         unsafe {
@@ -146,7 +146,7 @@ impl<T: Versioned> StructOut<T> {
 }
 
 /// Fills a struct of this size with a value; for the `init` functions.
-pub fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T) -> CallResult {
+pub(crate) fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T) -> CallResult {
     check_pointer(pointer, Argument(1))?;
     check_size::<T>(size, Argument(2).itself())?;
     StructOut { pointer, size }.write(value);
@@ -156,13 +156,13 @@ pub fn init_struct<T: Versioned>(pointer: *mut T, size: usize, value: &T) -> Cal
 }
 
 /// Where a pointer to a handle goes.
-pub fn check_slot<T>(slot: *mut *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult {
+pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, aliases: &mut AliasCheck) -> CallResult {
     check_pointer(slot, argument)?;
     aliases.output(slot.cast(), size_of::<*mut T>(), argument)
 }
 
 /// The memory that a call reads and writes: outputs overlap nothing.
-pub struct AliasCheck {
+pub(crate) struct AliasCheck {
     inputs: [(usize, usize); 12],
     input_count: usize,
     outputs: [(usize, usize); 6],
@@ -170,7 +170,7 @@ pub struct AliasCheck {
 }
 
 impl AliasCheck {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             inputs: [(0, 0); 12],
             input_count: 0,
@@ -179,7 +179,7 @@ impl AliasCheck {
         }
     }
 
-    pub fn input<T>(&mut self, pointer: *const T, bytes: usize) {
+    pub(crate) fn input<T>(&mut self, pointer: *const T, bytes: usize) {
         if bytes > 0 {
             self.inputs[self.input_count] = (pointer as usize, pointer as usize + bytes);
             self.input_count += 1;
@@ -187,7 +187,7 @@ impl AliasCheck {
     }
 
     /// Inputs have to be told before.
-    pub fn output(&mut self, pointer: *mut u8, bytes: usize, argument: Argument) -> CallResult {
+    pub(crate) fn output(&mut self, pointer: *mut u8, bytes: usize, argument: Argument) -> CallResult {
         let (start, end) = (pointer as usize, pointer as usize + bytes);
         let others = self.inputs[..self.input_count]
             .iter()
@@ -206,7 +206,11 @@ impl AliasCheck {
     }
 
     /// The error detail is an output of nearly every function.
-    pub fn error(&mut self, error: *mut super::status::fairmesh_error, argument: Argument) -> CallResult {
+    pub(crate) fn error(
+        &mut self,
+        error: *mut super::status::fairmesh_error,
+        argument: Argument,
+    ) -> CallResult {
         if error.is_null() {
             return Ok(());
         }
@@ -219,13 +223,13 @@ impl AliasCheck {
 }
 
 /// Reads from a place that was checked.
-pub fn read<T: Copy>(from: *const T) -> T {
+pub(crate) fn read<T: Copy>(from: *const T) -> T {
     // SAFETY: every caller has checked it for NULL and alignment; integers, floats and pointers, of any bits.
     unsafe { from.read() }
 }
 
 /// Writes to a place that was checked.
-pub fn write<T>(to: *mut T, value: T) {
+pub(crate) fn write<T>(to: *mut T, value: T) {
     // SAFETY: every caller has checked it for NULL and alignment; by contract it is ours to write.
     unsafe { to.write(value) }
 }

@@ -5,12 +5,12 @@ use std::borrow::Cow;
 
 use super::memory;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
-pub use super::structs::*;
+pub(crate) use super::structs::*;
 use super::types::*;
 
 /// What is known of an array after the checks.
 #[derive(Clone, Copy)]
-pub struct Array {
+pub(crate) struct Array {
     pub data: *mut u8,
     pub count: usize,
     pub stride: usize,
@@ -80,7 +80,7 @@ fn numbers_size(scalar: u32, place: FieldPath) -> CallResult<usize> {
     }
 }
 
-pub fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
+pub(crate) fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
     if reserved == 0 {
         return Ok(());
     }
@@ -100,13 +100,13 @@ macro_rules! places {
 
 /// Rows of three numbers to be read.
 #[derive(Clone, Copy)]
-pub struct PointsIn {
+pub(crate) struct PointsIn {
     pub array: Array,
     pub double: bool,
 }
 
 impl PointsIn {
-    pub fn new(view: &fairmesh_points, base: FieldPath) -> CallResult<Self> {
+    pub(crate) fn new(view: &fairmesh_points, base: FieldPath) -> CallResult<Self> {
         check_reserved(
             view.reserved,
             base.plus(core::mem::offset_of!(fairmesh_points, reserved)),
@@ -129,7 +129,7 @@ impl PointsIn {
         })
     }
 
-    pub fn get(&self, k: usize) -> [f64; 3] {
+    pub(crate) fn get(&self, k: usize) -> [f64; 3] {
         debug_assert!(k < self.array.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
         unsafe {
@@ -143,7 +143,7 @@ impl PointsIn {
     }
 
     /// As the library wants them: without a copy where they are so already.
-    pub fn read<'a>(&self) -> CallResult<Cow<'a, [[f64; 3]]>> {
+    pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[f64; 3]]>> {
         if self.array.count == 0 {
             return Ok(Cow::Borrowed(&[]));
         }
@@ -160,7 +160,7 @@ impl PointsIn {
 }
 
 /// A vector with room for so many.
-pub fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
+pub(crate) fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
     let mut vec = Vec::new();
     let reserved = memory::without_reserve(|| vec.try_reserve_exact(count));
     reserved.map_err(|_| Failure::out_of_memory())?;
@@ -168,7 +168,7 @@ pub fn try_with_capacity<T>(count: usize) -> CallResult<Vec<T>> {
 }
 
 /// Rows of indices to be read.
-pub fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> CallResult<Array> {
+pub(crate) fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> CallResult<Array> {
     array(
         view.data.cast(),
         view.count,
@@ -181,20 +181,20 @@ pub fn indices_in(view: &fairmesh_indices, width: usize, base: FieldPath) -> Cal
 
 impl Array {
     /// Row `k` of `N` indices.
-    pub fn index<const N: usize>(&self, k: usize) -> [u32; N] {
+    pub(crate) fn index<const N: usize>(&self, k: usize) -> [u32; N] {
         debug_assert!(k < self.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
         unsafe { self.data.add(k * self.stride).cast::<[u32; N]>().read() }
     }
 
-    pub fn byte(&self, k: usize) -> u8 {
+    pub(crate) fn byte(&self, k: usize) -> u8 {
         debug_assert!(k < self.count);
         // SAFETY: as above.
         unsafe { self.data.add(k * self.stride).read() }
     }
 
     /// As the library wants them: without a copy where they are so already.
-    pub fn rows<'a, const N: usize>(&self) -> CallResult<Cow<'a, [[u32; N]]>> {
+    pub(crate) fn rows<'a, const N: usize>(&self) -> CallResult<Cow<'a, [[u32; N]]>> {
         if self.count == 0 {
             return Ok(Cow::Borrowed(&[]));
         }
@@ -211,13 +211,13 @@ impl Array {
 }
 
 /// The entries of a selection: bytes or indices.
-pub fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
+pub(crate) fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
     let at = places!(fairmesh_selection, argument.field(0));
     array(selection.data, selection.count, selection.stride, 1, size, at)
 }
 
 /// Numbers to be written, rows of `N`.
-pub struct NumbersOut<const N: usize> {
+pub(crate) struct NumbersOut<const N: usize> {
     pub array: Array,
     pub double: bool,
 }
@@ -226,7 +226,7 @@ pub struct NumbersOut<const N: usize> {
 macro_rules! numbers_out {
     ($name:ident, $view:ident, $width:literal) => {
         impl NumbersOut<$width> {
-            pub fn $name(view: *const $view, argument: Argument) -> CallResult<Self> {
+            pub(crate) fn $name(view: *const $view, argument: Argument) -> CallResult<Self> {
                 check_pointer(view, argument)?;
                 // SAFETY: not NULL, aligned.
                 let view = unsafe { view.read() };
@@ -248,12 +248,12 @@ numbers_out!(scalars, fairmesh_scalars_out, 1);
 
 impl<const N: usize> NumbersOut<N> {
     /// Exactly so many rows.
-    pub fn check_count(&self, count: usize, argument: Argument) -> CallResult {
+    pub(crate) fn check_count(&self, count: usize, argument: Argument) -> CallResult {
         check_count(self.array.count, count, argument.field(size_of::<usize>()))
     }
 
     /// Whether all of these can be written. Infinity is no number, except where the library says so itself.
-    pub fn check_range(&self, rows: impl Iterator<Item = (usize, [f64; N])>) -> CallResult {
+    pub(crate) fn check_range(&self, rows: impl Iterator<Item = (usize, [f64; N])>) -> CallResult {
         if self.double {
             return Ok(());
         }
@@ -267,7 +267,7 @@ impl<const N: usize> NumbersOut<N> {
         Ok(())
     }
 
-    pub fn set(&self, k: usize, row: [f64; N]) {
+    pub(crate) fn set(&self, k: usize, row: [f64; N]) {
         debug_assert!(k < self.array.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it and is ours to write.
         unsafe {
@@ -280,7 +280,7 @@ impl<const N: usize> NumbersOut<N> {
         }
     }
 
-    pub fn same_as(&self, points: &PointsIn) -> bool {
+    pub(crate) fn same_as(&self, points: &PointsIn) -> bool {
         self.array.data == points.array.data
             && self.array.stride == points.array.stride
             && self.array.count == points.array.count
@@ -289,10 +289,10 @@ impl<const N: usize> NumbersOut<N> {
 }
 
 /// Triangles to be written.
-pub struct TrianglesOut(pub Array);
+pub(crate) struct TrianglesOut(pub Array);
 
 impl TrianglesOut {
-    pub fn new(view: *const fairmesh_indices_out, argument: Argument) -> CallResult<Self> {
+    pub(crate) fn new(view: *const fairmesh_indices_out, argument: Argument) -> CallResult<Self> {
         check_pointer(view, argument)?;
         // SAFETY: not NULL, aligned.
         let view = unsafe { view.read() };
@@ -300,7 +300,7 @@ impl TrianglesOut {
         Ok(Self(array(view.data.cast(), view.count, view.stride, 3, 4, at)?))
     }
 
-    pub fn set(&self, k: usize, row: [u32; 3]) {
+    pub(crate) fn set(&self, k: usize, row: [u32; 3]) {
         debug_assert!(k < self.0.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it and is ours to write.
         unsafe { self.0.data.add(k * self.0.stride).cast::<[u32; 3]>().write(row) };
@@ -308,18 +308,18 @@ impl TrianglesOut {
 }
 
 /// A list of indices to be written.
-pub fn list_out(data: *mut u32, capacity: usize) -> CallResult<Array> {
+pub(crate) fn list_out(data: *mut u32, capacity: usize) -> CallResult<Array> {
     let [at, count] = [Argument(4).itself(), Argument(5).itself()];
     array(data.cast(), capacity, 0, 1, 4, [at, count, count])
 }
 
-pub fn put_index(out: &Array, k: usize, index: u32) {
+pub(crate) fn put_index(out: &Array, k: usize, index: u32) {
     debug_assert!(k < out.count);
     // SAFETY: entry k of an array that was checked; by contract the caller's memory holds it and is ours to write.
     unsafe { out.data.cast::<u32>().add(k).write(index) };
 }
 
-pub fn check_count(got: usize, wanted: usize, place: FieldPath) -> CallResult {
+pub(crate) fn check_count(got: usize, wanted: usize, place: FieldPath) -> CallResult {
     if got == wanted {
         return Ok(());
     }

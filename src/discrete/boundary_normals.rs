@@ -24,7 +24,7 @@ const CERTAIN: f64 = 0.1 * std::f64::consts::PI / 180.0;
 /// # Errors
 /// [`Error::NoNormal`] where all those triangles have no area; `given[b]` vertices are not looked at and keep
 /// whatever they have.
-pub fn estimate(
+pub(crate) fn estimate(
     region: &Region,
     rings: &Rings,
     x: &[Vector3<f64>],
@@ -128,7 +128,7 @@ fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) 
 }
 
 /// The normalized sum of the cross products of the triangles at vertex `v` with these ring edges.
-pub fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
+pub(crate) fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
     let q = x[v];
     let sum: Vector3<f64> = edges
         .iter()
@@ -170,7 +170,7 @@ fn blend(boundary: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
 }
 
 /// The angle between two unit vectors.
-pub fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub(crate) fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
 }
 

@@ -11,20 +11,20 @@ use super::simd::{Simd, Vec3, dot, minus, normalized, plus, scaled, tangent_basi
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
 /// says that it is not (all directions on two lines), without any switch.
-pub const RIDGE: f64 = 1e-6;
+pub(crate) const RIDGE: f64 = 1e-6;
 
 /// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
-pub const TILT_RIDGE: f64 = 1e-3;
+pub(crate) const TILT_RIDGE: f64 = 1e-3;
 
 /// A tilt ridge so large that the tilt stays zero: plain Moreton-Sequin, first order on irregular meshes.
-pub const NO_TILT: f64 = 1e6;
+pub(crate) const NO_TILT: f64 = 1e6;
 
 /// Weight of the flap vertices (across the ring's edges) beside the ring's own weight of 1.
-pub const FLAP_WEIGHT: f64 = 0.1;
+pub(crate) const FLAP_WEIGHT: f64 = 0.1;
 
 /// Curvature, normal and quadratic form at one vertex.
 #[derive(Debug, Clone, Copy)]
-pub struct Curvature<const L: usize> {
+pub(crate) struct Curvature<const L: usize> {
     /// Mean curvature.
     pub h: Simd<L>,
     /// Gaussian curvature.
@@ -38,7 +38,7 @@ pub struct Curvature<const L: usize> {
 /// Accumulates a weighted least-squares fit with `N` basis functions; only the lower triangle of the normal
 /// equations is kept (paper (11)).
 #[derive(Debug, Clone, Copy)]
-pub struct NormalEquations<const L: usize, const N: usize> {
+pub(crate) struct NormalEquations<const L: usize, const N: usize> {
     matrix: [[Simd<L>; N]; N],
     right: [Simd<L>; N],
     weight: Simd<L>,
@@ -47,7 +47,7 @@ pub struct NormalEquations<const L: usize, const N: usize> {
 impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// No samples.
     #[inline(always)]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             matrix: [[Simd::zero(); N]; N],
             right: [Simd::zero(); N],
@@ -57,7 +57,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// One more sample with basis values `phi`, value `kappa` and a weight.
     #[inline(always)]
-    pub fn add(&mut self, phi: &[Simd<L>; N], kappa: Simd<L>, weight: Simd<L>) {
+    pub(crate) fn add(&mut self, phi: &[Simd<L>; N], kappa: Simd<L>, weight: Simd<L>) {
         unrolled!(r in (0..N) => {
             let weighted = phi[r] * weight;
             unrolled!(c in (0..r + 1) => {
@@ -70,7 +70,12 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The sample `a` with weight 1 and `b` with weight `weight` in one go: every sum is touched once for both.
     #[inline(always)]
-    pub fn add_two(&mut self, a: &([Simd<L>; N], Simd<L>), b: &([Simd<L>; N], Simd<L>), weight: Simd<L>) {
+    pub(crate) fn add_two(
+        &mut self,
+        a: &([Simd<L>; N], Simd<L>),
+        b: &([Simd<L>; N], Simd<L>),
+        weight: Simd<L>,
+    ) {
         unrolled!(r in (0..N) => {
             let weighted = b.0[r] * weight;
             unrolled!(c in (0..r + 1) => {
@@ -83,7 +88,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// Adds `ridge` times the sum of weights to the diagonal and factors it.
     #[inline(always)]
-    pub fn cholesky(&self, ridge: &[f64; N]) -> [[Simd<L>; N]; N] {
+    pub(crate) fn cholesky(&self, ridge: &[f64; N]) -> [[Simd<L>; N]; N] {
         self.factor(&ridge.map(Simd::splat))
     }
 
@@ -91,7 +96,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
     /// positive semidefinite matrix plus a diagonal one is less than its entry in the latter, and rounding may not
     /// make it so: the factor is there for any samples, as long as the ridge is positive beyond the constant function.
     #[inline(always)]
-    pub fn factor(&self, ridge: &[Simd<L>; N]) -> [[Simd<L>; N]; N] {
+    pub(crate) fn factor(&self, ridge: &[Simd<L>; N]) -> [[Simd<L>; N]; N] {
         let mut m = self.matrix;
         unrolled!(j in (0..N) => {
             let least = self.weight * ridge[j];
@@ -112,7 +117,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The equations of all lanes' samples together.
     #[inline(always)]
-    pub fn sum_of_lanes(&self) -> NormalEquations<1, N> {
+    pub(crate) fn sum_of_lanes(&self) -> NormalEquations<1, N> {
         let mut sum = NormalEquations::new();
         unrolled!(r in (0..N) => {
             unrolled!(c in (0..r + 1) => {
@@ -126,17 +131,17 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The coefficients of the fit.
     #[inline(always)]
-    pub fn solve(&self, ridge: &[f64; N]) -> [Simd<L>; N] {
+    pub(crate) fn solve(&self, ridge: &[f64; N]) -> [Simd<L>; N] {
         back_substitute(&self.cholesky(ridge), self.right)
     }
 
     /// The right-hand side.
-    pub fn right(&self) -> [Simd<L>; N] {
+    pub(crate) fn right(&self) -> [Simd<L>; N] {
         self.right
     }
 
     /// `z^T M z` of the matrix without ridge.
-    pub fn quadratic_form(&self, z: &[Simd<L>; N]) -> Simd<L> {
+    pub(crate) fn quadratic_form(&self, z: &[Simd<L>; N]) -> Simd<L> {
         let mut sum = Simd::zero();
         for r in 0..N {
             for c in 0..r {
@@ -149,7 +154,7 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
 
     /// The sum of weights.
     #[inline(always)]
-    pub fn weight(&self) -> Simd<L> {
+    pub(crate) fn weight(&self) -> Simd<L> {
         self.weight
     }
 }
@@ -162,7 +167,7 @@ impl<const L: usize, const N: usize> Default for NormalEquations<L, N> {
 
 /// Solves `L D L^T y = right` for a factor of [`NormalEquations::factor`].
 #[inline(always)]
-pub fn back_substitute<const L: usize, const N: usize>(
+pub(crate) fn back_substitute<const L: usize, const N: usize>(
     l: &[[Simd<L>; N]; N],
     right: [Simd<L>; N],
 ) -> [Simd<L>; N] {
@@ -183,7 +188,7 @@ pub fn back_substitute<const L: usize, const N: usize>(
 
 /// The tangent frame at a vertex in which samples are measured.
 #[derive(Debug, Clone, Copy)]
-pub struct TangentFrame<const L: usize> {
+pub(crate) struct TangentFrame<const L: usize> {
     n: Vec3<L>,
     b_x: Vec3<L>,
     b_y: Vec3<L>,
@@ -192,7 +197,7 @@ pub struct TangentFrame<const L: usize> {
 impl<const L: usize> TangentFrame<L> {
     /// The frame of a unit normal.
     #[inline(always)]
-    pub fn new(n: Vec3<L>) -> Self {
+    pub(crate) fn new(n: Vec3<L>) -> Self {
         let (b_x, b_y) = tangent_basis(&n);
         Self { n, b_x, b_y }
     }
@@ -200,7 +205,7 @@ impl<const L: usize> TangentFrame<L> {
     /// Basis values `1, (u^2 - v^2)/d, 2uv/d, 2lu/d, 2lv/d` and the normal curvature `2w/d` of a sample, with
     /// `d = |e|^2`, the whole length and not the projected one.
     #[inline(always)]
-    pub fn sample(&self, e: &Vec3<L>, l: Simd<L>) -> ([Simd<L>; 5], Simd<L>) {
+    pub(crate) fn sample(&self, e: &Vec3<L>, l: Simd<L>) -> ([Simd<L>; 5], Simd<L>) {
         let ([one, a, b, c, d], kappa) = self.sample_at(e, inverse_square(dot(e, e)));
         ([one, a, b, l * c, l * d], kappa)
     }
@@ -216,7 +221,7 @@ impl<const L: usize> TangentFrame<L> {
 
     /// The normal `n - g_x b_x - g_y b_y`, normalized.
     #[inline(always)]
-    pub fn tilted(&self, g_x: Simd<L>, g_y: Simd<L>) -> Vec3<L> {
+    pub(crate) fn tilted(&self, g_x: Simd<L>, g_y: Simd<L>) -> Vec3<L> {
         normalized(&minus(
             &self.n,
             &plus(&scaled(&self.b_x, g_x), &scaled(&self.b_y, g_y)),
@@ -231,7 +236,7 @@ impl<const L: usize> TangentFrame<L> {
 /// mean square length of the ring. `ring` has weight 1; `flaps` are further samples with their weights (0 for none).
 /// `tilt_ridge` is [`TILT_RIDGE`] or, for plain Moreton-Sequin, [`NO_TILT`].
 #[inline(always)]
-pub fn gradient_corrected<const L: usize, const RESPONSE: bool>(
+pub(crate) fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     n: &Vec3<L>,
     ring: &[RingEdge<L>],
     flaps: &[(Vec3<L>, Simd<L>)],
@@ -279,7 +284,7 @@ fn add_scaled<const L: usize>(sum: &mut [Simd<L>; 5], phi: &[Simd<L>; 5], by: Si
 /// Moreton-Sequin at a vertex whose normal is known (paper 6.1): a boundary vertex with its prescribed normal, or
 /// any vertex in the paper's own scheme. All samples have weight 1; those of 6.2 are among them.
 #[derive(Debug, Clone, Copy)]
-pub struct MoretonSequin<const L: usize> {
+pub(crate) struct MoretonSequin<const L: usize> {
     frame: TangentFrame<L>,
     fit: NormalEquations<L, 3>,
 }
@@ -287,7 +292,7 @@ pub struct MoretonSequin<const L: usize> {
 impl<const L: usize> MoretonSequin<L> {
     /// No samples yet around the unit normal `n`.
     #[inline(always)]
-    pub fn new(n: Vec3<L>) -> Self {
+    pub(crate) fn new(n: Vec3<L>) -> Self {
         Self {
             frame: TangentFrame::new(n),
             fit: NormalEquations::new(),
@@ -296,28 +301,28 @@ impl<const L: usize> MoretonSequin<L> {
 
     /// One more sample; weight 0 for lanes that have none.
     #[inline(always)]
-    pub fn add(&mut self, e: &Vec3<L>, weight: Simd<L>) {
+    pub(crate) fn add(&mut self, e: &Vec3<L>, weight: Simd<L>) {
         let ([one, a, b, ..], kappa) = self.frame.sample_at(e, inverse_square(dot(e, e)));
         self.fit.add(&[one, a, b], kappa, weight);
     }
 
     /// `(H, K)`.
     #[inline(always)]
-    pub fn curvature(&self) -> (Simd<L>, Simd<L>) {
+    pub(crate) fn curvature(&self) -> (Simd<L>, Simd<L>) {
         let y = self.fit.solve(&[0.0, RIDGE, RIDGE]);
         (y[0], y[0] * y[0] - y[1] * y[1] - y[2] * y[2])
     }
 
     /// `H` of one vertex whose samples are spread over the lanes.
     #[inline(always)]
-    pub fn over_lanes(&self) -> f64 {
+    pub(crate) fn over_lanes(&self) -> f64 {
         self.fit.sum_of_lanes().solve(&[0.0, RIDGE, RIDGE])[0].0[0]
     }
 }
 
 /// [`MoretonSequin`] of some samples: `(H, K)`.
 #[inline(always)]
-pub fn moreton_sequin<const L: usize>(
+pub(crate) fn moreton_sequin<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
 ) -> (Simd<L>, Simd<L>) {
@@ -330,7 +335,7 @@ pub fn moreton_sequin<const L: usize>(
 
 /// The same, and `-dH/dt` under a motion of the vertex along `n`, samples and every `|e|` held (paper 7.2).
 #[inline(always)]
-pub fn moreton_sequin_with_response<const L: usize>(
+pub(crate) fn moreton_sequin_with_response<const L: usize>(
     n: &Vec3<L>,
     samples: impl Iterator<Item = Vec3<L>>,
 ) -> (Simd<L>, Simd<L>, Simd<L>) {

@@ -25,7 +25,7 @@ const MAX_FITS: usize = 20;
 
 /// Samples of many rings outside: edge vectors.
 #[derive(Debug, Default)]
-pub struct EightRingSamples {
+pub(crate) struct EightRingSamples {
     edges: Vec<Vec3<1>>,
     /// Their root mean square length.
     length: f64,
@@ -35,7 +35,7 @@ pub struct EightRingSamples {
 
 impl EightRingSamples {
     /// Those of boundary vertex `v` (local number).
-    pub fn gather(&mut self, surroundings: &Surroundings, x: &[Vector3<f64>], v: usize) {
+    pub(crate) fn gather(&mut self, surroundings: &Surroundings, x: &[Vector3<f64>], v: usize) {
         surroundings.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
         self.edges.clear();
         self.edges
@@ -45,7 +45,7 @@ impl EightRingSamples {
     }
 
     /// The fit, from about the right normal; None if the samples are too few.
-    pub fn fit(&self, start: Vector3<f64>) -> Option<Fit> {
+    pub(crate) fn fit(&self, start: Vector3<f64>) -> Option<Fit> {
         if self.edges.len() < FEWEST {
             return None;
         }
@@ -100,12 +100,12 @@ fn sample(frame: &TangentFrame<1>, e: &Vec3<1>, l: Simd<1>) -> ([Simd<1>; UNKNOW
     ([one, a, b, u, v, square.recip()], kappa, square * square)
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::discrete::outside_fit::{SECOND, Samples};
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, Shape, sphere_cap};
+    use fairmesh_shapes::{Sampling, Shape, sphere_cap};
 
     /// The largest angle between the wide fit, a small one, and the exact normals.
     fn worst(shape: &Shape, positions: &[[f64; 3]]) -> [f64; 2] {

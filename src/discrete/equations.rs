@@ -26,7 +26,7 @@ use crate::mesh::{NONE, Rings};
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FreeCurvature {
+pub(crate) enum FreeCurvature {
     /// Max's normals and the gradient-corrected fit with this tilt ridge.
     GradientCorrected {
         /// [`super::curvature::TILT_RIDGE`], or [`super::curvature::NO_TILT`] for plain Moreton-Sequin.
@@ -44,7 +44,7 @@ const BOUNDARY_LANES: usize = 4;
 
 /// What does not change from surface to surface.
 #[derive(Debug)]
-pub struct Equations<'a> {
+pub(crate) struct Equations<'a> {
     /// The rings of the region.
     pub rings: &'a Rings,
     /// The same, transposed.
@@ -63,7 +63,7 @@ pub struct Equations<'a> {
 
 /// Everything that is evaluated at a surface. Free vertices come first in `h`.
 #[derive(Debug, Clone, Default)]
-pub struct State {
+pub(crate) struct State {
     /// Normals of the ring: the direction of normal steps and of the tangential projection.
     pub normal: Vec<Vector3<f64>>,
     /// Normals with the fitted tilt taken away (the same as `normal` in the paper's discretization) at free, then the
@@ -87,7 +87,7 @@ pub struct State {
 
 impl State {
     /// Room for a region.
-    pub fn new(batches: &ValenceBatches, boundary: usize) -> Self {
+    pub(crate) fn new(batches: &ValenceBatches, boundary: usize) -> Self {
         let free = batches.place.len();
         Self {
             normal: vec![Vector3::zeros(); free],
@@ -152,17 +152,17 @@ struct ChunkOutput<'s> {
 
 impl Equations<'_> {
     /// Number of free vertices.
-    pub fn free(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.batches.place.len()
     }
 
     /// Evaluates everything at the surface `x` (free, then boundary vertices).
-    pub fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
+    pub(crate) fn evaluate(&self, x: &[Vector3<f64>], state: &mut State) {
         self.evaluate_as::<false>(x, state);
     }
 
     /// The same, and how `H` answers to normal motions.
-    pub fn evaluate_with_response(&self, x: &[Vector3<f64>], state: &mut State) {
+    pub(crate) fn evaluate_with_response(&self, x: &[Vector3<f64>], state: &mut State) {
         self.evaluate_as::<true>(x, state);
     }
 
@@ -342,7 +342,7 @@ impl Equations<'_> {
     /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the boundary's
     /// response, and even a sphere is then an unstable solution of the equations.
     /// The paper has no flaps there (7.5), and its discretization none either.
-    pub fn boundary_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+    pub(crate) fn boundary_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
         vectorized(
             #[inline(always)]
             || self.boundary_fit(x, corrected, b),
@@ -401,7 +401,7 @@ impl Equations<'_> {
 
     /// Area of the one-sided disk at boundary vertex `b`, and the one-sided cotangent weights to each of its ring edges'
     /// ends are left to [`Self::boundary_weights`].
-    pub fn boundary_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
+    pub(crate) fn boundary_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
         let q = &x[self.free() + b];
         self.boundary_triangles(b)
             .iter()
@@ -410,13 +410,13 @@ impl Equations<'_> {
     }
 
     /// The ring edges of boundary vertex `b`'s triangles in the region.
-    pub fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
+    pub(crate) fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
         let rings = self.rings;
         &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
     }
 
     /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of boundary vertex `b`.
-    pub fn boundary_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
+    pub(crate) fn boundary_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
         let q = &x[self.free() + b];
         for &[a, c] in self.boundary_triangles(b) {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
@@ -426,12 +426,12 @@ impl Equations<'_> {
     }
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::discrete::curvature::TILT_RIDGE;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, sphere_cap};
+    use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn wide_and_baseline_instructions_agree_bit_by_bit() {

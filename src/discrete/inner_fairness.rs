@@ -7,12 +7,12 @@ use nalgebra::Vector3;
 
 use super::laplace_beltrami::cotangent;
 use super::valence_batches::{LANES, ValenceBatches};
-use crate::linear::sparse::SymmetricPattern;
 use crate::mesh::Rings;
+use fairmesh_linear::sparse::SymmetricPattern;
 
 /// A cotangent of the input mesh is clamped to this range, so that the weights are convex and the scalar Laplacian
 /// positive definite for any input.
-pub const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
+pub(crate) const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
 
 /// Mean-value weights of repairs stay within this factor of one.
 const LARGEST_RATIO: f64 = 20.0;
@@ -22,7 +22,7 @@ const LARGEST_ASKED_RATIO: f64 = 1e3;
 
 /// Weights `lambda_ij` of all free vertices, slot by slot as in [`ValenceBatches`].
 #[derive(Debug, Clone)]
-pub struct FairnessWeights {
+pub(crate) struct FairnessWeights {
     /// Per slot the weights; `None`: all are one.
     pub slots: Option<Vec<[f64; LANES]>>,
     /// Free vertices with an input triangle too thin for its cotangents or mean values: those are clamped.
@@ -31,7 +31,7 @@ pub struct FairnessWeights {
 
 impl FairnessWeights {
     /// Equal weights: a regular distribution.
-    pub fn uniform() -> Self {
+    pub(crate) fn uniform() -> Self {
         Self {
             slots: None,
             clamped: 0,
@@ -39,7 +39,7 @@ impl FairnessWeights {
     }
 
     /// `cot alpha_j + cot beta_j` of the input mesh: the result is discretely conformal to it.
-    pub fn conformal(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
+    pub(crate) fn conformal(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
         let mut weights = Self {
             slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
@@ -53,7 +53,7 @@ impl FairnessWeights {
 
     /// Mean-value weights of the input mesh, see [`Self::set_mean_value`]: positive without clamping, and where the ring
     /// is plane they reproduce its centre, so that a plane input mesh keeps its vertices.
-    pub fn convex(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
+    pub(crate) fn convex(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
         let mut weights = Self {
             slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
@@ -67,7 +67,12 @@ impl FairnessWeights {
 
     /// Gives one vertex the clamped cotangent weights of the input mesh. Returns whether an angle was too close to 0
     /// or 180 degrees, where the fallback is the nearer end of [`COTANGENT_RANGE`].
-    pub fn set_conformal(&mut self, batches: &ValenceBatches, input: &[Vector3<f64>], i: usize) -> bool {
+    pub(crate) fn set_conformal(
+        &mut self,
+        batches: &ValenceBatches,
+        input: &[Vector3<f64>],
+        i: usize,
+    ) -> bool {
         let slots = self
             .slots
             .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
@@ -80,7 +85,7 @@ impl FairnessWeights {
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
     /// `b` beside the edge, scaled to the sum of uniform ones: convex for any ring. M. S. Floater, "Mean value
     /// coordinates", CAGD 20 (2003).
-    pub fn set_mean_value(&mut self, batches: &ValenceBatches, input: &[Vector3<f64>], i: usize) {
+    pub(crate) fn set_mean_value(&mut self, batches: &ValenceBatches, input: &[Vector3<f64>], i: usize) {
         self.set_bounded_mean_value(batches, input, i, LARGEST_RATIO);
     }
 
@@ -126,14 +131,14 @@ impl FairnessWeights {
     }
 
     /// The weight in one slot.
-    pub fn at(&self, slot: usize, lane: usize) -> f64 {
+    pub(crate) fn at(&self, slot: usize, lane: usize) -> f64 {
         self.slots.as_ref().map_or(1.0, |s| s[slot][lane])
     }
 }
 
 /// Hands `cot alpha_j + cot beta_j`, clamped, to `set` for each of the `valence` neighbours of a closed ring. Returns
 /// whether an angle was too close to 0 or 180 degrees; see [`FairnessWeights::set_conformal`].
-pub fn clamped_cotangents<'x>(
+pub(crate) fn clamped_cotangents<'x>(
     q: &Vector3<f64>,
     valence: usize,
     ring: impl Fn(usize) -> &'x Vector3<f64>,
@@ -167,7 +172,7 @@ fn ring_length(batches: &ValenceBatches, first: usize) -> usize {
 
 /// The scalar Laplacian `G` of the weights on the pattern of the free one-ring graph: `(G f)_i = sum_j m_ij (f_i -
 /// f_j)` with `m_ij` the mean of `lambda_ij` and `lambda_ji`, fixed `f_j` being zero. Symmetric positive definite.
-pub fn laplacian(
+pub(crate) fn laplacian(
     pattern: &SymmetricPattern,
     rings: &Rings,
     batches: &ValenceBatches,
@@ -201,11 +206,11 @@ pub fn laplacian(
     values
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, sphere_cap};
+    use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn convex_weights_are_positive_and_reproduce_a_plane() {

@@ -51,7 +51,7 @@ impl Equations<'_> {
     }
 
     /// Normals and inner residual alone, into `state.normal` and `state.inner`; the rest of `state` stays.
-    pub fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
+    pub(crate) fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
         let chunks = &self.batches.chunks;
         let lengths = || chunks.iter().map(|c| c.vertices.len());
         let normal = split_lengths(&mut state.normal, lengths());

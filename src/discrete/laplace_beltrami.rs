@@ -13,7 +13,7 @@ const SMALLEST_SINE: f64 = 1e-8;
 
 /// The cotangent weights of a closed ring, written to `weight`, and the area of its triangles.
 #[inline(always)]
-pub fn ring_weights<const L: usize>(ring: &[RingEdge<L>], weight: &mut [Simd<L>]) -> Simd<L> {
+pub(crate) fn ring_weights<const L: usize>(ring: &[RingEdge<L>], weight: &mut [Simd<L>]) -> Simd<L> {
     let mut twice_area = Simd::zero();
     let m = ring.len();
     weight[0] = Simd::zero();
@@ -34,7 +34,7 @@ pub fn ring_weights<const L: usize>(ring: &[RingEdge<L>], weight: &mut [Simd<L>]
 }
 
 /// Cotangent of the angle at `apex` in the triangle `(apex, a, b)`.
-pub fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub(crate) fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     let (e_a, e_b) = (a - apex, b - apex);
     let sine = e_a.cross(&e_b).norm();
     let floor = (e_a.norm_squared() + e_b.norm_squared()) * SMALLEST_SINE;
@@ -42,7 +42,7 @@ pub fn cotangent(apex: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> f64
 }
 
 /// Area of a triangle.
-pub fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
+pub(crate) fn area(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>) -> f64 {
     (b - a).cross(&(c - a)).norm() * 0.5
 }
 

@@ -11,7 +11,12 @@ use super::simd::{Simd, Vec3, dot, minus, normalized, plus, scaled};
 /// angle" to the chord, which jumps when a normal turns past 90 degrees to it; `|c|` in the denominator is the
 /// same choice without the jump.
 #[inline(always)]
-pub fn spiral_sample<const L: usize>(a: &Vec3<L>, b: &Vec3<L>, n_a: &Vec3<L>, n_b: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn spiral_sample<const L: usize>(
+    a: &Vec3<L>,
+    b: &Vec3<L>,
+    n_a: &Vec3<L>,
+    n_b: &Vec3<L>,
+) -> Vec3<L> {
     let chord = minus(b, a);
     let length = dot(&chord, &chord).sqrt().max(Simd::splat(f64::MIN_POSITIVE));
     let c = scaled(&chord, length.recip());

@@ -8,7 +8,7 @@ use super::simd::{Simd, Vec3, normalized, plus, scaled};
 /// Nelson Max's weights, `n ~ sum (e_k x e_k+1) / (|e_k|^2 |e_k+1|^2)`: exact on a sphere for any ring.
 /// N. Max, "Weights for computing vertex normals from facet normals", J. Graphics Tools 4 (1999).
 #[inline(always)]
-pub fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
+pub(crate) fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
     let mut sum = [Simd::zero(); 3];
     let mut next = ring[0].inverse_square;
     for ring_edge in ring.iter().rev() {
@@ -20,7 +20,7 @@ pub fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
 
 /// The paper's normal (section 6): the normalized sum of the triangles' cross products.
 #[inline(always)]
-pub fn cross_product_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
+pub(crate) fn cross_product_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
     let mut sum = [Simd::zero(); 3];
     for ring_edge in ring {
         sum = plus(&sum, &ring_edge.cross);

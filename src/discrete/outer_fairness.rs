@@ -9,7 +9,7 @@ use super::valence_batches::{LANES, gather_scalar, split_lengths};
 impl Equations<'_> {
     /// `R1` from the weights, areas and curvatures of `state`. An inhomogeneous right-hand side is taken at the
     /// surface at hand.
-    pub fn outer_residual(&self, state: &mut State) {
+    pub(crate) fn outer_residual(&self, state: &mut State) {
         if self.right_hand_side.is_zero() {
             return self.residual_with(state, |sum, _, _, _| sum);
         }
@@ -61,7 +61,7 @@ impl Equations<'_> {
 
     /// The defect `max_i |R1_i| / sum_j |w_ij|` of the outer equation (a mean curvature: times a length it has no unit),
     /// and `|R1| / (|S| |H| + |load|)`, how much of the residual is more than cancellation.
-    pub fn defect(&self, state: &State) -> (f64, f64) {
+    pub(crate) fn defect(&self, state: &State) -> (f64, f64) {
         let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
         for i in 0..self.free() {
             let (mut absolute, mut size) = (0.0, 0.0);

@@ -16,7 +16,7 @@ const SMALL_RING: usize = 4;
 
 /// A fitted normal.
 #[derive(Debug, Clone, Copy)]
-pub struct Fit {
+pub(crate) struct Fit {
     /// Unit length.
     pub normal: Vector3<f64>,
     /// Standard error of the tilt, radians.
@@ -25,7 +25,7 @@ pub struct Fit {
 
 /// What lies around a boundary vertex outside: edge vectors, ring by ring.
 #[derive(Debug, Default)]
-pub struct Samples {
+pub(crate) struct Samples {
     edges: Vec<Vec3<1>>,
     /// How many lie within one, two and three edges.
     ends: [usize; 3],
@@ -35,7 +35,7 @@ pub struct Samples {
 
 impl Samples {
     /// Those of boundary vertex `v` (local number); `found` is room to work in.
-    pub fn gather(
+    pub(crate) fn gather(
         &mut self,
         surroundings: &Surroundings,
         x: &[Vector3<f64>],
@@ -70,7 +70,7 @@ impl Samples {
 
 /// A fit of `N` unknowns: of second order with 5, of third with 9.
 #[derive(Debug)]
-pub struct Order<const N: usize> {
+pub(crate) struct Order<const N: usize> {
     /// Weights of the first, second and third ring outside.
     weights: [f64; 3],
     /// See [`super::curvature`].
@@ -80,14 +80,14 @@ pub struct Order<const N: usize> {
 }
 
 /// Tangential quadrics: see [`super::curvature`].
-pub const SECOND: Order<5> = Order {
+pub(crate) const SECOND: Order<5> = Order {
     weights: [1.0, FLAP_WEIGHT, 0.0],
     ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE],
     fewest: 6,
 };
 
 /// The same with `w = u^3, u^2 v, u v^2, v^3`: from one side alone, what the quadric leaves out would else tilt it.
-pub const THIRD: Order<9> = Order {
+pub(crate) const THIRD: Order<9> = Order {
     weights: [1.0, 0.5, 0.1],
     ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE, 1e-4, 1e-4, 1e-4, 1e-4],
     fewest: 14,
@@ -95,7 +95,7 @@ pub const THIRD: Order<9> = Order {
 
 impl<const N: usize> Order<N> {
     /// Fits again and again from the tilted normal, which takes the bias of the ridge away.
-    pub fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
+    pub(crate) fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
         if samples.weighted(&self.weights).count() < self.fewest {
             return None;
         }
@@ -163,14 +163,14 @@ fn covariance<const N: usize>(factor: &[[Simd<1>; N]; N], squared: &NormalEquati
     squared.quadratic_form(&z).0[0]
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, catenoid_band, sphere_cap};
+    use fairmesh_shapes::{Sampling, catenoid_band, sphere_cap};
 
     /// The largest angle in degrees between a fit and the exact normals.
-    fn worst<const N: usize>(order: &Order<N>, shape: &crate::shapes::Shape) -> f64 {
+    fn worst<const N: usize>(order: &Order<N>, shape: &fairmesh_shapes::Shape) -> f64 {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
         let surroundings = Surroundings::new(&region);

@@ -9,7 +9,7 @@ use super::low_valence::spiral_sample;
 use super::simd::{minus, one};
 
 /// Valences up to this take extra samples (paper 6.2).
-pub const LOW_VALENCE: usize = 4;
+pub(crate) const LOW_VALENCE: usize = 4;
 
 impl Equations<'_> {
     /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals

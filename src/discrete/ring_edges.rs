@@ -7,13 +7,13 @@ const SMALLEST_SQUARE: f64 = 1e-150;
 
 /// `1 / |e|^2`; finite at `e = 0`.
 #[inline(always)]
-pub fn inverse_square<const L: usize>(square: Simd<L>) -> Simd<L> {
+pub(crate) fn inverse_square<const L: usize>(square: Simd<L>) -> Simd<L> {
     square.max(Simd::splat(SMALLEST_SQUARE)).recip()
 }
 
 /// RingEdge `k` of a ring: the edge to its `k`-th neighbour, counter-clockwise.
 #[derive(Debug, Clone, Copy)]
-pub struct RingEdge<const L: usize> {
+pub(crate) struct RingEdge<const L: usize> {
     /// `e_k = q_jk - q_i`.
     pub edge: Vec3<L>,
     /// `|e_k|^2`.
@@ -27,7 +27,7 @@ pub struct RingEdge<const L: usize> {
 impl<const L: usize> RingEdge<L> {
     /// A ring_edge without length.
     #[inline(always)]
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         let zero = Simd::zero();
         Self {
             edge: [zero; 3],
@@ -40,7 +40,7 @@ impl<const L: usize> RingEdge<L> {
 
 /// Fills in everything that follows from the edges.
 #[inline(always)]
-pub fn measure<const L: usize>(ring: &mut [RingEdge<L>]) {
+pub(crate) fn measure<const L: usize>(ring: &mut [RingEdge<L>]) {
     let Some(first) = ring.first() else { return };
     let mut next = first.edge;
     for ring_edge in ring.iter_mut().rev() {
@@ -51,8 +51,9 @@ pub fn measure<const L: usize>(ring: &mut [RingEdge<L>]) {
     }
 }
 
+#[cfg(test)]
 /// The ring with these edges.
-pub fn ring_of<const L: usize>(edges: impl IntoIterator<Item = Vec3<L>>) -> Vec<RingEdge<L>> {
+pub(crate) fn ring_of<const L: usize>(edges: impl IntoIterator<Item = Vec3<L>>) -> Vec<RingEdge<L>> {
     let mut ring: Vec<_> = edges
         .into_iter()
         .map(|edge| RingEdge {

@@ -11,34 +11,34 @@ use faer::traits::pulp::Arch;
 /// the way down to the arithmetic is `#[inline(always)]`. Rust never contracts a product and a sum into one rounding,
 /// so the results are those of calling `f` itself, bit by bit.
 #[inline(always)]
-pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     Arch::new().dispatch(f)
 }
 
 /// `L` numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
-pub struct Simd<const L: usize>(pub [f64; L]);
+pub(crate) struct Simd<const L: usize>(pub [f64; L]);
 
 /// `L` vectors, by coordinate.
-pub type Vec3<const L: usize> = [Simd<L>; 3];
+pub(crate) type Vec3<const L: usize> = [Simd<L>; 3];
 
 impl<const L: usize> Simd<L> {
     /// The same number in every lane.
     #[inline(always)]
-    pub fn splat(x: f64) -> Self {
+    pub(crate) fn splat(x: f64) -> Self {
         Self([x; L])
     }
 
     /// Zero in every lane.
     #[inline(always)]
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self::splat(0.0)
     }
 
     /// Lane by lane.
     #[inline(always)]
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut r = self.0;
         for x in &mut r {
             *x = f(*x);
@@ -57,25 +57,25 @@ impl<const L: usize> Simd<L> {
 
     /// Square root.
     #[inline(always)]
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 
     /// The larger of the two.
     #[inline(always)]
-    pub fn max(self, other: Self) -> Self {
+    pub(crate) fn max(self, other: Self) -> Self {
         self.zip(other, |a, b| if a > b { a } else { b })
     }
 
     /// One over each.
     #[inline(always)]
-    pub fn recip(self) -> Self {
+    pub(crate) fn recip(self) -> Self {
         self.map(|x| 1.0 / x)
     }
 
     /// The sum of all lanes, from the first.
     #[inline(always)]
-    pub fn sum(self) -> Simd<1> {
+    pub(crate) fn sum(self) -> Simd<1> {
         let mut sum = 0.0;
         for x in self.0 {
             sum += x;
@@ -85,13 +85,13 @@ impl<const L: usize> Simd<L> {
 
     /// Magnitude of `self`, sign of `sign`.
     #[inline(always)]
-    pub fn copysign(self, sign: Self) -> Self {
+    pub(crate) fn copysign(self, sign: Self) -> Self {
         self.zip(sign, f64::copysign)
     }
 
     /// Absolute value.
     #[inline(always)]
-    pub fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         self.map(f64::abs)
     }
 }
@@ -151,13 +151,13 @@ impl<const L: usize> AddAssign for Simd<L> {
 
 /// `<a, b>`.
 #[inline(always)]
-pub fn dot<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Simd<L> {
+pub(crate) fn dot<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Simd<L> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// `a x b`.
 #[inline(always)]
-pub fn cross<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn cross<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -167,25 +167,25 @@ pub fn cross<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
 
 /// `a - b`.
 #[inline(always)]
-pub fn minus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn minus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// `a + b`.
 #[inline(always)]
-pub fn plus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn plus<const L: usize>(a: &Vec3<L>, b: &Vec3<L>) -> Vec3<L> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 /// `s a`.
 #[inline(always)]
-pub fn scaled<const L: usize>(a: &Vec3<L>, s: Simd<L>) -> Vec3<L> {
+pub(crate) fn scaled<const L: usize>(a: &Vec3<L>, s: Simd<L>) -> Vec3<L> {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
 /// `a / |a|`; the zero vector stays zero.
 #[inline(always)]
-pub fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
+pub(crate) fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
     let length = dot(a, a).sqrt().max(Simd::splat(f64::MIN_POSITIVE));
     scaled(a, length.recip())
 }
@@ -193,7 +193,7 @@ pub fn normalized<const L: usize>(a: &Vec3<L>) -> Vec3<L> {
 /// Two unit vectors that complete the unit vector `n` to a right-handed orthonormal basis.
 /// Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
 #[inline(always)]
-pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+pub(crate) fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
     let one = Simd::splat(1.0);
     let sign = one.copysign(n[2]);
     let a = -(sign + n[2]).recip();
@@ -206,13 +206,13 @@ pub fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
 
 /// One vector as one lane.
 #[inline(always)]
-pub fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
+pub(crate) fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {
     [Simd([v.x]), Simd([v.y]), Simd([v.z])]
 }
 
 /// Puts one vector into one lane.
 #[inline(always)]
-pub fn set_lane<const L: usize>(to: &mut Vec3<L>, l: usize, v: &nalgebra::Vector3<f64>) {
+pub(crate) fn set_lane<const L: usize>(to: &mut Vec3<L>, l: usize, v: &nalgebra::Vector3<f64>) {
     to[0].0[l] = v.x;
     to[1].0[l] = v.y;
     to[2].0[l] = v.z;
@@ -220,7 +220,7 @@ pub fn set_lane<const L: usize>(to: &mut Vec3<L>, l: usize, v: &nalgebra::Vector
 
 /// One lane as a vector.
 #[inline(always)]
-pub fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
+pub(crate) fn lane<const L: usize>(v: &Vec3<L>, l: usize) -> nalgebra::Vector3<f64> {
     nalgebra::Vector3::new(v[0].0[l], v[1].0[l], v[2].0[l])
 }
 

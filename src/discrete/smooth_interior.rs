@@ -21,7 +21,7 @@ struct RingRoom {
 
 impl Equations<'_> {
     /// Whether the surface passes boundary vertex `b`: fixed in position, but free in its normal.
-    pub fn passes(&self, b: usize) -> bool {
+    pub(crate) fn passes(&self, b: usize) -> bool {
         self.smooth_interior.get(b).is_some_and(|&p| p)
     }
 
@@ -48,7 +48,12 @@ impl Equations<'_> {
     }
 
     /// `H` at boundary vertex `b`, whether its normal is prescribed or not.
-    pub fn boundary_curvature_of_any(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
+    pub(crate) fn boundary_curvature_of_any(
+        &self,
+        x: &[Vector3<f64>],
+        corrected: &[Vector3<f64>],
+        b: usize,
+    ) -> f64 {
         if self.passes(b) && self.curvature != FreeCurvature::Paper {
             self.passed(x, b, &mut RingRoom::default()).1
         } else {

@@ -27,7 +27,7 @@ pub enum Target {
 
 impl Target {
     /// The right-hand side in a frame whose unit of length is `scale` of the input's: lengths are divided by it.
-    pub fn right_hand_side(self, scale: f64) -> RightHandSide {
+    pub(crate) fn right_hand_side(self, scale: f64) -> RightHandSide {
         let (constant, energy) = match self {
             Target::Harmonic => (0.0, 0.0),
             Target::Constant(c) => (c * scale * scale * scale, 0.0),
@@ -39,7 +39,7 @@ impl Target {
 
 /// `rhs = constant - 2 energy H (H^2 - K)`, the sum of both inhomogeneous right-hand sides; zero by default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RightHandSide {
+pub(crate) struct RightHandSide {
     /// The constant, in 1 / length^3.
     pub constant: f64,
     /// Factor of the minimal-energy term, 1 for surfaces of minimal energy.
@@ -48,25 +48,26 @@ pub struct RightHandSide {
 
 impl RightHandSide {
     /// Whether the equation is the homogeneous one.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.constant == 0.0 && self.energy == 0.0
     }
 
     /// A part of it, as on the way from the harmonic surface.
-    pub fn share(&self, part: f64) -> Self {
+    pub(crate) fn share(&self, part: f64) -> Self {
         Self {
             constant: self.constant * part,
             energy: self.energy * part,
         }
     }
 
+    #[cfg(test)]
     /// `rhs` at a vertex with these mean and Gaussian curvatures.
-    pub fn at(&self, h: f64, k: f64) -> f64 {
+    pub(crate) fn at(&self, h: f64, k: f64) -> f64 {
         self.at_lanes(Simd([h]), Simd([k])).0[0]
     }
 
     /// `(2 A / 3) rhs`, the summand of `R1` at a vertex with 1-disk of area `area`.
-    pub fn load(&self, h: f64, k: f64, area: f64) -> f64 {
+    pub(crate) fn load(&self, h: f64, k: f64, area: f64) -> f64 {
         self.load_lanes(Simd([h]), Simd([k]), Simd([area])).0[0]
     }
 
@@ -77,7 +78,7 @@ impl RightHandSide {
 
     /// [`Self::load`] of several vertices.
     #[inline(always)]
-    pub fn load_lanes<const L: usize>(&self, h: Simd<L>, k: Simd<L>, area: Simd<L>) -> Simd<L> {
+    pub(crate) fn load_lanes<const L: usize>(&self, h: Simd<L>, k: Simd<L>, area: Simd<L>) -> Simd<L> {
         self.at_lanes(h, k) * area * (2.0 / 3.0)
     }
 }

@@ -11,14 +11,14 @@ use super::simd::{Simd, Vec3};
 use crate::mesh::{NONE, Rings};
 
 /// Vertices per group.
-pub const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 /// Vertices per chunk.
-pub const CHUNK: usize = 2048;
+pub(crate) const CHUNK: usize = 2048;
 
 /// Free vertices `vertices` and the batches that hold them.
 #[derive(Debug, Clone)]
-pub struct Chunk {
+pub(crate) struct Chunk {
     /// A run of free vertices.
     pub vertices: Range<usize>,
     /// Their batches.
@@ -29,7 +29,7 @@ pub struct Chunk {
 
 /// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
 #[derive(Debug, Clone)]
-pub struct ValenceBatches {
+pub(crate) struct ValenceBatches {
     /// The chunks, in the order of their vertices.
     pub chunks: Vec<Chunk>,
     /// Per group its vertices; a group that is not full repeats its last vertex.
@@ -52,7 +52,7 @@ pub struct ValenceBatches {
 
 /// A ring edge that has no flap.
 #[derive(Debug, Clone, Copy)]
-pub struct BoundaryEdge {
+pub(crate) struct BoundaryEdge {
     /// The ring position of its first end.
     pub slot: u32,
     /// The lane of the vertex in whose ring it is.
@@ -63,7 +63,7 @@ pub struct BoundaryEdge {
 
 impl ValenceBatches {
     /// Sorts the rings of the free vertices into batches.
-    pub fn new(rings: &Rings) -> Self {
+    pub(crate) fn new(rings: &Rings) -> Self {
         let free = rings.start.len() - 1;
         let valence = |i: u32| (rings.start[i as usize + 1] - rings.start[i as usize]) as usize;
         let mut batches = Self {
@@ -133,14 +133,14 @@ impl ValenceBatches {
     }
 
     /// The slots of a group.
-    pub fn slots(&self, group: usize) -> Range<usize> {
+    pub(crate) fn slots(&self, group: usize) -> Range<usize> {
         self.start[group]..self.start[group + 1]
     }
 }
 
 /// The positions of one slot.
 #[inline(always)]
-pub fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
+pub(crate) fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
     let mut r = [Simd::zero(); 3];
     for (l, &i) in vertex.iter().enumerate() {
         let p = &x[i as usize];
@@ -153,7 +153,7 @@ pub fn gather(x: &[Vector3<f64>], vertex: &[u32; LANES]) -> Vec3<LANES> {
 
 /// The numbers of one slot.
 #[inline(always)]
-pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Simd<LANES> {
+pub(crate) fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Simd<LANES> {
     let mut r = Simd::zero();
     for (l, &i) in vertex.iter().enumerate() {
         r.0[l] = x[i as usize];
@@ -163,7 +163,7 @@ pub fn gather_scalar(x: &[f64], vertex: &[u32; LANES]) -> Simd<LANES> {
 
 /// `weight` where a slot has a flap, else 0.
 #[inline(always)]
-pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Simd<LANES> {
+pub(crate) fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -> Simd<LANES> {
     let mut weights = Simd::splat(weight);
     for l in 0..LANES {
         weights.0[l] = if flap[l] == neighbour[l] { 0.0 } else { weight };
@@ -172,7 +172,7 @@ pub fn flap_weight(flap: &[u32; LANES], neighbour: &[u32; LANES], weight: f64) -
 }
 
 /// Cuts a slice into consecutive pieces of the given lengths.
-pub fn split_lengths<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+pub(crate) fn split_lengths<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
     let mut pieces = Vec::with_capacity(lengths.size_hint().0);
     for length in lengths {
         let (head, tail) = slice.split_at_mut(length);

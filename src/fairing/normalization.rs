@@ -7,7 +7,7 @@ use crate::mesh::Region;
 use crate::solve::globalize::bounding_box;
 
 /// A centre and a unit of length.
-pub struct Normalization {
+pub(super) struct Normalization {
     centre: Vector3<f64>,
     /// Its unit of length in that of the input.
     pub scale: f64,
@@ -15,7 +15,7 @@ pub struct Normalization {
 
 impl Normalization {
     /// The frame of a region with the positions `x` (free, boundary, outside).
-    pub fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
+    pub(super) fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
         let boundary = &x[region.free..region.region_vertices()];
         let size = bounding_box(boundary);
         let (low, high) = if (size.1 - size.0).norm() > 0.0 {
@@ -36,14 +36,14 @@ impl Normalization {
     }
 
     /// Takes positions into the normalization.
-    pub fn enter(&self, x: &mut [Vector3<f64>]) {
+    pub(super) fn enter(&self, x: &mut [Vector3<f64>]) {
         for p in x {
             *p = (*p - self.centre) / self.scale;
         }
     }
 
     /// Takes a position back.
-    pub fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
+    pub(super) fn leave(&self, p: &Vector3<f64>) -> [f64; 3] {
         (p * self.scale + self.centre).into()
     }
 }

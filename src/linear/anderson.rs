@@ -232,7 +232,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::sparse::tests::Noise;
+    use crate::sparse::tests::Noise;
 
     /// g(x) = A x + b with A of rank `rank`, in `n` dimensions: the fixed point lies in b + range(A).
     struct Linear {

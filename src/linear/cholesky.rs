@@ -337,9 +337,9 @@ fn assemble<T: Real>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::ordering::{amd, landmark_coordinates, nested_dissection};
-    use crate::linear::sparse::SymmetricPattern;
-    use crate::linear::sparse::tests::{Noise, grid, laplacian};
+    use crate::ordering::{amd, landmark_coordinates, nested_dissection};
+    use crate::sparse::SymmetricPattern;
+    use crate::sparse::tests::{Noise, grid, laplacian};
 
     fn factored<T: Real>(pattern: &SymmetricPattern, order: &[u32], values: &[f64]) -> Cholesky<T> {
         let mut factor = Cholesky::new(Arc::new(Symbolic::new(pattern, order)));

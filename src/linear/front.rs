@@ -12,6 +12,7 @@ use faer::traits::RealField;
 use faer::traits::pulp::Arch;
 use faer::{Accum, MatMut, Par};
 
+#[allow(unnameable_types, reason = "nobody else may implement it")]
 mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}

@@ -442,8 +442,8 @@ fn breadth_first(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::sparse::tests::grid;
-    use crate::linear::symbolic::Symbolic;
+    use crate::sparse::tests::grid;
+    use crate::symbolic::Symbolic;
 
     fn is_permutation(order: &[u32], n: usize) -> bool {
         let mut sorted = order.to_vec();

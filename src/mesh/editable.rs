@@ -8,7 +8,7 @@ use super::{NONE, Region};
 /// `k + 1`, as in [`super::HalfEdges`]. A collapse takes two triangles away, whose entries stay as they were: that is all a
 /// split needs to know.
 #[derive(Debug, Clone)]
-pub struct EditableMesh {
+pub(crate) struct EditableMesh {
     triangles: Vec<[u32; 3]>,
     alive: Vec<bool>,
     opposite: Vec<u32>,
@@ -27,7 +27,7 @@ const MOST: usize = 14;
 
 impl EditableMesh {
     /// The region with all its triangles.
-    pub fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
         let ring_edge = (0..region.region_vertices()).map(|v| half_edges.ring_edges(v)[0]);
         Self {
@@ -42,36 +42,36 @@ impl EditableMesh {
 
     /// The vertex that `h` starts from.
     #[inline]
-    pub fn origin(&self, h: u32) -> u32 {
+    pub(crate) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     /// The vertex that `h` runs to.
     #[inline]
-    pub fn target(&self, h: u32) -> u32 {
+    pub(crate) fn target(&self, h: u32) -> u32 {
         self.origin(next(h))
     }
 
     /// The vertex of `h`'s triangle that is not on `h`.
     #[inline]
-    pub fn apex(&self, h: u32) -> u32 {
+    pub(crate) fn apex(&self, h: u32) -> u32 {
         self.origin(previous(h))
     }
 
     /// Whether `h` lies in a triangle of the region.
     #[inline]
-    pub fn in_region(&self, h: u32) -> bool {
+    pub(crate) fn in_region(&self, h: u32) -> bool {
         (h as usize) < 3 * self.region_triangles
     }
 
     /// Whether a vertex is free.
     #[inline]
-    pub fn is_free(&self, v: u32) -> bool {
+    pub(crate) fn is_free(&self, v: u32) -> bool {
         (v as usize) < self.free
     }
 
     /// The triangles that are there, by number.
-    pub fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
         let pairs = self.triangles.iter().zip(&self.alive).enumerate();
         pairs
             .filter(|(_, (_, alive))| **alive)
@@ -79,7 +79,7 @@ impl EditableMesh {
     }
 
     /// The outgoing half-edges of a free or boundary vertex that is there, counter-clockwise, one per triangle.
-    pub fn ring_edges(&self, v: u32) -> impl Iterator<Item = u32> {
+    pub(crate) fn ring_edges(&self, v: u32) -> impl Iterator<Item = u32> {
         let first = self.ring_edge[v as usize];
         let following = move |&h: &u32| {
             let o = self.opposite[previous(h) as usize];
@@ -89,7 +89,7 @@ impl EditableMesh {
     }
 
     /// The same, from the triangles of the region.
-    pub fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
+    pub(crate) fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
         self.ring_edges(v).filter(|&h| self.in_region(h))
     }
 
@@ -105,7 +105,7 @@ impl EditableMesh {
 
     /// Whether the origin of `h` may be moved into its target: it is free, the mesh stays a 2-manifold, every triangle of
     /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
-    pub fn can_collapse(&self, h: u32) -> bool {
+    pub(crate) fn can_collapse(&self, h: u32) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
         if !self.is_free(u) {
             return false;
@@ -155,7 +155,7 @@ impl EditableMesh {
     }
 
     /// Moves the origin of `h` into its target. [`Self::can_collapse`] must hold.
-    pub fn collapse(&mut self, h: u32) {
+    pub(crate) fn collapse(&mut self, h: u32) {
         let v = self.target(h);
         let Around { o, a, b, c, d } = self.around(h);
         self.rename(b, c, v);
@@ -170,7 +170,7 @@ impl EditableMesh {
     }
 
     /// Undoes the last collapse, which was that of `h`; further ones in reverse order.
-    pub fn split(&mut self, h: u32) {
+    pub(crate) fn split(&mut self, h: u32) {
         let Around { o, a, b, c, d } = self.around(h);
         let u = self.origin(h);
         self.rename(b, c, u);
@@ -231,11 +231,12 @@ impl EditableMesh {
         self.ring_edge[v as usize] = g;
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
+    pub(crate) fn validate(&self) -> Result<(), String> {
         let mut ring_edges = vec![0usize; self.ring_edge.len()];
         for (t, corners) in self.triangles() {
             for k in 0..3 {

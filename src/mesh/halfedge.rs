@@ -8,20 +8,20 @@ use crate::error::Error;
 
 /// The half-edge after `h` in its triangle.
 #[inline]
-pub fn next(h: u32) -> u32 {
+pub(crate) fn next(h: u32) -> u32 {
     if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
 /// The half-edge before `h` in its triangle.
 #[inline]
-pub fn previous(h: u32) -> u32 {
+pub(crate) fn previous(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
 /// Triangles and their neighbourhood: the region's triangles first, then the outside ring (the triangles
 /// that touch a boundary vertex without belonging to the region). An orientable 2-manifold, perhaps with boundary.
 #[derive(Debug, Clone, Default)]
-pub struct HalfEdges {
+pub(crate) struct HalfEdges {
     /// Local vertex numbers of each triangle.
     pub triangles: Vec<[u32; 3]>,
     /// The caller's number of each triangle.
@@ -72,31 +72,31 @@ impl HalfEdges {
 
     /// The vertex that `h` starts from.
     #[inline]
-    pub fn origin(&self, h: u32) -> u32 {
+    pub(crate) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     /// The vertex that `h` runs to.
     #[inline]
-    pub fn target(&self, h: u32) -> u32 {
+    pub(crate) fn target(&self, h: u32) -> u32 {
         self.origin(next(h))
     }
 
     /// The vertex of `h`'s triangle that is not on `h`.
     #[inline]
-    pub fn apex(&self, h: u32) -> u32 {
+    pub(crate) fn apex(&self, h: u32) -> u32 {
         self.origin(previous(h))
     }
 
     /// Whether `h` lies in a triangle of the region.
     #[inline]
-    pub fn in_region(&self, h: u32) -> bool {
+    pub(crate) fn in_region(&self, h: u32) -> bool {
         (h as usize) < 3 * self.region_triangles
     }
 
     /// The third vertex of the region triangle across `h`, or [`NONE`].
     #[inline]
-    pub fn flap(&self, h: u32) -> u32 {
+    pub(crate) fn flap(&self, h: u32) -> u32 {
         let o = self.opposite[h as usize];
         if o != NONE && self.in_region(o) {
             self.apex(o)
@@ -107,7 +107,7 @@ impl HalfEdges {
 
     /// Origin, target and apex of `h`.
     #[inline]
-    pub fn corners(&self, h: u32) -> [u32; 3] {
+    pub(crate) fn corners(&self, h: u32) -> [u32; 3] {
         let [a, b, c] = self.triangles[h as usize / 3];
         match h % 3 {
             0 => [a, b, c],
@@ -118,7 +118,7 @@ impl HalfEdges {
 
     /// The outgoing half-edges of a free or boundary vertex; see [`HalfEdges::ring_edge`].
     #[inline]
-    pub fn ring_edges(&self, vertex: usize) -> &[u32] {
+    pub(crate) fn ring_edges(&self, vertex: usize) -> &[u32] {
         &self.ring_edge[self.spoke_start[vertex] as usize..self.spoke_start[vertex + 1] as usize]
     }
 
@@ -192,11 +192,12 @@ impl HalfEdges {
         flaws
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
+    pub(crate) fn validate(&self) -> Result<(), String> {
         if self.opposite.len() != 3 * self.triangles.len() || self.triangle_ids.len() != self.triangles.len()
         {
             return Err("lengths differ".into());

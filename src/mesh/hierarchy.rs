@@ -17,7 +17,7 @@ const LEAST_COSINE: f64 = 0.2;
 
 /// A mesh and the collapses that have led to it.
 #[derive(Debug, Clone)]
-pub struct ProgressiveMesh {
+pub(crate) struct ProgressiveMesh {
     mesh: EditableMesh,
     /// Half-edges `(u, v)` with `u` moved into `v`, in the order of the collapses.
     collapses: Vec<u32>,
@@ -27,7 +27,7 @@ pub struct ProgressiveMesh {
 
 /// A vertex that a split has brought back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Split {
+pub(crate) struct Split {
     /// The vertex.
     pub vertex: u32,
     /// The vertex that it had been moved into.
@@ -37,7 +37,7 @@ pub struct Split {
 /// Collapses half-edges until `target` vertices (free and boundary) are left or no collapse is allowed. Shorter edges go
 /// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No boundary vertex is
 /// collapsed, and none loses its last free neighbour. Positions are those of `x` throughout; `region` numbers vertices.
-pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
+pub(crate) fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
     let mut progressive = ProgressiveMesh {
         mesh: EditableMesh::new(region),
         collapses: Vec::new(),
@@ -78,17 +78,17 @@ pub fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Progressi
 
 impl ProgressiveMesh {
     /// Vertices that are there, free and boundary.
-    pub fn vertices(&self) -> usize {
+    pub(crate) fn vertices(&self) -> usize {
         self.free - self.collapses.len() + self.boundary
     }
 
     /// The mesh as it is now.
-    pub fn mesh(&self) -> &EditableMesh {
+    pub(crate) fn mesh(&self) -> &EditableMesh {
         &self.mesh
     }
 
     /// Brings back the vertex collapsed last; `None` when all are there.
-    pub fn refine(&mut self) -> Option<Split> {
+    pub(crate) fn refine(&mut self) -> Option<Split> {
         let h = self.collapses.pop()?;
         self.mesh.split(h);
         Some(Split {
@@ -101,7 +101,7 @@ impl ProgressiveMesh {
     ///
     /// # Errors
     /// None on a mesh that [`decimate`] has made.
-    pub fn region(&self, x: &[Vector3<f64>]) -> Result<Region, Error> {
+    pub(crate) fn region(&self, x: &[Vector3<f64>]) -> Result<Region, Error> {
         let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
         let triangles: Vec<[u32; 3]> = self.mesh.triangles().map(|(_, corners)| corners).collect();
         let mut is_there = vec![false; self.free];
@@ -114,7 +114,7 @@ impl ProgressiveMesh {
 }
 
 /// Vertices per level, from the base to the given mesh: exponential growth (7.4). `levels` of at least 1.
-pub fn level_sizes(base: usize, vertices: usize, levels: usize) -> Vec<usize> {
+pub(crate) fn level_sizes(base: usize, vertices: usize, levels: usize) -> Vec<usize> {
     let ratio = (vertices as f64 / base.max(1) as f64).max(1.0);
     let size = |k: usize| {
         let part = k as f64 / (levels.max(2) - 1) as f64;

@@ -6,7 +6,11 @@ const LARGEST: usize = 6;
 
 /// Which of the `outside` triangles belong to islands: batches connected by vertices, of at most six boundary vertices
 /// and no others, with a triangle on both sides of every edge. `inside` are the triangles of the region.
-pub fn islands(inside: &[[u32; 3]], outside: &[[u32; 3]], is_boundary: impl Fn(u32) -> bool) -> Vec<bool> {
+pub(crate) fn islands(
+    inside: &[[u32; 3]],
+    outside: &[[u32; 3]],
+    is_boundary: impl Fn(u32) -> bool,
+) -> Vec<bool> {
     let mut on_island = vec![false; outside.len()];
     let of_boundary = |tri: &[u32; 3]| tri.iter().all(|&v| is_boundary(v));
     if !outside.iter().any(of_boundary) {

@@ -1,21 +1,23 @@
 //! The region of a triangle mesh: half-edges, rings, and what is free, fixed and boundary.
 
 mod cut;
-pub mod editable;
-pub mod halfedge;
-pub mod hierarchy;
-pub mod islands;
-pub mod region;
-pub mod rings;
+pub(crate) mod editable;
+pub(crate) mod halfedge;
+pub(crate) mod hierarchy;
+pub(crate) mod islands;
+pub(crate) mod region;
+pub(crate) mod rings;
 mod rounding;
-pub mod surroundings;
+pub(crate) mod surroundings;
 
-pub use editable::EditableMesh;
-pub use halfedge::HalfEdges;
-pub use hierarchy::{ProgressiveMesh, Split, decimate, level_sizes};
-pub use region::{Region, Selection};
-pub use rings::Rings;
-pub use surroundings::Surroundings;
+pub(crate) use editable::EditableMesh;
+pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
+pub(crate) use region::{Region, Selection};
+pub(crate) use rings::Rings;
+pub(crate) use surroundings::Surroundings;
+
+#[cfg(test)]
+mod tests;
 
 /// No element: the partner of a boundary half-edge, the flap that is not there.
-pub const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;

@@ -29,7 +29,7 @@ pub enum Selection<'a> {
 /// Vertices have local numbers: the free ones, the boundary, the rest of the outside ring, then the
 /// vertices of two more rings beyond it, each group in the caller's order.
 #[derive(Debug, Clone)]
-pub struct Region {
+pub(crate) struct Region {
     /// The caller's number of each local vertex.
     pub vertex_ids: Vec<u32>,
     /// How many vertices are free.
@@ -63,7 +63,7 @@ impl Region {
     /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
     /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
     /// [`Error::NothingFixed`].
-    pub fn new(
+    pub(crate) fn new(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
@@ -76,7 +76,7 @@ impl Region {
     ///
     /// # Errors
     /// As [`Region::new`].
-    pub fn with_normals(
+    pub(crate) fn with_normals(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
@@ -132,18 +132,18 @@ impl Region {
 
     /// Whether a local vertex is free.
     #[inline]
-    pub fn is_free(&self, vertex: u32) -> bool {
+    pub(crate) fn is_free(&self, vertex: u32) -> bool {
         (vertex as usize) < self.free
     }
 
     /// How many vertices the region has: free and boundary.
     #[inline]
-    pub fn region_vertices(&self) -> usize {
+    pub(crate) fn region_vertices(&self) -> usize {
         self.free + self.boundary
     }
 
     /// The positions of all local vertices, gathered from the caller's.
-    pub fn positions(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
+    pub(crate) fn positions(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
         self.vertex_ids
             .iter()
             .map(|&v| Vector3::from(positions[v as usize]))
@@ -151,15 +151,16 @@ impl Region {
     }
 
     /// The triangles of the region, in local vertex numbers.
-    pub fn triangles(&self) -> &[[u32; 3]] {
+    pub(crate) fn triangles(&self) -> &[[u32; 3]] {
         &self.half_edges.triangles[..self.half_edges.region_triangles]
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self) -> Result<(), String> {
+    pub(crate) fn validate(&self) -> Result<(), String> {
         self.half_edges.validate()?;
         let (free, boundary) = self.vertex_ids[..self.region_vertices()].split_at(self.free);
         if !free.is_sorted_by(|a, b| a < b) || !boundary.is_sorted() {

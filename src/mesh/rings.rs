@@ -3,12 +3,12 @@
 use super::NONE;
 use super::halfedge::{next, previous};
 use super::region::Region;
-use crate::linear::sparse::SymmetricPattern;
+use fairmesh_linear::sparse::SymmetricPattern;
 
 /// The neighbourhoods of the region's vertices, in local vertex numbers. Row `i` of a quantity `x` is
 /// `x[x_start[i]..x_start[i + 1]]`; boundary rows are numbered from the first boundary vertex.
 #[derive(Debug, Clone, Default)]
-pub struct Rings {
+pub(crate) struct Rings {
     /// Rows of `neighbour`, `flap` and `twin`; free + 1 offsets.
     pub start: Vec<u32>,
     /// The closed ring of each free vertex, counter-clockwise from the smallest local number.
@@ -45,7 +45,7 @@ pub struct Rings {
 
 impl Rings {
     /// Walks around every vertex of the region.
-    pub fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &Region) -> Self {
         let mut rings = Self::default();
         rings.walk_free(region);
         rings.walk_boundary(region);
@@ -61,37 +61,37 @@ impl Rings {
 
     /// The ring edges of the outside triangles at a boundary vertex.
     #[inline]
-    pub fn outside_triangles(&self, b: usize) -> &[[u32; 2]] {
+    pub(crate) fn outside_triangles(&self, b: usize) -> &[[u32; 2]] {
         &self.outside_edge[self.outside_edge_start[b] as usize..self.outside_edge_start[b + 1] as usize]
     }
 
     /// How many free vertices there are.
     #[inline]
-    pub fn free(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.start.len() - 1
     }
 
     /// How many boundary vertices there are.
     #[inline]
-    pub fn boundary(&self) -> usize {
+    pub(crate) fn boundary(&self) -> usize {
         self.boundary_start.len() - 1
     }
 
     /// The ring of a free vertex, counter-clockwise.
     #[inline]
-    pub fn ring(&self, i: usize) -> &[u32] {
+    pub(crate) fn ring(&self, i: usize) -> &[u32] {
         &self.neighbour[self.start[i] as usize..self.start[i + 1] as usize]
     }
 
     /// The region neighbours of boundary vertex `free + b`.
     #[inline]
-    pub fn boundary_ring(&self, b: usize) -> &[u32] {
+    pub(crate) fn boundary_ring(&self, b: usize) -> &[u32] {
         row(&self.boundary_start, &self.boundary_neighbour, b)
     }
 
     /// The region neighbours of any region vertex.
     #[inline]
-    pub fn neighbours(&self, v: usize) -> &[u32] {
+    pub(crate) fn neighbours(&self, v: usize) -> &[u32] {
         if v < self.free() {
             self.ring(v)
         } else {
@@ -160,7 +160,7 @@ impl Rings {
     }
 
     /// The one-ring graph of the free vertices: the pattern of the scalar graph Laplacian.
-    pub fn graph(&self) -> SymmetricPattern {
+    pub(crate) fn graph(&self) -> SymmetricPattern {
         let free = self.free();
         let mut pattern = SymmetricPattern {
             start: Vec::with_capacity(free + 1),
@@ -182,7 +182,7 @@ impl Rings {
 
     /// The pattern of `S_I D S_I^T`, where S_I holds the free rows and all region columns of the Laplacian:
     /// free vertices are connected if they are the same, neighbours, or have a common neighbour, free or boundary.
-    pub fn two_ring_pattern(&self) -> SymmetricPattern {
+    pub(crate) fn two_ring_pattern(&self) -> SymmetricPattern {
         let free = self.free();
         let mut pattern = SymmetricPattern {
             start: Vec::with_capacity(free + 1),
@@ -210,16 +210,18 @@ impl Rings {
         pattern
     }
 
+    #[cfg(test)]
     /// Checks the invariants; for tests.
     ///
     /// # Errors
     /// What is violated.
-    pub fn validate(&self, region: &Region) -> Result<(), String> {
+    pub(crate) fn validate(&self, region: &Region) -> Result<(), String> {
         self.validate_free(region)?;
         self.validate_boundary(region)?;
         self.validate_euler(region)
     }
 
+    #[cfg(test)]
     fn validate_free(&self, region: &Region) -> Result<(), String> {
         if self.free() != region.free || self.boundary() != region.boundary {
             return Err("row counts".into());
@@ -246,6 +248,7 @@ impl Rings {
         Ok(())
     }
 
+    #[cfg(test)]
     fn validate_boundary(&self, region: &Region) -> Result<(), String> {
         let distinct = |row: &[u32]| {
             let mut sorted = row.to_vec();
@@ -276,6 +279,7 @@ impl Rings {
         Ok(())
     }
 
+    #[cfg(test)]
     /// V - E + F with the boundary vertices split into their fans must match the count of half-edges: every
     /// half-edge of the region is a ring_edge of exactly one ring, and every boundary half-edge begins one fan.
     fn validate_euler(&self, region: &Region) -> Result<(), String> {

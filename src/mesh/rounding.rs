@@ -9,7 +9,10 @@ const HALF_STEP: f64 = 0.5 * f32::EPSILON as f64;
 
 /// Whether these triangles' vertices all have single precision coordinates, so that each is off by up to half of its last
 /// digit, and that is much against the mean edge. Coordinates that are double precision are taken as exact.
-pub fn single_precision_matters(positions: &[[f64; 3]], triangles: impl Iterator<Item = [u32; 3]>) -> bool {
+pub(super) fn single_precision_matters(
+    positions: &[[f64; 3]],
+    triangles: impl Iterator<Item = [u32; 3]>,
+) -> bool {
     let (mut largest, mut length, mut edges) = (0.0_f64, 0.0, 0.0);
     for triangle in triangles {
         let x = triangle.map(|v| positions[v as usize]);

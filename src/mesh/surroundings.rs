@@ -5,21 +5,21 @@ use super::region::Region;
 
 /// Neighbours of the vertices outside, boundary vertices included, along edges of triangles that are not of the region.
 #[derive(Debug, Clone)]
-pub struct Surroundings {
+pub(crate) struct Surroundings {
     start: Vec<u32>,
     neighbour: Vec<u32>,
 }
 
 /// So many rings are fitted where rounding is felt.
-pub const RINGS_WIDE: usize = 8;
+pub(crate) const RINGS_WIDE: usize = 8;
 
 /// Which vertices were found already; room to work in.
 #[derive(Debug, Clone, Default)]
-pub struct Marks(Vec<bool>);
+pub(crate) struct Marks(Vec<bool>);
 
 impl Surroundings {
     /// Of a region, by local vertex number.
-    pub fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
         let outside = &half_edges.triangles[half_edges.region_triangles..];
         let triangles = || outside.iter().chain(&region.beyond);
@@ -42,7 +42,7 @@ impl Surroundings {
     }
 
     /// The vertices within `N` edges of `v`, without `v`: `ends[k]` of them, the first of the list, within `k + 1`.
-    pub fn rings<const N: usize>(&self, v: u32, found: &mut Vec<u32>) -> [usize; N] {
+    pub(crate) fn rings<const N: usize>(&self, v: u32, found: &mut Vec<u32>) -> [usize; N] {
         found.clear();
         found.push(v);
         let mut begin = 0;
@@ -67,7 +67,7 @@ impl Surroundings {
     }
 
     /// The vertices within so many edges of `v`, without `v`: hundreds.
-    pub fn disc(&self, v: u32, rings: usize, found: &mut Vec<u32>, marks: &mut Marks) {
+    pub(crate) fn disc(&self, v: u32, rings: usize, found: &mut Vec<u32>, marks: &mut Marks) {
         let marks = &mut marks.0;
         marks.resize(self.start.len(), false);
         found.clear();

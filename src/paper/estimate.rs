@@ -9,11 +9,11 @@ use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
 
 /// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
-pub const SMALLEST_DIAGONAL: f64 = 1e-6;
+pub(crate) const SMALLEST_DIAGONAL: f64 = 1e-6;
 
 /// `S` on one level, and room for the iterations.
 #[derive(Debug)]
-pub struct Dirichlet<'a> {
+pub(crate) struct Dirichlet<'a> {
     rings: &'a Rings,
     batches: &'a ValenceBatches,
     /// `w_ij`, ring after ring.
@@ -30,7 +30,7 @@ pub struct Dirichlet<'a> {
 
 impl<'a> Dirichlet<'a> {
     /// Room for the region of these rings.
-    pub fn new(rings: &'a Rings, batches: &'a ValenceBatches, right_hand_side: RightHandSide) -> Self {
+    pub(crate) fn new(rings: &'a Rings, batches: &'a ValenceBatches, right_hand_side: RightHandSide) -> Self {
         let free = rings.free();
         Self {
             rings,
@@ -46,7 +46,7 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// Takes the weights of the surface that `state` was evaluated at.
-    pub fn refresh(&mut self, state: &State) {
+    pub(crate) fn refresh(&mut self, state: &State) {
         let start = &self.rings.start;
         for (i, &(first, lane)) in self.batches.place.iter().enumerate() {
             let row = &mut self.weight[start[i] as usize..start[i + 1] as usize];
@@ -75,7 +75,7 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// By how much a Gauss-Seidel iteration at vertex `i` follows the curvature of neighbour `k` of its ring.
-    pub fn share(&self, i: usize, k: usize) -> f64 {
+    pub(crate) fn share(&self, i: usize, k: usize) -> f64 {
         if self.diagonal[i] > 0.0 {
             self.weight[self.rings.start[i] as usize + k] / self.diagonal[i]
         } else {
@@ -84,7 +84,7 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// One Gauss-Seidel iteration on `h` (free, boundary), vertex after vertex.
-    pub fn gauss_seidel(&self, h: &mut [f64]) {
+    pub(crate) fn gauss_seidel(&self, h: &mut [f64]) {
         for i in 0..self.diagonal.len() {
             if self.diagonal[i] > 0.0 {
                 let sum: f64 = self.row(i).map(|(w, j)| w * h[j]).sum();
@@ -94,7 +94,7 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// `n` conjugate gradient iterations on `h` (free, boundary) with the diagonal as preconditioner.
-    pub fn conjugate_gradients(&mut self, h: &mut [f64], n: usize) {
+    pub(crate) fn conjugate_gradients(&mut self, h: &mut [f64], n: usize) {
         let free = self.diagonal.len();
         let mut residual = std::mem::take(&mut self.residual);
         let mut direction = std::mem::take(&mut self.direction);
@@ -142,7 +142,7 @@ impl<'a> Dirichlet<'a> {
     }
 
     /// How far the surface of `state` is from the equation.
-    pub fn measure(&self, x: &[Vector3<f64>], state: &State, diagonal: f64) -> Residual {
+    pub(crate) fn measure(&self, x: &[Vector3<f64>], state: &State, diagonal: f64) -> Residual {
         let reach = x.iter().fold(0.0f64, |m, p| m.max(p.amax()));
         let mut worst = Residual::default();
         for i in 0..self.diagonal.len() {
@@ -175,7 +175,7 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// How far a surface is from the outer fairness equation; none of it has a unit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Residual {
+pub(crate) struct Residual {
     /// `max_i |sum_j w_ij (H_i - H_j)| / sum_j |w_ij|`, times the diagonal.
     pub defect: f64,
     /// `max_i |Delta_B H_i|`, times the diagonal to the third power.
@@ -184,13 +184,13 @@ pub struct Residual {
     pub rounding: f64,
 }
 
-#[cfg(all(test, feature = "shapes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::discrete::equations::{Equations, FreeCurvature};
     use crate::discrete::inner_fairness::FairnessWeights;
     use crate::mesh::{Region, Selection};
-    use crate::shapes::{Sampling, sphere_cap};
+    use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn linear_functions_on_a_plane_are_harmonic_for_both_estimates() {

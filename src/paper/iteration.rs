@@ -15,7 +15,7 @@ use crate::solve::Control;
 
 /// What the iteration has to reach on a level.
 #[derive(Debug, Clone, Copy)]
-pub struct Goal {
+pub(crate) struct Goal {
     /// Harmonic defect.
     pub defect: f64,
     /// `|Delta_B H|` without unit.
@@ -26,7 +26,7 @@ pub struct Goal {
 
 /// How it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub(crate) enum End {
     /// The goal is met.
     Met,
     /// Met as far as the rounding of positions lets one see.
@@ -41,7 +41,7 @@ pub enum End {
 
 /// What came of it.
 #[derive(Debug, Clone, Copy)]
-pub struct Ended {
+pub(crate) struct Ended {
     /// How.
     pub end: End,
     /// Of the surface returned.
@@ -53,7 +53,7 @@ pub struct Ended {
 }
 
 /// One level of the hierarchy with room for the iteration.
-pub struct Level<'a> {
+pub(crate) struct Level<'a> {
     rings: &'a Rings,
     problem: Problem<'a>,
     /// `lambda_ij`, ring after ring; empty where all are one.
@@ -71,7 +71,7 @@ pub struct Level<'a> {
 
 impl<'a> Level<'a> {
     /// Room for the region of a problem.
-    pub fn new(problem: &Problem<'a>) -> Self {
+    pub(crate) fn new(problem: &Problem<'a>) -> Self {
         let (rings, batches, weights) = (problem.rings, problem.batches, problem.weights);
         let free = rings.free();
         let mut normal = vec![Vector3::zeros(); free];
@@ -91,7 +91,7 @@ impl<'a> Level<'a> {
 
     /// Iterates from `x` (free, boundary) until the goal is met. `x` becomes the surface of smallest defect on the way;
     /// the last one, where the goal is met. Progress is told after every update.
-    pub fn iterate(
+    pub(crate) fn iterate(
         &mut self,
         x: &mut [Vector3<f64>],
         options: &PaperOptions,

@@ -11,7 +11,7 @@ use crate::mesh::Rings;
 
 /// The triangles of the region around one vertex.
 #[derive(Debug, Clone, Default)]
-pub struct Fan {
+pub(crate) struct Fan {
     /// The neighbours, each once, counter-clockwise.
     pub ring: Vec<u32>,
     /// The edges across, counter-clockwise: those between consecutive neighbours, one per triangle.
@@ -19,7 +19,7 @@ pub struct Fan {
 }
 
 /// A region whose vertices are known by their surroundings.
-pub trait Fans {
+pub(crate) trait Fans {
     /// Whether a vertex is free; else it is fixed and has a prescribed normal.
     fn is_free(&self, v: u32) -> bool;
     /// The triangles around a free or boundary vertex.
@@ -51,7 +51,7 @@ impl Fans for Rings {
 
 impl Fan {
     /// The normalized sum of the cross products (6); `None` where the triangles have no area.
-    pub fn normal(&self, x: &[Vector3<f64>], v: u32) -> Option<Vector3<f64>> {
+    pub(crate) fn normal(&self, x: &[Vector3<f64>], v: u32) -> Option<Vector3<f64>> {
         let q = x[v as usize];
         let cross = |&[a, b]: &[u32; 2]| (x[a as usize] - q).cross(&(x[b as usize] - q));
         let sum: Vector3<f64> = self.edges.iter().map(cross).sum();
@@ -59,7 +59,13 @@ impl Fan {
     }
 
     /// `H` at `v`; the samples of 6.2 are added where the valence is low, and always at a boundary vertex (7.5).
-    pub fn curvature(&self, x: &[Vector3<f64>], normal: &[Vector3<f64>], v: u32, is_free: bool) -> f64 {
+    pub(crate) fn curvature(
+        &self,
+        x: &[Vector3<f64>],
+        normal: &[Vector3<f64>],
+        v: u32,
+        is_free: bool,
+    ) -> f64 {
         let q = one(&x[v as usize]);
         let at = |j: u32| minus(&one(&x[j as usize]), &q);
         let between = if is_free && self.ring.len() > LOW_VALENCE {
@@ -78,7 +84,7 @@ impl Fan {
 
 /// By how much the curvature of a vertex's neighbours answers to its normal steps.
 #[derive(Debug, Default)]
-pub struct Answer {
+pub(crate) struct Answer {
     own: Fan,
     other: Fan,
     kept: Vec<Vector3<f64>>,
@@ -91,7 +97,7 @@ impl Answer {
     /// Per neighbour of free vertex `i` the derivative of its `H` by a step of `i` along its normal, handed to `visit`
     /// with the number of the neighbour within the ring. `h` is the curvature everywhere; `x` and `normal` are as
     /// before afterwards.
-    pub fn of_neighbours(
+    pub(crate) fn of_neighbours(
         &mut self,
         fans: &impl Fans,
         i: u32,

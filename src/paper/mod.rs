@@ -3,14 +3,14 @@
 //! [`estimate`] and [`vertex`] are the two second-order problems of 7.1, one after the other in [`iteration`];
 //! [`multigrid`] is Figure 6 around them, on the levels of [`crate::mesh::hierarchy`].
 
-pub mod estimate;
-pub mod iteration;
-pub mod local;
-pub mod multigrid;
-pub mod prolongation;
-pub mod vertex;
+pub(crate) mod estimate;
+pub(crate) mod iteration;
+pub(crate) mod local;
+pub(crate) mod multigrid;
+pub(crate) mod prolongation;
+pub(crate) mod vertex;
 
-pub use multigrid::{Found, Problem, solve};
+pub(crate) use multigrid::{Problem, solve};
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -20,11 +20,11 @@ use crate::solve::system::Collapsed;
 use crate::solve::{Control, Ending, Solved, System};
 
 /// Inner fairness of a mesh.
-pub type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;
+pub(crate) type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;
 
 /// What is to be faired, in the region's own centred and scaled frame.
 #[derive(Debug, Clone, Copy)]
-pub struct Problem<'a> {
+pub(crate) struct Problem<'a> {
     /// The region.
     pub region: &'a Region,
     /// Its rings.
@@ -47,7 +47,7 @@ pub struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     /// Both equations.
-    pub fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
+    pub(crate) fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
         Equations {
             rings: self.rings,
             batches: self.batches,
@@ -60,7 +60,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The whole system of the default solver for the problem.
-    pub fn system(&self, curvature: FreeCurvature) -> System<'a> {
+    pub(crate) fn system(&self, curvature: FreeCurvature) -> System<'a> {
         let mut system = System::new(
             self.region,
             self.rings,
@@ -78,7 +78,7 @@ impl<'a> Problem<'a> {
 
 /// What was found.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub(crate) struct Found {
     /// The surface, judged as the default solver judges its own.
     pub solved: Solved,
     /// The unit of the residuals.
@@ -105,7 +105,7 @@ const SPLITS: usize = 512;
 ///
 /// # Errors
 /// [`Collapsed`] where not even the linear surface exists.
-pub fn solve(
+pub(crate) fn solve(
     problem: &Problem<'_>,
     options: &PaperOptions,
     control: &mut Control<'_>,

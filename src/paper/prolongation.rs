@@ -39,7 +39,7 @@ impl Fans for EditableMesh {
 }
 
 /// The surface on its way up, by the numbers of the given mesh; vertices that are not there yet have no meaning.
-pub struct Prolongation<'a> {
+pub(crate) struct Prolongation<'a> {
     /// The given mesh, where conformal weights come from; `None` for uniform ones.
     pub original: Option<&'a [Vector3<f64>]>,
     /// Positions.
@@ -68,7 +68,7 @@ struct Patch {
 
 impl<'a> Prolongation<'a> {
     /// `x` and `normal` are by the numbers of the given mesh; the normals of boundary vertices must be there.
-    pub fn new(
+    pub(crate) fn new(
         original: Option<&'a [Vector3<f64>]>,
         x: Vec<Vector3<f64>>,
         normal: Vec<Vector3<f64>>,
@@ -86,7 +86,7 @@ impl<'a> Prolongation<'a> {
 
     /// Brings back the next vertex; false when all are there. With `placed_only` it is put where inner fairness wants it,
     /// and no more: for a run that was stopped.
-    pub fn refine(&mut self, progressive: &mut ProgressiveMesh, placed_only: bool) -> bool {
+    pub(crate) fn refine(&mut self, progressive: &mut ProgressiveMesh, placed_only: bool) -> bool {
         let Some(split) = progressive.refine() else {
             return false;
         };

@@ -14,7 +14,7 @@ const LONGEST_STEP: f64 = 0.5;
 
 /// A vertex's ring and the weights of its inner fairness, of any common factor; no weights: all are one.
 #[derive(Debug, Clone, Copy)]
-pub struct Ring<'a> {
+pub(crate) struct Ring<'a> {
     /// The neighbours, counter-clockwise.
     pub neighbour: &'a [u32],
     /// `lambda_ij`.
@@ -23,7 +23,7 @@ pub struct Ring<'a> {
 
 /// What an update does to a vertex.
 #[derive(Debug, Clone, Copy)]
-pub struct Update {
+pub(crate) struct Update {
     /// The new position.
     pub position: Vector3<f64>,
     /// The normal (6), which no motion of the vertex itself changes.
@@ -40,7 +40,7 @@ impl Ring<'_> {
     }
 
     /// `sum_j lambda_ij q_j` with weights of sum one.
-    pub fn centre(&self, x: &[Vector3<f64>]) -> Vector3<f64> {
+    pub(crate) fn centre(&self, x: &[Vector3<f64>]) -> Vector3<f64> {
         let (mut sum, mut total) = (Vector3::zeros(), 0.0);
         for (k, &j) in self.neighbour.iter().enumerate() {
             sum += x[j as usize] * self.weight(k);
@@ -50,7 +50,7 @@ impl Ring<'_> {
     }
 
     /// The normalized sum of the triangles' cross products (6); `None` where they have no area.
-    pub fn normal(&self, x: &[Vector3<f64>], i: usize) -> Option<Vector3<f64>> {
+    pub(crate) fn normal(&self, x: &[Vector3<f64>], i: usize) -> Option<Vector3<f64>> {
         let ring = self.neighbour;
         let edge = |k: usize| x[ring[k] as usize] - x[i];
         let m = ring.len();
@@ -60,7 +60,7 @@ impl Ring<'_> {
 
     /// Where vertex `i` goes so that its curvature becomes `target`. `normal` holds unit normals of all region
     /// vertices; `s` damps the normal step.
-    pub fn update(
+    pub(crate) fn update(
         &self,
         i: usize,
         x: &[Vector3<f64>],
@@ -85,7 +85,7 @@ impl Ring<'_> {
     }
 
     /// `-dH/dt` of vertex `i` under a step along its normal, where it is.
-    pub fn slope(&self, i: usize, x: &[Vector3<f64>], normal: &[Vector3<f64>]) -> f64 {
+    pub(crate) fn slope(&self, i: usize, x: &[Vector3<f64>], normal: &[Vector3<f64>]) -> f64 {
         self.response(&x[i], x, normal, &normal[i]).slope
     }
 

@@ -10,12 +10,12 @@ use rayon::prelude::*;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
-use crate::linear::sparse::SymmetricPattern;
 use crate::mesh::{NONE, Region, Rings};
+use fairmesh_linear::sparse::SymmetricPattern;
 
 /// `S` and `D` of one surface, vertex by vertex.
 #[derive(Debug, Clone, Default)]
-pub struct Metric {
+pub(crate) struct Metric {
     /// `w_ij` of the free vertices' rings, parallel to `rings.neighbour`.
     weight: Vec<f64>,
     /// `sum_j w_ij` of the free vertices.
@@ -44,7 +44,13 @@ const BOUNDARY_RANGE: f64 = 4.0;
 impl Metric {
     /// `S` and `D` at the evaluated surface `x`. With `response`, `D_b` is taken from the finite-difference answer of
     /// `H_b` to a shift of all free vertices along their normals; else `D_b = 3 / (4 A_b)`.
-    pub fn update(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &State, response: bool) {
+    pub(crate) fn update(
+        &mut self,
+        equations: &Equations<'_>,
+        x: &[Vector3<f64>],
+        state: &State,
+        response: bool,
+    ) {
         let (rings, batches) = (equations.rings, equations.batches);
         let free = equations.free();
         let boundary = rings.closed.len();
@@ -99,7 +105,12 @@ impl Metric {
 
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
     /// the inner fairness condition has about these weights, whatever its shape.
-    pub fn combinatorial(&mut self, rings: &Rings, batches: &ValenceBatches, fairness: &FairnessWeights) {
+    pub(crate) fn combinatorial(
+        &mut self,
+        rings: &Rings,
+        batches: &ValenceBatches,
+        fairness: &FairnessWeights,
+    ) {
         // Of an edge of two equilateral triangles.
         let equilateral = 2.0 / 3f64.sqrt();
         let free = rings.free();
@@ -160,7 +171,7 @@ impl Metric {
     }
 
     /// Puts the values of `P + diag(mass)` on `pattern`, row by row; `mass(i)` is 0 for the plain matrix.
-    pub fn assemble(
+    pub(crate) fn assemble(
         &self,
         rings: &Rings,
         pattern: &SymmetricPattern,
@@ -237,7 +248,7 @@ impl Metric {
 
     /// `y = S_I D (S x - flux)`, all vertices of the region in `x`, `flux` at boundary vertices; `u` is scratch of the
     /// same length as `x`.
-    pub fn apply<const K: usize>(
+    pub(crate) fn apply<const K: usize>(
         &self,
         rings: &Rings,
         x: &[[f64; K]],
@@ -319,7 +330,7 @@ impl Shift {
 /// The conormal flux that the G1 data prescribe: at boundary vertex `b` the sum over its boundary edges of `e x n`, `e`
 /// running with the region on its left and `n` the mean of the edge's two normals (the outward conormal times the
 /// edge's length; paper, section 7.4, asks for a linear start without saying how normals enter).
-pub fn conormal_flux(
+pub(crate) fn conormal_flux(
     region: &Region,
     rings: &Rings,
     x: &[Vector3<f64>],

@@ -7,7 +7,7 @@ use super::system::System;
 
 /// A surface that one of the means has led to.
 #[derive(Debug, Clone)]
-pub struct Candidate {
+pub(crate) struct Candidate {
     /// The surface.
     pub x: Vec<Vector3<f64>>,
     /// How the iteration ended.
@@ -28,23 +28,23 @@ pub struct Candidate {
 
 impl Candidate {
     /// Converged, with sound triangles and no bump.
-    pub fn is_sound(&self) -> bool {
+    pub(crate) fn is_sound(&self) -> bool {
         self.end == End::Converged && self.poor.is_empty() && !self.doubtful
     }
 
     /// The smaller the better.
-    pub fn rank(&self) -> (bool, usize, bool) {
+    pub(crate) fn rank(&self) -> (bool, usize, bool) {
         (self.end != End::Converged, self.poor.len(), self.doubtful)
     }
 
     /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.
-    pub fn has_only_needles(&self, system: &System<'_>, most: usize) -> bool {
+    pub(crate) fn has_only_needles(&self, system: &System<'_>, most: usize) -> bool {
         let is_flipped = || !system.poor(&self.x, 0.0).is_empty();
         self.end == End::Converged && !self.doubtful && self.poor.len() <= most && !is_flipped()
     }
 
     /// Whether nothing better is to be looked for.
-    pub fn is_settled(&self) -> bool {
+    pub(crate) fn is_settled(&self) -> bool {
         self.is_sound() || self.end == End::Stopped || self.needled
     }
 }

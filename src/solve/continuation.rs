@@ -19,7 +19,7 @@ const ON_THE_WAY: f64 = 1e-4;
 
 /// Where the continuation ended.
 #[derive(Debug)]
-pub struct Continued {
+pub(crate) struct Continued {
     /// The surface with the prescribed normals, where it was reached.
     pub candidate: Option<Candidate>,
     /// The fraction of the way for which a sound surface was found.
@@ -29,7 +29,7 @@ pub struct Continued {
 }
 
 /// Follows the normals; the system's normals are the prescribed ones before and after.
-pub fn continuation(
+pub(crate) fn continuation(
     system: &mut System<'_>,
     linear: &[Vector3<f64>],
     control: &mut Control<'_>,

@@ -5,17 +5,17 @@ use std::ops::ControlFlow;
 use nalgebra::Vector3;
 
 use super::system::System;
-pub use crate::linear::interrupt::Interrupt;
+pub(crate) use fairmesh_linear::interrupt::Interrupt;
 
 /// What a stage tells the caller after an iteration.
-pub type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
+pub(crate) type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
 
 /// What looks at the surface of every iteration, evaluated last, with the number of iterations and the step norm; may
 /// hold the run up, and stop it.
-pub type Watch<'a> = dyn FnMut(&System<'_>, &[Vector3<f64>], usize, f64) -> ControlFlow<()> + 'a;
+pub(crate) type Watch<'a> = dyn FnMut(&System<'_>, &[Vector3<f64>], usize, f64) -> ControlFlow<()> + 'a;
 
 /// Limits and progress of one run.
-pub struct Control<'a> {
+pub(crate) struct Control<'a> {
     /// Nonlinear iterations so far.
     pub iterations: usize,
     /// The limit.
@@ -37,7 +37,7 @@ pub struct Control<'a> {
 
 impl<'a> Control<'a> {
     /// A fresh run.
-    pub fn new(tolerance: f64, max_iterations: usize, callback: Option<&'a mut Callback<'a>>) -> Self {
+    pub(crate) fn new(tolerance: f64, max_iterations: usize, callback: Option<&'a mut Callback<'a>>) -> Self {
         Self {
             iterations: 0,
             max_iterations,
@@ -52,32 +52,32 @@ impl<'a> Control<'a> {
     }
 
     /// Reports a stage of the preparation, `fraction` of the whole.
-    pub fn stage(&mut self, fraction: f64, stage: &'static str) {
+    pub(crate) fn stage(&mut self, fraction: f64, stage: &'static str) {
         self.tell(fraction, f64::NAN, stage);
     }
 
     /// Shows within a stage that it goes on, so that it can be stopped; returns whether it may.
-    pub fn goes_on(&mut self, stage: &'static str) -> bool {
+    pub(crate) fn goes_on(&mut self, stage: &'static str) -> bool {
         self.tell(self.fraction, self.step, stage);
         !self.cancelled
     }
 
     /// Counts an iteration with step norm `d` and reports it. The fraction follows the digits gained, from 0.3 to 1.
-    pub fn iteration(&mut self, d: f64, stage: &'static str) {
+    pub(crate) fn iteration(&mut self, d: f64, stage: &'static str) {
         self.iterations += 1;
         let digits = (d.max(self.tolerance).log10()) / self.tolerance.log10();
         self.tell(0.3 + 0.69 * digits.clamp(0.0, 1.0), d, stage);
     }
 
     /// Shows the surface of the iteration counted last.
-    pub fn show(&mut self, system: &System<'_>, x: &[Vector3<f64>], d: f64) {
+    pub(crate) fn show(&mut self, system: &System<'_>, x: &[Vector3<f64>], d: f64) {
         if let (false, Some(watch)) = (self.cancelled, &mut self.watch) {
             self.cancelled |= watch(system, x, self.iterations, d).is_break();
         }
     }
 
     /// Counts an iteration with step norm `d` of a solver that measures its progress itself.
-    pub fn update(&mut self, fraction: f64, d: f64, stage: &'static str) {
+    pub(crate) fn update(&mut self, fraction: f64, d: f64, stage: &'static str) {
         self.iterations += 1;
         self.tell(fraction, d, stage);
     }
@@ -92,7 +92,7 @@ impl<'a> Control<'a> {
     }
 
     /// Whether to stop for either reason.
-    pub fn exhausted(&self) -> bool {
+    pub(crate) fn exhausted(&self) -> bool {
         self.cancelled || self.iterations >= self.max_iterations
     }
 }

@@ -15,7 +15,7 @@ const TOTAL_CURVATURE: f64 = 4.0;
 
 impl System<'_> {
     /// [`Judged::overshoots`] at the last evaluation.
-    pub fn overshoots(&self) -> bool {
+    pub(crate) fn overshoots(&self) -> bool {
         let judged = Judged {
             state: &self.state,
             right_hand_side: self.right_hand_side,
@@ -27,7 +27,7 @@ impl System<'_> {
 
 /// A surface and the equation that it should satisfy.
 #[derive(Debug, Clone, Copy)]
-pub struct Judged<'a> {
+pub(crate) struct Judged<'a> {
     /// Evaluated at the surface.
     pub state: &'a State,
     /// What `Delta_B H` should be.
@@ -42,7 +42,7 @@ impl Judged<'_> {
     }
 
     /// Whether `H` inside exceeds what the equation allows, and the discretization besides.
-    pub fn overshoots(&self) -> bool {
+    pub(crate) fn overshoots(&self) -> bool {
         let right = &self.right_hand_side;
         if right.energy != 0.0 {
             self.is_unresolved()

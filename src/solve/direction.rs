@@ -15,7 +15,7 @@ use crate::mesh::Rings;
 const MOST_ROUNDS: usize = 20;
 
 /// The averagings for a largest step of this length on a surface with 1-disks of this mean area: one per edge length.
-pub fn rounds(largest: f64, disk: f64) -> usize {
+pub(crate) fn rounds(largest: f64, disk: f64) -> usize {
     // Of six equilateral triangles.
     let edge = (disk / (1.5 * 3f64.sqrt())).sqrt();
     let lengths = largest / edge;
@@ -28,7 +28,7 @@ pub fn rounds(largest: f64, disk: f64) -> usize {
 
 /// Averages the unit normals of the free vertices this many times over their closed rings, in which boundary vertices have
 /// the prescribed normals. Unit vectors; the vertex's own normal where nothing is left.
-pub fn averaged(
+pub(crate) fn averaged(
     rings: &Rings,
     normal: &[Vector3<f64>],
     boundary_normals: &[Vector3<f64>],

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork};
-use crate::linear::interrupt::Interrupt;
-use crate::linear::symbolic::Symbolic;
+use fairmesh_linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork};
+use fairmesh_linear::interrupt::Interrupt;
+use fairmesh_linear::symbolic::Symbolic;
 
 /// Single precision halves the memory traffic of a solve; it suffices wherever the solution is refined or only a
 /// direction.
-pub enum Factor {
+pub(crate) enum Factor {
     /// 32-bit factor.
     Single(Cholesky<f32>, SolveWork<f32>),
     /// 64-bit factor.
@@ -17,7 +17,7 @@ pub enum Factor {
 
 impl Factor {
     /// Room for a factor.
-    pub fn new(symbolic: &Arc<Symbolic>, double: bool) -> Self {
+    pub(crate) fn new(symbolic: &Arc<Symbolic>, double: bool) -> Self {
         if double {
             Self::Double(Cholesky::new(symbolic.clone()), SolveWork::default())
         } else {
@@ -26,7 +26,7 @@ impl Factor {
     }
 
     /// Factorizations fail from when this is set.
-    pub fn heed(&mut self, interrupt: &Interrupt) {
+    pub(crate) fn heed(&mut self, interrupt: &Interrupt) {
         match self {
             Self::Single(c, _) => c.heed(interrupt),
             Self::Double(c, _) => c.heed(interrupt),
@@ -35,7 +35,7 @@ impl Factor {
 
     /// Factors the matrix with these values. The update matrices, a third of the factor's size, are given back: the
     /// iterations need their memory for other things.
-    pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+    pub(crate) fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         match self {
             Self::Single(c, _) => {
                 let done = c.factor(values);
@@ -51,7 +51,7 @@ impl Factor {
     }
 
     /// Solves in place.
-    pub fn solve<const K: usize>(&mut self, x: &mut [[f64; K]]) {
+    pub(crate) fn solve<const K: usize>(&mut self, x: &mut [[f64; K]]) {
         match self {
             Self::Single(c, work) => c.solve(x, work),
             Self::Double(c, work) => c.solve(x, work),
@@ -59,7 +59,7 @@ impl Factor {
     }
 
     /// Whether this is the 64-bit one.
-    pub fn is_double(&self) -> bool {
+    pub(crate) fn is_double(&self) -> bool {
         matches!(self, Self::Double(..))
     }
 }

@@ -36,7 +36,7 @@ const PLAIN_TOLERANCE: f64 = 1e-4;
 
 /// How the solve ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Ending {
+pub(crate) enum Ending {
     /// Tolerance met.
     Converged,
     /// Tolerance met with plain (first-order) curvature only.
@@ -56,7 +56,7 @@ pub enum Ending {
 
 /// What was found.
 #[derive(Debug, Clone)]
-pub struct Solved {
+pub(crate) struct Solved {
     /// The surface: free and boundary vertices.
     pub x: Vec<Vector3<f64>>,
     /// How it ended.
@@ -75,7 +75,7 @@ pub struct Solved {
 ///
 /// # Errors
 /// [`Collapsed`] where not even the linear surface exists.
-pub fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
+pub(crate) fn solve(system: &mut System<'_>, control: &mut Control<'_>) -> Result<Solved, Collapsed> {
     let clock = Instant::now();
     control.stage(0.05, STAGE);
     system.heed(&control.interrupt);
@@ -132,7 +132,11 @@ fn unmoved(system: &mut System<'_>, clock: Instant) -> Solved {
 
 /// Goes on from a surface that solved a problem close to this one, with the matrices that are there. None where that
 /// leads to no sound surface.
-pub fn resume(system: &mut System<'_>, x: &[Vector3<f64>], control: &mut Control<'_>) -> Option<Solved> {
+pub(crate) fn resume(
+    system: &mut System<'_>,
+    x: &[Vector3<f64>],
+    control: &mut Control<'_>,
+) -> Option<Solved> {
     let plan = Plan {
         tolerance: control.tolerance,
         guard: GUARD,
@@ -350,7 +354,7 @@ fn slowly(system: &mut System<'_>, mut x: Vec<Vector3<f64>>, control: &mut Contr
 }
 
 /// Iterates from `x` and judges what comes of it.
-pub fn iterated(
+pub(crate) fn iterated(
     system: &mut System<'_>,
     mut x: Vec<Vector3<f64>>,
     plan: Plan,
@@ -460,19 +464,19 @@ impl System<'_> {
 
     /// Region triangles (local numbers) that are flipped or have an angle below `degrees` at `x`, which was evaluated
     /// last.
-    pub fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
+    pub(crate) fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
         self.surface(x).poor(degrees)
     }
 }
 
 /// The diagonal of the bounding box.
-pub fn diagonal(x: &[Vector3<f64>]) -> f64 {
+pub(crate) fn diagonal(x: &[Vector3<f64>]) -> f64 {
     let (low, high) = bounding_box(x);
     (high - low).norm()
 }
 
 /// Lowest and highest corner.
-pub fn bounding_box(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
+pub(crate) fn bounding_box(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
     let start = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
     x.iter().fold(start, |(low, high), p| (low.inf(p), high.sup(p)))
 }

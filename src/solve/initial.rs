@@ -7,10 +7,10 @@ use nalgebra::Vector3;
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
 use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
-use crate::linear::cholesky::Cholesky;
-use crate::linear::ordering::amd;
-use crate::linear::sparse::SymmetricPattern;
-use crate::linear::symbolic::Symbolic;
+use fairmesh_linear::cholesky::Cholesky;
+use fairmesh_linear::ordering::amd;
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 
 /// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
 /// about thin triangles ought not to depend on the order of elimination.
@@ -23,12 +23,12 @@ const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 /// What it is called in progress reports.
-pub const STAGE: &str = "start surface";
+pub(crate) const STAGE: &str = "start surface";
 
 impl System<'_> {
     /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
     /// component has other fixed ones: they give their place to a better metric.
-    pub fn membrane(&mut self) -> Vec<Vector3<f64>> {
+    pub(crate) fn membrane(&mut self) -> Vec<Vector3<f64>> {
         let mut x = self.input[..self.region.region_vertices()].to_vec();
         self.relax_fixed_inside(&mut x);
         x[..self.region.free].fill(Vector3::zeros());
@@ -118,7 +118,10 @@ impl System<'_> {
     /// on the metric of connectivity alone. (On the metric of a membrane a tube would pinch: its membrane is a thread,
     /// and a thread is conformally endless.)
     /// Where the run is stopped meanwhile, it is a surface on the way there.
-    pub fn linear_surface(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
+    pub(crate) fn linear_surface(
+        &mut self,
+        control: &mut Control<'_>,
+    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
         metric.combinatorial(self.rings, self.batches, &self.weights);
         self.metric = metric;
@@ -127,7 +130,7 @@ impl System<'_> {
     }
 
     /// The same on the metric of `membrane`.
-    pub fn linear_surface_on(
+    pub(crate) fn linear_surface_on(
         &mut self,
         membrane: &[Vector3<f64>],
         control: &mut Control<'_>,
@@ -219,7 +222,7 @@ impl System<'_> {
     }
 
     /// Tangential steps alone, each as long as the edges allow.
-    pub fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
+    pub(crate) fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
         let mut step = vec![0.0; 3 * self.region.free];
         for _ in 0..TANGENTIAL_STEPS {
             if !control.goes_on(STAGE) {

@@ -19,7 +19,7 @@ const ON_THE_WAY: f64 = 1e-4;
 
 /// Where the continuation ended.
 #[derive(Debug)]
-pub struct Loaded {
+pub(crate) struct Loaded {
     /// The surface with the whole right-hand side, where it was reached.
     pub candidate: Option<Candidate>,
     /// The part of the right-hand side for which a sound surface was found.
@@ -27,7 +27,7 @@ pub struct Loaded {
 }
 
 /// Follows the right-hand side; the system's is the asked one before and after.
-pub fn loading(system: &mut System<'_>, linear: &[Vector3<f64>], control: &mut Control<'_>) -> Loaded {
+pub(crate) fn loading(system: &mut System<'_>, linear: &[Vector3<f64>], control: &mut Control<'_>) -> Loaded {
     let asked = system.right_hand_side;
     let mut loaded = Loaded {
         candidate: None,

@@ -4,22 +4,22 @@
 //! frozen matrix ([`bilaplacian`]), and [`globalize`] is the order in which harder means are tried: repaired inner
 //! fairness, plain curvature, pseudo-time, continuation in the boundary normals.
 
-pub mod bilaplacian;
-pub mod candidate;
-pub mod continuation;
-pub mod control;
-pub mod curvature_bounds;
-pub mod direction;
-pub mod factor;
-pub mod globalize;
-pub mod initial;
-pub mod loading;
-pub mod pseudo_time;
-pub mod quasi_newton;
-pub mod system;
-pub mod untangle;
-pub mod weight_repair;
+pub(crate) mod bilaplacian;
+pub(crate) mod candidate;
+pub(crate) mod continuation;
+pub(crate) mod control;
+pub(crate) mod curvature_bounds;
+pub(crate) mod direction;
+pub(crate) mod factor;
+pub(crate) mod globalize;
+pub(crate) mod initial;
+pub(crate) mod loading;
+pub(crate) mod pseudo_time;
+pub(crate) mod quasi_newton;
+pub(crate) mod system;
+pub(crate) mod untangle;
+pub(crate) mod weight_repair;
 
-pub use control::Control;
-pub use globalize::{Ending, Solved, solve};
-pub use system::System;
+pub(crate) use control::Control;
+pub(crate) use globalize::{Ending, Solved, solve};
+pub(crate) use system::System;

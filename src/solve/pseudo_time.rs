@@ -16,7 +16,7 @@ const LARGEST: f64 = 0.3;
 const STEPS: usize = 60;
 
 /// Follows the flow from `x`. Returns whether the end of the flow was reached.
-pub fn pseudo_time(
+pub(crate) fn pseudo_time(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
     control: &mut Control<'_>,

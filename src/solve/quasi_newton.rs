@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::control::Control;
 use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
-use crate::linear::anderson::Anderson;
+use fairmesh_linear::anderson::Anderson;
 
 /// Below this step norm the triangles show what they will be.
 const NEAR: f64 = 1e-4;
@@ -28,7 +28,7 @@ const ROUNDS: usize = 5;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub(crate) enum End {
     /// The step norm is below the tolerance.
     Converged,
     /// No round gains any more.
@@ -41,7 +41,7 @@ pub enum End {
 
 /// What one call may do.
 #[derive(Debug, Clone, Copy)]
-pub struct Plan {
+pub(crate) struct Plan {
     /// The step norm to reach, in diagonals.
     pub tolerance: f64,
     /// A round is left when the step norm exceeds this many times the best.
@@ -70,7 +70,7 @@ struct Best {
 const ROUND_GAIN: f64 = 0.7;
 
 /// Iterates from `x`; leaves the best surface there, and returns its step norm.
-pub fn iterate(
+pub(crate) fn iterate(
     system: &mut System<'_>,
     x: &mut Vec<Vector3<f64>>,
     plan: Plan,

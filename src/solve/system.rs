@@ -12,11 +12,11 @@ use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
 use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
-use crate::linear::interrupt::Interrupt;
-use crate::linear::ordering::fill_reducing;
-use crate::linear::sparse::SymmetricPattern;
-use crate::linear::symbolic::Symbolic;
 use crate::mesh::{Region, Rings};
+use fairmesh_linear::interrupt::Interrupt;
+use fairmesh_linear::ordering::fill_reducing;
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 
 /// Tangential steps below this, in diagonals, are projected.
 const NEAR: f64 = 1e-3;
@@ -26,10 +26,10 @@ const NEAR: f64 = 1e-3;
 const SINGLE_UP_TO: usize = 250_000;
 
 /// Largest edge-relative change of one step.
-pub const LARGEST_CHANGE: f64 = 0.5;
+pub(crate) const LARGEST_CHANGE: f64 = 0.5;
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
-pub struct System<'a> {
+pub(crate) struct System<'a> {
     /// The region.
     pub region: &'a Region,
     /// Its rings.
@@ -67,11 +67,11 @@ pub struct System<'a> {
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Collapsed;
+pub(crate) struct Collapsed;
 
 /// One quasi-Newton step's size, in diagonals.
 #[derive(Debug, Clone, Copy)]
-pub struct StepNorm {
+pub(crate) struct StepNorm {
     /// Root mean square of the normal step.
     pub normal: f64,
     /// Root mean square of the tangential step.
@@ -82,14 +82,14 @@ pub struct StepNorm {
 
 impl StepNorm {
     /// Both together: what tolerances are about.
-    pub fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.normal + self.tangential
     }
 }
 
 impl<'a> System<'a> {
     /// Orders and analyses both matrices from connectivity, and factors `G`.
-    pub fn new(
+    pub(crate) fn new(
         region: &'a Region,
         rings: &'a Rings,
         batches: &'a ValenceBatches,
@@ -143,19 +143,19 @@ impl<'a> System<'a> {
     }
 
     /// Factorizations fail from when this is set; [`Control::goes_on`](super::Control::goes_on) tells whether it is.
-    pub fn heed(&mut self, interrupt: &Interrupt) {
+    pub(crate) fn heed(&mut self, interrupt: &Interrupt) {
         self.interrupt = interrupt.clone();
         self.g.heed(interrupt);
         self.p.heed(interrupt);
     }
 
     /// Number of free vertices.
-    pub fn free(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.region.free
     }
 
     /// The equations with the current normals, weights and curvature.
-    pub fn equations(&self) -> Equations<'_> {
+    pub(crate) fn equations(&self) -> Equations<'_> {
         Equations {
             rings: self.rings,
             batches: self.batches,
@@ -168,7 +168,7 @@ impl<'a> System<'a> {
     }
 
     /// Evaluates both equations at `x` into `state`.
-    pub fn evaluate(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate(&mut self, x: &[Vector3<f64>]) {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
@@ -190,14 +190,14 @@ impl<'a> System<'a> {
     }
 
     /// Evaluates only what a tangential step needs.
-    pub fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate_inner(x, &mut state);
         self.state = state;
     }
 
     /// Takes new inner-fairness weights.
-    pub fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
+    pub(crate) fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
         self.weights = weights;
         let values = laplacian(&self.g_pattern, self.rings, self.batches, &self.weights);
         self.g.factor(&values).map_err(|_| Collapsed)
@@ -205,7 +205,7 @@ impl<'a> System<'a> {
 
     /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal. With `response` it evaluates at
     /// `x` itself.
-    pub fn rebuild(
+    pub(crate) fn rebuild(
         &mut self,
         x: &[Vector3<f64>],
         response: bool,
@@ -224,7 +224,7 @@ impl<'a> System<'a> {
     }
 
     /// Factors `P` of the metric that is there.
-    pub fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
+    pub(crate) fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
         self.metric
             .assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
         match self.p.factor(&self.p_values) {
@@ -235,24 +235,24 @@ impl<'a> System<'a> {
     }
 
     /// Goes over to a 64-bit factor of the same matrix.
-    pub fn refactor_double(&mut self) -> Result<(), Collapsed> {
+    pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
         self.p = Factor::new(&self.p_symbolic, true);
         self.p.heed(&self.interrupt);
         self.p.factor(&self.p_values).map_err(|_| Collapsed)
     }
 
     /// Whether `P` is factored in 64 bits.
-    pub fn is_double(&self) -> bool {
+    pub(crate) fn is_double(&self) -> bool {
         self.p.is_double()
     }
 
     /// Solves with the factor of `P`, three columns.
-    pub fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
         self.p.solve(x);
     }
 
     /// Solves with the factor of `G`, three columns.
-    pub fn solve_g(&mut self, x: &mut [[f64; 3]]) {
+    pub(crate) fn solve_g(&mut self, x: &mut [[f64; 3]]) {
         self.g.solve(x);
     }
 
@@ -260,7 +260,7 @@ impl<'a> System<'a> {
     /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
     /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
     /// Near the solution it is projected, or each equation would disturb the other.
-    pub fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
+    pub(crate) fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
         rayon::join(
@@ -307,7 +307,7 @@ impl<'a> System<'a> {
     }
 
     /// The normal part of the last step.
-    pub fn normal_step(&self, step: &mut [f64]) {
+    pub(crate) fn normal_step(&self, step: &mut [f64]) {
         for ((s, t), n) in step
             .chunks_exact_mut(3)
             .zip(&self.normal_step)
@@ -318,12 +318,12 @@ impl<'a> System<'a> {
     }
 
     /// The tangential part of the last step.
-    pub fn tangential_step(&self, step: &mut [f64]) {
+    pub(crate) fn tangential_step(&self, step: &mut [f64]) {
         step.copy_from_slice(self.tangential_step.as_flattened());
     }
 
     /// The largest change of an edge by `step` relative to its length at `x`.
-    pub fn edge_change(&self, x: &[Vector3<f64>], step: &[f64]) -> f64 {
+    pub(crate) fn edge_change(&self, x: &[Vector3<f64>], step: &[f64]) -> f64 {
         let free = self.free();
         let of = |i: usize| Vector3::new(step[3 * i], step[3 * i + 1], step[3 * i + 2]);
         let squared = (0..free.div_ceil(CHUNK))
@@ -350,7 +350,7 @@ impl<'a> System<'a> {
 }
 
 /// `x += scale step` at the free vertices.
-pub fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
+pub(crate) fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
     for (x, s) in x.iter_mut().zip(step.chunks_exact(3)) {
         *x += Vector3::new(s[0], s[1], s[2]) * scale;
     }

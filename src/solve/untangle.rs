@@ -15,7 +15,7 @@ const MOVES: usize = 24;
 
 /// Moves the marked free vertices of `x`, one after the other, each within the plane of its ring, so that the least
 /// quality of the triangles around it grows. The rest of `x` stays.
-pub fn untangle(rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
+pub(crate) fn untangle(rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
     let mut ring = Vec::new();
     for _ in 0..SWEEPS {
         for i in (0..marked.len()).filter(|&i| marked[i]) {

@@ -7,11 +7,11 @@ use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
-pub const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
+pub(crate) const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
 /// Vertices marked so far.
 #[derive(Debug)]
-pub struct Repair {
+pub(crate) struct Repair {
     asked: FairnessWeights,
     marked: Vec<bool>,
     round: usize,
@@ -19,7 +19,7 @@ pub struct Repair {
 
 impl Repair {
     /// Nothing marked; the system's weights are the asked ones.
-    pub fn new(system: &System<'_>) -> Self {
+    pub(crate) fn new(system: &System<'_>) -> Self {
         Self {
             asked: system.weights.clone(),
             marked: vec![false; system.free()],
@@ -30,7 +30,7 @@ impl Repair {
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
     /// like everything here, taken from connectivity and boundary alone and not from the input's interior. `None` when
     /// there is nothing left to try.
-    pub fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
+    pub(crate) fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
         self.round += 1;
         system.evaluate(x);
@@ -54,7 +54,7 @@ impl Repair {
     }
 
     /// Whether another round would be left after this one.
-    pub fn has_more(&self) -> bool {
+    pub(crate) fn has_more(&self) -> bool {
         self.round < THRESHOLDS.len()
     }
 

@@ -5,8 +5,8 @@ mod stationary;
 
 use std::time::Instant;
 
-use fairmesh::shapes::*;
 use fairmesh::{BoundaryNormals, Options, Outcome, Selection, fair};
+use fairmesh_shapes::*;
 use openmesh_sys::openmesh::{Mesh, Smoothing};
 
 pub use stationary::stationary;

@@ -6,8 +6,8 @@
 mod comparison;
 
 use comparison::*;
-use fairmesh::shapes::{OUTSIDE, Sampling, sphere_cap};
 use fairmesh::{Options, Selection, fair};
+use fairmesh_shapes::{OUTSIDE, Sampling, sphere_cap};
 use openmesh_sys::openmesh::{Mesh, Smoothing};
 
 /// How many times closer than the smoother's best: on the sphere, and elsewhere.

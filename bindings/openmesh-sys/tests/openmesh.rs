@@ -1,6 +1,6 @@
 //! The safe layer: meshes, files, status, normals and the smoother do what OpenMesh's documents say.
 
-use fairmesh::shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
 use openmesh_sys::openmesh::*;
 
 fn cap() -> Shape {

@@ -1,0 +1,46 @@
+//! The C interface: exported functions, `repr(C)` types, and what keeps the two worlds apart. `include/fairmesh.h` is made
+//! of this; docs/c-api.md describes the conventions.
+//!
+//! Every function checks all of its arguments before any work ([`views`], [`input`]), runs in [`guard`], holds its memory in
+//! reserve ([`memory`], [`memory_bounds`]), and writes its outputs last. Handles are in [`handles`]. This is the only place of
+//! the crate with `unsafe` code.
+#![allow(unsafe_code, reason = "pointers from C; see the SAFETY lines")]
+#![allow(non_camel_case_types, reason = "the names of the header")]
+#![allow(
+    missing_docs,
+    reason = "what is not in the header is not public outside of the crate"
+)]
+#![allow(clippy::result_large_err, reason = "an error may not need memory")]
+#![warn(clippy::undocumented_unsafe_blocks)]
+
+mod about;
+mod fair;
+mod fill;
+mod guard;
+mod handles;
+#[cfg(feature = "hooks")]
+mod hooks;
+mod input;
+mod memory;
+mod memory_bounds;
+mod options;
+mod outputs;
+mod reading;
+mod records;
+mod report;
+mod results;
+mod solvers;
+mod status;
+mod steps;
+mod structs;
+mod types;
+mod versioned;
+mod views;
+
+pub use about::*;
+pub use fair::*;
+pub use fill::*;
+pub use reading::*;
+pub use status::{fairmesh_error, fairmesh_status};
+pub use steps::*;
+pub use types::*;

@@ -1,0 +1,224 @@
+//! `fairmesh fill`: the holes of a file filled.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use fairmesh::{
+    FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome, Progress,
+    fill_holes,
+};
+use serde_json::{Value, json};
+
+use crate::bar::Bar;
+use crate::explain;
+use crate::failure::Failure;
+use crate::formats::{Added, Format, MeshFile};
+use crate::output::{Output, prepare_json};
+
+/// What `fairmesh fill` is asked.
+#[derive(Debug, Args)]
+pub struct FillArgs {
+    /// The mesh: .ply, .obj, .off or .stl
+    input: PathBuf,
+    /// Where the result goes; may be the input itself. It is written whole or not at all
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Only holes of at most this many edges [default: all]
+    #[arg(long, value_name = "N", group = "which")]
+    max_edges: Option<usize>,
+    /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
+    /// Outer boundaries are filled only if they are named so
+    #[arg(long = "loop", value_name = "I", group = "which", verbatim_doc_comment)]
+    loops: Vec<usize>,
+    /// How dense the new vertices are: at 1.414 edges are as long as those
+    /// beside the hole, at twice that half as long
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    density: Option<f64>,
+    /// At most this many new vertices; patches become coarser inside
+    /// [default: 200000]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    max_new_vertices: Option<usize>,
+    /// Triangulates and refines, but does not fair
+    #[arg(long)]
+    no_fair: bool,
+    /// Stop when the vertices move less than this part of the patch's
+    /// diagonal, between 0 and 1 [default: 1e-8]
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    tolerance: Option<f64>,
+    /// Worker threads, 0: as many as the machine has;
+    /// the result is the same to the last bit
+    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
+    threads: usize,
+    /// Writes the report as JSON, too
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// No progress bar and no report; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Fills holes; true if all that were asked for are filled and fair.
+pub fn run(args: &FillArgs) -> Result<bool, Failure> {
+    let start = Instant::now();
+    let format = Format::of(&args.output)?;
+    let mesh = MeshFile::read(&args.input)?;
+    let output = Output::prepare(&args.output)?;
+    let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
+    let solving = Instant::now();
+    let filled = solve(args, &mesh).map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
+    let solve = solving.elapsed().as_secs_f64();
+    let added = Added {
+        positions: &filled.positions,
+        triangles: &filled.triangles,
+        parents: &filled.parents,
+    };
+    output.write(&mesh.with_added(format, &added))?;
+    let total = start.elapsed().as_secs_f64();
+    if let Some(json) = json {
+        let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, &mesh)).collect();
+        let value = json!({ "loops": loops, "new_vertices": filled.parents.len(),
+            "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
+            "seconds": { "solve": solve, "total": total } });
+        json.write_json(&value)?;
+    }
+    if !args.quiet {
+        crate::say(&readable(&filled));
+    }
+    Ok(filled.loops.iter().all(is_clean))
+}
+
+fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
+    let mut bar = Bar::new(args.quiet);
+    let mut progress = |progress: &Progress| bar.show(progress);
+    let defaults = FillOptions::default();
+    let options = FillOptions {
+        loops: if args.loops.is_empty() {
+            Loops::UpTo(args.max_edges.unwrap_or(usize::MAX))
+        } else {
+            Loops::Chosen(&args.loops)
+        },
+        density: args.density.unwrap_or(defaults.density),
+        max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
+        fair: !args.no_fair,
+        fairing: Options {
+            tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
+            threads: args.threads,
+            progress: Some(&mut progress),
+            ..Options::default()
+        },
+    };
+    let filled = fill_holes(&mesh.geometry.positions, &mesh.geometry.triangles, options);
+    bar.finish();
+    filled
+}
+
+/// Filled and fair, or nothing more was asked for, or left open by rule.
+fn is_clean(report: &LoopReport) -> bool {
+    match &report.outcome {
+        FillOutcome::Faired => report
+            .fairing
+            .as_ref()
+            .is_some_and(|fairing| fairing.outcome == Outcome::Converged),
+        FillOutcome::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
+        FillOutcome::LeftOpen(reason) => {
+            matches!(reason, OpenReason::OuterBoundary | OpenReason::TooManyEdges)
+        }
+        _ => false,
+    }
+}
+
+fn told(report: &LoopReport) -> String {
+    let fairing = report.fairing.as_ref();
+    let ended = fairing.map_or(String::new(), |f| f.outcome.name().replace('_', " "));
+    let mut text = match &report.outcome {
+        FillOutcome::Faired => ended,
+        FillOutcome::Linear => format!("{ended}: the linear surface"),
+        FillOutcome::Flat { reason } => match reason {
+            FlatReason::NotAsked => "triangulated and refined".into(),
+            FlatReason::NoInnerVertex => "triangulated; no new vertex was needed".into(),
+            FlatReason::Refused(error) => format!("triangulated and refined only: {error}"),
+            _ => format!("triangulated and refined only: fairing ended as {ended}, with an unsound surface"),
+        },
+        FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
+        _ => report.outcome.name().to_owned(),
+    };
+    if report.coarsened {
+        text += ", coarser inside: vertices did not suffice";
+    }
+    if !report.outside.is_empty() {
+        let _ = write!(
+            text,
+            ", {} vertices far outside the loop's box",
+            report.outside.len()
+        );
+    }
+    text
+}
+
+fn why(reason: OpenReason) -> String {
+    match reason {
+        OpenReason::NonManifold { a, b } => {
+            format!("it runs into edge ({a}, {b}), which has not exactly two consistent faces")
+        }
+        OpenReason::OuterBoundary => {
+            "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()
+        }
+        OpenReason::TooManyEdges => "it has more edges than --max-edges".into(),
+        OpenReason::NoTriangulation => "every triangulation has an edge or face that is there already".into(),
+        OpenReason::NotFinite { vertex } => {
+            format!("vertex {vertex} is not finite, or the loop is a single point")
+        }
+        OpenReason::Cancelled => "the run was stopped".into(),
+        _ => "unknown".into(),
+    }
+}
+
+fn readable(filled: &Filled) -> String {
+    let mut text = String::new();
+    if filled.loops.is_empty() {
+        text += "no boundary: nothing to fill\n";
+    }
+    for report in &filled.loops {
+        let _ = write!(
+            text,
+            "loop {}, {} edges: {}",
+            report.index,
+            report.edges,
+            told(report)
+        );
+        if !matches!(report.outcome, FillOutcome::LeftOpen(_)) {
+            let (vertices, triangles) = (report.vertices.len(), report.triangles.len());
+            let angle = report.worst_angle;
+            let _ = write!(
+                text,
+                "; {vertices} vertices, {triangles} faces, smallest angle {angle:.1}"
+            );
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// A loop's report for programs; new faces are counted after the file's own.
+fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
+    let geometry = &mesh.geometry;
+    let face = |t: u32| t as usize - geometry.triangles.len() + geometry.polygon_count;
+    let faces = if report.triangles.is_empty() {
+        json!([geometry.polygon_count, geometry.polygon_count])
+    } else {
+        json!([face(report.triangles.start), face(report.triangles.end)])
+    };
+    let fairing = report.fairing.as_ref().map(|f| {
+        json!({ "outcome": f.outcome.name(), "iterations": f.iterations, "step": f.step, "defect": f.defect,
+            "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
+            "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals })
+    });
+    json!({
+        "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
+        "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
+        "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
+        "seconds": report.seconds,
+    })
+}

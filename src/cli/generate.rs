@@ -1,0 +1,211 @@
+//! `fairmesh generate`: the paper's inputs and exact surfaces as mesh files.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use fairmesh_shapes::{OUTSIDE, Sampling, Shape, Surface};
+
+use crate::failure::Failure;
+use crate::formats::{self, Format};
+use crate::output::Output;
+
+/// What can be generated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ShapeKind {
+    /// The paper's blend of three cylinders (Figs. 1, 2): 118, 920 and 13308 vertices exactly
+    CylinderBlend,
+    /// The paper's tetra thing (Fig. 8): 500 and 13308 vertices exactly
+    TetraThing,
+    /// A cap of the unit sphere, free within --angle degrees of the pole (60)
+    SphereCap,
+    /// The unit sphere between 40 degrees south and 50 degrees north
+    SphereZone,
+    /// The unit sphere but for a hole of --angle degrees half-angle (60)
+    SphereHole,
+    /// The cylinder of radius 1, free where |z| < 1
+    Cylinder,
+    /// The catenoid r = cosh z, free where |z| < 0.9
+    Catenoid,
+    /// An unduloid with neck 0.7 and bulge 1
+    Unduloid,
+    /// A wavy saddle over the unit disc; not a solution, the boundary is what matters
+    Saddle,
+}
+
+/// How the vertices are distributed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Triangulation {
+    /// Nearly equilateral triangles
+    Regular,
+    /// Vertices shaken, dropped and inserted at random: valences from 3 to about 11
+    Irregular,
+    /// Three times finer in a patch on one side
+    Refined,
+}
+
+/// Where the free vertices are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Start {
+    /// On the exact surface; blend and tetra thing, which have none, begin smooth
+    Exact,
+    /// On another surface over the same boundary: flat, straight or pinched
+    Flat,
+    /// As exact, with Gaussian noise of --noise edge lengths
+    Noise,
+    /// Anywhere in the bounding box
+    Random,
+}
+
+/// What `fairmesh generate` is asked.
+#[derive(Debug, Args)]
+pub struct GenerateArgs {
+    /// What to make
+    #[arg(value_enum)]
+    kind: ShapeKind,
+    /// Where the mesh goes: .ply, .obj, .off or .stl
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// About how many vertices: all of a blend or tetra thing, the free ones of
+    /// the others; 920 for the blend, 500 for the tetra thing, 1000 otherwise
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    vertices: Option<usize>,
+    /// How the vertices are distributed
+    #[arg(long, value_enum, default_value_t = Triangulation::Regular)]
+    triangulation: Triangulation,
+    /// Of everything random; the same seed gives the same bytes
+    #[arg(long, default_value_t = 1, value_name = "S")]
+    seed: u64,
+    /// Where the free vertices are
+    #[arg(long, value_enum, default_value_t = Start::Exact)]
+    start: Start,
+    /// Deviation of --start noise, in edge lengths
+    #[arg(long, default_value_t = 0.15, value_name = "X")]
+    noise: f64,
+    /// Half-angle of sphere-cap and sphere-hole, in degrees
+    #[arg(long, value_name = "DEGREES")]
+    angle: Option<f64>,
+    /// Rings of fixed triangles around the free region, at most 16; blend and
+    /// tetra thing have none
+    #[arg(long, default_value_t = OUTSIDE, value_name = "N", verbatim_doc_comment)]
+    outside: usize,
+    /// Writes the free vertices, one number per line, for 'fair --free'
+    #[arg(long, value_name = "FILE")]
+    free: Option<PathBuf>,
+    /// Writes the exact boundary normals, for 'fair --normals'
+    #[arg(long, value_name = "FILE")]
+    normals: Option<PathBuf>,
+    /// Writes the same mesh with all vertices on the exact surface
+    #[arg(long, value_name = "FILE")]
+    exact: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
+    check(args)?;
+    let shape = make(args);
+    if args.exact.is_some() && shape.surface.is_none() {
+        return Err(Failure::new(
+            "--exact: there is no exact surface of this kind; its start is smooth, the result is what 'fair' finds",
+        ));
+    }
+    let positions = match args.start {
+        Start::Exact => shape.positions.clone(),
+        Start::Flat => shape.flat(),
+        Start::Noise => shape.noise(args.seed, args.noise),
+        Start::Random => shape.random(args.seed),
+    };
+    // All names are checked before anything is written.
+    let format = Format::of(&args.output)?;
+    let mut files = vec![(
+        Output::prepare(&args.output)?,
+        formats::plain(format, &positions, &shape.triangles),
+    )];
+    if let Some(path) = &args.exact {
+        let bytes = formats::plain(Format::of(path)?, &shape.positions, &shape.triangles);
+        files.push((Output::prepare(path)?, bytes));
+    }
+    if let Some(path) = &args.free {
+        let lines = shape.free_vertices().into_iter().map(|v| format!("{v}\n"));
+        files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
+    }
+    if let Some(path) = &args.normals {
+        let normals = shape.boundary_normals();
+        let lines = normals.iter().map(|(v, [x, y, z])| format!("{v} {x} {y} {z}\n"));
+        files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
+    }
+    for (output, bytes) in &files {
+        output.write(bytes)?;
+    }
+    crate::say(&summary(args, &shape));
+    Ok(true)
+}
+
+fn check(args: &GenerateArgs) -> Result<(), Failure> {
+    if !(args.noise.is_finite() && args.noise >= 0.0) {
+        return Err(Failure::new(format!(
+            "--noise {}: give a number from 0 on",
+            args.noise
+        )));
+    }
+    if args.angle.is_some() && !matches!(args.kind, ShapeKind::SphereCap | ShapeKind::SphereHole) {
+        return Err(Failure::new("--angle: only sphere-cap and sphere-hole have one"));
+    }
+    let mut paths: Vec<&Path> = [&args.exact, &args.free, &args.normals]
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
+    paths.push(&args.output);
+    for (i, path) in paths.iter().enumerate() {
+        if paths[..i].contains(path) {
+            return Err(Failure::new(format!(
+                "{}: named for two different files",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn make(args: &GenerateArgs) -> Shape {
+    let sampling = match args.triangulation {
+        Triangulation::Regular => Sampling::Regular,
+        Triangulation::Irregular => Sampling::Irregular { seed: args.seed },
+        Triangulation::Refined => Sampling::locally_refined(),
+    };
+    let count = |default: usize| args.vertices.unwrap_or(default);
+    let (n, outside, angle) = (count(1_000), args.outside, args.angle.unwrap_or(60.0));
+    match args.kind {
+        ShapeKind::CylinderBlend => fairmesh_shapes::cylinder_blend_of(count(920), sampling),
+        ShapeKind::TetraThing => fairmesh_shapes::tetra_thing_of(count(500), sampling),
+        ShapeKind::SphereCap => fairmesh_shapes::sphere_cap(angle, n, sampling, outside),
+        ShapeKind::SphereZone => fairmesh_shapes::sphere_zone(-40.0, 50.0, n, sampling, outside),
+        ShapeKind::SphereHole => fairmesh_shapes::sphere_with_hole(angle, n, sampling, outside),
+        ShapeKind::Cylinder => fairmesh_shapes::cylinder_band(n, sampling, outside),
+        ShapeKind::Catenoid => fairmesh_shapes::catenoid_band(n, sampling, outside),
+        ShapeKind::Unduloid => fairmesh_shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
+        ShapeKind::Saddle => fairmesh_shapes::saddle_graph(n, sampling, outside),
+    }
+}
+
+fn summary(args: &GenerateArgs, shape: &Shape) -> String {
+    let surface = match &shape.surface {
+        Some(Surface::Sphere) => "the unit sphere about the origin".to_owned(),
+        Some(Surface::Cylinder) => "the cylinder of radius 1 about the z axis".to_owned(),
+        Some(Surface::Catenoid) => "the catenoid of radius cosh z about the z axis".to_owned(),
+        Some(Surface::Unduloid(u)) => format!(
+            "the unduloid of mean curvature {} about the z axis, radii {} (at z = 0) to {}",
+            u.mean_curvature(),
+            u.neck(),
+            u.bulge()
+        ),
+        _ => "none".to_owned(),
+    };
+    format!(
+        "Written to {}\n  vertices:       {}\n  free:           {}\n  triangles:      {}\n  exact surface:  {surface}\n",
+        args.output.display(),
+        shape.positions.len(),
+        shape.free_count(),
+        shape.triangles.len()
+    )
+}

@@ -1,0 +1,196 @@
+//! Files that are written whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+
+use serde_json::Value;
+
+use crate::failure::Failure;
+
+/// Where a file will be written.
+pub struct Output {
+    /// The name the user gave, for messages.
+    name: String,
+    /// The file itself, behind links.
+    target: PathBuf,
+    /// A pipe or device, which cannot be replaced.
+    is_special: bool,
+}
+
+impl Output {
+    /// Finds out whether the file can be written, before any work is done.
+    pub fn prepare(path: &Path) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let mut output = Self {
+            name,
+            target,
+            is_special: false,
+        };
+        match fs::metadata(&output.target) {
+            Ok(found) if found.is_dir() => {
+                return Err(output.failure("this is a directory; name a file in it"));
+            }
+            Ok(found) if !found.is_file() => output.is_special = true,
+            Ok(found) if found.permissions().readonly() => {
+                return Err(output.failure("the file is write-protected; choose another name"));
+            }
+            _ => drop(output.temporary()?),
+        }
+        Ok(output)
+    }
+
+    fn failure(&self, why: impl std::fmt::Display) -> Failure {
+        Failure::new(format!("{}: cannot write: {why}", self.name))
+    }
+
+    /// A new file beside the target, so that renaming it cannot cross file systems.
+    fn temporary(&self) -> Result<Temporary, Failure> {
+        let directory = match self.target.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        Temporary::new(directory).map_err(|why| {
+            let directory = directory.display();
+            self.failure(format!("no file can be made in '{directory}': {}", short(&why)))
+        })
+    }
+
+    /// Writes the bytes to a temporary file and gives it the name.
+    pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        if self.is_special {
+            return fs::write(&self.target, bytes).map_err(|why| self.failure(why));
+        }
+        let temporary = self.temporary()?;
+        self.replace(&temporary, bytes).map_err(|why| self.failure(why))
+    }
+
+    /// Writes a report.
+    pub fn write_json(&self, report: &Value) -> Result<(), Failure> {
+        self.write(format!("{report:#}\n").as_bytes())
+    }
+
+    fn replace(&self, temporary: &Temporary, bytes: &[u8]) -> io::Result<()> {
+        let mut file = &temporary.file;
+        // Before the bytes: what only some may read is at no time open to others.
+        if let Ok(found) = fs::metadata(&self.target) {
+            file.set_permissions(found.permissions())?;
+        }
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&temporary.path, &self.target)
+    }
+}
+
+/// Where a report as JSON goes: not over these files.
+pub fn prepare_json(json: Option<&Path>, others: &[&Path]) -> Result<Option<Output>, Failure> {
+    let Some(path) = json else { return Ok(None) };
+    if others.iter().any(|other| same_file(path, other)) {
+        return Err(Failure::new(format!(
+            "{}: --json would overwrite the mesh; name another file",
+            path.display()
+        )));
+    }
+    Output::prepare(path).map(Some)
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    let resolved = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path)).ok();
+    resolved(a) == resolved(b)
+}
+
+/// A new file that is removed at the end unless it was renamed.
+struct Temporary {
+    path: PathBuf,
+    file: File,
+}
+
+impl Temporary {
+    fn new(directory: &Path) -> io::Result<Self> {
+        let mut number = 0;
+        loop {
+            let path = directory.join(format!(".fairmesh-{}-{number}", process::id()));
+            match File::create_new(&path) {
+                Ok(file) => return Ok(Self { path, file }),
+                Err(why) if why.kind() == io::ErrorKind::AlreadyExists => number += 1,
+                Err(why) => return Err(why),
+            }
+        }
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// The system's reason in few words.
+fn short(why: &io::Error) -> String {
+    match why.kind() {
+        io::ErrorKind::NotFound => "it does not exist".to_owned(),
+        kind => kind.to_string(),
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::fs::Permissions;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    use super::*;
+
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path).unwrap().permissions().mode() & 0o777
+    }
+
+    #[test]
+    fn files_are_replaced_whole_with_their_permissions() {
+        let directory = tempfile::tempdir().unwrap();
+        let (file, link) = (directory.path().join("file"), directory.path().join("link"));
+        Output::prepare(&file).unwrap().write(b"one").unwrap();
+        // Others may read a new file if the umask lets them, unlike a temporary one.
+        fs::write(directory.path().join("usual"), "").unwrap();
+        assert_eq!(mode(&file), mode(&directory.path().join("usual")));
+        fs::set_permissions(&file, Permissions::from_mode(0o666)).unwrap();
+        symlink("file", &link).unwrap();
+        Output::prepare(&link).unwrap().write(b"two").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&file).unwrap(), b"two");
+        assert_eq!(mode(&file), 0o666);
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 3);
+    }
+
+    #[test]
+    fn other_files_stay_and_a_failed_write_leaves_none_behind() {
+        let directory = tempfile::tempdir().unwrap();
+        let (file, taken) = (
+            directory.path().join("file"),
+            directory.path().join(format!(".fairmesh-{}-0", process::id())),
+        );
+        fs::write(&taken, "of another run").unwrap();
+        let output = Output::prepare(&file).unwrap();
+        fs::create_dir(&file).unwrap();
+        output.write(b"nowhere to go").unwrap_err();
+        assert_eq!(fs::read(&taken).unwrap(), b"of another run");
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_refused_before_the_work() {
+        let directory = tempfile::tempdir().unwrap();
+        let refused = |path: &Path| Output::prepare(path).err().unwrap().to_string();
+        assert!(refused(directory.path()).ends_with("cannot write: this is a directory; name a file in it"));
+        let file = directory.path().join("file");
+        fs::write(&file, "precious").unwrap();
+        fs::set_permissions(&file, Permissions::from_mode(0o444)).unwrap();
+        assert!(refused(&file).ends_with("the file is write-protected; choose another name"));
+        assert!(refused(&directory.path().join("none/file")).ends_with("it does not exist"));
+        Output::prepare(Path::new("/dev/null"))
+            .unwrap()
+            .write(b"gone")
+            .unwrap();
+    }
+}

@@ -1,0 +1,477 @@
+//! The command line: help, errors, exit codes, report.
+
+use std::fs;
+use std::path::Path;
+
+use crate::common::*;
+
+/// A directory with `cap.obj` and the lists of its region.
+fn prepared(test: &str) -> std::path::PathBuf {
+    let directory = directory(test);
+    write_lists(&directory);
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    directory
+}
+
+/// Expects a refusal in one line that begins like this.
+fn refused(directory: &Path, args: &[&str], message: &str) {
+    let (out, err) = expect(directory, args, 2);
+    assert_eq!(out, "");
+    assert_eq!(err.lines().count(), 1, "{err}");
+    assert!(
+        err.starts_with(&format!("fairmesh: {message}")),
+        "{err:?} should be {message:?}"
+    );
+}
+
+#[test]
+fn help_tells_what_a_stranger_needs() {
+    let directory = directory("help");
+    let (out, _) = expect(&directory, &["fair", "--help"], 0);
+    let told = [
+        "Examples:",
+        "--free <FILE>",
+        "--selection <NAME>",
+        "Exit codes: 0",
+        "byte for byte",
+        "'setup'",
+    ];
+    told.into_iter()
+        .for_each(|told| assert!(out.contains(told), "{told}\n{out}"));
+    let (out, _) = expect(&directory, &["--help"], 0);
+    assert!(out.contains("fair") && out.contains("demo"));
+    let (out, _) = expect(&directory, &["--version"], 0);
+    assert_eq!(out, format!("fairmesh {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn wrong_usage_exits_with_2() {
+    let directory = prepared("usage");
+    for args in [
+        &["fair", "cap.obj"][..],
+        &[
+            "fair",
+            "cap.obj",
+            "-o",
+            "x.obj",
+            "--free",
+            "free.txt",
+            "--faces",
+            "faces.txt",
+        ],
+        &["fair", "cap.obj", "-o", "x.obj", "--inner-fairness", "best"],
+        &["fair", "cap.obj", "-o", "x.obj", "--interior-normals", "best"],
+        &["unfair"],
+    ] {
+        expect(&directory, args, 2);
+    }
+    assert!(!directory.join("x.obj").exists());
+}
+
+#[test]
+fn wrong_input_is_told_in_one_line() {
+    let directory = prepared("input");
+    let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
+    let fair = |more: &[&str], message: &str| {
+        refused(
+            &directory,
+            &[&["fair", "cap.obj", "-o", "out.obj"], more].concat(),
+            message,
+        );
+    };
+    fair(
+        &[],
+        "cap.obj: nothing says which vertices may move; give --free FILE",
+    );
+    fair(&["--selection", "flags"], "cap.obj: there is no property 'flags'");
+    fair(&["--free", "none.txt"], "none.txt: cannot read:");
+    write("bad.txt", "# one\n1\n\n2x\n");
+    fair(
+        &["--free", "bad.txt"],
+        "bad.txt:4: index: '2x' is not a whole number",
+    );
+    write("bad.txt", "1 2\n");
+    fair(
+        &["--free", "bad.txt"],
+        "bad.txt:1: '2' is more than this line should have",
+    );
+    write("bad.txt", "0\n225\n");
+    fair(
+        &["--free", "bad.txt"],
+        "bad.txt:2: index 225 is out of range: the mesh has 225 vertices, counted from 0",
+    );
+    write("bad.txt", "-1\n");
+    fair(
+        &["--faces", "bad.txt"],
+        "bad.txt:1: index -1 is out of range: the mesh has 196 faces, counted from 0",
+    );
+    write("bad.txt", "# nothing\n");
+    fair(&["--faces", "bad.txt"], "bad.txt: the file names no faces");
+    write("bad.txt", "4 0 1\n");
+    fair(
+        &["--free", "free.txt", "--normals", "bad.txt"],
+        "bad.txt:1: normal has 2 of 3 numbers",
+    );
+    write("bad.txt", "4 0 1 2\n5 0 0 0\n");
+    fair(
+        &["--free", "free.txt", "--normals", "bad.txt"],
+        "bad.txt:2: the normal of vertex 5 is zero or not finite",
+    );
+    write("bad.txt", "4 0 1 inf\n");
+    fair(
+        &["--free", "free.txt", "--normals", "bad.txt"],
+        "bad.txt:1: the normal of vertex 4 is zero or not finite",
+    );
+    fair(
+        &["--free", "free.txt", "--json", "cap.obj"],
+        "cap.obj: --json would overwrite the mesh",
+    );
+    fair(
+        &["--free", "free.txt", "--json", "none/a.json"],
+        "none/a.json: cannot write: no file can be made in 'none'",
+    );
+    let missing = ["fair", "none.ply", "-o", "out.ply"];
+    refused(&directory, &missing, "none.ply: cannot read:");
+    refused(
+        &directory,
+        &["fair", "cap.obj", "-o", "out.xyz"],
+        "out.xyz: unknown file format",
+    );
+    let nowhere = ["fair", "cap.obj", "-o", "none/out.obj", "--free", "free.txt"];
+    refused(
+        &directory,
+        &nowhere,
+        "none/out.obj: cannot write: no file can be made in 'none': it does not exist",
+    );
+    write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 2\n");
+    refused(
+        &directory,
+        &["fair", "cut.ply", "-o", "out.ply"],
+        "cut.ply:4: the file ends within the header",
+    );
+    assert!(!directory.join("out.obj").exists() && !directory.join("out.ply").exists());
+}
+
+#[test]
+fn a_refusal_keeps_the_old_output() {
+    let directory = prepared("keep");
+    fs::write(directory.join("out.obj"), "precious").unwrap();
+    fs::write(directory.join("one.txt"), "0\n").unwrap();
+    refused(
+        &directory,
+        &["fair", "cap.obj", "-o", "out.obj", "--faces", "one.txt"],
+        "cap.obj: no vertex is free",
+    );
+    assert_eq!(fs::read_to_string(directory.join("out.obj")).unwrap(), "precious");
+    let mut names: Vec<_> = fs::read_dir(&directory)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["cap.obj", "faces.txt", "free.txt", "one.txt", "out.obj"]);
+}
+
+// From here on the solver is needed.
+
+#[test]
+fn a_free_vertex_on_the_boundary_is_named() {
+    let directory = prepared("boundary");
+    fs::write(directory.join("one.txt"), "7\n").unwrap();
+    let message = "cap.obj: free vertex 7 lies on the boundary of the mesh";
+    refused(
+        &directory,
+        &["fair", "cap.obj", "-o", "out.obj", "--free", "one.txt"],
+        message,
+    );
+}
+
+#[test]
+fn an_option_out_of_range_is_named() {
+    let directory = prepared("range");
+    let args = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "out.obj",
+        "--free",
+        "free.txt",
+        "--tolerance",
+        "2",
+    ];
+    refused(&directory, &args, "cap.obj: option tolerance is 2");
+}
+
+#[test]
+fn the_report_is_told_and_written() {
+    let directory = prepared("report");
+    let args = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "out.obj",
+        "--faces",
+        "faces.txt",
+        "--json",
+        "report.json",
+    ];
+    let (out, err) = expect(&directory, &args, 0);
+    assert!(
+        out.starts_with("converged: the surface is fair and sound\n"),
+        "{out}"
+    );
+    assert_eq!(err, "", "no progress bar without a terminal");
+    let json: serde_json::Value =
+        serde_json::from_slice(&fs::read(directory.join("report.json")).unwrap()).unwrap();
+    assert_eq!(json["outcome"], "converged");
+    assert_eq!(
+        json["free_vertices"],
+        (0..SIDE * SIDE).filter(|&v| is_free(v)).count()
+    );
+    assert_eq!(json["quality"]["flipped"]["count"], 0);
+    assert_eq!(json["quality"]["needles"]["list"], serde_json::json!([]));
+    assert!(json["quality"]["worst_triangle"].as_u64().unwrap() < quads().len() as u64);
+    assert!(json["quality"]["worst_angle"].as_f64().unwrap() > 1.0);
+    // The unit sphere, with outward normals.
+    for end in 0..2 {
+        assert!((json["quality"]["h_inside"][end].as_f64().unwrap() + 1.0).abs() < 0.01);
+    }
+    assert_eq!(json["linear_surface"], false);
+    assert!(json["reason"].is_null());
+    let seconds = |key: &str| json["seconds"][key].as_f64().unwrap();
+    assert!(seconds("setup") <= seconds("solve"));
+    let parts = seconds("read") + seconds("solve") + seconds("write");
+    assert!(parts <= seconds("total") + 1e-9);
+    let (out, err) = expect(&directory, &[&args[..], &["--quiet"]].concat(), 0);
+    assert_eq!((out, err), (String::new(), String::new()));
+}
+
+#[test]
+fn too_few_iterations_exit_with_3_and_write() {
+    let directory = prepared("limit");
+    let args = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "out.obj",
+        "--free",
+        "free.txt",
+        "--max-iterations",
+        "1",
+        "--json",
+        "report.json",
+    ];
+    let (out, _) = expect(&directory, &args, 3);
+    assert!(
+        out.starts_with("stopped at the iteration limit\n  what to do:"),
+        "{out}"
+    );
+    let json = fs::read_to_string(directory.join("report.json")).unwrap();
+    assert!(json.contains("\"outcome\": \"iteration_limit\""));
+    assert_ne!(
+        fs::read(directory.join("out.obj")).unwrap(),
+        fs::read(directory.join("cap.obj")).unwrap()
+    );
+}
+
+#[test]
+fn the_papers_scheme_takes_its_flags_and_tells_its_levels() {
+    let directory = prepared("paper");
+    let file = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+    let solver = ["--solver", "paper"];
+    let fair = |more: &[&str], code: i32| expect(&directory, &[&file[..], more].concat(), code);
+    let flags = [
+        ["--paper-levels", "1"],
+        ["--paper-damping", "0.8"],
+        ["--paper-estimate", "conjugate-gradients"],
+        ["--paper-estimate-iterations", "20"],
+        ["--paper-defect", "1e-5"],
+    ];
+    let json = ["--json", "report.json"];
+    let (out, _) = fair(&[&solver, flags.as_flattened(), &json].concat(), 0);
+    assert!(out.contains("levels:"), "{out}");
+    let json = fs::read_to_string(directory.join("report.json")).unwrap();
+    assert!(json.contains("\"updates\""), "{json}");
+    for flag in flags {
+        let (_, err) = fair(&flag, 2);
+        assert!(err.contains("is for --solver paper only"), "{err}");
+    }
+    let (_, err) = fair(&[&solver[..], &["--max-iterations", "1"]].concat(), 2);
+    assert!(err.contains("--paper-max-updates"), "{err}");
+    let (_, err) = fair(&[&solver[..], &["--paper-damping", "2"]].concat(), 2);
+    assert!(err.contains("damping"), "{err}");
+    let (out, _) = fair(&[&solver[..], &["--paper-max-updates", "1"]].concat(), 3);
+    assert!(out.starts_with("stopped at the iteration limit"), "{out}");
+}
+
+#[test]
+fn normals_are_fitted_averaged_or_those_of_a_file() {
+    let directory = prepared("normals");
+    let positions = cap();
+    let given: String = (0..SIDE * SIDE)
+        .filter(|&v| !is_free(v))
+        .map(|v| {
+            format!(
+                "{v} {} {} {}\n",
+                positions[v][0], positions[v][1], positions[v][2]
+            )
+        })
+        .collect();
+    fs::write(directory.join("normals.txt"), given).unwrap();
+    let result = |normals: &[&str]| {
+        let args = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+        expect(&directory, &[&args[..], normals].concat(), 0);
+        fs::read(directory.join("out.obj")).unwrap()
+    };
+    let fitted = result(&[]);
+    assert_eq!(result(&["--normals", "fitted"]), fitted);
+    let averaged = result(&["--normals", "averaged"]);
+    let exact = result(&["--normals", "normals.txt"]);
+    assert!(averaged != fitted && exact != fitted && exact != averaged);
+}
+
+#[test]
+fn threads_do_not_change_a_byte() {
+    let directory = prepared("threads");
+    for threads in ["1", "3"] {
+        let output = format!("out{threads}.obj");
+        expect(
+            &directory,
+            &[
+                "fair",
+                "cap.obj",
+                "-o",
+                &output,
+                "--free",
+                "free.txt",
+                "--threads",
+                threads,
+            ],
+            0,
+        );
+    }
+    assert_eq!(
+        fs::read(directory.join("out1.obj")).unwrap(),
+        fs::read(directory.join("out3.obj")).unwrap()
+    );
+}
+
+#[test]
+fn the_demo_makes_its_three_files() {
+    let directory = directory("demo");
+    let (out, _) = expect(&directory, &["demo", "deep/demo"], 0);
+    for name in ["start.ply", "result.ply", "blend.png"] {
+        assert!(out.contains(name), "{out}");
+    }
+    let png = fs::read(directory.join("deep/demo/blend.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    let start = fs::read(directory.join("deep/demo/start.ply")).unwrap();
+    assert!(String::from_utf8_lossy(&start).contains("element vertex 920\n"));
+    assert!(String::from_utf8_lossy(&start).contains("element face 1746\n"));
+}
+
+/// Width and height of a PNG, after its signature.
+fn size_of_png(path: &Path) -> [u32; 2] {
+    let png = fs::read(path).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    [16, 20].map(|at| u32::from_be_bytes(png[at..at + 4].try_into().unwrap()))
+}
+
+#[test]
+fn what_is_generated_is_faired_and_shown() {
+    let directory = directory("generate");
+    let list = ["--free", "free.txt", "--normals", "normals.txt"];
+    let make = |output: &str, start: &str, code: i32| {
+        let mut args = vec!["generate", "sphere-cap", "-o", output, "--vertices", "300"];
+        args.extend(["--triangulation", "irregular", "--seed", "5", "--start", start]);
+        args.extend(list);
+        expect(&directory, &args, code)
+    };
+    let (out, _) = make("cap.off", "noise", 0);
+    assert!(out.contains("the unit sphere about the origin"), "{out}");
+    let first = fs::read(directory.join("cap.off")).unwrap();
+    make("cap.off", "noise", 0);
+    assert_eq!(first, fs::read(directory.join("cap.off")).unwrap());
+    let mut args = vec!["fair", "cap.off", "-o", "fair.off"];
+    args.extend(list);
+    expect(&directory, &args, 0);
+    let text = fs::read_to_string(directory.join("fair.off")).unwrap();
+    let mut lines = text.lines().skip(1);
+    let count: usize = lines
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    let positions: Vec<[f64; 3]> = lines
+        .take(count)
+        .map(|line| {
+            let words: Vec<f64> = line.split_whitespace().map(|w| w.parse().unwrap()).collect();
+            [words[0], words[1], words[2]]
+        })
+        .collect();
+    assert_eq!(positions.len(), count);
+    assert!(off_sphere(&positions) < 1e-7);
+
+    let mut args = vec![
+        "render", "cap.off", "fair.off", "-o", "both.png", "--view", "-1,0,1",
+    ];
+    args.extend(["--shade", "flat,reflection,curvature", "--size", "60x50"]);
+    expect(&directory, &args, 0);
+    let [width, height] = size_of_png(&directory.join("both.png"));
+    assert!(width > 2 * 60 && height > 3 * 50, "{width} x {height}");
+    args.extend([
+        "--caption",
+        "",
+        "--caption",
+        "",
+        "--range",
+        "-1.1,-0.9",
+        "--around",
+        "free.txt",
+    ]);
+    expect(&directory, &args, 0);
+    assert_eq!(size_of_png(&directory.join("both.png"))[1], 3 * 50);
+}
+
+#[test]
+fn what_cannot_be_generated_or_shown_is_refused() {
+    let directory = directory("generate-refused");
+    let refused = |args: &[&str], what: &str| {
+        let (_, err) = expect(&directory, args, 2);
+        assert!(err.contains(what), "{args:?}: {err}");
+    };
+    refused(
+        &["generate", "saddle", "-o", "a.ply", "--exact", "b.ply"],
+        "no exact surface",
+    );
+    refused(
+        &["generate", "cylinder", "-o", "a.ply", "--angle", "3"],
+        "--angle",
+    );
+    refused(
+        &["generate", "cylinder", "-o", "a.ply", "--free", "a.ply"],
+        "two different files",
+    );
+    refused(&["generate", "cylinder", "-o", "a.ply", "--noise=-1"], "--noise");
+    refused(&["generate", "cone", "-o", "a.ply"], "cone");
+    assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
+    expect(
+        &directory,
+        &["generate", "cylinder-blend", "--vertices", "118", "-o", "a.obj"],
+        0,
+    );
+    let render = |more: &[&'static str], what: &str| {
+        let mut args = vec!["render", "a.obj", "-o", "a.png"];
+        args.extend(more);
+        refused(&args, what);
+    };
+    render(&["--view", "1,2"], "--view 1,2");
+    render(&["--size", "10x10"], "--size 10x10");
+    render(&["--range", "2,1"], "--range 2,1");
+    render(&["--caption", "a", "--caption", "b"], "--caption");
+    render(&["--up", "0,0,0"], "--up");
+    refused(&["render", "none.ply", "-o", "a.png"], "none.ply");
+    assert!(!directory.join("a.png").exists());
+}

@@ -1,0 +1,107 @@
+//! A spherical cap with a dented middle, and the program.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Vertices along a side of the grid.
+pub const SIDE: usize = 15;
+/// Rows of quads around the region that are not selected.
+pub const FRAME: usize = 4;
+
+/// An empty directory of a test.
+pub fn directory(test: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Runs the binary in a directory.
+pub fn fairmesh(directory: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_fairmesh"))
+        .current_dir(directory)
+        .args(args)
+        .output()
+        .unwrap()
+}
+
+/// Runs it and expects this exit code; returns stdout and stderr.
+pub fn expect(directory: &Path, args: &[&str], code: i32) -> (String, String) {
+    let output = fairmesh(directory, args);
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(code), "{args:?}\n{out}\n{err}");
+    (out, err)
+}
+
+/// Whether a vertex has all its quads in the region.
+pub fn is_free(v: usize) -> bool {
+    let inside = |k: usize| (FRAME + 1..SIDE - FRAME - 1).contains(&k);
+    inside(v % SIDE) && inside(v / SIDE)
+}
+
+/// A grid on the unit sphere; the free vertices are pushed inwards and sideways.
+pub fn cap() -> Vec<[f64; 3]> {
+    let at = |k: usize| 1.2 * k as f64 / (SIDE - 1) as f64 - 0.6;
+    let vertex = |v: usize| {
+        let (x, y) = (at(v % SIDE), at(v / SIDE));
+        let z = (1.0 - x * x - y * y).sqrt();
+        let dent = if is_free(v) {
+            0.9 + 0.004 * (v % 7) as f64
+        } else {
+            1.0
+        };
+        [x, y, z].map(|c| c * dent)
+    };
+    (0..SIDE * SIDE).map(vertex).collect()
+}
+
+/// Quads, counter-clockwise seen from outside.
+pub fn quads() -> Vec<[usize; 4]> {
+    let squares = (0..SIDE - 1).flat_map(|j| (0..SIDE - 1).map(move |i| j * SIDE + i));
+    squares.map(|v| [v, v + 1, v + SIDE + 1, v + SIDE]).collect()
+}
+
+/// Whether a quad is selected.
+pub fn is_selected(quad: usize) -> bool {
+    let inside = |k: usize| (FRAME..SIDE - 1 - FRAME).contains(&k);
+    inside(quad % (SIDE - 1)) && inside(quad / (SIDE - 1))
+}
+
+/// The lines of a list of indices.
+pub fn list(indices: impl Iterator<Item = usize>) -> String {
+    indices.map(|index| format!("{index}\n")).collect()
+}
+
+/// `faces.txt` and `free.txt` in the directory.
+pub fn write_lists(directory: &Path) {
+    fs::write(
+        directory.join("faces.txt"),
+        list((0..quads().len()).filter(|&q| is_selected(q))),
+    )
+    .unwrap();
+    fs::write(
+        directory.join("free.txt"),
+        list((0..SIDE * SIDE).filter(|&v| is_free(v))),
+    )
+    .unwrap();
+}
+
+/// The cap as OBJ.
+pub fn obj(positions: &[[f64; 3]]) -> String {
+    let mut text = String::from("# cap\n");
+    positions
+        .iter()
+        .for_each(|[x, y, z]| text += &format!("v {x} {y} {z}\n"));
+    quads()
+        .iter()
+        .for_each(|[a, b, c, d]| text += &format!("f {} {} {} {}\n", a + 1, b + 1, c + 1, d + 1));
+    text
+}
+
+/// Largest distance of a vertex from the unit sphere.
+pub fn off_sphere(positions: &[[f64; 3]]) -> f64 {
+    let distance = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
+    positions.iter().map(distance).fold(0.0, f64::max)
+}

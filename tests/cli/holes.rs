@@ -1,0 +1,292 @@
+//! `fairmesh holes`, `fairmesh fill` and `fairmesh fair --remesh` on files.
+
+use std::fmt::Write;
+use std::fs;
+
+use crate::common::{SIDE, cap, directory, expect, is_selected, obj, off_sphere, quads, write_lists};
+use serde_json::Value;
+
+/// The cap without its middle, as text: its vertices with more properties, and all its quads but the selected ones.
+fn holed_ply() -> String {
+    let mut vertices = String::new();
+    let mut used = vec![false; SIDE * SIDE];
+    let kept: Vec<_> = (0..quads().len())
+        .filter(|&q| !is_selected(q))
+        .map(|q| quads()[q])
+        .collect();
+    kept.iter().flatten().for_each(|&v| used[v] = true);
+    let mut number = vec![0; used.len()];
+    let mut count = 0;
+    for (v, [x, y, z]) in cap().into_iter().enumerate().filter(|(v, _)| used[*v]) {
+        number[v] = count;
+        count += 1;
+        let red = 100 + v % 2;
+        let _ = writeln!(vertices, "{x}  {y} {z} 7 {red} 200 0.5");
+    }
+    let faces: String = kept
+        .iter()
+        .map(|q| {
+            let [a, b, c, d] = q.map(|v| number[v]);
+            format!("4 {a} {b} {c} {d} 9\n")
+        })
+        .collect();
+    format!(
+        "ply\nformat ascii 1.0\ncomment a cap\nelement vertex {count}\nproperty double x\nproperty double y\n\
+         property double z\nproperty int label\nproperty uchar red\nproperty uchar green\nproperty float quality\n\
+         element face {}\nproperty list uchar int vertex_indices\nproperty int mark\nelement extra 1\n\
+         property int answer\nend_header\n{vertices}{faces}42\n",
+        kept.len()
+    )
+}
+
+#[test]
+fn holes_are_listed_and_filled_with_all_other_bytes_kept() {
+    let directory = directory("fill_ply");
+    let text = holed_ply();
+    fs::write(directory.join("in.ply"), &text).unwrap();
+    let (out, _) = expect(&directory, &["holes", "in.ply", "--json", "l.json"], 0);
+    assert!(out.contains(" hole") && out.contains("outer boundary"), "{out}");
+    let list: Value = serde_json::from_slice(&fs::read(directory.join("l.json")).unwrap()).unwrap();
+    assert_eq!(list.as_array().unwrap().len(), 2);
+    let hole = usize::from(list[1]["kind"] == "hole");
+    assert_eq!(list[1 - hole]["kind"], "outer_boundary");
+    let (out, _) = expect(
+        &directory,
+        &["fill", "in.ply", "-o", "out.ply", "--json", "r.json"],
+        0,
+    );
+    assert!(out.contains("converged") && out.contains("left open"), "{out}");
+    let report: Value = serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+    let (vertices, faces) = (
+        report["new_vertices"].as_u64().unwrap() as usize,
+        report["new_triangles"].as_u64().unwrap() as usize,
+    );
+    assert!(vertices > 10);
+    assert_eq!(report["loops"][hole]["outcome"], "faired");
+    // The old lines but for the counts, and new lines behind each table.
+    let new = fs::read_to_string(directory.join("out.ply")).unwrap();
+    let (old, new): (Vec<&str>, Vec<&str>) = (text.lines().collect(), new.lines().collect());
+    let header = old.iter().position(|l| *l == "end_header").unwrap() + 1;
+    let count = |line: &str| line.split(' ').nth(2).unwrap().parse::<usize>().unwrap();
+    let (old_vertices, old_faces) = (count(old[3]), count(old[11]));
+    assert_eq!(count(new[3]), old_vertices + vertices);
+    assert_eq!(count(new[11]), old_faces + faces);
+    let body = header + old_vertices;
+    assert_eq!(old[header..body], new[header..body]);
+    assert_eq!(
+        old[body..body + old_faces],
+        new[body + vertices..body + vertices + old_faces]
+    );
+    assert_eq!(new.last(), Some(&"42"));
+    assert_eq!(new.len(), old.len() + vertices + faces);
+    let rows = new[body..body + vertices].iter().map(|line| {
+        line.split(' ')
+            .map(|w| w.parse::<f64>().unwrap())
+            .collect::<Vec<f64>>()
+    });
+    for row in rows {
+        assert_eq!(row.len(), 7);
+        assert!(off_sphere(&[[row[0], row[1], row[2]]]) < 1e-4);
+        assert_eq!(row[3], 0.0, "a label is not averaged");
+        assert!((100.0..=101.0).contains(&row[4]) && row[5] == 200.0 && (row[6] - 0.5).abs() < 1e-6);
+    }
+    assert!(
+        new[body + vertices + old_faces].starts_with("3 ")
+            && new[body + vertices + old_faces].ends_with(" 0")
+    );
+}
+
+#[test]
+fn obj_gets_lines_and_other_formats_are_written_anew() {
+    let directory = directory("fill_obj");
+    // Without two quads in the middle.
+    let text = obj(&cap());
+    let middle = SIDE / 2;
+    let quad = (SIDE - 1) * middle + middle;
+    let lines: Vec<&str> = text.lines().collect();
+    let first = lines.iter().position(|l| l.starts_with("f ")).unwrap();
+    let kept = lines
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i != first + quad && *i != first + quad + 1);
+    let text: String = kept.map(|(_, l)| format!("{l}\n")).collect();
+    fs::write(directory.join("in.obj"), &text).unwrap();
+    expect(
+        &directory,
+        &["fill", "in.obj", "-o", "out.obj", "--no-fair", "-q"],
+        0,
+    );
+    let new = fs::read_to_string(directory.join("out.obj")).unwrap();
+    assert!(new.starts_with(&text) && new.len() > text.len());
+    for name in ["out.off", "out.stl", "out.ply"] {
+        expect(
+            &directory,
+            &["fill", "in.obj", "-o", name, "--density", "2", "-q"],
+            0,
+        );
+        let (out, _) = expect(&directory, &["holes", name], 0);
+        assert!(!out.contains(" hole"), "{out}");
+    }
+    let (_, err) = expect(&directory, &["fill", "in.obj", "-o", "x.obj", "--loop", "7"], 2);
+    assert!(err.contains("7"), "{err}");
+    expect(
+        &directory,
+        &["fill", "in.obj", "-o", "x.obj", "--density", "0"],
+        2,
+    );
+    assert!(!directory.join("x.obj").exists());
+}
+
+#[test]
+fn a_region_can_be_triangulated_anew_before_it_is_faired() {
+    let directory = directory("remesh");
+    fs::write(directory.join("in.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
+    let args = [
+        "fair",
+        "in.obj",
+        "-o",
+        "out.obj",
+        "--faces",
+        "faces.txt",
+        "--remesh",
+    ];
+    let (out, _) = expect(&directory, &args, 0);
+    assert!(out.starts_with("converged"), "{out}");
+    let new = fs::read_to_string(directory.join("out.obj")).unwrap();
+    let x: Vec<[f64; 3]> = new
+        .lines()
+        .filter_map(|l| l.strip_prefix("v "))
+        .map(|l| {
+            let mut words = l.split(' ').map(|w| w.parse().unwrap());
+            [(); 3].map(|()| words.next().unwrap())
+        })
+        .collect();
+    assert!(off_sphere(&x) < 1e-3);
+}
+
+/// Texture coordinates that follow the position.
+fn texture([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [0.5 + 0.5 * x, 0.5 + 0.5 * y]
+}
+
+/// The words of a line as numbers.
+fn numbers(line: &str) -> Vec<f64> {
+    line.split(' ').filter_map(|word| word.parse().ok()).collect()
+}
+
+fn near(found: &[f64], position: &[f64]) -> bool {
+    let expected = texture([position[0], position[1], position[2]]);
+    // Parents are told by the triangulation that the patch was made from, so coordinates follow the place roughly.
+    (0..2).all(|k| (found[k] - expected[k]).abs() < 0.05)
+}
+
+#[test]
+fn obj_gets_colours_and_texture_coordinates_of_the_boundary() {
+    let directory = directory("fill_obj_texture");
+    let mut text = String::new();
+    for [x, y, z] in cap() {
+        let _ = writeln!(text, "v {x} {y} {z} 0.25 {} 1", 0.5 + 0.5 * x);
+    }
+    for p in cap() {
+        let [u, v] = texture(p);
+        let _ = writeln!(text, "vt {u} {v}");
+    }
+    for (_, q) in quads().iter().enumerate().filter(|(q, _)| !is_selected(*q)) {
+        let corners: Vec<String> = q.iter().map(|v| format!("{0}/{0}", v + 1)).collect();
+        let _ = writeln!(text, "f {}", corners.join(" "));
+    }
+    fs::write(directory.join("in.obj"), &text).unwrap();
+    expect(&directory, &["fill", "in.obj", "-o", "out.obj", "-q"], 0);
+    let new = fs::read_to_string(directory.join("out.obj")).unwrap();
+    assert!(new.starts_with(&text));
+    let of =
+        |kind: &str| -> Vec<Vec<f64>> { new.lines().filter(|l| l.starts_with(kind)).map(numbers).collect() };
+    let (vertices, textures) = (of("v "), of("vt "));
+    let old = SIDE * SIDE;
+    assert!(vertices.len() > old + 10 && textures.len() == vertices.len());
+    for row in &vertices[old..] {
+        assert!(row.len() == 6 && (row[3] - 0.25).abs() < 1e-9 && (row[5] - 1.0).abs() < 1e-9);
+        assert!((row[4] - (0.5 + 0.5 * row[0])).abs() < 0.05, "{row:?}");
+    }
+    let mut faces = 0;
+    for line in new[text.len()..].lines().filter(|l| l.starts_with("f ")) {
+        faces += 1;
+        for corner in line[2..].split(' ') {
+            let (v, t) = corner.split_once('/').unwrap();
+            let [v, t] = [v, t].map(|i| i.parse::<usize>().unwrap() - 1);
+            assert!(near(&textures[t], &vertices[v]), "{line}");
+        }
+    }
+    assert!(faces > 30);
+}
+
+#[test]
+fn ply_gets_texture_coordinates_of_wedges() {
+    let directory = directory("fill_ply_wedges");
+    let kept: Vec<_> = (0..quads().len())
+        .filter(|&q| !is_selected(q))
+        .map(|q| quads()[q])
+        .collect();
+    let mut text = format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face {}\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n",
+        SIDE * SIDE,
+        kept.len()
+    );
+    let x = cap();
+    x.iter().for_each(|[x, y, z]| _ = writeln!(text, "{x} {y} {z}"));
+    for q in &kept {
+        let _ = write!(text, "4 {} {} {} {} 8", q[0], q[1], q[2], q[3]);
+        q.iter()
+            .flat_map(|&v| texture(x[v]))
+            .for_each(|c| _ = write!(text, " {c}"));
+        text.push('\n');
+    }
+    fs::write(directory.join("in.ply"), &text).unwrap();
+    expect(&directory, &["fill", "in.ply", "-o", "out.ply", "-q"], 0);
+    let new = fs::read_to_string(directory.join("out.ply")).unwrap();
+    let rows: Vec<Vec<f64>> = new
+        .lines()
+        .skip_while(|l| *l != "end_header")
+        .skip(1)
+        .map(numbers)
+        .collect();
+    let vertices = rows.iter().take_while(|r| r.len() == 3).count();
+    let faces = &rows[vertices + kept.len()..];
+    assert!(vertices > SIDE * SIDE + 10 && faces.len() > 30);
+    for face in faces {
+        assert!(face.len() == 11 && face[0] == 3.0 && face[4] == 6.0, "{face:?}");
+        for k in 0..3 {
+            assert!(near(&face[5 + 2 * k..7 + 2 * k], &rows[face[1 + k] as usize]));
+        }
+    }
+}
+
+#[test]
+fn off_and_stl_are_filled_in_their_own_format() {
+    let directory = directory("fill_own_format");
+    let lines: Vec<String> = obj(&cap()).lines().map(str::to_owned).collect();
+    let first = lines.iter().position(|l| l.starts_with("f ")).unwrap();
+    let kept = lines
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i < first || !is_selected(i - first));
+    let text: String = kept.map(|(_, l)| format!("{l}\n")).collect();
+    fs::write(directory.join("in.obj"), text).unwrap();
+    for format in ["off", "stl"] {
+        let (cut, filled) = (format!("cut.{format}"), format!("filled.{format}"));
+        // Written without a new face, then filled.
+        expect(
+            &directory,
+            &["fill", "in.obj", "-o", &cut, "--max-edges", "3", "-q"],
+            0,
+        );
+        let (out, _) = expect(&directory, &["holes", &cut], 0);
+        assert!(out.contains(" hole"), "{out}");
+        let (out, _) = expect(&directory, &["fill", &cut, "-o", &filled], 0);
+        assert!(out.contains("converged"), "{out}");
+        let (out, _) = expect(&directory, &["holes", &filled], 0);
+        assert!(!out.contains(" hole") && out.contains("outer boundary"), "{out}");
+    }
+}

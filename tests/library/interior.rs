@@ -1,0 +1,290 @@
+//! Fixed vertices inside the region: interpolated points and curves, with normals or without.
+
+use crate::fairing::*;
+use fairmesh::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
+use fairmesh_shapes::*;
+use nalgebra::Vector3;
+
+/// Fixes the free vertices that are chosen; returns them.
+fn fix(shape: &mut Shape, chosen: impl Fn(usize, Vector3<f64>) -> bool) -> Vec<u32> {
+    let fixed: Vec<u32> = shape
+        .free_vertices()
+        .into_iter()
+        .filter(|&v| chosen(v as usize, vector(&shape.positions[v as usize])))
+        .collect();
+    fixed.iter().for_each(|&v| shape.free[v as usize] = false);
+    fixed
+}
+
+/// Fixes a curve of edges: the lowest vertices above the height `z`. No triangle is left without a free vertex.
+fn fix_curve(shape: &mut Shape, z: f64) -> Vec<u32> {
+    let above = |v: u32, shape: &Shape| shape.positions[v as usize][2] > z - 1e-9;
+    let mut on = vec![false; shape.free.len()];
+    for t in &shape.triangles {
+        let lower = t.iter().any(|&v| !above(v, shape));
+        for &v in t
+            .iter()
+            .filter(|v| lower && above(**v, shape) && shape.free[**v as usize])
+        {
+            on[v as usize] = true;
+        }
+    }
+    for t in &shape.triangles {
+        if t.iter().all(|&v| on[v as usize]) {
+            let height = |v: &&u32| shape.positions[**v as usize][2];
+            let highest = t.iter().max_by(|a, b| height(a).total_cmp(&height(b)));
+            highest.iter().for_each(|v| on[**v as usize] = false);
+        }
+    }
+    fix(shape, |v, _| on[v])
+}
+
+/// The normals of the outer boundary only.
+fn outer_normals(shape: &Shape, inside: &[u32]) -> Vec<(u32, [f64; 3])> {
+    let mut normals = shape.boundary_normals();
+    normals.retain(|(v, _)| !inside.contains(v));
+    normals
+}
+
+/// Solves from a flattened interior with constraint points where they are.
+fn solve_smooth(shape: &Shape, inside: &[u32], tolerance: f64) -> Solution {
+    solve_given(
+        shape,
+        &flat(shape),
+        &outer_normals(shape, inside),
+        options(tolerance),
+    )
+}
+
+fn summary(name: &str, solution: &Solution) {
+    let report = &solution.report;
+    println!(
+        "{name}: {} iterations, {:?}, defect {:.1e}, angle {:.1}",
+        report.iterations, report.outcome, report.defect, report.quality.worst_angle
+    );
+}
+
+#[test]
+fn a_sphere_through_points_stays_a_sphere() {
+    for n in [1_000, 13_000] {
+        for seed in [1, 2, 3, 4, 5, 7] {
+            let mut shape = sphere_cap(60.0, n, irregular(seed), OUTSIDE);
+            let every = 97;
+            let inside = fix(&mut shape, |v, p| v % every == 0 && p.z > 0.6);
+            assert!(inside.len() > 4);
+            let solution = solve_smooth(&shape, &inside, TIGHT);
+            summary("points on a sphere", &solution);
+            let error = errors(&shape, &solution).max;
+            println!("  {n} {seed}: {} points, error {error:.1e}", inside.len());
+            assert!(solution.report.outcome.is_success() && error < 1e-9);
+            for (v, normal) in &solution.boundary_normals {
+                let off = (vector(normal) - vector(&shape.positions[*v as usize])).norm();
+                assert!(off < 1e-6, "normal of {v} off by {off}");
+            }
+        }
+    }
+}
+
+/// Fixed vertices with a triangle among themselves look like a piece of the outside, which would give them its normal.
+#[test]
+fn a_sphere_through_triangles_stays_a_sphere() {
+    for seed in 1..=10 {
+        let mut shape = sphere_cap(60.0, 4_000, irregular(seed), OUTSIDE);
+        let corners = shape.triangles.clone();
+        let chosen = corners
+            .iter()
+            .step_by(211)
+            .filter(|t| t.iter().all(|&v| shape.positions[v as usize][2] > 0.6));
+        let wanted: Vec<u32> = chosen.flatten().copied().collect();
+        let inside = fix(&mut shape, |v, _| wanted.contains(&(v as u32)));
+        assert!(inside.len() > 20);
+        let solution = solve_smooth(&shape, &inside, TIGHT);
+        let error = errors(&shape, &solution).max;
+        println!(
+            "  {seed}: {} vertices of triangles, error {error:.1e}",
+            inside.len()
+        );
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+    }
+}
+
+#[test]
+fn a_sphere_through_a_circle_stays_a_sphere() {
+    for n in [1_000, 13_000] {
+        let mut shape = sphere_cap(60.0, n, irregular(7), OUTSIDE);
+        let z = 30f64.to_radians().cos();
+        let inside = fix_curve(&mut shape, z);
+        let solution = solve_smooth(&shape, &inside, TIGHT);
+        summary("circle on a sphere", &solution);
+        let error = errors(&shape, &solution).max;
+        println!("  {n}: {} vertices, error {error:.1e}", inside.len());
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+    }
+}
+
+#[test]
+fn a_cylinder_through_a_circle_stays_a_cylinder() {
+    let mut shape = cylinder_band(13_000, irregular(7), OUTSIDE);
+    let inside = fix_curve(&mut shape, 0.2);
+    let solution = solve_smooth(&shape, &inside, TIGHT);
+    summary("circle on a cylinder", &solution);
+    let error = errors(&shape, &solution).max;
+    println!("  {} vertices, error {error:.1e}", inside.len());
+    assert!(solution.report.outcome.is_success() && error < 4e-5);
+}
+
+/// The normals of the outer boundary, and on the curve those of the cylinder turned towards its axis by `degrees`.
+fn turned_normals(shape: &Shape, inside: &[u32], degrees: f64) -> Vec<(u32, [f64; 3])> {
+    let mut given = outer_normals(shape, inside);
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    for &v in inside {
+        let p = shape.positions[v as usize];
+        given.push((v, [cos * p[0], cos * p[1], sin]));
+    }
+    given.sort_by_key(|g| g.0);
+    given
+}
+
+/// What is given on a curve is met there, as at the boundary: `n = (cos, sin)` makes the radius fall by `tan` per height.
+#[test]
+fn given_normals_on_a_curve_inside_are_met() {
+    let mut before = f64::INFINITY;
+    for n in [1_000, 4_000, 16_000] {
+        let mut shape = cylinder_band(n, Sampling::Regular, OUTSIDE);
+        let inside = fix_curve(&mut shape, 0.0);
+        let given = turned_normals(&shape, &inside, 20.0);
+        let turned = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
+        summary("turned", &turned);
+        assert!(turned.report.outcome.is_success());
+        let deviation = turned.report.quality.normal_deviation;
+        println!("  {n}: off the given normals by {deviation:.2} degrees");
+        assert!(deviation < 0.7 * before && deviation < 12.0);
+        before = deviation;
+        assert_eq!(turned.boundary_normals.len(), given.len());
+    }
+}
+
+#[test]
+fn a_curve_with_given_normals_parts_two_problems() {
+    // On irregular triangulations this curve has gaps.
+    for (n, degrees) in [(4_000, 20.0), (3_500, 0.0), (4_200, -30.0)] {
+        let mut shape = cylinder_band(n, Sampling::Regular, OUTSIDE);
+        let inside = fix_curve(&mut shape, 0.0);
+        let given = turned_normals(&shape, &inside, degrees);
+        let whole = solve_given(&shape, &flat(&shape), &given, options(TIGHT));
+        assert!(whole.report.outcome.is_success());
+        // Which side a free vertex is on: by walking over edges between free vertices.
+        let mut upper: Vec<bool> = (shape.positions.iter().zip(&shape.free))
+            .map(|(p, free)| *free && p[2] > 0.9)
+            .collect();
+        loop {
+            let grown: Vec<u32> = (shape.triangles.iter())
+                .filter(|t| t.iter().any(|&v| upper[v as usize]))
+                .flatten()
+                .copied()
+                .filter(|&v| shape.free[v as usize] && !upper[v as usize])
+                .collect();
+            if grown.is_empty() {
+                break;
+            }
+            grown.iter().for_each(|&v| upper[v as usize] = true);
+        }
+        let count = upper.iter().filter(|u| **u).count();
+        assert!(count > n / 3 && count < 2 * n / 3);
+        let mut half = shape.clone();
+        half.free.clone_from(&upper);
+        let alone = solve_given(&half, &flat(&half), &given, options(TIGHT));
+        let ids = (0..upper.len()).filter(|&v| upper[v]);
+        let off = ids.map(|v| (vector(&whole.positions[v]) - vector(&alone.positions[v])).norm());
+        let off = Errors::of(off).max;
+        println!("  {degrees} degrees: whole and half are {off:.1e} apart");
+        assert!(alone.report.outcome.is_success() && off < 1e-9);
+    }
+}
+
+#[test]
+fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
+    for n in [1_000, 4_000, 13_000] {
+        for height in [0.02, 0.1, -0.1, 0.3] {
+            let mut shape = sphere_cap(60.0, n, irregular(7), OUTSIDE);
+            let top = shape
+                .free_vertices()
+                .into_iter()
+                .max_by(|a, b| shape.positions[*a as usize][2].total_cmp(&shape.positions[*b as usize][2]))
+                .unwrap();
+            shape.free[top as usize] = false;
+            shape.positions[top as usize][2] += height;
+            let solution = solve_smooth(&shape, &[top], 1e-8);
+            let h = &solution.report.quality.h_inside;
+            summary(&format!("point at {height} of {n}"), &solution);
+            let q = vector(&shape.positions[top as usize]);
+            let mut worst = 0.0f64;
+            for t in shape.triangles.iter().filter(|t| t.contains(&top)) {
+                let p = t.map(|v| vector(&solution.positions[v as usize]));
+                let normal = (p[1] - p[0]).cross(&(p[2] - p[0]));
+                worst = worst.max(normal.angle(&q).to_degrees());
+            }
+            println!(
+                "  H {h:.2?} boundary {:.2?}, triangles at the point lean by {worst:.1} degrees",
+                solution.report.quality.h_boundary
+            );
+        }
+    }
+}
+
+#[test]
+fn the_rule_of_the_input_is_there_on_request() {
+    let mut shape = cylinder_band(2_000, irregular(3), OUTSIDE);
+    let inside = fix_curve(&mut shape, 0.0);
+    let outer = outer_normals(&shape, &inside);
+    for discretization in [Discretization::SecondOrder, Discretization::Paper] {
+        for interior in [InteriorNormals::Smooth, InteriorNormals::Input] {
+            for target in [Target::Harmonic, Target::MinimalEnergy] {
+                let options = Options {
+                    interior,
+                    discretization,
+                    target,
+                    normals: BoundaryNormals::Given(&outer),
+                    ..options(1e-8)
+                };
+                let solution = solve_as_asked(&shape, &flat(&shape), options);
+                summary(&format!("{discretization:?} {interior:?} {target:?}"), &solution);
+                let error = errors(&shape, &solution).max;
+                println!("  {error:.1e}");
+                if (discretization, target) == (Discretization::SecondOrder, Target::Harmonic) {
+                    // From the pinched input the normals are wrong, and not tangent along the curve.
+                    let smooth = interior == InteriorNormals::Smooth;
+                    assert!(if smooth { error < 2e-5 } else { error > 1e-3 });
+                }
+                assert!(solution.report.outcome.is_success());
+            }
+        }
+    }
+}
+
+#[test]
+fn convex_weights_keep_spheres() {
+    for n in [1_000, 13_000] {
+        let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
+        let options = Options {
+            inner: InnerFairness::Convex,
+            ..options(TIGHT)
+        };
+        // Weights of the undistorted triangles.
+        let start: Vec<[f64; 3]> = shape
+            .positions
+            .iter()
+            .zip(&shape.free)
+            .map(|(p, &free)| if free { [p[0], p[1], 0.5 * p[2]] } else { *p })
+            .collect();
+        let solution = solve(&shape, &start, options);
+        let error = errors(&shape, &solution).max;
+        summary("convex", &solution);
+        println!(
+            "  {n}: {error:.1e}, {} fallbacks",
+            solution.report.fallback_weights
+        );
+        assert!(solution.report.outcome.is_success() && error < 1e-9);
+        assert_eq!(solution.report.fallback_weights, 0);
+    }
+}

@@ -1,0 +1,16 @@
+//! The library as its users see it: known answers, invariances, outcomes and refusals.
+#![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
+
+mod fairing;
+
+mod accuracy;
+mod boundary;
+mod holes;
+mod independence;
+mod interior;
+mod outcomes;
+mod paper;
+mod session;
+mod targets;
+mod tetra;
+mod threads;

@@ -1,0 +1,669 @@
+//! How runs end: cancelled, limited, refused, and what is promised about the surface in every case.
+
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use crate::fairing::*;
+use fairmesh::{BoundaryNormals, Error, Options, Outcome, Progress, Selection, Solution, fair};
+use fairmesh_shapes::*;
+
+/// Fixed vertices keep their bits, the others have finite coordinates and stay near the region.
+fn assert_usable(shape: &Shape, start: &[[f64; 3]], solution: &Solution) {
+    let bits = |p: &[f64; 3]| p.map(f64::to_bits);
+    let centre = shape.positions.iter().map(vector).sum::<nalgebra::Vector3<f64>>() / start.len() as f64;
+    let reach = shape
+        .positions
+        .iter()
+        .map(|p| (vector(p) - centre).norm())
+        .fold(0.0, f64::max);
+    for (v, p) in solution.positions.iter().enumerate() {
+        if shape.free[v] {
+            assert!((vector(p) - centre).norm() < 2.0 * reach, "vertex {v} at {p:?}");
+        } else {
+            assert_eq!(bits(p), bits(&start[v]), "fixed vertex {v}");
+        }
+    }
+}
+
+fn run_with(
+    shape: &Shape,
+    start: &[[f64; 3]],
+    stop: impl Fn(&Progress) -> bool + Sync,
+) -> (Solution, Vec<Progress>) {
+    let given = shape.boundary_normals();
+    let mut told = Vec::new();
+    let mut callback = |p: &Progress| {
+        told.push(*p);
+        if stop(p) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    let options = Options {
+        normals: BoundaryNormals::Given(&given),
+        progress: Some(&mut callback),
+        ..options(1e-8)
+    };
+    let solution = fair(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap();
+    (solution, told)
+}
+
+#[test]
+fn cancelling() {
+    let shape = cylinder_band(2_000, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    for at in [0, 1, 2, 5] {
+        let (solution, told) = run_with(&shape, &start, |p| p.iterations >= at);
+        let done = solution.report.iterations;
+        println!("cancelled at iteration {at}: {done} done, {} calls", told.len());
+        assert_eq!(solution.report.outcome, Outcome::Cancelled);
+        assert!(done <= at + 1, "{done} iterations after a break at {at}");
+        let after = told.iter().skip_while(|p| p.iterations < at).count();
+        assert_eq!(after, 1, "calls from the break on");
+        assert_usable(&shape, &start, &solution);
+        assert!(!solution.report.outcome.is_success());
+    }
+}
+
+/// At every call of the callback: the surface is the input or a usable one.
+#[test]
+fn cancelling_at_any_call() {
+    let shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let mut last = 0;
+    loop {
+        let calls = AtomicUsize::new(0);
+        let (solution, told) = run_with(&shape, &start, |_| calls.fetch_add(1, Relaxed) == last);
+        assert!(told.is_sorted_by(|a, b| a.fraction <= b.fraction));
+        if solution.report.outcome != Outcome::Cancelled {
+            // The last step had met the tolerance already.
+            assert!(solution.report.outcome.is_success());
+            break;
+        }
+        assert_eq!(told.len(), last + 1);
+        assert_usable(&shape, &start, &solution);
+        // Before the start surface is there.
+        if told[last].fraction < 0.3 {
+            assert_eq!(solution.positions, start, "stopped at call {last}");
+        }
+        last += 1;
+    }
+    assert!(last > 15, "{last} calls");
+}
+
+#[test]
+fn a_callback_that_panics_ends_the_run() {
+    let shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let run = || run_with(&shape, &start, |p| p.iterations > 1 && panic!("enough"));
+    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).map(|_| ());
+    assert_eq!(panic.unwrap_err().downcast_ref(), Some(&"enough"));
+}
+
+#[test]
+fn iteration_limit() {
+    let shape = cylinder_band(2_000, irregular(1), OUTSIDE);
+    let start = shape.random(1);
+    let mut steps = Vec::new();
+    for max_iterations in [1, 2, 4, 8] {
+        let solution = solve(
+            &shape,
+            &start,
+            Options {
+                max_iterations,
+                ..options(1e-8)
+            },
+        );
+        let report = &solution.report;
+        println!(
+            "limit {max_iterations}: {} iterations, step {:.1e}",
+            report.iterations, report.step
+        );
+        assert_eq!(report.outcome, Outcome::IterationLimit);
+        assert_eq!(report.iterations, max_iterations);
+        assert_usable(&shape, &start, &solution);
+        steps.push(report.step);
+    }
+    assert!(steps[3] < 1e-2 * steps[0], "{steps:?}");
+}
+
+/// Enough iterations allowed: the limit changes nothing.
+#[test]
+fn exactly_enough_iterations() {
+    let shape = cylinder_band(1_000, irregular(1), OUTSIDE);
+    let free = solve(&shape, &shape.positions, options(1e-8));
+    let max_iterations = free.report.iterations;
+    let limited = solve(
+        &shape,
+        &shape.positions,
+        Options {
+            max_iterations,
+            ..options(1e-8)
+        },
+    );
+    assert_eq!(limited.report.outcome, Outcome::Converged);
+    assert!(limited.positions == free.positions);
+}
+
+#[test]
+fn progress_never_falls() {
+    let blend = cylinder_blend();
+    let rough = sphere_with_hole(30.0, 1_000, irregular(2), OUTSIDE);
+    let cap = sphere_cap(60.0, 5_000, irregular(1), OUTSIDE);
+    for (name, shape) in [("blend", &blend), ("hole", &rough), ("cap", &cap)] {
+        let (solution, told) = run_with(shape, &shape.flat(), |_| false);
+        println!(
+            "{name}: {} iterations, {} calls, last fraction {:.2}, {}",
+            solution.report.iterations,
+            told.len(),
+            told.last().unwrap().fraction,
+            solution.report.outcome.name()
+        );
+        assert!(told.iter().all(|p| (0.0..=1.0).contains(&p.fraction)));
+        assert!(told.windows(2).all(|w| w[0].fraction <= w[1].fraction));
+        assert!(told.windows(2).all(|w| w[0].iterations <= w[1].iterations));
+        assert!(told.windows(2).all(|w| w[1].iterations <= w[0].iterations + 1));
+        assert_eq!(told.last().unwrap().iterations, solution.report.iterations);
+        assert!(told.iter().all(|p| !p.stage.is_empty()));
+        // Being watched changes nothing.
+        let unwatched = solve(shape, &shape.flat(), options(1e-8));
+        assert!(unwatched.positions == solution.positions, "{name}");
+    }
+}
+
+#[test]
+fn options_out_of_range() {
+    let shape = cylinder_band(100, irregular(1), OUTSIDE);
+    let refused = |options: Options<'_>| attempt(&shape, options).err();
+    let tolerance_range = "greater than 0 and less than 1";
+    for tolerance in [0.0, -1e-8, 1.0, 2.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        match refused(options(tolerance)) {
+            Some(Error::BadOption {
+                name: "tolerance",
+                value,
+                range,
+            }) => {
+                assert_eq!(value.to_bits(), tolerance.to_bits());
+                assert_eq!(range, tolerance_range);
+            }
+            other => panic!("{tolerance}: {other:?}"),
+        }
+    }
+    assert_eq!(
+        refused(Options {
+            max_iterations: 0,
+            ..Options::default()
+        }),
+        Some(Error::BadOption {
+            name: "max_iterations",
+            value: 0.0,
+            range: "at least 1"
+        })
+    );
+    let text = refused(Options {
+        max_iterations: 0,
+        ..Options::default()
+    })
+    .unwrap()
+    .to_string();
+    assert_eq!(text, "option max_iterations is 0: it must be at least 1");
+    for tolerance in [f64::MIN_POSITIVE, 1e-300, 1.0 - f64::EPSILON] {
+        assert_eq!(
+            refused(Options {
+                max_iterations: 20,
+                ..options(tolerance)
+            }),
+            None
+        );
+    }
+}
+
+#[test]
+fn refused_problems() {
+    let shape = cylinder_band(100, irregular(1), OUTSIDE);
+    let (p, t) = (&shape.positions, &shape.triangles);
+    let free = shape.free_vertices();
+    let error = |p: &[[f64; 3]], t: &[[u32; 3]], s: Selection<'_>| fair(p, t, s, options(1e-8)).err();
+    let mask = Selection::Mask(&shape.free);
+    let n = p.len();
+    assert_eq!(error(p, t, mask), None);
+
+    assert_eq!(error(p, t, Selection::Vertices(&[])), Some(Error::EmptyRegion));
+    assert_eq!(error(p, t, Selection::Faces(&[])), Some(Error::EmptyRegion));
+    assert_eq!(error(p, t, Selection::Faces(&[0])), Some(Error::EmptyRegion));
+    assert_eq!(
+        error(p, t, Selection::Mask(&vec![false; n])),
+        Some(Error::EmptyRegion)
+    );
+    assert_eq!(error(&[], &[], Selection::Mask(&[])), Some(Error::EmptyRegion));
+    let short = Selection::Mask(&shape.free[1..]);
+    assert_eq!(
+        error(p, t, short),
+        Some(Error::MaskLength {
+            length: n - 1,
+            count: n
+        })
+    );
+    let beyond = error(p, t, Selection::Vertices(&[free[0], n as u32]));
+    assert_eq!(beyond, Some(Error::SelectionOutOfRange { index: n, count: n }));
+    let beyond = error(p, t, Selection::Faces(&[t.len() as u32]));
+    assert_eq!(
+        beyond,
+        Some(Error::SelectionOutOfRange {
+            index: t.len(),
+            count: t.len()
+        })
+    );
+
+    let with = |k: usize, corners: [u32; 3]| {
+        let mut t = t.clone();
+        t[k] = corners;
+        t
+    };
+    let named = t
+        .iter()
+        .position(|t| t.iter().any(|&v| shape.free[v as usize]))
+        .unwrap();
+    let [a, b, c] = t[named];
+    assert_eq!(
+        error(p, &with(named, [a, b, n as u32]), mask),
+        Some(Error::IndexOutOfRange {
+            triangle: named,
+            index: n as u32,
+            vertex_count: n
+        })
+    );
+    assert_eq!(
+        error(p, &with(named, [a, b, a]), mask),
+        Some(Error::RepeatedIndex {
+            triangle: named,
+            vertex: a as usize
+        })
+    );
+    let mut twice = t.clone();
+    twice.push([b, c, a]);
+    assert_eq!(
+        error(p, &twice, mask),
+        Some(Error::DuplicateTriangle {
+            triangle: t.len(),
+            other: named
+        })
+    );
+    let turned = error(p, &with(named, [a, c, b]), mask);
+    assert!(
+        matches!(turned, Some(Error::InconsistentOrientation { .. })),
+        "{turned:?}"
+    );
+    let mut fin = t.clone();
+    fin.push([a, b, p.len() as u32]);
+    let mut more = p.clone();
+    more.push([0.0; 3]);
+    let third = error(&more, &fin, Selection::Vertices(&free));
+    assert!(matches!(third, Some(Error::NonManifoldEdge { .. })), "{third:?}");
+
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let mut p = p.clone();
+        p[c as usize][1] = bad;
+        assert_eq!(error(&p, t, mask), Some(Error::NotFinite { vertex: c as usize }));
+    }
+    let everything = error(p, t, Selection::Mask(&vec![true; n]));
+    assert!(
+        matches!(everything, Some(Error::FreeVertexOnBoundary { .. })),
+        "{everything:?}"
+    );
+    let tetrahedron = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let closed = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let nothing_fixed = error(&tetrahedron, &closed, Selection::Mask(&[true; 4]));
+    assert_eq!(nothing_fixed, Some(Error::NothingFixed { vertex: 0 }));
+    let lone = error(&more, t, Selection::Vertices(&[free[0], n as u32]));
+    assert_eq!(lone, Some(Error::FreeVertexWithoutTriangle { vertex: n }));
+}
+
+/// Three ways to say the same. Selected triangles free every vertex that has no others.
+#[test]
+fn selections_agree() {
+    let mut shape = cylinder_band(500, irregular(1), OUTSIDE);
+    let touches = |t: &[u32; 3]| t.iter().any(|&v| shape.free[v as usize]);
+    let faces: Vec<u32> = (0..shape.triangles.len() as u32)
+        .filter(|&t| touches(&shape.triangles[t as usize]))
+        .collect();
+    let mut enclosed = vec![true; shape.free.len()];
+    for t in shape.triangles.iter().filter(|t| !touches(t)) {
+        t.iter().for_each(|&v| enclosed[v as usize] = false);
+    }
+    shape.free = enclosed;
+    let mut vertices = shape.free_vertices();
+    vertices.reverse();
+    vertices.extend_from_slice(&vertices.clone()[..5]);
+    let given = shape.boundary_normals();
+    let run = |selection| {
+        let options = Options {
+            normals: BoundaryNormals::Given(&given),
+            ..options(1e-8)
+        };
+        fair(&shape.positions, &shape.triangles, selection, options)
+            .unwrap()
+            .positions
+    };
+    let masked = run(Selection::Mask(&shape.free));
+    assert!(masked == run(Selection::Vertices(&vertices)));
+    assert!(masked == run(Selection::Faces(&faces)));
+}
+
+#[test]
+fn fixed_vertices_keep_their_bits() {
+    let far = Similarity::new([1.0, 1.0, 0.0], 0.3, 0.1234, [1e5, -3e4, 7.7]);
+    let cylinder = cylinder_band(1_000, irregular(1), OUTSIDE).transformed(&far);
+    let hole = sphere_with_hole(30.0, 1_000, irregular(2), OUTSIDE);
+    for shape in [cylinder, hole, cylinder_blend()] {
+        let mut start = shape.flat();
+        // Also the bits of negative zero, and of what is not near the region at all.
+        start.push([-0.0, f64::NAN, f64::INFINITY]);
+        let mut shape = shape;
+        shape.positions.push(start[start.len() - 1]);
+        shape.free.push(false);
+        shape.normals.push([0.0; 3]);
+        let solution = solve(&shape, &start, options(1e-8));
+        for (v, p) in solution
+            .positions
+            .iter()
+            .enumerate()
+            .filter(|(v, _)| !shape.free[*v])
+        {
+            assert_eq!(p.map(f64::to_bits), start[v].map(f64::to_bits), "vertex {v}");
+        }
+    }
+}
+
+/// The plane is a fixed point of everything, so that even the last bits are right.
+#[test]
+fn plane() {
+    let mut bars = Bars::default();
+    for (n, seed) in [(1_000, 1), (1_000, 2), (13_000, 3)] {
+        let mut shape = saddle_graph(n, irregular(seed), OUTSIDE);
+        shape.positions.iter_mut().for_each(|p| p[2] = 0.0);
+        shape.normals.fill([0.0, 0.0, 1.0]);
+        let lifted = |shape: &Shape| {
+            let mut start = shape.random(seed);
+            let free = start.iter_mut().zip(&shape.free).filter(|(_, free)| **free);
+            free.for_each(|(p, _)| p[2] = 0.3 * (5.0 * p[0]).sin() * (7.0 * p[1]).cos());
+            start
+        };
+        for tilt in [0.0, 0.7] {
+            let by = Similarity::new([1.0, 2.0, 0.0], tilt, 1.0, [0.0; 3]);
+            let start: Vec<[f64; 3]> = lifted(&shape).into_iter().map(|p| by.apply(p)).collect();
+            let tilted = shape.transformed(&by);
+            for (name, solution) in [
+                ("given", solve(&tilted, &start, options(1e-8))),
+                ("fitted", solve_as_asked(&tilted, &start, options(1e-8))),
+            ] {
+                let height = |v: u32| by.undo(solution.positions[v as usize])[2];
+                let e = Errors::of(shape.free_vertices().into_iter().map(height));
+                println!("plane {n} tilted by {tilt}, {name} normals: {:.2e}", e.max);
+                let what = format!("plane {n} tilted by {tilt}, {name} normals");
+                bars.at_most(&what, e.max / solution.report.diagonal, 1e-8);
+                bars.converged(&what, &solution);
+            }
+        }
+    }
+    bars.finish();
+}
+
+/// A fixed vertex inside, all of whose triangles are free: an interpolated point with its normal.
+#[test]
+fn interpolated_point() {
+    let mut bars = Bars::default();
+    for seed in 1..4 {
+        let mut shape = sphere_cap(60.0, 1_000, irregular(seed), OUTSIDE);
+        let apex = |v: &u32| shape.positions[*v as usize][2];
+        let pole = shape
+            .free_vertices()
+            .into_iter()
+            .max_by(|a, b| apex(a).total_cmp(&apex(b)))
+            .unwrap();
+        shape.free[pole as usize] = false;
+        let mut start = shape.random(seed);
+        start[pole as usize] = shape.positions[pole as usize];
+        let solution = solve(&shape, &start, options(TIGHT));
+        assert!(solution.boundary_normals.iter().any(|n| n.0 == pole));
+        assert_eq!(solution.positions[pole as usize], shape.positions[pole as usize]);
+        let e = errors(&shape, &solution);
+        println!(
+            "interpolated pole: {:.2e}, {} iterations, {}",
+            e.max,
+            solution.report.iterations,
+            solution.report.outcome.name()
+        );
+        bars.at_most(format!("seed {seed}"), e.max, 1e-9);
+        bars.converged(format!("seed {seed}"), &solution);
+    }
+    bars.finish();
+}
+
+/// Both meshes in one, the second after the first.
+fn joined(a: &Shape, b: &Shape) -> Shape {
+    let mut both = a.clone();
+    let n = a.positions.len() as u32;
+    both.positions.extend(&b.positions);
+    both.normals.extend(&b.normals);
+    both.free.extend(&b.free);
+    both.triangles
+        .extend(b.triangles.iter().map(|t| t.map(|v| v + n)));
+    both
+}
+
+/// Regions that have nothing in common. Together they have another frame and another step norm, so that they
+/// agree only to the tolerance times what it is short of the error, not to the bit.
+#[test]
+fn two_regions_are_two_problems() {
+    let mut bars = Bars::default();
+    let beside = Similarity::new([0.0, 1.0, 0.0], 0.4, 0.8, [5.0, 0.5, -1.0]);
+    let cylinder = cylinder_band(1_000, irregular(2), OUTSIDE).transformed(&beside);
+    let cap = sphere_cap(60.0, 1_500, irregular(1), OUTSIDE);
+    for tolerance in [1e-10, 1e-12] {
+        let [a, b] = [&cap, &cylinder].map(|s| solve(s, &s.positions, options(tolerance)));
+        let both = joined(&cap, &cylinder);
+        let together = solve(&both, &both.positions, options(tolerance));
+        let (first, second) = together.positions.split_at(cap.positions.len());
+        let gaps = [
+            apart(first, &a.positions) / a.report.diagonal,
+            apart(second, &b.positions) / b.report.diagonal,
+        ];
+        println!(
+            "two regions at {tolerance:.0e}: {:.2e} and {:.2e} apart; {}, {}, {}",
+            gaps[0],
+            gaps[1],
+            together.report.outcome.name(),
+            a.report.outcome.name(),
+            b.report.outcome.name()
+        );
+        bars.converged(format!("both at {tolerance:.0e}"), &together);
+        bars.at_most(format!("cap at {tolerance:.0e}"), gaps[0], 1e-9);
+        bars.at_most(format!("cylinder at {tolerance:.0e}"), gaps[1], 1e-9);
+        assert_eq!(
+            together.report.free_vertices,
+            a.report.free_vertices + b.report.free_vertices
+        );
+    }
+    bars.finish();
+}
+
+/// Euler characteristic of the triangles with a free vertex.
+fn euler_characteristic(shape: &Shape) -> i64 {
+    let (mut vertices, mut edges, mut count) = (HashMap::new(), HashMap::new(), 0);
+    for t in shape
+        .triangles
+        .iter()
+        .filter(|t| t.iter().any(|&v| shape.free[v as usize]))
+    {
+        count += 1;
+        for k in 0..3 {
+            let (a, b) = (t[k], t[(k + 1) % 3]);
+            vertices.insert(a, ());
+            edges.insert((a.min(b), a.max(b)), ());
+        }
+    }
+    vertices.len() as i64 - edges.len() as i64 + count
+}
+
+/// Regions need not be discs: an annulus, a pair of pants, a torus with a disc fixed.
+#[test]
+fn regions_that_are_no_discs() {
+    let mut bars = Bars::default();
+    let annulus = cylinder_band(1_000, irregular(1), OUTSIDE);
+    assert_eq!(euler_characteristic(&annulus), 0);
+    let solution = solve(&annulus, &annulus.random(1), options(1e-8));
+    bars.converged("annulus", &solution);
+    bars.at_most("annulus", errors(&annulus, &solution).max, 4e-4);
+
+    let pants = cylinder_blend();
+    assert_eq!(euler_characteristic(&pants), -1);
+    bars.converged("pair of pants", &solve(&pants, &pants.random(1), options(1e-8)));
+
+    let handle = torus(48, 24);
+    assert_eq!(euler_characteristic(&handle), -1);
+    let solution = solve(&handle, &handle.positions, options(1e-8));
+    let report = &solution.report;
+    println!(
+        "torus: {} iterations, {}",
+        report.iterations,
+        report.outcome.name()
+    );
+    assert_usable(&handle, &handle.positions, &solution);
+    bars.check(
+        "torus",
+        is_honest(&handle, &solution),
+        "an unsound surface said to be converged".to_owned(),
+    );
+    bars.finish();
+}
+
+/// A torus of radii 2 and 1, fixed where x > 2.5: one boundary curve, genus one.
+fn torus(around: usize, across: usize) -> Shape {
+    let mut shape = cylinder_blend_coarse();
+    let at = |i: usize, j: usize| ((i % around) * across + j % across) as u32;
+    let angle = |i: usize, n: usize| std::f64::consts::TAU * i as f64 / n as f64;
+    shape.positions.clear();
+    shape.normals.clear();
+    shape.triangles.clear();
+    for i in 0..around {
+        for j in 0..across {
+            let ((s, c), (sj, cj)) = (angle(i, around).sin_cos(), angle(j, across).sin_cos());
+            shape.positions.push([(2.0 + cj) * c, (2.0 + cj) * s, sj]);
+            shape.normals.push([cj * c, cj * s, sj]);
+            let [a, b, d, e] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            shape.triangles.extend([[a, b, d], [a, d, e]]);
+        }
+    }
+    shape.free = shape.positions.iter().map(|p| p[0] < 2.5).collect();
+    shape
+}
+
+/// Measured from the positions alone: what is said to be converged has no needle and no fold.
+fn is_honest(shape: &Shape, solution: &Solution) -> bool {
+    solution.report.outcome != Outcome::Converged || is_sound(shape, &solution.positions)
+}
+
+/// No angle below a degree, no two region triangles folded onto each other by more than 150 degrees.
+fn is_sound(shape: &Shape, positions: &[[f64; 3]]) -> bool {
+    let mut normals = HashMap::new();
+    for t in shape
+        .triangles
+        .iter()
+        .filter(|t| t.iter().any(|&v| shape.free[v as usize]))
+    {
+        let p = t.map(|v| vector(&positions[v as usize]));
+        for k in 0..3 {
+            let (e, f) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+            let degrees = angle(&e.into(), &f.into());
+            if degrees.is_nan() || degrees < 0.99 {
+                return false;
+            }
+        }
+        let normal: [f64; 3] = (p[1] - p[0]).cross(&(p[2] - p[0])).into();
+        for k in 0..3 {
+            normals.insert((t[k], t[(k + 1) % 3]), normal);
+        }
+    }
+    let folded = |(&(a, b), n): (&(u32, u32), &[f64; 3])| {
+        normals.get(&(b, a)).is_some_and(|other| angle(n, other) > 150.0)
+    };
+    !normals.iter().any(folded)
+}
+
+/// One boundary normal turned by a lot, about any axis.
+#[test]
+fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
+    let mut bars = Bars::default();
+    for (name, shape) in [
+        ("cap", sphere_cap(60.0, 1_000, irregular(1), OUTSIDE)),
+        ("cylinder", cylinder_band(1_000, irregular(1), OUTSIDE)),
+        ("blend", cylinder_blend()),
+    ] {
+        let exact = shape.boundary_normals();
+        for (k, degrees) in [(3, 60.0f64), (7, 90.0), (11, 120.0), (20, 179.0)] {
+            for axis in [[0.3, -0.2, 1.0], [1.0, 0.1, 0.2]] {
+                let by = Similarity::new(axis, degrees.to_radians(), 1.0, [0.0; 3]);
+                let mut given = exact.clone();
+                given[k].1 = by.turn(given[k].1);
+                let solution = solve_given(&shape, &shape.positions, &given, options(1e-8));
+                let report = &solution.report;
+                println!(
+                    "{name:9} one normal off by {:5.1} degrees: {:3} iterations, {}, sound: {}",
+                    angle(&given[k].1, &exact[k].1),
+                    report.iterations,
+                    report.outcome.name(),
+                    is_sound(&shape, &solution.positions)
+                );
+                let what = format!("{name}, normal {k} turned by {degrees} degrees about {axis:?}");
+                bars.check(
+                    &what,
+                    is_honest(&shape, &solution),
+                    "said to be converged".to_owned(),
+                );
+                assert_usable(&shape, &shape.positions, &solution);
+            }
+        }
+    }
+    bars.finish();
+}
+
+/// The triangles at the pole of a globe are needles whatever is done: nothing is tried that would not help.
+#[test]
+fn a_pole_of_400_meridians() {
+    let (meridians, parallels) = (400, 200);
+    let mut positions = vec![[0.0, 0.0, 1.0]];
+    for i in 1..parallels {
+        let from_pole = std::f64::consts::PI * i as f64 / parallels as f64;
+        for j in 0..meridians {
+            let (sin, cos) = (std::f64::consts::TAU * j as f64 / meridians as f64).sin_cos();
+            positions.push([from_pole.sin() * cos, from_pole.sin() * sin, from_pole.cos()]);
+        }
+    }
+    let at = |i: usize, j: usize| (1 + (i - 1) * meridians + j % meridians) as u32;
+    let mut triangles: Vec<_> = (0..meridians).map(|j| [0, at(1, j), at(1, j + 1)]).collect();
+    for i in 1..parallels - 1 {
+        for j in 0..meridians {
+            triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    let free: Vec<bool> = positions.iter().map(|p| p[2] > 0.2).collect();
+    for p in &mut positions {
+        p[2] = p[2].min(0.2);
+    }
+    let solution = fair(&positions, &triangles, Selection::Mask(&free), options(1e-8)).unwrap();
+    let report = &solution.report;
+    let off = |p: &[f64; 3]| (vector(p).norm() - 1.0).abs();
+    let error = solution.positions.iter().map(off).fold(0.0, f64::max);
+    println!(
+        "{} free, {} iterations, error {error:.1e}",
+        report.free_vertices, report.iterations
+    );
+    assert!(matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. }));
+    assert!(report.quality.flipped.is_empty() && report.quality.needles.len() >= meridians);
+    assert!(error < 1e-8, "{error}");
+    assert!(report.iterations <= 20, "{}", report.iterations);
+}

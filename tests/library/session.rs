@@ -1,0 +1,239 @@
+//! Fairing in steps finds what fairing at once finds, and goes on after changes.
+
+use std::ops::ControlFlow;
+
+use crate::fairing::*;
+use fairmesh::{
+    BoundaryNormals, Error, InnerFairness, Options, Outcome, Selection, Session, Solution, Target, fair,
+};
+use fairmesh_shapes::*;
+
+const TOLERANCE: f64 = 1e-8;
+
+fn session(shape: &Shape, start: &[[f64; 3]], options: &Options<'_>) -> Session {
+    Session::new(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+}
+
+fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
+    fair(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+}
+
+fn bits(solution: &Solution) -> Vec<u64> {
+    solution.positions.iter().flatten().map(|x| x.to_bits()).collect()
+}
+
+fn distance(a: &Solution, b: &Solution) -> f64 {
+    let pairs = a.positions.iter().flatten().zip(b.positions.iter().flatten());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / a.report.diagonal
+}
+
+/// Runs to the end, by steps of so many iterations.
+fn to_end(session: &mut Session, by: usize) -> usize {
+    for runs in 1..1000 {
+        if session.run(by, None).unwrap().report.outcome != Outcome::IterationLimit {
+            return runs;
+        }
+    }
+    panic!("no end");
+}
+
+#[test]
+fn steps_give_the_bits_of_one_call() {
+    let cap = sphere_cap(60.0, 1000, irregular(1), OUTSIDE);
+    let rough = cylinder_band(500, irregular(1), OUTSIDE);
+    // The second needs harder means than the direct iteration.
+    for (shape, start, inner) in [
+        (&cap, flat(&cap), InnerFairness::Uniform),
+        (&rough, rough.noise(1, 0.3), InnerFairness::Conformal),
+    ] {
+        let asked = || Options {
+            inner,
+            ..options(TOLERANCE)
+        };
+        let whole = at_once(shape, &start, asked());
+        for by in [1, 3, 1000] {
+            let mut session = session(shape, &start, &asked());
+            let runs = to_end(&mut session, by);
+            let found = session.solution();
+            assert!(bits(found) == bits(&whole), "steps of {by}");
+            assert_eq!(found.report.outcome, whole.report.outcome);
+            assert_eq!(found.report.iterations, whole.report.iterations);
+            assert_eq!(found.mean_curvature, whole.mean_curvature);
+            assert!(runs >= found.report.iterations / by);
+            // The end is the end.
+            let again = session.run(5, None).unwrap();
+            assert!(bits(again) == bits(&whole));
+        }
+    }
+}
+
+#[test]
+fn a_step_is_one_iteration_and_comes_nearer() {
+    let shape = sphere_cap(60.0, 1000, irregular(2), OUTSIDE);
+    let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
+    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    assert_eq!(session.solution().positions, flat(&shape));
+    let mut steps = Vec::new();
+    for k in 1..=5 {
+        let solution = session.run(1, None).unwrap();
+        assert_eq!(solution.report.iterations, k);
+        assert_eq!(solution.report.outcome, Outcome::IterationLimit);
+        steps.push(distance(solution, &whole));
+    }
+    assert!(steps[4] < 0.1 * steps[0], "{steps:?}");
+}
+
+#[test]
+fn after_a_change_it_goes_on_from_where_it_is() {
+    let shape = sphere_cap(60.0, 2000, irregular(3), OUTSIDE);
+    let start = flat(&shape);
+    let mut session = session(&shape, &start, &options(TOLERANCE));
+    session.run(1000, None).unwrap();
+    let cold = session.solution().report.iterations;
+    for (target, bar) in [
+        (Target::Constant(0.05), cold),
+        (Target::Constant(0.1), cold),
+        (Target::Harmonic, cold),
+    ] {
+        session.set_target(target).unwrap();
+        let warm = session.run(1000, None).unwrap();
+        let fresh = at_once(
+            &shape,
+            &start,
+            Options {
+                target,
+                ..options(TOLERANCE)
+            },
+        );
+        println!(
+            "{target:?}: {} iterations, {} anew",
+            warm.report.iterations, fresh.report.iterations
+        );
+        assert_eq!(warm.report.outcome, Outcome::Converged);
+        assert_eq!(warm.report.target, target);
+        assert!(
+            distance(warm, &fresh) < 30.0 * TOLERANCE,
+            "{}",
+            distance(warm, &fresh)
+        );
+        assert!(warm.report.iterations <= bar);
+    }
+    // Normals of a sphere turned about z: the boundary leans outwards by two degrees.
+    let leant: Vec<(u32, [f64; 3])> = shape
+        .boundary_normals()
+        .into_iter()
+        .map(|(v, [x, y, z])| {
+            let (s, c) = 2f64.to_radians().sin_cos();
+            let r = x.hypot(y);
+            let (r1, z1) = (r * c - z * s, r * s + z * c);
+            (v, [x / r * r1, y / r * r1, z1])
+        })
+        .collect();
+    session
+        .set_boundary_normals(BoundaryNormals::Given(&leant))
+        .unwrap();
+    let warm = session.run(1000, None).unwrap();
+    let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
+    println!(
+        "normals: {} iterations, {} anew",
+        warm.report.iterations, fresh.report.iterations
+    );
+    assert_eq!(warm.report.outcome, Outcome::Converged);
+    assert!(
+        distance(warm, &fresh) < 30.0 * TOLERANCE,
+        "{}",
+        distance(warm, &fresh)
+    );
+}
+
+#[test]
+fn a_change_in_the_middle_of_a_run_holds_at_once() {
+    let shape = sphere_cap(60.0, 500, irregular(4), OUTSIDE);
+    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    session.run(3, None).unwrap();
+    session.set_target(Target::Constant(0.1)).unwrap();
+    let target = Target::Constant(0.1);
+    to_end(&mut session, 2);
+    let fresh = at_once(
+        &shape,
+        &flat(&shape),
+        Options {
+            target,
+            ..options(TOLERANCE)
+        },
+    );
+    assert_eq!(session.solution().report.outcome, Outcome::Converged);
+    assert!(distance(session.solution(), &fresh) < 30.0 * TOLERANCE);
+}
+
+#[test]
+fn wrong_changes_leave_things_as_they_are() {
+    let shape = sphere_cap(60.0, 300, irregular(5), OUTSIDE);
+    let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
+    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    session.run(2, None).unwrap();
+    let v = shape.boundary_normals()[3].0;
+    let wrong = session.set_boundary_normals(BoundaryNormals::Given(&[(v, [0.0, 0.0, 2.0])]));
+    assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
+    assert!(matches!(
+        session.set_target(Target::Constant(f64::NAN)),
+        Err(Error::BadOption { name: "target", .. })
+    ));
+    to_end(&mut session, 4);
+    assert!(bits(session.solution()) == bits(&whole));
+}
+
+#[test]
+fn the_callback_stops_a_run_after_one_iteration_and_it_goes_on_later() {
+    let shape = sphere_cap(60.0, 500, irregular(6), OUTSIDE);
+    let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
+    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut called = 0;
+    let mut stop = |_: &fairmesh::Progress| {
+        called += 1;
+        ControlFlow::Break(())
+    };
+    let solution = session.run(100, Some(&mut stop)).unwrap();
+    assert_eq!(solution.report.outcome, Outcome::Cancelled);
+    assert_eq!(solution.report.iterations, 1);
+    assert!(called >= 1);
+    to_end(&mut session, 100);
+    assert!(bits(session.solution()) == bits(&whole));
+}
+
+#[test]
+fn a_session_left_in_the_middle_ends() {
+    let shape = sphere_cap(60.0, 300, irregular(7), OUTSIDE);
+    drop(session(&shape, &flat(&shape), &options(TOLERANCE)));
+    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
+    session.run(2, None).unwrap();
+}
+
+#[test]
+fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
+    let mut shape = sphere_cap(60.0, 1000, Sampling::Regular, OUTSIDE);
+    // Two neighbours inside are fixed: they pass smoothly first, and get the sphere's normals then.
+    let inside = shape
+        .triangles
+        .iter()
+        .find(|t| t.iter().all(|&v| shape.free[v as usize]))
+        .copied()
+        .unwrap();
+    inside[..2].iter().for_each(|&v| shape.free[v as usize] = false);
+    let start = flat(&shape);
+    let mut session = session(&shape, &start, &options(TOLERANCE));
+    session.run(1000, None).unwrap();
+    let mut normals = shape.boundary_normals();
+    normals.extend(inside[..2].iter().map(|&v| (v, shape.normals[v as usize])));
+    normals.sort_by_key(|n| n.0);
+    normals.dedup_by_key(|n| n.0);
+    session
+        .set_boundary_normals(BoundaryNormals::Given(&normals))
+        .unwrap();
+    session.set_target(Target::Constant(0.01)).unwrap();
+    session.set_target(Target::Harmonic).unwrap();
+    to_end(&mut session, 7);
+    let fresh = solve_given(&shape, &start, &normals, options(TOLERANCE));
+    assert_eq!(session.solution().report.outcome, fresh.report.outcome);
+    assert!(distance(session.solution(), &fresh) < 30.0 * TOLERANCE);
+}
