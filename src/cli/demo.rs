@@ -74,10 +74,10 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
 fn solve(shape: &Shape, start: &[[f64; 3]]) -> Result<Solution, fairmesh::Error> {
     let normals = boundary_normals(shape);
     let options = Options {
-        normals: BoundaryNormals::Given(&normals),
+        boundary_normals: BoundaryNormals::Given(normals),
         ..Options::default()
     };
-    fairmesh::fair(start, &shape.triangles, Selection::Mask(&shape.free), options)
+    fairmesh::fair(start, &shape.triangles, Selection::Mask(&shape.free), &options)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {

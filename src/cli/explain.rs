@@ -81,7 +81,7 @@ pub fn outcome(report: &Report) -> String {
                 triangles.len()
             )
         }
-        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {reason}"),
+        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {}", reason.text()),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
             "no surface with the boundary normals was found: {:.0} % of the way was reached, and the normals of {} \
              vertices stand farthest off",
@@ -100,8 +100,8 @@ pub fn outcome(report: &Report) -> String {
 }
 
 /// What the user can do about the outcome; empty if there is nothing to do.
-pub fn advice(report: &Report) -> String {
-    let advice = match &report.outcome {
+pub fn advice(report: &Report) -> &'static str {
+    match &report.outcome {
         Outcome::Converged => "",
         Outcome::ConvergedPoorTriangles { .. } => {
             "look at these triangles; remeshing the region, or --inner-fairness uniform, usually cures them"
@@ -122,8 +122,7 @@ pub fn advice(report: &Report) -> String {
             "run again with a larger --max-iterations (solver paper: --paper-max-updates), or fair the result once more"
         }
         _ => "the file holds the best surface so far",
-    };
-    advice.to_owned()
+    }
 }
 
 #[cfg(test)]

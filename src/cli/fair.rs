@@ -14,7 +14,7 @@ use crate::formats::{self, Format, Geometry, MeshFile, Written};
 use crate::output::{Output, prepare_json};
 use crate::remesh;
 use crate::report::{Summary, Times};
-use crate::selection::{self, Normals, RegionArgs, Selected};
+use crate::selection::{self, RegionArgs, Selected};
 use crate::solver::SolverArgs;
 use crate::surface::SurfaceArgs;
 
@@ -74,7 +74,7 @@ pub struct FairArgs {
 pub struct FairInput<'a> {
     pub geometry: Cow<'a, Geometry>,
     pub selected: Selected,
-    pub normals: Normals,
+    pub boundary_normals: BoundaryNormals,
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -134,7 +134,7 @@ fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failu
     Ok(FairInput {
         geometry: Cow::Borrowed(geometry),
         selected: selected.in_triangles(geometry),
-        normals: selection::boundary_normals(&args.normals, geometry.positions.len())?,
+        boundary_normals: selection::boundary_normals(&args.normals, geometry.positions.len())?,
     })
 }
 
@@ -153,32 +153,27 @@ pub fn solve(
     input: &FairInput<'_>,
     tolerance: Option<f64>,
 ) -> Result<Solution, fairmesh::Error> {
-    let mut bar = Bar::new(args.quiet);
-    let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = Options::default();
     let surface = &args.surface;
     let options = Options {
-        normals: match &input.normals {
-            Normals::Fitted => BoundaryNormals::Fitted,
-            Normals::Averaged => BoundaryNormals::Averaged,
-            Normals::Given(list) => BoundaryNormals::Given(list),
-        },
-        interior: surface.interior_normals(),
+        boundary_normals: input.boundary_normals.clone(),
+        interior_normals: surface.interior_normals(),
         target: surface.target,
-        inner: surface.inner_fairness(),
+        inner_fairness: surface.inner_fairness(),
         discretization: surface.discretization(),
         solver,
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.solver.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
-        progress: Some(&mut progress),
     };
+    let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;
-    let solution = fairmesh::fair(
+    let solution = fairmesh::fair_with_progress(
         &geometry.positions,
         &geometry.triangles,
         input.selected.selection(),
-        options,
+        &options,
+        &mut |progress: &Progress| bar.show(progress),
     );
     bar.finish();
     solution

@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use fairmesh::{
     FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome, Progress,
-    fill_holes,
+    fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
@@ -97,7 +97,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         loops: if args.loops.is_empty() {
             Loops::UpTo(args.max_edges.unwrap_or(usize::MAX))
         } else {
-            Loops::Chosen(&args.loops)
+            Loops::Chosen(args.loops.clone())
         },
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
@@ -105,11 +105,15 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             threads: args.threads,
-            progress: Some(&mut progress),
             ..Options::default()
         },
     };
-    let filled = fill_holes(&mesh.geometry.positions, &mesh.geometry.triangles, options);
+    let filled = fill_holes_with_progress(
+        &mesh.geometry.positions,
+        &mesh.geometry.triangles,
+        &options,
+        &mut progress,
+    );
     bar.finish();
     filled
 }

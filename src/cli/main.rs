@@ -2,6 +2,8 @@
 //!
 //! Exit codes: 0 converged and sound, 2 wrong usage or input, 3 written but not converged.
 
+#![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
+
 mod bar;
 mod demo;
 mod explain;

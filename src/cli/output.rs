@@ -142,13 +142,34 @@ mod tests {
 
     use super::*;
 
+    /// An empty directory, removed at the end.
+    struct Scratch(PathBuf);
+
+    impl Scratch {
+        fn new(test: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("fairmesh-{}-{test}", process::id()));
+            fs::create_dir(&path).unwrap();
+            Self(path)
+        }
+
+        fn path(&self) -> &Path {
+            &self.0
+        }
+    }
+
+    impl Drop for Scratch {
+        fn drop(&mut self) {
+            fs::remove_dir_all(&self.0).unwrap();
+        }
+    }
+
     fn mode(path: &Path) -> u32 {
         fs::metadata(path).unwrap().permissions().mode() & 0o777
     }
 
     #[test]
     fn files_are_replaced_whole_with_their_permissions() {
-        let directory = tempfile::tempdir().unwrap();
+        let directory = Scratch::new("permissions");
         let (file, link) = (directory.path().join("file"), directory.path().join("link"));
         Output::prepare(&file).unwrap().write(b"one").unwrap();
         // Others may read a new file if the umask lets them, unlike a temporary one.
@@ -165,7 +186,7 @@ mod tests {
 
     #[test]
     fn other_files_stay_and_a_failed_write_leaves_none_behind() {
-        let directory = tempfile::tempdir().unwrap();
+        let directory = Scratch::new("failed");
         let (file, taken) = (
             directory.path().join("file"),
             directory.path().join(format!(".fairmesh-{}-0", process::id())),
@@ -180,7 +201,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_written_is_refused_before_the_work() {
-        let directory = tempfile::tempdir().unwrap();
+        let directory = Scratch::new("refused");
         let refused = |path: &Path| Output::prepare(path).err().unwrap().to_string();
         assert!(refused(directory.path()).ends_with("cannot write: this is a directory; name a file in it"));
         let file = directory.path().join("file");

@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use fairmesh::{RemeshOptions, Solver, remesh_region};
+use fairmesh::{BoundaryNormals, RemeshOptions, Solver, remesh_region};
 
 use crate::fair::{FairArgs, FairInput, solve};
 use crate::formats::{Geometry, Kind};
-use crate::selection::{Normals, Selected};
+use crate::selection::Selected;
 
 /// How well the surface is faired on which the new vertices are laid out.
 const TOLERANCE: f64 = 1e-3;
@@ -30,13 +30,12 @@ pub fn remesh(
         &RemeshOptions::default(),
     )?;
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-    let normals = match &input.normals {
-        Normals::Fitted => Normals::Fitted,
-        Normals::Averaged => Normals::Averaged,
-        Normals::Given(list) => {
+    let boundary_normals = match &input.boundary_normals {
+        BoundaryNormals::Given(list) => {
             let kept = list.iter().filter_map(|&(v, n)| Some((moved(v)?, n)));
-            Normals::Given(kept.collect())
+            BoundaryNormals::Given(kept.collect())
         }
+        other => other.clone(),
     };
     let selected = Selected {
         kind: Kind::Vertex,
@@ -45,6 +44,6 @@ pub fn remesh(
     Ok(FairInput {
         geometry: Cow::Owned(Geometry::of_triangles(mesh.positions, mesh.triangles)),
         selected,
-        normals,
+        boundary_normals,
     })
 }

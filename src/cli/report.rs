@@ -238,7 +238,7 @@ fn levels(levels: &[LevelReport]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use fairmesh::{Quality, Seconds};
+    use fairmesh::{LooseReason, Quality, Seconds};
 
     use super::*;
     use crate::formats::{Format, MeshFile};
@@ -316,7 +316,7 @@ mod tests {
         let outcomes = [
             Outcome::ConvergedPoorTriangles { triangles: vec![1] },
             Outcome::ConvergedLoosely {
-                reason: "the step stayed at 1e-6".into(),
+                reason: LooseReason::Bump,
             },
             Outcome::NormalsNotReachable {
                 reached: 0.4,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use fairmesh::Selection;
+use fairmesh::{BoundaryNormals, Selection};
 
 use crate::failure::{Failure, Malformed};
 use crate::formats::{Geometry, Kind, MeshFile};
@@ -178,20 +178,12 @@ pub fn indices(path: &Path, count: usize, what: &str) -> Result<Vec<u32>, Failur
     Ok(indices)
 }
 
-/// Where the normals at the boundary of the region come from.
-pub enum Normals {
-    Fitted,
-    Averaged,
-    /// Vertices with unit vectors; where none is given they are fitted.
-    Given(Vec<(u32, [f64; 3])>),
-}
-
 /// `fitted`, `averaged`, or the normals of a file.
-pub fn boundary_normals(which: &Path, vertex_count: usize) -> Result<Normals, Failure> {
+pub fn boundary_normals(which: &Path, vertex_count: usize) -> Result<BoundaryNormals, Failure> {
     match which.to_str() {
-        Some("fitted") => Ok(Normals::Fitted),
-        Some("averaged") => Ok(Normals::Averaged),
-        _ => given_normals(which, vertex_count).map(Normals::Given),
+        Some("fitted") => Ok(BoundaryNormals::Fitted),
+        Some("averaged") => Ok(BoundaryNormals::Averaged),
+        _ => given_normals(which, vertex_count).map(BoundaryNormals::Given),
     }
 }
 

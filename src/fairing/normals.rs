@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::mesh::{Region, Rings};
 
 /// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
-#[derive(Debug, Clone, Copy, Default)]
-pub enum BoundaryNormals<'a> {
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum BoundaryNormals {
     /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
     /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
     /// To eight rings where all coordinates around are single precision numbers so far from the origin that their rounding
@@ -19,7 +19,7 @@ pub enum BoundaryNormals<'a> {
     Averaged,
     /// Given for some or all boundary vertices (`(vertex, unit normal)`); the others are fitted. Entries for
     /// vertices that are not on the boundary are ignored.
-    Given(&'a [(u32, [f64; 3])]),
+    Given(Vec<(u32, [f64; 3])>),
 }
 
 /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
@@ -38,7 +38,7 @@ pub enum InteriorNormals {
 }
 
 /// The vertices whose normals are given, ascending.
-pub(super) fn given_vertices(asked: BoundaryNormals<'_>) -> Vec<u32> {
+pub(super) fn given_vertices(asked: &BoundaryNormals) -> Vec<u32> {
     let BoundaryNormals::Given(list) = asked else {
         return Vec::new();
     };
@@ -55,7 +55,7 @@ pub(super) fn boundary_normals(
     region: &Region,
     rings: &Rings,
     x: &[Vector3<f64>],
-    asked: BoundaryNormals<'_>,
+    asked: &BoundaryNormals,
     interior: InteriorNormals,
 ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
     let mut given = vec![None; region.boundary];

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 
-use super::{Progress, Watcher};
+use super::{Progress, ProgressCallback};
 use crate::error::Error;
 use crate::solve::control::{Callback, Interrupt};
 
@@ -15,7 +15,7 @@ const TICK: Duration = Duration::from_millis(50);
 /// callback, and what is set when the callback stops the run.
 pub(super) fn relay<T: Send>(
     pool: &rayon::ThreadPool,
-    callback: &mut Watcher<'_>,
+    callback: &mut ProgressCallback<'_>,
     work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();

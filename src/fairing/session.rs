@@ -12,11 +12,11 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 
 use super::{
-    BoundaryNormals, Options, Progress, Selection, Solution, Solver, Target, Watcher, check, with_threads,
+    BoundaryNormals, Options, Progress, ProgressCallback, Selection, Solution, Solver, Target, with_threads,
 };
 use crate::error::Error;
 use crate::mesh::Region;
-use input::{Input, Normals};
+use input::Input;
 use worker::Problem;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
@@ -56,7 +56,7 @@ impl Connectivity {
 enum Command {
     /// At most this many iterations.
     Run(usize),
-    Normals(Normals),
+    Normals(BoundaryNormals),
     Target(Target),
     /// The answer to [`Answer::Progress`].
     GoOn(ControlFlow<()>),
@@ -70,7 +70,7 @@ enum Answer {
 }
 
 impl Session {
-    /// Checks the input, and orders and analyses the matrices. `progress` of the options is not used.
+    /// Checks the input, and orders and analyses the matrices.
     ///
     /// # Errors
     /// Those of [`fair`](super::fair), and [`Error::BadOption`] for a solver other than [`Solver::Fast`].
@@ -78,9 +78,9 @@ impl Session {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        options: &Options<'_>,
+        options: &Options,
     ) -> Result<Self, Error> {
-        check(options)?;
+        options.validate()?;
         if options.solver != Solver::Fast {
             return Err(Error::BadOption {
                 name: "solver",
@@ -89,11 +89,11 @@ impl Session {
             });
         }
         let input = Arc::new(Input::new(positions, triangles, selection, options));
-        Self::start(input, options.normals, options.target)
+        Self::start(input, &options.boundary_normals, options.target)
     }
 
-    fn start(input: Arc<Input>, normals: BoundaryNormals<'_>, target: Target) -> Result<Self, Error> {
-        let threads = input.threads;
+    fn start(input: Arc<Input>, normals: &BoundaryNormals, target: Target) -> Result<Self, Error> {
+        let threads = input.options.threads;
         let problem = Problem::new(input.clone(), normals)?;
         let normals = problem.normals(normals)?;
         let connectivity = Connectivity::of(&problem.region);
@@ -132,7 +132,11 @@ impl Session {
     ///
     /// # Errors
     /// [`Error::NothingFixed`] where not even a linear surface exists.
-    pub fn run(&mut self, iterations: usize, progress: Option<&mut Watcher<'_>>) -> Result<&Solution, Error> {
+    pub fn run(
+        &mut self,
+        iterations: usize,
+        progress: Option<&mut ProgressCallback<'_>>,
+    ) -> Result<&Solution, Error> {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
@@ -149,13 +153,13 @@ impl Session {
     ///
     /// # Errors
     /// [`Error::BadNormal`], [`Error::NoNormal`]; the normals before then hold on.
-    pub fn set_boundary_normals(&mut self, normals: BoundaryNormals<'_>) -> Result<(), Error> {
-        if self.connectivity != Connectivity::of(&self.input.region(normals)?) {
+    pub fn set_boundary_normals(&mut self, normals: BoundaryNormals) -> Result<(), Error> {
+        if self.connectivity != Connectivity::of(&self.input.region(&normals)?) {
             // A curve inside has got its normals, or has lost them: the region is cut there.
-            *self = Self::start(self.input.clone(), normals, self.target)?;
+            *self = Self::start(self.input.clone(), &normals, self.target)?;
             return Ok(());
         }
-        self.change(Command::Normals(Normals::new(normals)))
+        self.change(Command::Normals(normals))
     }
 
     /// Asks for another right-hand side from now on.
@@ -163,10 +167,11 @@ impl Session {
     /// # Errors
     /// [`Error::BadOption`] for a constant that is not finite; the target before then holds on.
     pub fn set_target(&mut self, target: Target) -> Result<(), Error> {
-        check(&Options {
+        Options {
             target,
             ..Options::default()
-        })?;
+        }
+        .validate()?;
         self.change(Command::Target(target))?;
         self.target = target;
         Ok(())
@@ -196,7 +201,7 @@ impl Session {
         let _ = self.commands.as_ref().map(|c| c.send(command));
     }
 
-    fn wait(&mut self, mut progress: Option<&mut Watcher<'_>>) -> Result<(), Error> {
+    fn wait(&mut self, mut progress: Option<&mut ProgressCallback<'_>>) -> Result<(), Error> {
         loop {
             match self.answers.recv() {
                 Ok(Answer::Progress(told)) => {

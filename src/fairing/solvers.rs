@@ -2,11 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::{Discretization, Request};
+use super::{Discretization, Options};
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::{FreeCurvature, State};
-use crate::error::Error;
-use crate::paper::{self, Estimate, LevelReport, PaperOptions, Problem};
+use crate::paper::{self, LevelReport, PaperOptions, Problem};
 use crate::quality::{NEEDLE, Surface};
 use crate::solve::control::{Callback, Interrupt};
 use crate::solve::globalize::diagonal;
@@ -33,17 +32,17 @@ pub(super) struct Faired {
 /// The default solver.
 pub(super) fn fast<'a>(
     problem: &Problem<'_>,
-    request: &Request<'_>,
+    options: &Options,
     progress: Option<&'a mut Callback<'a>>,
     interrupt: &Interrupt,
 ) -> Result<Faired, Collapsed> {
-    let curvature = match request.discretization {
+    let curvature = match options.discretization {
         Discretization::SecondOrder => FreeCurvature::GradientCorrected {
             tilt_ridge: TILT_RIDGE,
         },
         Discretization::Paper => FreeCurvature::Paper,
     };
-    let mut control = Control::new(request.tolerance, request.max_iterations, progress);
+    let mut control = Control::new(options.tolerance, options.max_iterations, progress);
     control.interrupt = interrupt.clone();
     control.stage(0.01, STAGE);
     if control.cancelled {
@@ -126,28 +125,4 @@ fn measured(problem: &Problem<'_>, curvature: FreeCurvature, solved: Solved) -> 
         levels: Vec::new(),
         rounding: false,
     }
-}
-
-/// Refuses options out of range.
-pub(super) fn check(options: &PaperOptions) -> Result<(), Error> {
-    let refuse = |name, value, range| Err(Error::BadOption { name, value, range });
-    let (Estimate::Alternating { iterations: n }
-    | Estimate::GaussSeidel { sweeps: n }
-    | Estimate::ConjugateGradients { iterations: n }) = options.estimate;
-    if n == 0 {
-        return refuse("estimate", 0.0, "at least 1 iteration");
-    }
-    if !(options.damping > 0.0 && options.damping <= 1.0) {
-        return refuse("damping", options.damping, "greater than 0 and at most 1");
-    }
-    if options.defect.is_nan() || options.defect <= 0.0 {
-        return refuse("defect", options.defect, "greater than 0");
-    }
-    if options.laplacian.is_nan() || options.laplacian <= 0.0 {
-        return refuse("laplacian", options.laplacian, "greater than 0");
-    }
-    if options.max_updates == 0 {
-        return refuse("max_updates", 0.0, "at least 1");
-    }
-    Ok(())
 }

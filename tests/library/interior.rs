@@ -238,22 +238,25 @@ fn the_rule_of_the_input_is_there_on_request() {
     let inside = fix_curve(&mut shape, 0.0);
     let outer = outer_normals(&shape, &inside);
     for discretization in [Discretization::SecondOrder, Discretization::Paper] {
-        for interior in [InteriorNormals::Smooth, InteriorNormals::Input] {
+        for interior_normals in [InteriorNormals::Smooth, InteriorNormals::Input] {
             for target in [Target::Harmonic, Target::MinimalEnergy] {
                 let options = Options {
-                    interior,
+                    interior_normals,
                     discretization,
                     target,
-                    normals: BoundaryNormals::Given(&outer),
+                    boundary_normals: BoundaryNormals::Given(outer.clone()),
                     ..options(1e-8)
                 };
                 let solution = solve_as_asked(&shape, &flat(&shape), options);
-                summary(&format!("{discretization:?} {interior:?} {target:?}"), &solution);
+                summary(
+                    &format!("{discretization:?} {interior_normals:?} {target:?}"),
+                    &solution,
+                );
                 let error = errors(&shape, &solution).max;
                 println!("  {error:.1e}");
                 if (discretization, target) == (Discretization::SecondOrder, Target::Harmonic) {
                     // From the pinched input the normals are wrong, and not tangent along the curve.
-                    let smooth = interior == InteriorNormals::Smooth;
+                    let smooth = interior_normals == InteriorNormals::Smooth;
                     assert!(if smooth { error < 2e-5 } else { error > 1e-3 });
                 }
                 assert!(solution.report.outcome.is_success());
@@ -267,7 +270,7 @@ fn convex_weights_keep_spheres() {
     for n in [1_000, 13_000] {
         let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
         let options = Options {
-            inner: InnerFairness::Convex,
+            inner_fairness: InnerFairness::Convex,
             ..options(TIGHT)
         };
         // Weights of the undistorted triangles.

@@ -10,12 +10,12 @@ use fairmesh_shapes::*;
 
 const TOLERANCE: f64 = 1e-8;
 
-fn session(shape: &Shape, start: &[[f64; 3]], options: &Options<'_>) -> Session {
+fn session(shape: &Shape, start: &[[f64; 3]], options: &Options) -> Session {
     Session::new(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
 }
 
-fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
-    fair(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options) -> Solution {
+    fair(start, &shape.triangles, Selection::Mask(&shape.free), &options).unwrap()
 }
 
 fn bits(solution: &Solution) -> Vec<u64> {
@@ -47,7 +47,7 @@ fn steps_give_the_bits_of_one_call() {
         (&rough, rough.noise(1, 0.3), InnerFairness::Conformal),
     ] {
         let asked = || Options {
-            inner,
+            inner_fairness: inner,
             ..options(TOLERANCE)
         };
         let whole = at_once(shape, &start, asked());
@@ -130,7 +130,7 @@ fn after_a_change_it_goes_on_from_where_it_is() {
         })
         .collect();
     session
-        .set_boundary_normals(BoundaryNormals::Given(&leant))
+        .set_boundary_normals(BoundaryNormals::Given(leant.clone()))
         .unwrap();
     let warm = session.run(1000, None).unwrap();
     let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
@@ -173,7 +173,7 @@ fn wrong_changes_leave_things_as_they_are() {
     let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
     session.run(2, None).unwrap();
     let v = shape.boundary_normals()[3].0;
-    let wrong = session.set_boundary_normals(BoundaryNormals::Given(&[(v, [0.0, 0.0, 2.0])]));
+    let wrong = session.set_boundary_normals(BoundaryNormals::Given(vec![(v, [0.0, 0.0, 2.0])]));
     assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
     assert!(matches!(
         session.set_target(Target::Constant(f64::NAN)),
@@ -228,7 +228,7 @@ fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
     normals.sort_by_key(|n| n.0);
     normals.dedup_by_key(|n| n.0);
     session
-        .set_boundary_normals(BoundaryNormals::Given(&normals))
+        .set_boundary_normals(BoundaryNormals::Given(normals.clone()))
         .unwrap();
     session.set_target(Target::Constant(0.01)).unwrap();
     session.set_target(Target::Harmonic).unwrap();

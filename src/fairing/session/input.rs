@@ -4,33 +4,8 @@ use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::error::Error;
 use crate::fairing::normals::given_vertices;
-use crate::fairing::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Selection};
+use crate::fairing::{BoundaryNormals, Discretization, Options, Selection};
 use crate::mesh::Region;
-
-/// Normals that outlive the call.
-pub(super) enum Normals {
-    Fitted,
-    Averaged,
-    Given(Vec<(u32, [f64; 3])>),
-}
-
-impl Normals {
-    pub(super) fn new(normals: BoundaryNormals<'_>) -> Self {
-        match normals {
-            BoundaryNormals::Fitted => Self::Fitted,
-            BoundaryNormals::Averaged => Self::Averaged,
-            BoundaryNormals::Given(list) => Self::Given(list.to_vec()),
-        }
-    }
-
-    pub(super) fn as_asked(&self) -> BoundaryNormals<'_> {
-        match self {
-            Self::Fitted => BoundaryNormals::Fitted,
-            Self::Averaged => BoundaryNormals::Averaged,
-            Self::Given(list) => BoundaryNormals::Given(list),
-        }
-    }
-}
 
 /// A selection that outlives the call.
 enum Selected {
@@ -44,12 +19,8 @@ pub(super) struct Input {
     pub(super) positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     selection: Selected,
-    pub(super) interior: InteriorNormals,
-    pub(super) inner: InnerFairness,
-    discretization: Discretization,
-    pub(super) tolerance: f64,
-    pub(super) max_iterations: usize,
-    pub(super) threads: usize,
+    /// Their normals and target are those of the beginning.
+    pub(super) options: Options,
 }
 
 impl Input {
@@ -57,7 +28,7 @@ impl Input {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        options: &Options<'_>,
+        options: &Options,
     ) -> Self {
         Self {
             positions: positions.to_vec(),
@@ -67,17 +38,12 @@ impl Input {
                 Selection::Vertices(list) => Selected::Vertices(list.to_vec()),
                 Selection::Faces(list) => Selected::Faces(list.to_vec()),
             },
-            interior: options.interior,
-            inner: options.inner,
-            discretization: options.discretization,
-            tolerance: options.tolerance,
-            max_iterations: options.max_iterations,
-            threads: options.threads,
+            options: options.clone(),
         }
     }
 
     /// The region, cut where these normals ask for it.
-    pub(super) fn region(&self, normals: BoundaryNormals<'_>) -> Result<Region, Error> {
+    pub(super) fn region(&self, normals: &BoundaryNormals) -> Result<Region, Error> {
         let prescribed = given_vertices(normals);
         let selection = match &self.selection {
             Selected::Mask(mask) => Selection::Mask(mask),
@@ -90,7 +56,7 @@ impl Input {
     }
 
     pub(super) fn curvature(&self) -> FreeCurvature {
-        match self.discretization {
+        match self.options.discretization {
             Discretization::SecondOrder => FreeCurvature::GradientCorrected {
                 tilt_ridge: TILT_RIDGE,
             },

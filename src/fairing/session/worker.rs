@@ -107,7 +107,7 @@ impl Desk<'_> {
 
 impl Problem {
     /// Checks and prepares the region.
-    pub(super) fn new(input: Arc<Input>, normals: BoundaryNormals<'_>) -> Result<Self, Error> {
+    pub(super) fn new(input: Arc<Input>, normals: &BoundaryNormals) -> Result<Self, Error> {
         let clock = Instant::now();
         let region = input.region(normals)?;
         let rings = Rings::new(&region);
@@ -125,17 +125,15 @@ impl Problem {
         })
     }
 
-    pub(super) fn normals(
-        &self,
-        asked: BoundaryNormals<'_>,
-    ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
-        boundary_normals(&self.region, &self.rings, &self.x, asked, self.input.interior)
+    pub(super) fn normals(&self, asked: &BoundaryNormals) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+        let interior = self.input.options.interior_normals;
+        boundary_normals(&self.region, &self.rings, &self.x, asked, interior)
     }
 
     fn prepared(&self, command: Command) -> Result<Option<Change>, Error> {
         match command {
             Command::Normals(normals) => {
-                let (normals, smooth_interior) = self.normals(normals.as_asked())?;
+                let (normals, smooth_interior) = self.normals(&normals)?;
                 Ok(Some(Change::Normals(normals, smooth_interior)))
             }
             Command::Target(target) => Ok(Some(Change::Target(target))),
@@ -159,7 +157,7 @@ impl Problem {
             change: RefCell::new(None),
             closed: Cell::new(false),
         };
-        let weights = match self.input.inner {
+        let weights = match self.input.options.inner_fairness {
             InnerFairness::Uniform => FairnessWeights::uniform(),
             InnerFairness::Conformal => FairnessWeights::conformal(&self.batches, &self.x),
             InnerFairness::Convex => FairnessWeights::convex(&self.batches, &self.x),
@@ -233,8 +231,8 @@ impl Problem {
                     desk.pause(self)
                 };
                 let mut control = Control::new(
-                    self.input.tolerance,
-                    self.input.max_iterations,
+                    self.input.options.tolerance,
+                    self.input.options.max_iterations,
                     Some(&mut progress),
                 );
                 control.watch = Some(&mut watch);
