@@ -21,8 +21,8 @@ use crate::fairing::with_threads;
 /// ```
 ///
 /// # Errors
-/// [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist, [`Error::NotFinite`] for a
-/// vertex of a triangle whose position is not finite.
+/// [`Error::TooLarge`], [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist,
+/// [`Error::NotFinite`] for a vertex of a triangle whose position is not finite.
 pub fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     // Not on the global pool, whose threads would outlive a library that is unloaded.
     with_threads(0, |pool| {

@@ -20,7 +20,7 @@ impl Equations<'_> {
         });
     }
 
-    /// `finish` makes `R1` of a group from its `S H`, its vertices and their `H`.
+    /// `finish` makes `R1` of a batch from its `S H`, its vertices and their `H`.
     #[inline(always)]
     fn residual_with(
         &self,
@@ -41,11 +41,11 @@ impl Equations<'_> {
                 vectorized(
                     #[inline(always)]
                     || {
-                        for group in chunk.batches.clone() {
-                            let vertex = &batches.vertex[group];
+                        for batch in chunk.batches.clone() {
+                            let vertex = &batches.vertex[batch];
                             let own = gather_scalar(h, vertex);
                             let mut sum = Simd::<LANES>::zero();
-                            for slot in batches.slots(group) {
+                            for slot in batches.slots(batch) {
                                 let other = gather_scalar(h, &batches.neighbour[slot]);
                                 sum += Simd(weight[slot]) * (own - other);
                             }

@@ -1,7 +1,7 @@
-//! Free vertices in groups of [`LANES`] with equal valence, so that one formula runs on a whole group at once.
+//! Free vertices in batches of [`LANES`] with equal valence, so that one formula runs on a whole batch at once.
 //!
-//! ValenceBatches never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
-//! threads, and the same whatever their number.
+//! No batch reaches over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to threads,
+//! and the same whatever their number.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use super::simd::{Simd, Vec3};
 use crate::mesh::rows::Rows;
 use crate::mesh::{NONE, Rings};
 
-/// Vertices per group.
+/// Vertices per batch.
 pub(crate) const LANES: usize = 8;
 
 /// Vertices per chunk.
@@ -28,18 +28,18 @@ pub(crate) struct Chunk {
     pub slots: Range<usize>,
 }
 
-/// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
+/// The rings of all free vertices, transposed: slot `k` of a batch holds the `k`-th neighbour of each of its vertices.
 #[derive(Debug, Clone)]
 pub(crate) struct ValenceBatches {
     /// The chunks, in the order of their vertices.
     pub chunks: Vec<Chunk>,
-    /// Per group its vertices; a group that is not full repeats its last vertex.
+    /// Per batch its vertices; a batch that is not full repeats its last vertex.
     pub vertex: Vec<[u32; LANES]>,
-    /// Per group its first slot, and the end.
+    /// Per batch its first slot, and the end.
     pub start: Vec<usize>,
     /// Per slot the neighbours.
     pub neighbour: Vec<[u32; LANES]>,
-    /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
+    /// Per slot the flaps across the edges from neighbour `k` to `k + 1`; the neighbour itself where there is none.
     pub flap: Vec<[u32; LANES]>,
     /// Per batch the edges without a flap: they lie on the boundary of the region, between fixed vertices.
     pub boundary: Rows<BoundaryEdge>,
@@ -78,7 +78,7 @@ impl ValenceBatches {
         let mut sorted: Vec<u32> = Vec::with_capacity(CHUNK);
         for first in (0..free).step_by(CHUNK) {
             let vertices = first..(first + CHUNK).min(free);
-            let (group, slot) = (batches.vertex.len(), batches.neighbour.len());
+            let (batch, slot) = (batches.vertex.len(), batches.neighbour.len());
             sorted.clear();
             sorted.extend(vertices.clone().map(|i| i as u32));
             sorted.sort_by_key(|&i| (valence(i), i));
@@ -89,7 +89,7 @@ impl ValenceBatches {
             }
             batches.chunks.push(Chunk {
                 vertices,
-                batches: group..batches.vertex.len(),
+                batches: batch..batches.vertex.len(),
                 slots: slot..batches.neighbour.len(),
             });
         }
@@ -138,9 +138,16 @@ impl ValenceBatches {
         (first as usize, lane as usize)
     }
 
-    /// The slots of a group.
-    pub(crate) fn slots(&self, group: usize) -> Range<usize> {
-        self.start[group]..self.start[group + 1]
+    /// The slots of a free vertex's ring, and its lane.
+    pub(crate) fn ring_slots(&self, i: usize) -> (Range<usize>, usize) {
+        let (first, lane) = self.place(i);
+        let batch = self.start.partition_point(|&s| s <= first) - 1;
+        (self.slots(batch), lane)
+    }
+
+    /// The slots of a batch.
+    pub(crate) fn slots(&self, batch: usize) -> Range<usize> {
+        self.start[batch]..self.start[batch + 1]
     }
 }
 

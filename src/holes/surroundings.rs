@@ -7,12 +7,13 @@ use nalgebra::Vector3;
 
 use super::loops::{BoundaryLoop, Links};
 use crate::mesh::NONE;
+use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
 const LAYERS: usize = 6;
 
-/// See the module.
+/// The triangles around a loop, moved and scaled.
 pub(super) struct Surroundings {
     /// The mesh's number of each vertex.
     pub(super) ids: Vec<u32>,
@@ -42,66 +43,25 @@ impl Surroundings {
         place: &mut [u32],
     ) -> Self {
         let triangle_ids = collect(links, boundary, place);
-        let mut corners = Corners::new(links, &triangle_ids, place);
-        let run = &boundary.half_edges;
-        let n = run.len();
-        for i in 0..n {
-            // Vertex i is where half-edge i ends and half-edge i - 1 begins.
-            corners.unite(
-                corners.of(next(run[i]), place),
-                corners.of(run[(i + n - 1) % n], place),
-            );
-        }
-        let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], Vec::new());
-        for (i, &h) in run.iter().enumerate() {
-            let root = corners.root(corners.of(h, place));
-            number[root as usize] = ((i + 1) % n) as u32;
-        }
-        ids.extend(&boundary.vertices);
-        let mut triangles = Vec::with_capacity(triangle_ids.len());
-        for (local, &t) in triangle_ids.iter().enumerate() {
-            let corner = |k: usize| {
-                let root = corners.root((3 * local + k) as u32) as usize;
-                if number[root] == NONE {
-                    number[root] = ids.len() as u32;
-                    ids.push(links.triangles[t as usize][k]);
-                }
-                number[root]
-            };
-            triangles.push([0, 1, 2].map(corner));
-        }
+        let (ids, triangles) = number(links, boundary, &triangle_ids, place);
         triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
+        let at = |&v: &u32| Vector3::from(positions[v as usize]);
         let mut surroundings = Self {
-            x: ids
-                .iter()
-                .map(|&v| Vector3::from(positions[v as usize]))
-                .collect(),
+            x: ids.iter().map(at).collect(),
             ids,
             triangles,
             triangle_ids,
-            boundary: n,
-            normals: Vec::with_capacity(n),
+            boundary: boundary.vertices.len(),
+            normals: Vec::new(),
             taken: taken(links, boundary),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
         surroundings.enter();
         surroundings.drop_infinite();
-        let at = |v: u32| surroundings.entered(positions[v as usize]);
-        surroundings.normals = run
-            .iter()
-            .map(|&h| {
-                let [a, b, c] = links.triangles[h as usize / 3].map(at);
-                let (e, f) = (b - a, c - a);
-                let cross = e.cross(&f);
-                let longest = e.norm_squared().max(f.norm_squared());
-                if cross.norm() > 1e-12 * longest {
-                    cross.normalize()
-                } else {
-                    Vector3::zeros()
-                }
-            })
-            .collect();
+        let triangle =
+            |&h: &u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
+        surroundings.normals = boundary.half_edges.iter().map(|h| normal(&triangle(h))).collect();
         surroundings
     }
 
@@ -249,45 +209,67 @@ fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec
     found
 }
 
-/// Corners that are one vertex.
-struct Corners {
-    parent: Vec<u32>,
+/// The vertices of these triangles, the loop's first, and the triangles in their numbers.
+fn number(
+    links: &Links<'_>,
+    boundary: &BoundaryLoop,
+    triangle_ids: &[u32],
+    place: &[u32],
+) -> (Vec<u32>, Vec<[u32; 3]>) {
+    let at = |h: u32| 3 * place[h as usize / 3] + h % 3;
+    let mut corners = unite_corners(links, boundary, triangle_ids, place, at);
+    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], boundary.vertices.clone());
+    for (&h, i) in boundary.half_edges.iter().zip(1..) {
+        let corner = corners.smallest(at(h));
+        number[corner as usize] = i % ids.len() as u32;
+    }
+    let triangles = (0..).zip(triangle_ids).map(|(local, &t)| {
+        [0, 1, 2].map(|k| {
+            let corner = corners.smallest(3 * local + k as u32) as usize;
+            if number[corner] == NONE {
+                number[corner] = ids.len() as u32;
+                ids.push(links.triangles[t as usize][k]);
+            }
+            number[corner]
+        })
+    });
+    let triangles = triangles.collect();
+    (ids, triangles)
 }
 
-impl Corners {
-    fn new(links: &Links<'_>, triangle_ids: &[u32], place: &[u32]) -> Self {
-        let mut corners = Self {
-            parent: (0..3 * triangle_ids.len() as u32).collect(),
-        };
-        for &t in triangle_ids {
-            for h in 3 * t..3 * t + 3 {
-                if let Some(o) = links.across(h).filter(|&o| place[o as usize / 3] != NONE) {
-                    corners.unite(corners.of(h, place), corners.of(next(o), place));
-                    corners.unite(corners.of(next(h), place), corners.of(o, place));
-                }
-            }
+/// The unit normal of a triangle, zero if it has no area to speak of.
+fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
+    let (e, f) = (b - a, c - a);
+    let cross = e.cross(&f);
+    let longest = e.norm_squared().max(f.norm_squared());
+    if cross.norm() > 1e-12 * longest {
+        cross.normalize()
+    } else {
+        Vector3::zeros()
+    }
+}
+
+/// Which corners are one vertex. `at` is the local corner that a half-edge of the mesh starts at.
+fn unite_corners(
+    links: &Links<'_>,
+    boundary: &BoundaryLoop,
+    triangle_ids: &[u32],
+    place: &[u32],
+    at: impl Fn(u32) -> u32,
+) -> DisjointSets {
+    let mut corners = DisjointSets::new(3 * triangle_ids.len());
+    for h in triangle_ids.iter().flat_map(|&t| 3 * t..3 * t + 3) {
+        if let Some(o) = links.across(h).filter(|&o| place[o as usize / 3] != NONE) {
+            corners.unite(at(h), at(next(o)));
+            corners.unite(at(next(h)), at(o));
         }
-        corners
     }
-
-    /// The local corner that a half-edge of the mesh starts at.
-    fn of(&self, h: u32, place: &[u32]) -> u32 {
-        3 * place[h as usize / 3] + h % 3
+    // A vertex of the loop is where one half-edge of it ends and the one before begins.
+    let run = &boundary.half_edges;
+    for (i, &h) in run.iter().enumerate() {
+        corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
     }
-
-    fn root(&mut self, mut corner: u32) -> u32 {
-        while self.parent[corner as usize] != corner {
-            let up = self.parent[self.parent[corner as usize] as usize];
-            self.parent[corner as usize] = up;
-            corner = up;
-        }
-        corner
-    }
-
-    fn unite(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
-    }
+    corners
 }
 
 /// Pairs of the loop's vertices between which the mesh has an edge, sound or not.

@@ -38,7 +38,7 @@ impl Boundary<'_> {
         self.taken.binary_search(&(a.min(b), a.max(b))).is_err()
     }
 
-    /// The triangles, in numbers of the boundary's vertices, or None if there is no triangulation without the edges taken.
+    /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
         let (polygon, normals) = if self.x.len() > DYNAMIC {
@@ -76,13 +76,8 @@ impl Boundary<'_> {
         Some(ears.rest())
     }
 
-    /// The best triangulation of a polygon of these vertices.
-    fn optimal(
-        &self,
-        polygon: &[u32],
-        boundary: &[Vector3<f64>],
-        triangles: &mut Vec<[u32; 3]>,
-    ) -> Option<()> {
+    /// The best triangulation of a polygon of these vertices; `beyond` are the normals on the other side of its edges.
+    fn optimal(&self, polygon: &[u32], beyond: &[Vector3<f64>], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
         let n = polygon.len();
         if n < 3 {
             return None;
@@ -93,39 +88,17 @@ impl Boundary<'_> {
                 worst: 0,
                 area: 0.0,
                 apex: 0,
-                normal: boundary[i],
+                normal: beyond[i],
             };
         }
         for span in 2..n {
             for i in 0..n - span {
                 let k = i + span;
-                let closing = span == n - 1;
-                if !closing && !self.is_free(polygon[i], polygon[k]) {
-                    continue;
+                // The last chord is an edge of the polygon.
+                let last = (span == n - 1).then(|| &beyond[n - 1]);
+                if last.is_some() || self.is_free(polygon[i], polygon[k]) {
+                    table[i * n + k] = self.best(polygon, &table, (i, k), last);
                 }
-                let mut best = Cell::default();
-                for m in i + 1..k {
-                    let (left, right) = (&table[i * n + m], &table[m * n + k]);
-                    let below = left.worst.max(right.worst);
-                    if below > best.worst || below == u32::MAX {
-                        continue;
-                    }
-                    let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
-                    let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
-                    if closing {
-                        bend = bend.max(bend_at(&normal, &boundary[n - 1]));
-                    }
-                    let cell = Cell {
-                        worst: below.max((bend * STEPS) as u32),
-                        area: left.area + right.area + area,
-                        apex: m as u32,
-                        normal,
-                    };
-                    if (cell.worst, cell.area) < (best.worst, best.area) {
-                        best = cell;
-                    }
-                }
-                table[i * n + k] = best;
             }
         }
         if table[n - 1].worst == u32::MAX {
@@ -141,6 +114,42 @@ impl Boundary<'_> {
             }
         }
         Some(())
+    }
+
+    /// The best triangulation between two vertices of the polygon, by those of smaller parts in `table`; `beyond` is the
+    /// normal on the other side of their chord, where there is a triangle.
+    #[inline]
+    fn best(
+        &self,
+        polygon: &[u32],
+        table: &[Cell],
+        (i, k): (usize, usize),
+        beyond: Option<&Vector3<f64>>,
+    ) -> Cell {
+        let n = polygon.len();
+        let mut best = Cell::default();
+        for m in i + 1..k {
+            let (left, right) = (&table[i * n + m], &table[m * n + k]);
+            let below = left.worst.max(right.worst);
+            if below > best.worst || below == u32::MAX {
+                continue;
+            }
+            let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
+            let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
+            if let Some(beyond) = beyond {
+                bend = bend.max(bend_at(&normal, beyond));
+            }
+            let cell = Cell {
+                worst: below.max((bend * STEPS) as u32),
+                area: left.area + right.area + area,
+                apex: m as u32,
+                normal,
+            };
+            if (cell.worst, cell.area) < (best.worst, best.area) {
+                best = cell;
+            }
+        }
+        best
     }
 }
 

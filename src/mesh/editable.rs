@@ -106,51 +106,53 @@ impl EditableMesh {
     /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
     pub(crate) fn can_collapse(&self, h: u32) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
-        if !self.is_free(u) {
-            return false;
-        }
+        self.is_free(u)
+            && self.stays_manifold(h)
+            && self.keeps_valences(h)
+            && (self.is_free(v) || self.keeps_free_corners(u, v))
+    }
+
+    /// Whether the mesh stays a 2-manifold when the free origin of `h` moves into its target.
+    fn stays_manifold(&self, h: u32) -> bool {
+        let (u, v) = (self.origin(h), self.target(h));
         let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
-        if l == r {
-            return false;
-        }
-        // The vertices beside both are those of the two triangles (the link condition; u is never on the boundary).
+        // The vertices beside both ends are those of the two triangles (the link condition; u is never on the boundary).
         let beside_both = |w: u32| w != u && w != l && w != r && self.are_neighbours(u, w);
-        if self
-            .outgoing(v)
-            .any(|g| beside_both(self.target(g)) || beside_both(self.apex(g)))
-        {
+        let mut outgoing = self.outgoing(v);
+        if l == r || outgoing.any(|g| beside_both(self.target(g)) || beside_both(self.apex(g))) {
             return false;
         }
-        let valence = self.outgoing(u).count();
-        if valence == 3 {
-            let across = self
-                .outgoing(u)
-                .map(next)
-                .find(|&g| self.target(g) == r && self.origin(g) == l);
-            if across.is_some_and(|g| {
-                self.opposite[g as usize] != NONE && self.apex(self.opposite[g as usize]) == v
-            }) {
-                return false;
-            }
-        }
-        let enough = |w: u32, after: usize| {
-            after
-                >= if self.is_closed(w) {
-                    FEWEST_CLOSED
-                } else {
-                    FEWEST_OPEN
-                }
-                && after <= MOST
+        // A tetrahedron would become two triangles back to back.
+        let is_back_to_back = |g: u32| {
+            let o = self.opposite[g as usize];
+            self.origin(g) == l && self.target(g) == r && o != NONE && self.apex(o) == v
         };
+        self.outgoing(u).count() != 3 || !self.outgoing(u).map(next).any(is_back_to_back)
+    }
+
+    /// Whether no vertex around `h` gets too few or too many triangles of the region.
+    fn keeps_valences(&self, h: u32) -> bool {
+        let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
         let count = |w: u32| self.outgoing_in_region(w).count();
-        if !(enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)) {
-            return false;
-        }
-        let moved = self
-            .outgoing(u)
-            .filter(|&g| self.target(g) != v && self.apex(g) != v);
-        let mut fixed = moved.filter(|&g| !self.is_free(self.target(g)) && !self.is_free(self.apex(g)));
-        self.is_free(v) || fixed.next().is_none()
+        let enough = |w: u32, after: usize| {
+            let fewest = if self.is_closed(w) {
+                FEWEST_CLOSED
+            } else {
+                FEWEST_OPEN
+            };
+            (fewest..=MOST).contains(&after)
+        };
+        let (u, v) = (self.origin(h), self.target(h));
+        let valence = self.outgoing(u).count();
+        enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)
+    }
+
+    /// Whether every triangle of `u` that is left keeps a free vertex when `u` moves into the fixed vertex `v`.
+    fn keeps_free_corners(&self, u: u32, v: u32) -> bool {
+        self.outgoing(u).all(|g| {
+            let (a, b) = (self.target(g), self.apex(g));
+            a == v || b == v || self.is_free(a) || self.is_free(b)
+        })
     }
 
     /// Moves the origin of `h` into its target. [`Self::can_collapse`] must hold.

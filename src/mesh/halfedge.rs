@@ -44,8 +44,7 @@ impl HalfEdges {
         triangles: Vec<[u32; 3]>,
         triangle_ids: Vec<u32>,
         region_triangles: usize,
-        free: usize,
-        boundary: usize,
+        (free, boundary): (usize, usize),
         vertex_ids: &[u32],
     ) -> Result<Self, Error> {
         let corners = (0..).zip(triangles.iter().flatten());
@@ -377,7 +376,7 @@ mod tests {
         let ids: Vec<u32> = (100..100 + vertices).collect();
         let triangle_ids = (0..n).collect();
         let (free, boundary) = (usize::from(closed), usize::from(!closed));
-        HalfEdges::new(triangles, triangle_ids, n as usize, free, boundary, &ids)
+        HalfEdges::new(triangles, triangle_ids, n as usize, (free, boundary), &ids)
     }
 
     #[test]

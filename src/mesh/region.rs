@@ -6,6 +6,7 @@ use super::NONE;
 use super::cut::cut;
 use super::disjoint_sets::DisjointSets;
 use super::halfedge::{HalfEdges, each_edge};
+use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::rounding;
 use super::surroundings::RINGS_WIDE;
@@ -89,29 +90,22 @@ impl Region {
         let (mut vertex_ids, local, free, mut boundary) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
-        let numbered = triangle_ids
-            .iter()
-            .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
-            .collect();
-        let mut half_edges = HalfEdges::new(
-            numbered,
-            triangle_ids,
-            region_triangles,
-            free,
-            boundary,
-            &vertex_ids,
-        )?;
+        let ids = triangle_ids.iter();
+        let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
+        let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
+            HalfEdges::new(
+                numbered,
+                triangle_ids,
+                region_triangles,
+                (free, boundary),
+                vertex_ids,
+            )
+        };
+        let mut half_edges = link(numbered.collect(), triangle_ids, boundary, &vertex_ids)?;
         let of_curve = |v: usize| prescribed(vertex_ids[v]);
         if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
             (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
-            half_edges = HalfEdges::new(
-                cut.triangles,
-                half_edges.triangle_ids,
-                region_triangles,
-                free,
-                boundary,
-                &vertex_ids,
-            )?;
+            half_edges = link(cut.triangles, half_edges.triangle_ids, boundary, &vertex_ids)?;
         }
         let outside = half_edges.triangle_ids[region_triangles..].iter();
         let is_rounded =
@@ -196,23 +190,6 @@ enum Role {
     Ring,
 }
 
-/// Indices, half-edge numbers and [`NONE`] must fit into 32 bits.
-fn check_size(vertices: usize, triangles: usize) -> Result<(), Error> {
-    if vertices > NONE as usize {
-        return Err(Error::TooLarge {
-            what: "vertices",
-            count: vertices,
-        });
-    }
-    if triangles > NONE as usize / 3 {
-        return Err(Error::TooLarge {
-            what: "triangles",
-            count: triangles,
-        });
-    }
-    Ok(())
-}
-
 /// Marks the free vertices. Also checks every index of the mesh, and that free vertices have triangles.
 fn resolve(vertices: usize, triangles: &[[u32; 3]], selection: Selection<'_>) -> Result<Vec<Role>, Error> {
     let mut role = vec![Role::Other; vertices];
@@ -255,22 +232,6 @@ fn check_selection(list: &[u32], count: usize) -> Result<(), Error> {
         }),
         None => Ok(()),
     }
-}
-
-fn check_indices(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
-    let outside = |tri: &[u32; 3]| tri[0].max(tri[1]).max(tri[2]) as usize >= vertex_count;
-    let Some(triangle) = triangles.iter().position(outside) else {
-        return Ok(());
-    };
-    let index = triangles[triangle]
-        .into_iter()
-        .find(|&v| v as usize >= vertex_count)
-        .unwrap_or(NONE);
-    Err(Error::IndexOutOfRange {
-        triangle,
-        index,
-        vertex_count,
-    })
 }
 
 /// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's boundary.
@@ -405,10 +366,32 @@ fn add_beyond(
     rings: usize,
     vertex_ids: &mut Vec<u32>,
 ) -> Vec<[u32; 3]> {
+    let mut beyond = reach_beyond(positions, triangles, role, rings);
     let mut local = vec![NONE; role.len()];
-    for (l, &v) in vertex_ids.iter().enumerate() {
-        local[v as usize] = l as u32;
+    for (l, &v) in (0..).zip(&*vertex_ids) {
+        local[v as usize] = l;
     }
+    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
+    new.retain(|&v| local[v as usize] == NONE);
+    new.sort_unstable();
+    new.dedup();
+    for v in new {
+        local[v as usize] = vertex_ids.len() as u32;
+        vertex_ids.push(v);
+    }
+    for v in beyond.iter_mut().flatten() {
+        *v = local[*v as usize];
+    }
+    beyond
+}
+
+/// The triangles of so many rings beyond the outside ring, in the caller's numbers.
+fn reach_beyond(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    role: &[Role],
+    rings: usize,
+) -> Vec<[u32; 3]> {
     let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
     let mut before = vec![false; role.len()];
     let mut beyond = Vec::new();
@@ -429,17 +412,6 @@ fn add_beyond(
             .iter()
             .flatten()
             .for_each(|&v| reached[v as usize] = true);
-    }
-    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
-    new.retain(|&v| local[v as usize] == NONE);
-    new.sort_unstable();
-    new.dedup();
-    for v in new {
-        local[v as usize] = vertex_ids.len() as u32;
-        vertex_ids.push(v);
-    }
-    for v in beyond.iter_mut().flatten() {
-        *v = local[*v as usize];
     }
     beyond
 }
@@ -483,22 +455,6 @@ fn components(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sizes_that_fit_into_32_bits() {
-        let (most, third) = (u32::MAX as usize, u32::MAX as usize / 3);
-        assert_eq!(check_size(most, third), Ok(()));
-        let vertices = Error::TooLarge {
-            what: "vertices",
-            count: most + 1,
-        };
-        assert_eq!(check_size(most + 1, 0), Err(vertices));
-        let triangles = Error::TooLarge {
-            what: "triangles",
-            count: third + 1,
-        };
-        assert_eq!(check_size(0, third + 1), Err(triangles));
-    }
 
     #[test]
     fn repeated_corners() {

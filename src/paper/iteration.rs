@@ -7,7 +7,7 @@ use super::local::Answer;
 use super::multigrid::Problem;
 use super::vertex::Ring;
 use super::{Estimate, PaperOptions};
-use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::discrete::equations::{FreeCurvature, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
@@ -161,15 +161,7 @@ impl<'a> Level<'a> {
 
     /// Evaluates both equations at `x`.
     pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
-        let equations = Equations {
-            rings: self.rings,
-            batches: self.problem.batches,
-            boundary_normals: self.problem.boundary_normals,
-            smooth_interior: self.problem.smooth_interior,
-            weights: self.problem.weights,
-            curvature: FreeCurvature::Paper,
-            right_hand_side: self.problem.right_hand_side,
-        };
+        let equations = self.problem.equations(FreeCurvature::Paper);
         equations.evaluate(x, &mut self.state);
     }
 

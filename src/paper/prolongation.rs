@@ -22,7 +22,7 @@ impl Fans for EditableMesh {
 
     fn fan(&self, v: u32, fan: &mut Fan) {
         fan.ring.clear();
-        fan.edges.clear();
+        fan.triangles.clear();
         for h in self.outgoing_in_region(v) {
             let (a, b) = (self.target(h), self.apex(h));
             // An open fan has a neighbour more than triangles; where it has a gap, too.
@@ -30,9 +30,9 @@ impl Fans for EditableMesh {
                 fan.ring.push(a);
             }
             fan.ring.push(b);
-            fan.edges.push([a, b]);
+            fan.triangles.push([a, b]);
         }
-        if fan.ring.len() > fan.edges.len() && fan.ring.first() == fan.ring.last() {
+        if fan.ring.len() > fan.triangles.len() && fan.ring.first() == fan.ring.last() {
             fan.ring.pop();
         }
     }
