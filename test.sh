@@ -1,13 +1,24 @@
 #!/usr/bin/env bash
-# Runs all tests; installs Rust if it is not there (Debian, Ubuntu). Stops at the first failure.
+# Runs the tests and installs what they need (Debian 12). Stops at the first failure; logs are in target/test/.
+#   ./test.sh          everything that has to pass before a change goes in: what continuous integration runs
+#   ./test.sh quick    what needs Rust alone: formatting, clippy, documentation, `cargo test`
+#   ./test.sh long     everything, then the long tier: a million vertices, a hundred meshes, many seeds, and fuzzing
+#                      for FUZZ_SECONDS a target (default 600)
 set -euo pipefail
 cd "$(dirname "$0")"
+logs=target/test
+mkdir -p $logs
 
+# step NAME COMMAND...: one line with its seconds; the whole log if it fails.
 step() {
-    local begin=$SECONDS
-    printf '\n== %s\n' "$*"
-    "$@"
-    printf '== %s s\n' $((SECONDS - begin))
+    local begin=$SECONDS log=$logs/$1.log
+    if "${@:2}" >"$log" 2>&1; then
+        printf 'passed %4d s  %s\n' $((SECONDS - begin)) "$1"
+    else
+        cat "$log"
+        printf 'FAILED %4d s  %s, see %s\n' $((SECONDS - begin)) "$1" "$log"
+        return 1
+    fi
 }
 
 install_packages() {
@@ -38,41 +49,84 @@ install_c_tools() {
     command -v valgrind >/dev/null || missing+=(valgrind)
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v c++ >/dev/null || missing+=(g++)
-    # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only.
+    # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
     compgen -G '/usr/lib/llvm-*/lib/libclang[.-][0-9s]*' >/dev/null &&
         compgen -G '/usr/lib/llvm-*/lib/clang/*/include/stddef.h' >/dev/null || missing+=(libclang-dev)
+    command -v clang >/dev/null && compgen -G '/usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*.a' >/dev/null ||
+        missing+=(clang libclang-rt-14-dev)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
 # The one command that README.md promises, and what it has to leave behind.
-check_demo() {
-    local out
-    out=$(mktemp -d)
-    cargo run --release --locked --quiet -- demo "$out"
-    [ "$(ls "$out" | sort | tr '\n' ' ')" = "blend.png result.ply start.ply " ]
-    for file in start.ply result.ply blend.png; do
-        [ -s "$out/$file" ]
-    done
-    head -c 3 "$out/result.ply" | grep -q '^ply'
-    cargo run --release --locked --quiet -- fair docs/dented.ply -o "$out/sphere.ply" --selection free
-    rm -r "$out"
+demo() {
+    local out=target/test/demo
+    rm -rf $out &&
+        cargo run --release --locked --quiet -- demo $out &&
+        [ "$(ls $out | sort | tr '\n' ' ')" = "blend.png result.ply start.ply " ] &&
+        [ -s $out/start.ply ] && [ -s $out/blend.png ] &&
+        head -c 3 $out/result.ply | grep -q '^ply' &&
+        cargo run --release --locked --quiet -- fair docs/dented.ply -o $out/sphere.ply --selection free
+}
+
+# lint OPTIONS...: of clippy.
+lint() {
+    cargo --version &&
+        cargo fmt --all --check &&
+        cargo clippy --release --locked "$@" --all-targets -- -D warnings &&
+        RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --lib
+}
+
+quick() {
+    step lint lint
+    step tests cargo test --locked
+}
+
+# The programs that carry the library. They build in target/release and so come one after the other.
+hosts() {
+    step python bindings/python/test.sh
+    step blender bindings/blender/test.sh
+    step meshlab meshlab_plugin/test.sh gui
+}
+
+# Builds of their own, with other compiler flags.
+sanitizers() {
+    step address tests/sanitize.sh address
+    step fuzzing fuzz/run.sh 60
+    step thread tests/sanitize.sh thread
+}
+
+full() {
+    install_c_tools
+    step lint lint --workspace --features fairmesh-capi/hooks
+    step demo demo
+    step rust cargo test --release --locked --workspace -- --include-ignored --skip long::
+    # On two cores; each lane goes on when the other one has failed.
+    trap 'kill 0' INT
+    hosts &
+    local lane=$! failed=0
+    sanitizers &
+    wait $! || failed=1
+    wait $lane || failed=1
+    [ $failed -eq 0 ]
+}
+
+long() {
+    step long cargo test --release --locked --test library -- --ignored long::
+    step long_fuzzing env FUZZ_SEED=0 fuzz/run.sh "${FUZZ_SECONDS:-600}"
 }
 
 install_rust
-install_c_tools
-step cargo --version
-step cargo fmt --all --check
-step cargo clippy --release --locked --workspace --all-targets -- -D warnings
-step cargo clippy --release --locked -p fairmesh-capi --all-targets --features hooks -- -D warnings
-RUSTDOCFLAGS="-D warnings" step cargo doc --release --locked --no-deps --lib
-step cargo build --release --locked
-step check_demo
-# With bindings/openmesh-sys, in one build.
-step cargo test --release --locked --workspace
-step bindings/python/test.sh
-step bindings/blender/test.sh
-step tests/sanitize.sh
-step meshlab_plugin/test.sh gui
-step fuzz/run.sh 60
-printf '\nAll tests have passed.\n'
+case "${1:-full}" in
+quick) quick ;;
+full) full ;;
+long)
+    full
+    long
+    ;;
+*)
+    sed -n '2,7p' "$0" >&2
+    exit 2
+    ;;
+esac
+printf 'All tests have passed in %d s.\n' $SECONDS

@@ -18,7 +18,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 TOOLS = ["ziglang==0.17.0", "cargo-zigbuild==0.24.0"]
-TRIPLE = "x86_64-unknown-linux-gnu"
 GLIBC = (2, 28)
 BUILD = ["--release", "--locked", "-p", "fairmesh-capi"]
 # The libraries that every Linux has, of the policy manylinux_2_28.
@@ -53,15 +52,15 @@ def build() -> Path:
 
 
 def build_portable(*, hooks: bool = False) -> Path:
-    """The library for any Linux x86_64 with glibc 2.28; with ``hooks`` the one in which tests let things go wrong."""
+    """The library for any Linux x86_64 with glibc 2.28; with ``hooks`` the one in which tests let things go wrong.
+
+    Only the linking is special, so that what the library depends on is built once for all programs of the repository.
+    """
     _check_root()
-    tools = _zig()
-    path = f"{tools / 'bin'}{os.pathsep}{Path(cargo()).parent}{os.pathsep}{os.environ['PATH']}"
-    target = f"{TRIPLE}.{GLIBC[0]}.{GLIBC[1]}"
-    settings = ["--config", "profile.release.strip=true", "--config", "profile.release.debug=false"]
-    command = ["cargo-zigbuild", "zigbuild", *BUILD, *(["--features", "hooks"] if hooks else []), "--target", target, *settings]
-    subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr, env={**os.environ, "PATH": path})
-    library = _copied(TARGET / TRIPLE / "release" / "libfairmesh.so", "hooks" if hooks else "portable", strip=False)
+    last = ["--crate-type", "cdylib", "--", "-C", f"linker={_linker()}", "-C", "strip=symbols"]
+    command = [cargo(), "rustc", *BUILD, *(["--features", "hooks"] if hooks else []), *last]
+    subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
+    library = _copied(TARGET / "release" / "libfairmesh.so", "hooks" if hooks else "portable", strip=False)
     check_portable(library)
     return library
 
@@ -93,6 +92,19 @@ def check_portable(library: Path) -> None:
         raise SystemExit(f"{library} shows {', '.join(sorted(shown)) or 'nothing'}")
     if ".symtab" in _output("readelf", "-SW", library):
         raise SystemExit(f"{library} is not stripped")
+
+
+def _linker() -> Path:
+    """A program that links for this glibc, as cargo-zigbuild does."""
+    home = _zig()
+    linker = home / "linker"
+    version = ".".join(map(str, GLIBC))
+    zig = f'exec "{home}/bin/cargo-zigbuild" zig cc -- -target x86_64-linux-gnu.{version} "$@"'
+    text = f'#!/bin/sh\nPATH="{home}/bin:$PATH"\n{zig}\n'
+    if not linker.exists() or linker.read_text() != text:
+        linker.write_text(text)
+        linker.chmod(0o755)
+    return linker
 
 
 def _zig() -> Path:

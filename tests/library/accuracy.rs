@@ -7,7 +7,7 @@ use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, Options, Solution};
 use fairmesh_shapes::*;
 
-const MOST_ITERATIONS: usize = 15;
+const MOST_ITERATIONS: usize = 14;
 
 type Generator = fn(usize, u64) -> Shape;
 
@@ -79,11 +79,15 @@ fn spheres_are_exact() {
                     let e = errors(&shape, &solution);
                     row(name, n, start, e, &solution);
                     let what = format!("{name} {n} seed {seed} {start}");
-                    bars.at_most(&what, e.max, 1e-9);
+                    bars.at_most(&what, e.max, 6e-12);
                     bars.converged(&what, &solution);
                 }
                 let loose = solve(&shape, &shape.random(seed), options(1e-8));
-                row(name, n, "random, at 1e-8", errors(&shape, &loose), &loose);
+                let e = errors(&shape, &loose);
+                row(name, n, "random, at 1e-8", e, &loose);
+                let what = format!("{name} {n} seed {seed} at 1e-8");
+                bars.at_most(&what, e.max, 3e-10);
+                bars.converged(&what, &loose);
             }
         }
     }
@@ -92,9 +96,10 @@ fn spheres_are_exact() {
 
 /// The largest case: accuracy, and iterations that hardly grow from 1,000 vertices.
 #[test]
+#[ignore = "full tier: 100,000 vertices"]
 fn large_cap() {
     let mut bars = Bars::default();
-    let counted = |n: usize| {
+    let mut counted = |n: usize| {
         let shape = cap(n, 1);
         let solution = solve(
             &shape,
@@ -104,13 +109,14 @@ fn large_cap() {
                 ..options(1e-8)
             },
         );
-        row("cap", n, "random, at 1e-8", errors(&shape, &solution), &solution);
+        let e = errors(&shape, &solution);
+        row("cap", n, "random, at 1e-8", e, &solution);
+        bars.at_most(format!("error of {n} at 1e-8"), e.max, 3e-8);
         solution.report.iterations
     };
     let (few, many) = (counted(1_000), counted(100_000));
-    // 15 are aimed at; this triangulation takes 17, others 12 to 15. The growth is less than half.
-    bars.at_most("iterations", many as f64, 18.0);
-    bars.at_most("growth of iterations", many as f64 / few as f64, 1.5);
+    bars.at_most("iterations", many as f64, 16.0);
+    bars.at_most("growth of iterations", many as f64 / few as f64, 1.4);
     println!("iterations at 1,000: {few}, at 100,000: {many}");
     let shape = cap(100_000, 1);
     let solution = solve(
@@ -123,15 +129,16 @@ fn large_cap() {
     );
     let e = errors(&shape, &solution);
     row("cap", 100_000, "random", e, &solution);
-    bars.at_most("error", e.max, 1e-8);
+    bars.at_most("error", e.max, 3e-11);
     bars.converged("large cap", &solution);
     bars.finish();
 }
 
-fn check_bands(bands: &[(&str, Generator)]) {
+/// The largest errors are at most these, at 1,000 and 13,000 vertices.
+fn check_bands(bands: &[(&str, Generator)], most: [f64; 2]) {
     let mut bars = Bars::default();
     for &(name, generate) in bands {
-        for (n, seeds, bar) in [(1_000, 1..6, 4e-4), (13_000, 1..2, 4e-5)] {
+        for (n, seeds, bar) in [(1_000, 1..6, most[0]), (13_000, 1..2, most[1])] {
             for seed in seeds {
                 let shape = generate(n, seed);
                 for (start, positions) in starts(&shape, seed) {
@@ -150,36 +157,36 @@ fn check_bands(bands: &[(&str, Generator)]) {
 
 #[test]
 fn bands_of_other_surfaces() {
-    check_bands(&BANDS);
+    check_bands(&BANDS, [7.5e-5, 2.2e-6]);
 }
 
 /// Another unduloid, with a neck of 0.18, has nearly the same boundary and the same normals there.
 #[test]
 fn long_unduloid_band() {
-    check_bands(&[("long unduloid", long_unduloid)]);
+    check_bands(&[("long unduloid", long_unduloid)], [2.4e-4, 9e-6]);
 }
 
-/// Errors at most `0.52 / n`, that is 4e-5 at 13,000; second order in the positions, first order in the mean
+/// Errors at most `0.055 / n`, that is 4e-6 at 13,000; more than second order in the positions, more than first in the mean
 /// curvature. Every figure is the mean over three triangulations, because one may be lucky.
 #[test]
+#[ignore = "full tier: up to 32,000 vertices"]
 fn convergence_orders() {
     const SIZES: [usize; 3] = [2_000, 8_000, 32_000];
     let mut bars = Bars::default();
     for (name, generate) in BANDS {
-        // The cylinder of 8,000 with seed 1 has a bump: `failures_are_not_called_success`.
-        let seeds: [u64; 3] = if name == "cylinder" { [2, 3, 4] } else { [1, 2, 3] };
         let (mut rms, mut h_rms, mut h_max) = (Vec::new(), Vec::new(), Vec::new());
         for n in SIZES {
             let mut mean = [0.0; 4];
-            for seed in seeds {
+            for seed in 1..=3 {
                 let shape = generate(n, seed);
                 let solution = solve(&shape, &flat(&shape), options(1e-9));
-                bars.converged(format!("{name} {n} seed {seed}"), &solution);
+                let what = format!("{name} {n} seed {seed}");
                 let (e, h) = (errors(&shape, &solution), curvature_errors(&shape, &solution));
-                // One that is far off is another solution, with a bump at some vertex beside the boundary.
-                bars.at_most(format!("{name} {n} seed {seed}: error"), e.max, 0.52 / n as f64);
+                row(name, n, &what, e, &solution);
+                bars.converged(&what, &solution);
+                bars.at_most(format!("{what}: error"), e.max, 0.055 / n as f64);
                 for (mean, figure) in mean.iter_mut().zip([e.max, e.rms, h.max, h.rms]) {
-                    *mean += figure / seeds.len() as f64;
+                    *mean += figure / 3.0;
                 }
             }
             println!(
@@ -192,18 +199,20 @@ fn convergence_orders() {
         }
         let (position, curvature) = (order(&rms, &SIZES), order(&h_rms, &SIZES));
         println!("{name:9} order of the positions {position:.2}, of H {curvature:.2}");
-        bars.at_least(format!("{name}: order of the positions"), position, 1.7);
-        bars.at_least(format!("{name}: order of H"), curvature, 0.8);
-        // The largest error of H does not fall on every refinement: it stands at single irregular vertices beside the
-        // boundary. It stays bounded, and the mean falls.
-        bars.at_most(format!("{name}: largest error of H"), h_max[2], 3.0 * h_max[0]);
+        bars.at_least(format!("{name}: order of the positions"), position, 2.3);
+        bars.at_least(format!("{name}: order of H"), curvature, 1.4);
+        println!(
+            "{name:9} largest error of H over that of the coarsest: {:.3}",
+            h_max[2] / h_max[0]
+        );
+        // It stands at single irregular vertices beside the boundary, and falls less than the mean.
+        bars.at_most(format!("{name}: largest error of H"), h_max[2], 0.6 * h_max[0]);
     }
     bars.finish();
 }
 
-/// Where the paper's discretization leads to no sound surface, its linear surface is compared: see the outcome.
 #[test]
-fn paper_discretization_is_ten_times_worse() {
+fn paper_discretization_is_a_hundred_times_worse() {
     let mut bars = Bars::default();
     for (name, generate) in [("cap", cap as Generator), ("cylinder", cylinder)] {
         for n in [2_000, 8_000] {
@@ -217,18 +226,18 @@ fn paper_discretization_is_ten_times_worse() {
             let [e, p] = [&ours, &paper].map(|s| errors(&shape, s));
             row(name, n, "second order", e, &ours);
             row(name, n, "paper", p, &paper);
-            if n == 8_000 {
-                bars.at_least(
-                    format!("{name}: paper's max error over ours"),
-                    p.max / e.max,
-                    10.0,
-                );
-                bars.at_least(
-                    format!("{name}: paper's rms error over ours"),
-                    p.rms / e.rms,
-                    10.0,
-                );
-            }
+            let what = format!("{name} {n}");
+            bars.converged(&what, &paper);
+            bars.at_least(
+                format!("{what}: paper's max error over ours"),
+                p.max / e.max,
+                100.0,
+            );
+            bars.at_least(
+                format!("{what}: paper's rms error over ours"),
+                p.rms / e.rms,
+                100.0,
+            );
         }
     }
     bars.finish();
@@ -269,41 +278,31 @@ fn fitted_normals() {
     bars.finish();
 }
 
-/// Most of a sphere from what is around one hole.
+/// Most of a sphere from what is around one hole. Where it is not completed, the outcome says so.
 #[test]
 fn sphere_with_one_hole() {
+    const C: &str = "converged";
+    let cases = [
+        (45.0, 1_000, [C; 6]),
+        (45.0, 5_000, [C; 6]),
+        (30.0, 1_000, [C, "iteration_limit", C, C, C, "not_converged"]),
+        (30.0, 5_000, [C; 6]),
+    ];
     let mut bars = Bars::default();
-    for half_angle in [45.0, 30.0] {
-        for (n, seeds) in [(1_000, [1, 3]), (5_000, [2, 3])] {
-            for seed in seeds {
-                let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
-                let solution = solve(&shape, &flat(&shape), options(1e-8));
-                let e = errors(&shape, &solution);
-                row("hole", n, &format!("{half_angle} degrees"), e, &solution);
-                let what = format!("hole of {half_angle} degrees, {n}, seed {seed}");
-                bars.at_most(&what, e.max, 1e-6);
-                bars.converged(&what, &solution);
+    for (half_angle, n, outcomes) in cases {
+        for (seed, outcome) in (1..).zip(outcomes) {
+            let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
+            let solution = solve(&shape, &flat(&shape), options(1e-8));
+            let e = errors(&shape, &solution);
+            row("hole", n, &format!("{half_angle} degrees"), e, &solution);
+            let what = format!("hole of {half_angle} degrees, {n}, seed {seed}");
+            bars.ends(&what, &solution, outcome);
+            if outcome == C {
+                bars.at_most(&what, e.max, 2e-9);
             }
         }
     }
     bars.finish();
-}
-
-/// A cylinder that takes a bump beside its boundary, and a hole that is not completed: known shortfalls, never successes.
-#[test]
-fn failures_are_not_called_success() {
-    for shape in [
-        cylinder(8_000, 1),
-        sphere_with_hole(30.0, 1_000, irregular(2), OUTSIDE),
-    ] {
-        let solution = solve(&shape, &flat(&shape), options(1e-8));
-        let off = errors(&shape, &solution).max > 1e-4;
-        assert!(
-            !off || !solution.report.outcome.is_success(),
-            "{:?}",
-            solution.report.outcome
-        );
-    }
 }
 
 /// To the default tolerance.

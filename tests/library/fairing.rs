@@ -214,6 +214,12 @@ impl Bars {
         self.check(what, *outcome == Outcome::Converged, outcome.name().to_owned());
     }
 
+    /// The run has ended so, by the outcome's name: also where no surface is found, so that a cure is seen.
+    pub fn ends(&mut self, what: impl AsRef<str>, solution: &Solution, outcome: &str) {
+        let name = solution.report.outcome.name();
+        self.check(what, name == outcome, format!("{name}, was {outcome}"));
+    }
+
     /// Anything else.
     pub fn check(&mut self, what: impl AsRef<str>, met: bool, otherwise: String) {
         if !met {

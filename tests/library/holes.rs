@@ -184,8 +184,19 @@ fn own_bend(shape: &Shape, keep: impl Fn([f64; 3]) -> bool) -> f64 {
 
 #[test]
 fn a_sphere_is_completed_to_rounding_at_every_density() {
+    check_spheres(&[(1_000, 8), (13_000, 1)]);
+}
+
+#[test]
+#[ignore = "full tier: 100,000 vertices"]
+fn a_large_sphere_is_completed_to_rounding_at_every_density() {
+    check_spheres(&[(13_000, 3), (100_000, 1)]);
+}
+
+/// Vertices, and how many triangulations.
+fn check_spheres(sizes: &[(usize, u64)]) {
     let mut bars = Bars::default();
-    for (n, seeds) in [(1_000, 8), (13_000, 3), (100_000, 1)] {
+    for &(n, seeds) in sizes {
         for seed in 1..=seeds {
             let (x, t) = sphere(n, irregular(seed));
             let own = own_bend(&sphere_with_hole(1.0, n, irregular(seed), 0), |p| p[2] < 0.5);

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use crate::fairing::*;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
 use fairmesh::{InnerFairness, Options, Solution};
+use fairmesh_linear::cholesky::{Cholesky, SolveWork};
+use fairmesh_linear::ordering::amd;
+use fairmesh_linear::sparse::SymmetricPattern;
+use fairmesh_linear::symbolic::Symbolic;
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
@@ -201,28 +203,27 @@ fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
         .enumerate()
         .for_each(|(i, &v)| unknown[v as usize] = Some(i));
     let count = shape.free_count();
-    let (mut entries, mut right) = (Vec::new(), Mat::<f64>::zeros(count, 3));
+    let (mut entries, mut right) = (BTreeMap::new(), vec![[0.0; 3]; count]);
     for (v, row) in rows.iter().enumerate() {
         for &(a, wa) in row {
             let Some(i) = unknown[a] else { continue };
             for &(b, wb) in row {
                 let product = wa * wb / mass[v];
                 match unknown[b] {
-                    Some(j) => entries.push(Triplet::new(i, j, product)),
-                    None => (0..3).for_each(|c| right[(i, c)] -= product * positions[b][c]),
+                    Some(j) => *entries.entry((i, j)).or_insert(0.0) += product,
+                    None => (0..3).for_each(|c| right[i][c] -= product * positions[b][c]),
                 }
             }
         }
     }
-    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(count, count, &entries).unwrap();
-    let solution = matrix
-        .sp_cholesky(Side::Lower)
-        .expect("positive definite")
-        .solve(&right);
-    let place = |(v, p): (usize, &[f64; 3])| match unknown[v] {
-        Some(i) => std::array::from_fn(|c| solution[(i, c)]),
-        None => *p,
-    };
+    let edges: Vec<[u32; 2]> = entries.keys().map(|&(i, j)| [i as u32, j as u32]).collect();
+    let pattern = SymmetricPattern::from_edges(count, &edges);
+    let row = |i: usize| pattern.row(i).iter().map(move |&j| (i, j as usize));
+    let values: Vec<f64> = (0..count).flat_map(row).map(|entry| entries[&entry]).collect();
+    let mut cholesky = Cholesky::<f64>::new(Arc::new(Symbolic::new(&pattern, &amd(&pattern))));
+    cholesky.factor(&values).expect("positive definite");
+    cholesky.solve(&mut right, &mut SolveWork::default());
+    let place = |(v, p): (usize, &[f64; 3])| unknown[v].map_or(*p, |i| right[i]);
     positions[..n].iter().enumerate().map(place).collect()
 }
 

@@ -148,7 +148,8 @@ fn turned_normals(shape: &Shape, inside: &[u32], degrees: f64) -> Vec<(u32, [f64
 /// What is given on a curve is met there, as at the boundary: `n = (cos, sin)` makes the radius fall by `tan` per height.
 #[test]
 fn given_normals_on_a_curve_inside_are_met() {
-    let mut before = f64::INFINITY;
+    // At the first size at most 4.5 degrees.
+    let mut before = 8.2;
     for n in [1_000, 4_000, 16_000] {
         let mut shape = cylinder_band(n, Sampling::Regular, OUTSIDE);
         let inside = fix_curve(&mut shape, 0.0);
@@ -158,7 +159,7 @@ fn given_normals_on_a_curve_inside_are_met() {
         assert!(turned.report.outcome.is_success());
         let deviation = turned.report.quality.normal_deviation;
         println!("  {n}: off the given normals by {deviation:.2} degrees");
-        assert!(deviation < 0.7 * before && deviation < 12.0);
+        assert!(deviation < 0.55 * before);
         before = deviation;
         assert_eq!(turned.boundary_normals.len(), given.len());
     }
@@ -202,10 +203,17 @@ fn a_curve_with_given_normals_parts_two_problems() {
     }
 }
 
+/// How far the triangles at the point lean, in degrees: half as much on edges half as long.
 #[test]
 fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
-    for n in [1_000, 4_000, 13_000] {
-        for height in [0.02, 0.1, -0.1, 0.3] {
+    let heights = [0.02, 0.1, -0.1, 0.3];
+    let mut bars = Bars::default();
+    for (n, leans) in [
+        (1_000, [2.6, 4.5, 1.0, 9.5]),
+        (4_000, [2.6, 4.5, 1.0, 9.5]),
+        (13_000, [1.4, 2.5, 0.7, 5.5]),
+    ] {
+        for (height, lean) in heights.into_iter().zip(leans) {
             let mut shape = sphere_cap(60.0, n, irregular(7), OUTSIDE);
             let top = shape
                 .free_vertices()
@@ -215,8 +223,9 @@ fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
             shape.free[top as usize] = false;
             shape.positions[top as usize][2] += height;
             let solution = solve_smooth(&shape, &[top], 1e-8);
-            let h = &solution.report.quality.h_inside;
-            summary(&format!("point at {height} of {n}"), &solution);
+            let what = format!("point at {height} of {n}");
+            summary(&what, &solution);
+            bars.converged(&what, &solution);
             let q = vector(&shape.positions[top as usize]);
             let mut worst = 0.0f64;
             for t in shape.triangles.iter().filter(|t| t.contains(&top)) {
@@ -224,45 +233,52 @@ fn an_isolated_point_off_the_surface_makes_a_smooth_bump() {
                 let normal = (p[1] - p[0]).cross(&(p[2] - p[0]));
                 worst = worst.max(normal.angle(&q).to_degrees());
             }
-            println!(
-                "  H {h:.2?} boundary {:.2?}, triangles at the point lean by {worst:.1} degrees",
-                solution.report.quality.h_boundary
-            );
+            println!("  triangles at the point lean by {worst:.2} degrees");
+            bars.at_most(&what, worst, lean);
+            // The extremes of a harmonic H are at the boundary, of which the point is a part.
+            let quality = &solution.report.quality;
+            bars.at_least(&what, quality.h_inside[0], quality.h_boundary[0]);
+            bars.at_most(&what, quality.h_inside[1], quality.h_boundary[1]);
         }
     }
+    bars.finish();
 }
 
+/// From the pinched input the normals are wrong, and not tangent along the curve.
 #[test]
 fn the_rule_of_the_input_is_there_on_request() {
     let mut shape = cylinder_band(2_000, irregular(3), OUTSIDE);
     let inside = fix_curve(&mut shape, 0.0);
     let outer = outer_normals(&shape, &inside);
-    for discretization in [Discretization::SecondOrder, Discretization::Paper] {
-        for interior_normals in [InteriorNormals::Smooth, InteriorNormals::Input] {
-            for target in [Target::Harmonic, Target::MinimalEnergy] {
-                let options = Options {
-                    interior_normals,
-                    discretization,
-                    target,
-                    boundary_normals: BoundaryNormals::Given(outer.clone()),
-                    ..options(1e-8)
-                };
-                let solution = solve_as_asked(&shape, &flat(&shape), options);
-                summary(
-                    &format!("{discretization:?} {interior_normals:?} {target:?}"),
-                    &solution,
-                );
-                let error = errors(&shape, &solution).max;
-                println!("  {error:.1e}");
-                if (discretization, target) == (Discretization::SecondOrder, Target::Harmonic) {
-                    // From the pinched input the normals are wrong, and not tangent along the curve.
-                    let smooth = interior_normals == InteriorNormals::Smooth;
-                    assert!(if smooth { error < 2e-5 } else { error > 1e-3 });
-                }
-                assert!(solution.report.outcome.is_success());
-            }
-        }
+    use {Discretization::*, InteriorNormals::*, Target::*};
+    let mut bars = Bars::default();
+    for (discretization, interior, target, least, most) in [
+        (SecondOrder, Smooth, Harmonic, 0.0, 6e-6),
+        (SecondOrder, Smooth, MinimalEnergy, 0.0, 6e-4),
+        (SecondOrder, Input, Harmonic, 1.7e-2, 1.9e-2),
+        (SecondOrder, Input, MinimalEnergy, 1.8e-2, 2.0e-2),
+        (Discretization::Paper, Smooth, Harmonic, 0.0, 6.5e-4),
+        (Discretization::Paper, Smooth, MinimalEnergy, 0.0, 8.5e-4),
+        (Discretization::Paper, Input, Harmonic, 1.4e-2, 1.6e-2),
+        (Discretization::Paper, Input, MinimalEnergy, 1.6e-2, 1.8e-2),
+    ] {
+        let options = Options {
+            interior_normals: interior,
+            discretization,
+            target,
+            boundary_normals: BoundaryNormals::Given(outer.clone()),
+            ..options(1e-8)
+        };
+        let solution = solve_as_asked(&shape, &flat(&shape), options);
+        let what = format!("{discretization:?} {interior:?} {target:?}");
+        summary(&what, &solution);
+        let error = errors(&shape, &solution).max;
+        println!("  {error:.2e}");
+        bars.converged(&what, &solution);
+        bars.at_least(&what, error, least);
+        bars.at_most(&what, error, most);
     }
+    bars.finish();
 }
 
 #[test]

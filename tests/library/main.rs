@@ -5,9 +5,11 @@ mod fairing;
 
 mod accuracy;
 mod boundary;
+mod golden;
 mod holes;
 mod independence;
 mod interior;
+mod long;
 mod outcomes;
 mod paper;
 mod session;

@@ -532,11 +532,8 @@ fn regions_that_are_no_discs() {
         report.outcome.name()
     );
     assert_usable(&handle, &handle.positions, &solution);
-    bars.check(
-        "torus",
-        is_honest(&handle, &solution),
-        "an unsound surface said to be converged".to_owned(),
-    );
+    // A known shortfall: three quarters of a torus are not found from what is around the rest.
+    bars.ends("torus", &solution, "not_converged");
     bars.finish();
 }
 
@@ -559,11 +556,6 @@ fn torus(around: usize, across: usize) -> Shape {
     }
     shape.free = shape.positions.iter().map(|p| p[0] < 2.5).collect();
     shape
-}
-
-/// Measured from the positions alone: what is said to be converged has no needle and no fold.
-fn is_honest(shape: &Shape, solution: &Solution) -> bool {
-    solution.report.outcome != Outcome::Converged || is_sound(shape, &solution.positions)
 }
 
 /// No angle below a degree, no two region triangles folded onto each other by more than 150 degrees.
@@ -593,9 +585,10 @@ fn is_sound(shape: &Shape, positions: &[[f64; 3]]) -> bool {
     !normals.iter().any(folded)
 }
 
-/// One boundary normal turned by a lot, about any axis.
+/// One boundary normal turned by a lot, about two axes: the surface is sound, but held with first-order curvature only. Once
+/// the angle is small enough for both.
 #[test]
-fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
+fn a_contradictory_normal_ends_in_a_loose_sound_surface() {
     let mut bars = Bars::default();
     for (name, shape) in [
         ("cap", sphere_cap(60.0, 1_000, irregular(1), OUTSIDE)),
@@ -618,11 +611,11 @@ fn contradictory_normals_are_never_a_success_on_an_unsound_surface() {
                     is_sound(&shape, &solution.positions)
                 );
                 let what = format!("{name}, normal {k} turned by {degrees} degrees about {axis:?}");
-                bars.check(
-                    &what,
-                    is_honest(&shape, &solution),
-                    "said to be converged".to_owned(),
-                );
+                let sound = is_sound(&shape, &solution.positions);
+                bars.check(&what, sound, "an unsound surface".to_owned());
+                let small = (name, k, axis[0]) == ("blend", 11, 0.3);
+                let outcome = if small { "converged" } else { "converged_loosely" };
+                bars.ends(&what, &solution, outcome);
                 assert_usable(&shape, &shape.positions, &solution);
             }
         }

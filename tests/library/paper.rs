@@ -1,6 +1,5 @@
 //! The paper's own scheme (7.1 to 7.4, Figure 6): what it reaches, how it compares with the default solver, its hierarchy.
 
-use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use crate::fairing::*;
@@ -9,7 +8,6 @@ use fairmesh::{
     PaperOptions, Progress, Selection, Solution, Solver, Target, fair_with_progress,
 };
 use fairmesh_shapes::*;
-use nalgebra::Vector3;
 
 fn paper(shape: &Shape, options: PaperOptions, inner: InnerFairness) -> Solution {
     solve(
@@ -178,8 +176,7 @@ fn cases(n: usize) -> Vec<(&'static str, Shape)> {
     ]
 }
 
-/// A harmonic function has its extremes on the boundary (3); so has the discrete `H`, but where cotangent weights are
-/// negative.
+/// A harmonic function has its extremes on the boundary (3); so has the discrete `H`.
 #[test]
 fn the_maximum_principle() {
     let mut bars = Bars::default();
@@ -195,16 +192,12 @@ fn the_maximum_principle() {
             (s.report.quality.h_inside, s.report.quality.h_boundary);
         let over = (high - boundary_high).max(boundary_low - low) * s.report.diagonal;
         println!("    beyond the boundary's range by {over:.1e} of 1 / diagonal");
-        bars.at_most(
-            format!("{name}: H inside beyond the boundary's range"),
-            over,
-            0.05,
-        );
+        bars.at_most(format!("{name}: H inside beyond the boundary's range"), over, 0.0);
         let reference = fast(&shape, InnerFairness::Uniform);
         bars.converged(format!("{name}, the default solver"), &reference);
         let gap = apart(&s.positions, &reference.positions) / reference.report.diagonal;
         println!("    {gap:.1e} from the default solver");
-        bars.at_most(format!("{name}: from the default solver"), gap, 1e-4);
+        bars.at_most(format!("{name}: from the default solver"), gap, 5e-5);
     }
     bars.finish();
 }
@@ -400,8 +393,9 @@ fn the_start_does_not_matter() {
     bars.finish();
 }
 
-/// The sizes of the paper's Table 1. Times are told; the default solver has to be ten times faster on the largest.
+/// The sizes of the paper's Table 1.
 #[test]
+#[ignore = "full tier: up to 13,308 vertices by the paper's solver"]
 fn table_1() {
     let mut bars = Bars::default();
     let shapes = [
@@ -423,15 +417,6 @@ fn table_1() {
         let name = format!("{vertices} vertices");
         told(&name, &s);
         bars.converged(&name, &s);
-        let reference = fast(shape, InnerFairness::Uniform);
-        let ratio = s.report.seconds.total / reference.report.seconds.total;
-        println!(
-            "    {ratio:.0} times as long as the default solver ({:.3} s)",
-            reference.report.seconds.total
-        );
-        if vertices == 13_308 {
-            bars.at_least("the default solver is faster by", ratio, 10.0);
-        }
     }
     bars.finish();
 }
