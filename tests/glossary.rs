@@ -49,7 +49,9 @@ fn texts() -> Vec<(PathBuf, String)> {
         let is_made = name.starts_with('.') || ["target", "build", "dist", "third_party"].contains(&name);
         if path.is_dir() && !is_made {
             open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if TEXTS.iter().any(|end| path.extension().is_some_and(|e| e == *end))
+        } else if TEXTS
+            .iter()
+            .any(|end| path.extension().is_some_and(|e| e == *end))
             && name != "glossary.md"
             && let Ok(text) = fs::read_to_string(&path)
         {
@@ -64,7 +66,8 @@ fn texts() -> Vec<(PathBuf, String)> {
 fn plain(text: &str) -> String {
     let mut plain = String::new();
     for c in text.chars() {
-        if c.is_uppercase() && plain.ends_with(char::is_alphanumeric) && !plain.ends_with(char::is_uppercase) {
+        if c.is_uppercase() && plain.ends_with(char::is_alphanumeric) && !plain.ends_with(char::is_uppercase)
+        {
             plain.push(' ');
         }
         plain.push(if c == '_' || c == '-' { ' ' } else { c });
@@ -120,8 +123,15 @@ fn words_in_italics_are_entries() {
     let italics: Vec<&str> = text.split('*').skip(1).step_by(2).collect();
     assert!(italics.len() > 10);
     for word in italics {
-        let is_kind = || names.iter().any(|name| name.strip_suffix(" inner fairness") == Some(word));
+        let is_kind = || {
+            names
+                .iter()
+                .any(|name| name.strip_suffix(" inner fairness") == Some(word))
+        };
         let singular = word.strip_suffix('s').unwrap_or(word);
-        assert!(names.iter().any(|name| name == word || name == singular) || is_kind(), "{word}");
+        assert!(
+            names.iter().any(|name| name == word || name == singular) || is_kind(),
+            "{word}"
+        );
     }
 }
