@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 use super::eight_ring_fit::EightRingSamples;
 use super::outside_fit::{Fit, SECOND, Samples, THIRD};
 use crate::error::Error;
+use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::{Region, Rings, Surroundings};
 
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
@@ -44,7 +45,7 @@ pub(crate) fn estimate(
         let outside = rings.outside_triangles(b);
         let average = if outside.is_empty() {
             average_beside(region, rings, x, b)
-                .or_else(|| average(x, region.free + b, inside_edges(rings, b)))
+                .or_else(|| average(x, region.free + b, rings.boundary_triangles(b)))
         } else {
             average(x, region.free + b, outside)
         };
@@ -109,10 +110,6 @@ fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], boundary: &[
     }
 }
 
-fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
-    &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
-}
-
 /// The normalized sum of the outside triangles' cross products of the boundary vertices beside `b`: for a fixed vertex in
 /// the second row of the region, which has no outside itself.
 fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
@@ -127,10 +124,10 @@ fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) 
     sum.try_normalize(1e-6)
 }
 
-/// The normalized sum of the cross products of the triangles at vertex `v` with these ring edges.
-pub(crate) fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
+/// The normalized sum of the cross products of the triangles at vertex `v` with these other corners.
+pub(crate) fn average(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> Option<Vector3<f64>> {
     let q = x[v];
-    let sum: Vector3<f64> = edges
+    let sum: Vector3<f64> = triangles
         .iter()
         .map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q)))
         .sum();
@@ -181,23 +178,17 @@ fn median(values: &mut [f64]) -> f64 {
 
 /// The boundary vertices, gathered into connected pieces of the boundary.
 fn boundaries(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
-    let mut parent: Vec<u32> = (0..region.boundary as u32).collect();
-    fn root(parent: &mut [u32], mut i: u32) -> u32 {
-        while parent[i as usize] != i {
-            parent[i as usize] = parent[parent[i as usize] as usize];
-            i = parent[i as usize];
-        }
-        i
-    }
+    let mut sets = DisjointSets::new(region.boundary);
     for &half_edge in &rings.boundary_half_edges {
         let local = |v: u32| v - region.free as u32;
-        let a = root(&mut parent, local(region.half_edges.origin(half_edge)));
-        let b = root(&mut parent, local(region.half_edges.target(half_edge)));
-        parent[a.max(b) as usize] = a.min(b);
+        sets.unite(
+            local(region.half_edges.origin(half_edge)),
+            local(region.half_edges.target(half_edge)),
+        );
     }
     let mut pieces: Vec<Vec<u32>> = vec![Vec::new(); region.boundary];
     for b in 0..region.boundary as u32 {
-        pieces[root(&mut parent, b) as usize].push(b);
+        pieces[sets.smallest(b) as usize].push(b);
     }
     pieces.retain(|p| !p.is_empty());
     pieces

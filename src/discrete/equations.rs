@@ -88,7 +88,7 @@ pub(crate) struct State {
 impl State {
     /// Room for a region.
     pub(crate) fn new(batches: &ValenceBatches, boundary: usize) -> Self {
-        let free = batches.place.len();
+        let free = batches.free();
         Self {
             normal: vec![Vector3::zeros(); free],
             corrected: vec![Vector3::zeros(); free + boundary],
@@ -153,7 +153,7 @@ struct ChunkOutput<'s> {
 impl Equations<'_> {
     /// Number of free vertices.
     pub(crate) fn free(&self) -> usize {
-        self.batches.place.len()
+        self.batches.free()
     }
 
     /// Evaluates everything at the surface `x` (free, then boundary vertices).
@@ -324,8 +324,7 @@ impl Equations<'_> {
     fn gather_boundary(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Simd<LANES>)]) {
         let batches = self.batches;
         let free = self.free();
-        let boundary = batches.boundary_start[group] as usize..batches.boundary_start[group + 1] as usize;
-        for edge in &batches.boundary[boundary] {
+        for edge in batches.boundary.row(group) {
             let lane = edge.lane as usize;
             let q = &x[batches.vertex[group][lane] as usize];
             let [a, b] = edge.ends.map(|j| one(&(x[j as usize] - q)));
@@ -360,8 +359,7 @@ impl Equations<'_> {
         let mut n = nothing;
         (0..BOUNDARY_LANES).for_each(|l| set_lane(&mut n, l, normal));
         let mut fit = MoretonSequin::new(n);
-        let neighbours = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
-        for part in rings.boundary_neighbour[neighbours].chunks(BOUNDARY_LANES) {
+        for part in rings.boundary_ring(b).chunks(BOUNDARY_LANES) {
             let (mut e, mut weight) = (nothing, Simd::zero());
             for (l, &j) in part.iter().enumerate() {
                 set_lane(&mut e, l, &(x[j as usize] - q));
@@ -369,7 +367,7 @@ impl Equations<'_> {
             }
             fit.add(&e, weight);
         }
-        for part in self.boundary_triangles(b).chunks(BOUNDARY_LANES) {
+        for part in rings.boundary_triangles(b).chunks(BOUNDARY_LANES) {
             let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Simd::zero());
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
@@ -386,9 +384,9 @@ impl Equations<'_> {
         if self.curvature == FreeCurvature::Paper {
             return fit.over_lanes();
         }
-        let flaps = rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize;
+        let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
-        for part in rings.boundary_flap[flaps].chunks(BOUNDARY_LANES) {
+        for part in flaps.chunks(BOUNDARY_LANES) {
             let (mut e, mut weight) = (nothing, Simd::zero());
             for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
                 set_lane(&mut e, l, &(x[j as usize] - q));
@@ -403,22 +401,17 @@ impl Equations<'_> {
     /// ends are left to [`Self::boundary_weights`].
     pub(crate) fn boundary_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
         let q = &x[self.free() + b];
-        self.boundary_triangles(b)
+        self.rings
+            .boundary_triangles(b)
             .iter()
             .map(|&[a, c]| area(q, &x[a as usize], &x[c as usize]))
             .sum()
     }
 
-    /// The ring edges of boundary vertex `b`'s triangles in the region.
-    pub(crate) fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
-        let rings = self.rings;
-        &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
-    }
-
     /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of boundary vertex `b`.
     pub(crate) fn boundary_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
         let q = &x[self.free() + b];
-        for &[a, c] in self.boundary_triangles(b) {
+        for &[a, c] in self.rings.boundary_triangles(b) {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
@@ -512,7 +505,7 @@ mod tests {
         let mut state = State::new(&batches, region.boundary);
         equations.evaluate(&x, &mut state);
         for i in 0..region.free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+            let (first, lane) = batches.place(i);
             let ring = rings.ring(i).iter().enumerate();
             let sum: Vector3<f64> = ring
                 .map(|(k, &j)| (x[j as usize] - x[i]) * weights.at(first + k, lane))

@@ -44,7 +44,7 @@ impl FairnessWeights {
             slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
         };
-        for i in 0..batches.place.len() {
+        for i in 0..batches.free() {
             let was_clamped = weights.set_conformal(batches, input, i);
             weights.clamped += usize::from(was_clamped);
         }
@@ -58,7 +58,7 @@ impl FairnessWeights {
             slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
             clamped: 0,
         };
-        for i in 0..batches.place.len() {
+        for i in 0..batches.free() {
             let was_clamped = weights.set_bounded_mean_value(batches, input, i, LARGEST_ASKED_RATIO);
             weights.clamped += usize::from(was_clamped);
         }
@@ -76,7 +76,7 @@ impl FairnessWeights {
         let slots = self
             .slots
             .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+        let (first, lane) = batches.place(i);
         let valence = ring_length(batches, first);
         let ring = |k: usize| &input[batches.neighbour[first + k][lane] as usize];
         clamped_cotangents(&input[i], valence, ring, |k, w| slots[first + k][lane] = w)
@@ -101,7 +101,7 @@ impl FairnessWeights {
         let slots = self
             .slots
             .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+        let (first, lane) = batches.place(i);
         let valence = ring_length(batches, first);
         let edge = |k: usize| input[batches.neighbour[first + k % valence][lane] as usize] - input[i];
         let half_tangent = |k: usize| {
@@ -182,15 +182,15 @@ pub(crate) fn laplacian(
     let mut values = vec![0.0; pattern.column.len()];
     let mut diagonal = vec![0.0; free];
     for i in 0..free {
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-        for (k, s) in (rings.start[i] as usize..rings.start[i + 1] as usize).enumerate() {
-            let j = rings.neighbour[s] as usize;
+        let (first, lane) = batches.place(i);
+        for (k, s) in rings.neighbour.range(i).enumerate() {
+            let j = rings.neighbour.values()[s] as usize;
             let own = weights.at(first + k, lane);
             if j >= free {
                 diagonal[i] += own;
             } else if j < i {
-                let (first, lane) = (batches.place[j].0 as usize, batches.place[j].1 as usize);
-                let twin = (rings.twin[s] - rings.start[j]) as usize;
+                let (first, lane) = batches.place(j);
+                let twin = rings.twin[s] as usize - rings.neighbour.range(j).start;
                 let mean = 0.5 * (own + weights.at(first + twin, lane));
                 diagonal[i] += mean;
                 diagonal[j] += mean;
@@ -223,7 +223,7 @@ mod tests {
         let weights = FairnessWeights::convex(&batches, &x);
         assert_eq!(weights.clamped, 0);
         for i in 0..region.free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+            let (first, lane) = batches.place(i);
             let mut sum = Vector3::zeros();
             for (k, &j) in rings.ring(i).iter().enumerate() {
                 let w = weights.at(first + k, lane);

@@ -26,7 +26,7 @@ impl Equations<'_> {
             .with_min_len(256)
             .enumerate()
             .for_each(|(i, ((h, k), response))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
+                let ring = rings.ring(i);
                 let q = one(&x[i]);
                 let at = |j: u32| minus(&one(&x[j as usize]), &q);
                 let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };

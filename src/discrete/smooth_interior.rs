@@ -66,11 +66,11 @@ impl Equations<'_> {
     fn passed(&self, x: &[Vector3<f64>], b: usize, room: &mut RingRoom) -> (Vector3<f64>, f64) {
         let rings = self.rings;
         let q = x[self.free() + b];
-        let edges = self.boundary_triangles(b);
-        let flaps = &rings.boundary_flap[rings.boundary_edge_start[b] as usize..][..edges.len()];
+        let triangles = rings.boundary_triangles(b);
+        let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let to = |j: u32| one(&(x[j as usize] - q));
         room.ring.clear();
-        room.ring.extend(edges.iter().map(|&[j, _]| RingEdge {
+        room.ring.extend(triangles.iter().map(|&[j, _]| RingEdge {
             edge: to(j),
             ..RingEdge::zero()
         }));
@@ -80,7 +80,7 @@ impl Equations<'_> {
         };
         room.flaps.clear();
         room.flaps
-            .extend(edges.iter().zip(flaps).map(|(&[j, _], &flap)| match flap {
+            .extend(triangles.iter().zip(flaps).map(|(&[j, _], &flap)| match flap {
                 NONE => (to(j), Simd([0.0])),
                 flap => (to(flap), Simd([FLAP_WEIGHT])),
             }));

@@ -60,14 +60,14 @@ pub(super) fn cut(
         if !matches!(fans[b], Fans::Closed | Fans::Open) {
             continue;
         }
-        let ring_edges = half_edges.ring_edges(free + b);
-        let first = ring_edges.iter().position(|&h| is_cut(h));
+        let outgoing = half_edges.outgoing.row(free + b);
+        let first = outgoing.iter().position(|&h| is_cut(h));
         let Some(first) = first else { continue };
         // Around a closed ring from a cut on; an open fan begins where it begins.
         let turn = if fans[b] == Fans::Closed { first } else { 0 };
         let mut current = 0;
-        for k in 0..ring_edges.len() {
-            let h = ring_edges[(k + turn) % ring_edges.len()];
+        for k in 0..outgoing.len() {
+            let h = outgoing[(k + turn) % outgoing.len()];
             if k > 0 && is_cut(h) {
                 current += 1;
             }
@@ -87,14 +87,15 @@ pub(super) fn cut(
     ))
 }
 
-/// The first ring_edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
+/// The first half-edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
 fn first_to_closed(half_edges: &HalfEdges, v: usize, of: impl Fn(u32) -> Option<Fans>) -> u32 {
     let leads = |&&h: &&u32| {
         let o = half_edges.opposite[h as usize];
         half_edges.in_region(h) && half_edges.in_region(o) && of(half_edges.target(h)) == Some(Fans::Closed)
     };
     half_edges
-        .ring_edges(v)
+        .outgoing
+        .row(v)
         .iter()
         .find(leads)
         .copied()
@@ -116,17 +117,17 @@ enum Fans {
 
 impl Fans {
     fn of(half_edges: &HalfEdges, v: usize) -> Self {
-        let ring_edges = half_edges.ring_edges(v);
+        let outgoing = half_edges.outgoing.row(v);
         let before = |h: u32| half_edges.opposite[h as usize];
         let inside = |h: u32| h != NONE && half_edges.in_region(h);
-        let begins = ring_edges
+        let begins = outgoing
             .iter()
             .filter(|&&h| inside(h) && !inside(before(h)))
             .count();
-        let is_open = ring_edges.iter().any(|&h| before(h) == NONE);
+        let is_open = outgoing.iter().any(|&h| before(h) == NONE);
         match (begins, is_open) {
             (0, false) => Fans::Closed,
-            (1, true) if ring_edges.iter().all(|&h| inside(h)) => Fans::Open,
+            (1, true) if outgoing.iter().all(|&h| inside(h)) => Fans::Open,
             (1, false) => Fans::Surrounded,
             _ => Fans::Other,
         }

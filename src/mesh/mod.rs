@@ -1,6 +1,7 @@
-//! The region of a triangle mesh: half-edges, rings, and what is free, fixed and boundary.
+//! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
 mod cut;
+pub(crate) mod disjoint_sets;
 pub(crate) mod editable;
 pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
@@ -8,6 +9,7 @@ pub(crate) mod islands;
 pub(crate) mod region;
 pub(crate) mod rings;
 mod rounding;
+pub(crate) mod rows;
 pub(crate) mod surroundings;
 
 pub(crate) use editable::EditableMesh;

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::NONE;
 use super::cut::cut;
-use super::halfedge::{HalfEdges, buckets};
+use super::disjoint_sets::DisjointSets;
+use super::halfedge::{HalfEdges, each_edge};
 use super::islands::islands;
 use super::rounding;
 use super::surroundings::RINGS_WIDE;
@@ -287,25 +288,19 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     // An edge at a vertex that is still free has all its triangles in the list, so a single one there means
     // the mesh's boundary. Edges (i, i) of broken triangles are left for the checks that follow.
     let touched = |tri: &[u32; 3]| tri.iter().any(|&v| role[v as usize] == Role::Free);
-    let kept = triangles
-        .iter()
-        .zip(&selected)
-        .enumerate()
-        .filter(|(_, (tri, s))| **s && touched(tri));
-    let (end, mut bucket) = buckets(role.len(), kept.map(|(t, (tri, _))| (t, tri)));
-    let mut begin = 0;
-    for (a, &end) in end.iter().enumerate() {
-        let bucket = &mut bucket[begin..end as usize];
-        begin = end as usize;
-        bucket.sort_unstable();
-        for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32) {
-            let b = (edge[0] >> 32) as usize;
-            if edge.len() == 1 && a != b {
-                role[a] = Role::Other;
-                role[b] = Role::Other;
-            }
+    let kept = (0..).zip(triangles).zip(&selected);
+    let kept = kept
+        .filter(|((_, tri), s)| **s && touched(tri))
+        .map(|(kept, _)| kept);
+    let mut on_boundary = Vec::new();
+    each_edge(role.len(), kept, |a, b, half_edges| {
+        if half_edges.len() == 1 && a != b {
+            on_boundary.extend([a, b]);
         }
-    }
+    });
+    on_boundary
+        .into_iter()
+        .for_each(|v| role[v as usize] = Role::Other);
 }
 
 /// The region's triangles, then those of the outside ring; how many belong to the region. Marks boundary and
@@ -456,26 +451,26 @@ fn components(
     boundary: usize,
     vertex_ids: &[u32],
 ) -> Result<(Vec<u32>, usize), Error> {
-    // Union-find whose root is the smallest vertex, so that roots come first and are free.
-    let mut parent: Vec<u32> = (0..(free + boundary) as u32).collect();
+    let mut sets = DisjointSets::new(free + boundary);
     for &[a, b, c] in &half_edges.triangles[..half_edges.region_triangles] {
-        unite(&mut parent, a, b);
-        unite(&mut parent, b, c);
+        sets.unite(a, b);
+        sets.unite(b, c);
     }
     let mut number = vec![NONE; free];
     let mut count = 0;
     for v in 0..free {
-        let root = find(&mut parent, v as u32) as usize;
-        if root == v {
+        // It comes first, and is free.
+        let smallest = sets.smallest(v as u32) as usize;
+        if smallest == v {
             number[v] = count;
             count += 1;
         } else {
-            number[v] = number[root];
+            number[v] = number[smallest];
         }
     }
     let mut fixed = vec![false; count as usize];
     for b in free..free + boundary {
-        fixed[number[find(&mut parent, b as u32) as usize] as usize] = true;
+        fixed[number[sets.smallest(b as u32) as usize] as usize] = true;
     }
     match number.iter().position(|&c| !fixed[c as usize]) {
         Some(v) => Err(Error::NothingFixed {
@@ -483,22 +478,6 @@ fn components(
         }),
         None => Ok((number, count as usize)),
     }
-}
-
-fn find(parent: &mut [u32], mut v: u32) -> u32 {
-    while parent[v as usize] != v {
-        parent[v as usize] = parent[parent[v as usize] as usize];
-        v = parent[v as usize];
-    }
-    v
-}
-
-fn unite(parent: &mut [u32], a: u32, b: u32) {
-    if parent[a as usize] == parent[b as usize] {
-        return;
-    }
-    let (a, b) = (find(parent, a), find(parent, b));
-    parent[a.max(b) as usize] = a.min(b);
 }
 
 #[cfg(test)]
@@ -519,16 +498,6 @@ mod tests {
             count: third + 1,
         };
         assert_eq!(check_size(0, third + 1), Err(triangles));
-    }
-
-    #[test]
-    fn the_root_of_a_united_set_is_its_smallest_member() {
-        let mut parent: Vec<u32> = (0..10).collect();
-        for (a, b) in [(9, 7), (3, 5), (7, 5), (1, 2), (8, 8)] {
-            unite(&mut parent, a, b);
-        }
-        let roots: Vec<u32> = (0..10).map(|v| find(&mut parent, v)).collect();
-        assert_eq!(roots, [0, 1, 1, 3, 4, 3, 6, 3, 8, 3]);
     }
 
     #[test]

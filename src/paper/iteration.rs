@@ -196,9 +196,8 @@ impl<'a> Level<'a> {
         let free = self.rings.free();
         self.normal.copy_from_slice(&self.state.corrected);
         for i in 0..free {
-            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
             let ring = Ring {
-                neighbour: &self.rings.neighbour[slots],
+                neighbour: self.rings.ring(i),
                 lambda: &[],
             };
             let own = ring.slope(i, x, &self.normal);
@@ -219,10 +218,9 @@ impl<'a> Level<'a> {
         self.normal.copy_from_slice(&self.state.corrected);
         let mut squares = 0.0;
         for i in 0..free {
-            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
             let ring = Ring {
-                neighbour: &self.rings.neighbour[slots.clone()],
-                lambda: self.lambda.get(slots).unwrap_or(&[]),
+                neighbour: self.rings.ring(i),
+                lambda: self.lambda.get(self.rings.neighbour.range(i)).unwrap_or(&[]),
             };
             let update = ring.update(i, x, &self.normal, self.h[i], self.damping[i]);
             x[i] = update.position;
@@ -243,10 +241,10 @@ const FIRST_MEASURE: usize = 8;
 fn in_rings(rings: &Rings, batches: &ValenceBatches, weights: &FairnessWeights) -> Vec<f64> {
     let mut lambda = Vec::new();
     if weights.slots.is_some() {
-        lambda.reserve(rings.neighbour.len());
-        for (i, &(first, lane)) in batches.place.iter().enumerate() {
-            let valence = rings.ring(i).len();
-            lambda.extend((0..valence).map(|k| weights.at(first as usize + k, lane as usize)));
+        lambda.reserve(rings.neighbour.values().len());
+        for i in 0..rings.free() {
+            let (first, lane) = batches.place(i);
+            lambda.extend((0..rings.ring(i).len()).map(|k| weights.at(first + k, lane)));
         }
     }
     lambda

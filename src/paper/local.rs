@@ -43,8 +43,7 @@ impl Fans for Rings {
         } else {
             let b = v as usize - free;
             fan.ring.extend_from_slice(self.boundary_ring(b));
-            let edges = self.boundary_edge_start[b] as usize..self.boundary_edge_start[b + 1] as usize;
-            fan.edges.extend_from_slice(&self.boundary_edge[edges]);
+            fan.edges.extend_from_slice(self.boundary_triangles(b));
         }
     }
 }

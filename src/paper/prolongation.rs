@@ -23,7 +23,7 @@ impl Fans for EditableMesh {
     fn fan(&self, v: u32, fan: &mut Fan) {
         fan.ring.clear();
         fan.edges.clear();
-        for h in self.region_spokes(v) {
+        for h in self.outgoing_in_region(v) {
             let (a, b) = (self.target(h), self.apex(h));
             // An open fan has a neighbour more than triangles; where it has a gap, too.
             if fan.ring.last() != Some(&a) {

@@ -38,9 +38,7 @@ pub(crate) fn continuation(
     let membrane = system.membrane();
     let free = system.free();
     let own: Vec<Vector3<f64>> = (0..prescribed.len())
-        .map(|b| {
-            average(&membrane, free + b, system.equations().boundary_triangles(b)).unwrap_or(prescribed[b])
-        })
+        .map(|b| average(&membrane, free + b, system.rings.boundary_triangles(b)).unwrap_or(prescribed[b]))
         .collect();
     let angles: Vec<f64> = own.iter().zip(&prescribed).map(|(a, b)| angle(a, b)).collect();
     let widest = angles.iter().copied().fold(0.0, f64::max);

@@ -50,7 +50,7 @@ impl System<'_> {
     /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
     fn fairness_residual(&self, x: &[Vector3<f64>], residual: &mut [[f64; 3]]) {
         for (i, r) in residual.iter_mut().enumerate() {
-            let (first, lane) = (self.batches.place[i].0 as usize, self.batches.place[i].1 as usize);
+            let (first, lane) = self.batches.place(i);
             let mut sum = Vector3::zeros();
             for (k, &j) in self.rings.ring(i).iter().enumerate() {
                 sum += (x[j as usize] - x[i]) * self.weights.at(first + k, lane);
