@@ -6,6 +6,7 @@
 //! of several equally bad vertices or faces is named.
 //!
 //! `FAIRMESH_WRITE_DOCS=1 cargo test --release --test docs` writes outputs and figures anew.
+#![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
 use std::collections::BTreeMap;
 use std::fs;
