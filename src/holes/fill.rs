@@ -87,6 +87,20 @@ pub struct Filled {
 /// Original vertices and triangles keep their numbers and bits. A loop that cannot be filled, or not well, says so in its
 /// report and does not affect the others.
 ///
+/// ```
+/// use fairmesh::{FillOptions, boundary_loops, fill_holes};
+/// // An octahedron without one of its triangles.
+/// let positions = [
+///     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// ];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let filled = fill_holes(&positions, &triangles, &FillOptions::default())?;
+/// assert!(boundary_loops(&filled.positions, &filled.triangles)?.is_empty());
+/// assert_eq!(filled.positions[..6], positions);
+/// assert_eq!(filled.triangles[..7], triangles);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::BadOption`], [`Error::IndexOutOfRange`], [`Error::TooLarge`], [`Error::SelectionOutOfRange`] for a loop
 /// that does not exist.
@@ -100,6 +114,19 @@ pub fn fill_holes(
 
 /// [`fill_holes`], which calls `progress` on the calling thread, with the fraction of all loops. `Break` stops the run: the
 /// loops that are not done stay open.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
+/// # let positions = [
+/// #     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// # ];
+/// # let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let mut stop = |_: &fairmesh::Progress| ControlFlow::Break(());
+/// let filled = fill_holes_with_progress(&positions, &triangles, &FillOptions::default(), &mut stop)?;
+/// assert_eq!(filled.loops[0].outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 ///
 /// # Errors
 /// Those of [`fill_holes`].

@@ -65,6 +65,20 @@ pub struct BoundaryLoop {
 ///
 /// At a vertex where several gaps meet, each gap is a loop of its own.
 ///
+/// ```
+/// use fairmesh::{LoopKind, boundary_loops};
+/// // An octahedron without one of its triangles.
+/// let positions = [
+///     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// ];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let loops = boundary_loops(&positions, &triangles)?;
+/// assert_eq!(loops.len(), 1);
+/// assert_eq!((loops[0].vertices.len(), loops[0].kind), (3, LoopKind::Hole));
+/// assert!((loops[0].turn - 90.0).abs() < 1e-9); // half the octahedron's curvature is missing
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::TooLarge`].
 pub fn boundary_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BoundaryLoop>, Error> {

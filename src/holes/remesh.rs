@@ -51,6 +51,26 @@ pub struct Remeshed {
 /// before, so that a feature is flat when its vertices are thinned out. Fixed vertices, and edges between them on the
 /// boundary of the region, stay.
 ///
+/// ```
+/// use fairmesh::{RemeshOptions, Selection, remesh_region};
+/// // A sheet of 8 by 8 squares, each divided into two triangles.
+/// let number = |i: u32, j: u32| 9 * i + j;
+/// let grid = |n: u32| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+/// let positions: Vec<[f64; 3]> = grid(9).map(|(i, j)| [f64::from(i), f64::from(j), 0.0]).collect();
+/// let triangles: Vec<[u32; 3]> = grid(8)
+///     .flat_map(|(i, j)| {
+///         let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+///         [[a, b, c], [a, c, d]]
+///     })
+///     .collect();
+/// let free: Vec<u32> = grid(5).map(|(i, j)| number(i + 2, j + 2)).collect();
+/// let finer = RemeshOptions { density: 3.0, ..RemeshOptions::default() };
+/// let remeshed = remesh_region(&positions, &triangles, Selection::Vertices(&free), &finer)?;
+/// assert!(remeshed.free.len() > 2 * free.len());
+/// assert!(remeshed.positions.iter().all(|p| p[2].abs() < 1e-12)); // still plane
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// Those of [`fair`](crate::fair) for the region, and [`Error::BadOption`].
 pub fn remesh_region(
