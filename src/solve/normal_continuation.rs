@@ -126,7 +126,7 @@ fn membrane_normals(system: &mut System) -> Vec<Vector3<f64>> {
     let free = system.free();
     let equations = system.equations();
     let of = |(b, prescribed): (usize, &Vector3<f64>)| {
-        average(&membrane, free + b, equations.boundary_triangles(b)).unwrap_or(*prescribed)
+        average(&membrane, free + b, equations.rings.boundary_triangles(b)).unwrap_or(*prescribed)
     };
     system.boundary_normals().iter().enumerate().map(of).collect()
 }
