@@ -8,9 +8,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use common::fairing::*;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use fairmesh::linear::cholesky::Cholesky;
+use fairmesh::linear::ordering::amd;
+use fairmesh::linear::sparse::SymmetricPattern;
+use fairmesh::linear::symbolic::Symbolic;
 use fairmesh::shapes::*;
 use fairmesh::{InnerFairness, Options, Solution};
 use nalgebra::Vector3;
@@ -205,26 +206,28 @@ fn linear_fairing(shape: &Shape, weights: Weights) -> Vec<[f64; 3]> {
         .enumerate()
         .for_each(|(i, &v)| unknown[v as usize] = Some(i));
     let count = shape.free_count();
-    let (mut entries, mut right) = (Vec::new(), Mat::<f64>::zeros(count, 3));
+    let (mut entries, mut right) = (BTreeMap::new(), vec![[0.0; 3]; count]);
     for (v, row) in rows.iter().enumerate() {
         for &(a, wa) in row {
             let Some(i) = unknown[a] else { continue };
             for &(b, wb) in row {
                 let product = wa * wb / mass[v];
                 match unknown[b] {
-                    Some(j) => entries.push(Triplet::new(i, j, product)),
-                    None => (0..3).for_each(|c| right[(i, c)] -= product * positions[b][c]),
+                    Some(j) if j <= i => *entries.entry([i as u32, j as u32]).or_insert(0.0) += product,
+                    Some(_) => {}
+                    None => (0..3).for_each(|c| right[i][c] -= product * positions[b][c]),
                 }
             }
         }
     }
-    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(count, count, &entries).unwrap();
-    let solution = matrix
-        .sp_cholesky(Side::Lower)
-        .expect("positive definite")
-        .solve(&right);
+    let edges: Vec<[u32; 2]> = entries.keys().copied().collect();
+    let pattern = SymmetricPattern::from_edges(count, &edges);
+    let values: Vec<f64> = entries.into_values().collect();
+    let mut factor = Cholesky::<f64>::new(Symbolic::new(&pattern, &amd(&pattern)).into());
+    factor.factor(&values).expect("positive definite");
+    factor.solve(&mut right, &mut Default::default());
     let place = |(v, p): (usize, &[f64; 3])| match unknown[v] {
-        Some(i) => std::array::from_fn(|c| solution[(i, c)]),
+        Some(i) => right[i],
         None => *p,
     };
     positions[..n].iter().enumerate().map(place).collect()
