@@ -142,20 +142,3 @@ fn solve_1<T: Real, const RING: usize>(bencher: Bencher, side: usize) {
 fn solve_3<T: Real, const RING: usize>(bencher: Bencher, side: usize) {
     solve::<T, RING, 3>(bencher, side);
 }
-
-/// The same factorization by faer, with its own order and its choice of simplicial or supernodal.
-#[divan::bench(args = SIDES, consts = [1, 2])]
-fn faer_factor<const RING: usize>(bencher: Bencher, side: usize) {
-    use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
-    use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-    faer::set_global_parallelism(faer::Par::Seq);
-    let case = case(side, RING);
-    let n = side * side;
-    let start: Vec<u32> = case.pattern.start.iter().map(|&s| s as u32).collect();
-    let upper = SymbolicSparseColMatRef::new_checked(n, n, &start, None, &case.pattern.column);
-    let matrix = SparseColMatRef::new(upper, &case.values);
-    let Ok(symbolic) = SymbolicLlt::try_new(upper, faer::Side::Upper) else {
-        return;
-    };
-    bencher.bench_local(|| Llt::try_new_with_symbolic(symbolic.clone(), matrix, faer::Side::Upper).is_ok());
-}

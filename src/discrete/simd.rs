@@ -5,15 +5,7 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use faer::traits::pulp::Arch;
-
-/// Runs `f` compiled for the widest vectors of this processor. Only what is inlined into `f` is: every function on
-/// the way down to the arithmetic is `#[inline(always)]`. Rust never contracts a product and a sum into one rounding,
-/// so the results are those of calling `f` itself, bit by bit.
-#[inline(always)]
-pub(crate) fn vectorized<R>(f: impl FnOnce() -> R) -> R {
-    Arch::new().dispatch(f)
-}
+pub(crate) use fairmesh_linear::dispatch::vectorized;
 
 /// `L` numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]

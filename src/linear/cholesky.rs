@@ -5,9 +5,13 @@
 
 use std::sync::Arc;
 
-use super::front::{self, Real};
+use super::dispatch::vectorized;
+use super::front;
 use super::interrupt::Interrupt;
+use super::real::Real;
+use super::substitution;
 use super::symbolic::{Symbolic, Task};
+use super::tile::LANES;
 
 /// A pivot that is not positive and finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -80,7 +84,7 @@ impl<T: Real> Cholesky<T> {
     /// What [`Cholesky::bytes`] will be after the first factorization.
     pub fn planned_bytes(&self) -> usize {
         let updates: usize = self.symbolic.update_size.iter().sum();
-        size_of::<T>() * (self.symbolic.panel_size() + front::LANES + updates)
+        size_of::<T>() * (self.symbolic.panel_size() + LANES + updates)
     }
 
     /// Gives back the memory that only a factorization needs; the next one allocates it again.
@@ -99,7 +103,7 @@ impl<T: Real> Cholesky<T> {
     pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         let symbolic = &*self.symbolic;
         assert_eq!(values.len(), symbolic.input, "one value per entry of the pattern");
-        allocate(&mut self.panels, symbolic.panel_size() + front::LANES);
+        allocate(&mut self.panels, symbolic.panel_size() + LANES);
         for (stack, size) in self.updates.iter_mut().zip(symbolic.update_size) {
             allocate(stack, size);
         }
@@ -128,16 +132,16 @@ impl<T: Real> Cholesky<T> {
         assert_eq!(x.len(), n, "one right-hand side value per row");
         assert_eq!(
             self.panels.len(),
-            symbolic.panel_size() + front::LANES,
+            symbolic.panel_size() + LANES,
             "factor before solving"
         );
         work.permuted.resize(n * K, T::ZERO);
-        work.local.resize((symbolic.largest + front::LANES) * K, T::ZERO);
+        work.local.resize((symbolic.largest + LANES) * K, T::ZERO);
         let (y, _) = work.permuted.as_chunks_mut::<K>();
         for (y, &old) in y.iter_mut().zip(&symbolic.order) {
             *y = x[old as usize].map(T::from_f64);
         }
-        front::vectorized(
+        vectorized(
             #[inline(always)]
             || substitute(symbolic, &self.panels, y, &mut work.local),
         );
@@ -162,8 +166,8 @@ fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mu
     for s in 0..symbolic.supernodes() {
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + front::LANES];
-        let stride = m + front::LANES;
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
+        let stride = m + LANES;
         let local = &mut local[..K * stride];
         let mut vectors = split::<T, K>(local, stride, m);
         for (k, y) in y[columns.clone()].iter().enumerate() {
@@ -174,7 +178,7 @@ fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mu
         for v in &mut vectors {
             v[p..].fill(T::ZERO);
         }
-        front::forward::<T, K>(panel, m, p, local, stride);
+        substitution::forward::<T, K>(panel, m, p, local, stride);
         let vectors = split::<T, K>(local, stride, m);
         for (k, y) in y[columns].iter_mut().enumerate() {
             *y = std::array::from_fn(|c| vectors[c][k]);
@@ -190,8 +194,8 @@ fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mu
     for s in (0..symbolic.supernodes()).rev() {
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + front::LANES];
-        let stride = m + front::LANES;
+        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
+        let stride = m + LANES;
         let local = &mut local[..K * stride];
         let mut vectors = split::<T, K>(local, stride, stride);
         for (k, y) in y[columns.clone()].iter().enumerate() {
@@ -209,7 +213,7 @@ fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mu
                 below[c][k] = y[c];
             }
         }
-        front::backward::<T, K>(panel, m, p, local, stride);
+        substitution::backward::<T, K>(panel, m, p, local, stride);
         let vectors = split::<T, K>(local, stride, p);
         for (k, y) in y[columns].iter_mut().enumerate() {
             *y = std::array::from_fn(|c| vectors[c][k]);
@@ -269,7 +273,7 @@ fn run<T: Real>(job: Job<'_>, task: usize, panels: &mut [T], updates: [&mut [T];
         };
         let r = symbolic.rows(s).len();
         let start = symbolic.update_start[s] - own_base;
-        let update = &mut own[start..start + r * r.next_multiple_of(front::LANES)];
+        let update = &mut own[start..start + r * r.next_multiple_of(LANES)];
         assemble(symbolic, values, s, panel, update, below, below_base);
         let p = symbolic.columns(s).len();
         let fresh = symbolic.children(s).is_empty();
@@ -303,7 +307,7 @@ fn assemble<T: Real>(
         return;
     }
     let (p, r) = (symbolic.columns(s).len(), symbolic.rows(s).len());
-    let (m, tall) = (p + r, r.next_multiple_of(front::LANES));
+    let (m, tall) = (p + r, r.next_multiple_of(LANES));
     for j in 0..r {
         update[j * tall + j..j * tall + r].fill(T::ZERO);
     }
@@ -312,7 +316,7 @@ fn assemble<T: Real>(
         let relative = &symbolic.relative[rows];
         let size = relative.len();
         let start = symbolic.update_start[c as usize] - below_base;
-        let height = size.next_multiple_of(front::LANES);
+        let height = size.next_multiple_of(LANES);
         let source = &below[start..start + size * height];
         for (j, &to) in relative.iter().enumerate() {
             let column = &source[j * height + j..j * height + size];

@@ -2,12 +2,17 @@
 
 pub mod anderson;
 pub mod cholesky;
+pub mod dispatch;
 mod elimination;
 mod front;
 pub mod interrupt;
+mod minimum_degree;
 pub mod ordering;
+mod real;
 pub mod sparse;
+mod substitution;
 mod supernodes;
 pub mod symbolic;
+mod tile;
 
-pub use front::Real;
+pub use real::Real;

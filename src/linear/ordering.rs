@@ -2,10 +2,7 @@
 
 use std::collections::VecDeque;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::SymbolicSparseColMatRef;
-use faer::sparse::linalg::amd as faer_amd;
-
+pub use super::minimum_degree::amd;
 use super::sparse::{Adjacency, SymmetricPattern};
 
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
@@ -80,28 +77,6 @@ fn amd_within(pattern: &SymmetricPattern, rows: &mut [u32], local: &mut [u32]) {
     for (v, k) in rows.iter_mut().zip(order) {
         *v = old[k as usize];
     }
-}
-
-/// An approximate minimum degree order of a matrix, `order[new] = old`.
-pub fn amd(pattern: &SymmetricPattern) -> Vec<u32> {
-    let n = pattern.order();
-    let (mut order, mut inverse) = (vec![0_u32; n], vec![0_u32; n]);
-    let start: Vec<u32> = pattern.start.iter().map(|&s| s as u32).collect();
-    // The lower triangle by rows is the upper triangle by columns.
-    let upper = SymbolicSparseColMatRef::new_checked(n, n, &start, None, &pattern.column);
-    let mut memory = MemBuffer::new(faer_amd::order_scratch::<u32>(n, pattern.column.len()));
-    let done = faer_amd::order(
-        &mut order,
-        &mut inverse,
-        upper,
-        Default::default(),
-        MemStack::new(&mut memory),
-    );
-    if done.is_err() {
-        // Only an index overflow is possible: any order is valid.
-        order = (0..n as u32).collect();
-    }
-    order
 }
 
 /// An order by recursive bisection of the vertices of the 1-ring graph `graph`, `order[new] = old`, for a

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use super::elimination::{Graph, children, column_counts, elimination_tree, postorder};
-use super::front::LANES;
 use super::sparse::SymmetricPattern;
 use super::supernodes::{Layout, Supernodes};
+use super::tile::LANES;
 
 pub(crate) const NONE: u32 = u32::MAX;
 

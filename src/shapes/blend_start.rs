@@ -4,10 +4,8 @@
 //! `f^-6 = d0^-6 + d1^-6 + d2^-6`. Far out on tube i it is the cylinder d_i = r.
 
 use super::blend::BLEND_RADIUS;
+use super::conjugate_gradients::conjugate_gradients;
 use super::shape::Shape;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
 use std::collections::HashMap;
 
 /// Direction of tube t and the horizontal direction across it, counter-clockwise from it.
@@ -72,7 +70,7 @@ impl Neighbours {
         &self.list[self.start[v] as usize..self.start[v + 1] as usize]
     }
 
-    fn mean(&self, positions: &[[f64; 3]], v: usize) -> [f64; 3] {
+    pub(super) fn mean(&self, positions: &[[f64; 3]], v: usize) -> [f64; 3] {
         let of = self.of(v);
         let mut sum = [0.0; 3];
         for &w in of {
@@ -103,42 +101,21 @@ pub(super) fn relax(shape: &mut Shape) {
 /// Puts every free vertex into the mean of its neighbours. The matrix, valence on the diagonal and -1 for
 /// free neighbours, is positive definite because every free vertex is connected to a circle.
 fn harmonic(shape: &mut Shape, near: &Neighbours, free: &[usize]) {
-    let n = free.len();
-    let mut unknown = vec![usize::MAX; shape.positions.len()];
-    free.iter().enumerate().for_each(|(i, &v)| unknown[v] = i);
-    let mut entries = Vec::with_capacity(7 * n);
-    let mut right = Mat::<f64>::zeros(n, 3);
-    for (i, &v) in free.iter().enumerate() {
-        let of = near.of(v);
-        entries.push(Triplet::new(i, i, of.len() as f64));
-        for &w in of {
-            let w = w as usize;
-            if shape.free[w] {
-                entries.push(Triplet::new(i, unknown[w], -1.0));
-            } else {
-                (0..3).for_each(|a| right[(i, a)] += shape.positions[w][a]);
-            }
+    let sum = |x: &[[f64; 3]], v: usize| near.mean(x, v).map(|m| m * near.of(v).len() as f64);
+    let mut fixed = shape.positions.clone();
+    free.iter().for_each(|&v| fixed[v] = [0.0; 3]);
+    let mut right = vec![[0.0; 3]; fixed.len()];
+    free.iter().for_each(|&v| right[v] = sum(&fixed, v));
+    let apply = |x: &[[f64; 3]]| {
+        let mut image = vec![[0.0; 3]; x.len()];
+        for &v in free {
+            let (valence, sum) = (near.of(v).len() as f64, sum(x, v));
+            image[v] = std::array::from_fn(|a| valence * x[v][a] - sum[a]);
         }
-    }
-    place_free(shape, free.iter().copied(), &entries, &right);
-}
-
-/// Puts the free vertices where a positive definite system has them; nowhere else if it is not.
-pub(super) fn place_free(
-    shape: &mut Shape,
-    free: impl Iterator<Item = usize>,
-    entries: &[Triplet<usize, usize, f64>],
-    right: &Mat<f64>,
-) {
-    let n = right.nrows();
-    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, entries);
-    let Some(factor) = matrix.ok().and_then(|m| m.sp_cholesky(Side::Lower).ok()) else {
-        return;
+        image
     };
-    let solution = factor.solve(right);
-    for (i, v) in free.enumerate() {
-        shape.positions[v] = std::array::from_fn(|a| solution[(i, a)]);
-    }
+    let solution = conjugate_gradients(apply, right);
+    free.iter().for_each(|&v| shape.positions[v] = solution[v]);
 }
 
 /// Divides every triangle whose centre is `inside` into nine, keeping the mesh conforming: a neighbour with

@@ -9,6 +9,7 @@
 mod blend;
 mod blend_start;
 mod chart;
+mod conjugate_gradients;
 mod irregular;
 mod planar;
 mod plate;

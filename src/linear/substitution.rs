@@ -1,0 +1,163 @@
+//! Forward and backward substitution with one front.
+
+use super::real::Real;
+use super::tile::LANES;
+
+/// `in_blocks!(j, C in p => f::<C>(j))`: for the columns `0..p` from the left, four at a time, `f` with the first column `j`
+/// and the number `C` of columns known to the compiler.
+macro_rules! in_blocks {
+    ($j:ident, $C:ident in $p:expr => $call:expr) => {
+        let mut $j = 0;
+        while $j + 4 <= $p {
+            const $C: usize = 4;
+            $call;
+            $j += $C;
+        }
+        match $p - $j {
+            3 => {
+                const $C: usize = 3;
+                $call;
+            }
+            2 => {
+                const $C: usize = 2;
+                $call;
+            }
+            1 => {
+                const $C: usize = 1;
+                $call;
+            }
+            _ => {}
+        }
+    };
+}
+
+/// `L11 v1 = v1` in place and `v2 -= L21 v1` for `K` vectors of length `m`, `stride` apart in `local`. Up to
+/// `LANES` elements after each vector are overwritten. `panel` goes on beyond the front by as many.
+#[inline(always)]
+pub(crate) fn forward<T: Real, const K: usize>(
+    panel: &[T],
+    m: usize,
+    p: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    in_blocks!(j, C in p => forward_block::<T, K, C>(panel, m, j, local, stride));
+}
+
+/// The columns `j..j + C` of the forward substitution.
+#[inline(always)]
+fn forward_block<T: Real, const K: usize, const C: usize>(
+    panel: &[T],
+    m: usize,
+    j: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    let column: [&[T]; C] = std::array::from_fn(|l| &panel[(j + l) * m + j..]);
+    let mut f = [[T::ZERO; C]; K];
+    for k in 0..K {
+        let v = &mut local[k * stride + j..][..C];
+        for a in 0..C {
+            let mut sum = v[a];
+            for b in 0..a {
+                sum -= column[b][a] * f[k][b];
+            }
+            f[k][a] = sum * column[a][a];
+            v[a] = f[k][a];
+        }
+    }
+    let groups = (m - j - C).div_ceil(LANES);
+    let column = column.map(|c| &c[C..][..groups * LANES].as_chunks::<LANES>().0[..groups]);
+    let mut rest = local;
+    let v: [&mut [[T; LANES]]; K] = std::array::from_fn(|_| {
+        let (own, other) = std::mem::take(&mut rest).split_at_mut(stride);
+        rest = other;
+        &mut own[j + C..].as_chunks_mut::<LANES>().0[..groups]
+    });
+    for i in 0..groups {
+        let a: [[T; LANES]; C] = std::array::from_fn(|l| column[l][i]);
+        for k in 0..K {
+            let mut sum = scaled(a[0], f[k][0]);
+            for l in 1..C {
+                sum = plus(sum, scaled(a[l], f[k][l]));
+            }
+            v[k][i] = minus(v[k][i], sum);
+        }
+    }
+}
+
+/// `v1 -= L21^T v2` and `L11^T v1 = v1` in place for `K` vectors of length `m`, followed by `LANES` zeros each.
+#[inline(always)]
+pub(crate) fn backward<T: Real, const K: usize>(
+    panel: &[T],
+    m: usize,
+    p: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    let whole = p / 4 * 4;
+    match p - whole {
+        3 => backward_block::<T, K, 3>(panel, m, whole, local, stride),
+        2 => backward_block::<T, K, 2>(panel, m, whole, local, stride),
+        1 => backward_block::<T, K, 1>(panel, m, whole, local, stride),
+        _ => {}
+    }
+    for j in (0..whole).step_by(4).rev() {
+        backward_block::<T, K, 4>(panel, m, j, local, stride);
+    }
+}
+
+/// The columns `j..j + C` of the backward substitution.
+#[inline(always)]
+fn backward_block<T: Real, const K: usize, const C: usize>(
+    panel: &[T],
+    m: usize,
+    j: usize,
+    local: &mut [T],
+    stride: usize,
+) {
+    let column: [&[T]; C] = std::array::from_fn(|l| &panel[(j + l) * m + j..]);
+    let groups = (m - j - C).div_ceil(LANES);
+    let below = column.map(|c| &c[C..][..groups * LANES].as_chunks::<LANES>().0[..groups]);
+    for k in 0..K {
+        let (top, v) = local[k * stride + j..(k + 1) * stride].split_at_mut(C);
+        let v = &v.as_chunks::<LANES>().0[..groups];
+        let mut sum = [[T::ZERO; LANES]; C];
+        for i in 0..groups {
+            for l in 0..C {
+                sum[l] = plus(sum[l], times(below[l][i], v[i]));
+            }
+        }
+        // Through memory, or the compiler transposes the loop above to suit the sums below.
+        let sum = std::hint::black_box(sum);
+        for a in (0..C).rev() {
+            let s = sum[a];
+            let dot = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+            let mut value = top[a] - dot;
+            for b in a + 1..C {
+                value -= column[a][b] * top[b];
+            }
+            top[a] = value * column[a][a];
+        }
+    }
+}
+
+#[inline(always)]
+fn scaled<T: Real>(a: [T; LANES], f: T) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] * f)
+}
+
+#[inline(always)]
+fn times<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] * b[l])
+}
+
+#[inline(always)]
+fn plus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] + b[l])
+}
+
+#[inline(always)]
+fn minus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    std::array::from_fn(|l| a[l] - b[l])
+}

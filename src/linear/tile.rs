@@ -1,0 +1,50 @@
+//! The register tile that all dense arithmetic of a front goes through.
+//!
+//! `G` groups of [`LANES`] rows times `N` columns stay in registers while the columns of the factor stream by, as in the
+//! inner kernel of Goto & van de Geijn, "Anatomy of high-performance matrix multiplication", ACM TOMS 34 (2008). The rows of
+//! the factor are packed by groups for it: column after column, the `LANES` rows of a group are contiguous.
+
+use super::real::Real;
+
+/// Rows are worked on in groups of this number.
+pub(crate) const LANES: usize = 8;
+
+/// `LANES` rows of one column.
+pub(crate) type Lanes<T> = [T; LANES];
+
+/// `G` groups of rows times `N` columns.
+pub(crate) type Tile<T, const G: usize, const N: usize> = [[Lanes<T>; N]; G];
+
+/// `tile - A B^T`, where `a` has the packed groups of rows of A and `b` the packed group of rows of B, of which the
+/// `part`-th `N` are taken. Every element subtracts its products in the order of the columns, one rounding each if `FUSED`.
+#[inline(always)]
+pub(crate) fn subtract_products<T: Real, const FUSED: bool, const G: usize, const N: usize>(
+    mut tile: Tile<T, G, N>,
+    a: [&[Lanes<T>]; G],
+    b: &[Lanes<T>],
+    part: usize,
+) -> Tile<T, G, N> {
+    let columns = b.len();
+    let a = a.map(|a| &a[..columns]);
+    for k in 0..columns {
+        let b = &b[k].as_chunks::<N>().0[part];
+        for n in 0..N {
+            for g in 0..G {
+                tile[g][n] = minus_product::<T, FUSED>(tile[g][n], a[g][k], b[n]);
+            }
+        }
+    }
+    tile
+}
+
+/// `c - a f`.
+#[inline(always)]
+pub(crate) fn minus_product<T: Real, const FUSED: bool>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    std::array::from_fn(|l| {
+        if FUSED {
+            (-a[l]).fused(f, c[l])
+        } else {
+            c[l] - a[l] * f
+        }
+    })
+}
