@@ -2,6 +2,7 @@
 # Sets the version of fairmesh in every file that states it:
 #   packaging/set_version.sh 0.2.0
 # What is not here derives it: the Makefile, pkg-config, CMake's package and Python's wheel read Cargo.toml.
+# Needs GNU sed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

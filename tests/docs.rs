@@ -6,6 +6,7 @@
 //! of several equally bad vertices or faces is named.
 //!
 //! `FAIRMESH_WRITE_DOCS=1 cargo test --release --test docs` writes outputs and figures anew.
+#![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -162,7 +163,7 @@ fn replay(path: &Path) -> (String, Vec<String>) {
 
 #[test]
 fn commands_print_what_is_shown() {
-    let _alone = WRITING.lock().unwrap();
+    let alone = WRITING.lock().unwrap();
     let mut wrong = Vec::new();
     for path in documents() {
         let (fresh, differs) = replay(&path);
@@ -172,6 +173,7 @@ fn commands_print_what_is_shown() {
             wrong.extend(differs);
         }
     }
+    drop(alone);
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
@@ -228,7 +230,7 @@ fn figures() -> BTreeMap<&'static str, String> {
 /// A sentence marks a figure as `12<!--demo.iterations-->`.
 #[test]
 fn figures_in_sentences_are_measured() {
-    let _alone = WRITING.lock().unwrap();
+    let alone = WRITING.lock().unwrap();
     let figures = figures();
     let (mut used, mut wrong) = (Vec::new(), Vec::new());
     for path in documents() {
@@ -251,6 +253,7 @@ fn figures_in_sentences_are_measured() {
             wrong.clear();
         }
     }
+    drop(alone);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     for key in figures.keys() {
         assert!(used.iter().any(|used| used == key), "no sentence has {key}");

@@ -17,7 +17,7 @@ const PLACES: [&str; 8] = [
 const TEXTS: [&str; 10] = ["rs", "md", "h", "hpp", "cpp", "c", "py", "toml", "sh", "ui"];
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 fn glossary() -> String {

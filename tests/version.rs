@@ -1,5 +1,6 @@
 //! `packaging/set_version.sh` knows every place that states the version.
-#![cfg(unix)]
+//! The script needs GNU sed, so it is run on Linux only.
+#![cfg(target_os = "linux")]
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -46,7 +47,7 @@ impl Copy {
     fn new(test: &str) -> Self {
         let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
         let _ = fs::remove_dir_all(&to);
-        for (name, bytes) in files(Path::new(env!("CARGO_MANIFEST_DIR"))) {
+        for (name, bytes) in files(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))) {
             fs::create_dir_all(to.join(&name).parent().unwrap()).unwrap();
             fs::write(to.join(&name), bytes).unwrap();
         }

@@ -8,6 +8,7 @@
 //!
 //! NAME should say where the scan comes from; its picture goes into the document. `FAIRMESH` is the program; it makes the inputs, the surfaces and the pictures. `./reproduce.sh` builds it first.
 //! Every number in the document comes from here.
+#![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 #![allow(clippy::print_stderr, reason = "tells how far it is")]
 
 mod claims;

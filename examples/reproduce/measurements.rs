@@ -14,21 +14,21 @@ use crate::tool::{Case, Run, Tool};
 /// Triangulations of every row about accuracy.
 const SEEDS: RangeInclusive<u64> = 1..=8;
 /// Free vertices of the rows about accuracy.
-pub const SIZES: [usize; 2] = [1_000, 13_000];
+pub(crate) const SIZES: [usize; 2] = [1_000, 13_000];
 /// The surfaces of the rows about accuracy, as `fairmesh generate` calls them.
-pub const KINDS: [&str; 4] = ["sphere-cap", "cylinder", "catenoid", "unduloid"];
+pub(crate) const KINDS: [&str; 4] = ["sphere-cap", "cylinder", "catenoid", "unduloid"];
 
 /// What is measured on one triangulation.
-pub struct Solve {
+pub(crate) struct Solve {
     /// Largest distance of a free vertex to the exact surface, in diagonals of the region.
-    pub error: f64,
+    pub(crate) error: f64,
     /// Iterations to the default tolerance.
-    pub iterations: usize,
+    pub(crate) iterations: usize,
     converged: bool,
 }
 
 /// The whole document.
-pub fn document(tool: &Tool, machine: &str) -> io::Result<String> {
+pub(crate) fn document(tool: &Tool, machine: &str) -> io::Result<String> {
     let mut text = format!(
         "# Measurements\n\n\
         Written by\n\n```sh\n./reproduce.sh measurements\n```\n\n\
@@ -51,7 +51,7 @@ fn exact(kind: &str) -> Surface {
 }
 
 /// An irregular triangulation with a random interior, faired with exact or fitted boundary normals.
-pub fn solve(tool: &Tool, kind: &str, n: usize, seed: u64, exact_normals: bool) -> io::Result<Solve> {
+pub(crate) fn solve(tool: &Tool, kind: &str, n: usize, seed: u64, exact_normals: bool) -> io::Result<Solve> {
     let (count, seed) = (n.to_string(), seed.to_string());
     let how = ["--triangulation", "irregular", "--start", "random"];
     let arguments = [&[kind, "--vertices", &count, "--seed", &seed], &how[..]].concat();
@@ -132,7 +132,7 @@ fn times(tool: &Tool, text: &mut String) -> io::Result<()> {
 }
 
 /// The unit sphere without a cap, filled; and the largest distance of a new vertex from the sphere.
-pub fn fill(tool: &Tool, n: usize, seed: u64) -> io::Result<(Run, f64)> {
+pub(crate) fn fill(tool: &Tool, n: usize, seed: u64) -> io::Result<(Run, f64)> {
     let (count, seed) = (n.to_string(), seed.to_string());
     let arguments = ["sphere-hole", "--vertices", &count, "--seed", &seed];
     let how = ["--triangulation", "irregular", "--outside", "1"];

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
-use crate::mesh::{Region, Rings};
+use crate::solve::Domain;
 
 /// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -52,12 +52,13 @@ const UNIT: f64 = 1e-3;
 
 /// Normals at the boundary, and where the surface passes instead; empty: nowhere.
 pub(super) fn boundary_normals(
-    region: &Region,
-    rings: &Rings,
-    x: &[Vector3<f64>],
+    domain: &Domain,
     asked: &BoundaryNormals,
     interior: InteriorNormals,
 ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+    let Domain {
+        region, rings, input, ..
+    } = domain;
     let mut given = vec![None; region.boundary];
     if let BoundaryNormals::Given(list) = asked {
         let boundary = &region.vertex_ids[region.free..region.region_vertices()];
@@ -90,5 +91,5 @@ pub(super) fn boundary_normals(
         smooth_interior.clear();
     }
     let fitted = !matches!(asked, BoundaryNormals::Averaged);
-    Ok((estimate(region, rings, x, fitted, &given)?, smooth_interior))
+    Ok((estimate(region, rings, input, fitted, &given)?, smooth_interior))
 }

@@ -11,7 +11,7 @@ pub(crate) mod prolongation;
 pub(crate) mod vertex;
 
 use crate::error::Error;
-pub(crate) use multigrid::{Problem, solve};
+pub(crate) use multigrid::{PaperResult, solve};
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! The frozen matrix of the normal step, `P = S_I D S_I^T`, and of the linear start.
 //!
-//! Moving by `t` along the normals changes `H` by about `-D S t` with `D_i = 3 / (4 A_i)` (paper (5)), so `P t = R1`
-//! with the free rows `S_I` of `S` and all its columns: the clamped bilaplacian. The factor `D_b` at fixed boundary
-//! vertices says how much the one-sided `H_b` answers to the surface beside it.
+//! Moving by `t` along the normals changes `H` by about `-D S t`, so `P t = R1` with the free rows `S_I` of `S` and all its
+//! columns: the clamped bilaplacian. `D_i` is the answer of the ring's fit (paper 7.2) or a mean over the ring, within bounds
+//! around `3 / (4 A_i)` of (5). The factor `D_b` at fixed boundary vertices says how much the one-sided `H_b` answers to the
+//! surface beside it.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;

@@ -202,11 +202,48 @@ fn the_callback_stops_a_run_after_one_iteration_and_it_goes_on_later() {
 }
 
 #[test]
-fn a_session_left_in_the_middle_ends() {
+fn a_session_moves_to_another_thread_in_the_middle() {
     let shape = sphere_cap(60.0, 300, irregular(7), OUTSIDE);
-    drop(session(&shape, &flat(&shape), &options(TOLERANCE)));
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
-    session.run(2, None).unwrap();
+    let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
+    let mut moved = session(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut left = session(&shape, &flat(&shape), &options(TOLERANCE));
+    moved.run(2, None).unwrap();
+    left.run(1, None).unwrap();
+    drop(left);
+    let moved = std::thread::spawn(move || {
+        to_end(&mut moved, 3);
+        moved
+    });
+    assert!(bits(moved.join().unwrap().solution()) == bits(&whole));
+}
+
+#[test]
+fn every_attempt_of_the_ladder_can_be_held_up() {
+    let mut shape = sphere_cap(60.0, 300, irregular(8), OUTSIDE);
+    // A fixed vertex that the surface passes smoothly, and a load that no surface bears.
+    let inside = shape.free.iter().position(|&free| free).unwrap();
+    shape.free[inside] = false;
+    let start = flat(&shape);
+    let asked = Options {
+        target: Target::Constant(1000.0),
+        max_iterations: 5000,
+        inner_fairness: InnerFairness::Convex,
+        ..options(TOLERANCE)
+    };
+    let whole = at_once(&shape, &start, asked.clone());
+    println!(
+        "{:?}, {} iterations",
+        whole.report.outcome, whole.report.iterations
+    );
+    assert!(!whole.report.outcome.is_success());
+    let mut session = session(&shape, &start, &asked);
+    let runs = to_end(&mut session, 1);
+    let found = session.solution();
+    assert!(bits(found) == bits(&whole));
+    assert_eq!(found.report.outcome, whole.report.outcome);
+    assert_eq!(found.report.iterations, whole.report.iterations);
+    assert_eq!(found.report.defect, whole.report.defect);
+    assert!(runs >= whole.report.iterations);
 }
 
 #[test]
