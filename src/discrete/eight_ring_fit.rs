@@ -38,7 +38,7 @@ impl EightRingSamples {
         self.edges.clear();
         self.edges
             .extend(self.found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
-        self.length = root_mean_square(&self.edges);
+        self.length = root_mean_square(self.edges.iter());
     }
 
     /// The fit, from about the right normal; `None` if the samples are too few.

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{FLAP_WEIGHT, NormalEquations, RIDGE, TILT_RIDGE, TangentFrame, gradient_corrected};
-use super::normals::max_normal;
-use super::ring_edges::{RingEdge, measure};
-use super::simd::{Simd, Vec3, cross, dot, normalized, one, plus};
+use super::curvature::{FLAP_WEIGHT, NormalEquations, RIDGE, TILT_RIDGE, TangentFrame};
+use super::outside_fit::root_mean_square;
+use super::simd::{Simd, Vec3, cross, normalized, one, plus};
+use super::single_ring::SingleRing;
 use crate::error::Error;
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
@@ -40,8 +40,8 @@ struct VertexTriangles(Rows<[u32; 2]>);
 /// Room for one ring.
 #[derive(Default)]
 struct Work {
-    ring: Vec<RingEdge<1>>,
-    flaps: Vec<(Vec3<1>, Simd<1>)>,
+    ring: SingleRing,
+    samples: Vec<(Vec3<1>, Simd<1>)>,
     walked: Vec<[u32; 2]>,
     near: Vec<u32>,
 }
@@ -89,23 +89,11 @@ impl VertexTriangles {
         if !self.walk(v as u32, &mut work.walked) {
             return self.boundary_curvature(v as u32, from, work);
         }
-        let (ring, flaps) = (&mut work.ring, &mut work.flaps);
-        ring.clear();
-        flaps.clear();
-        for &[a, b] in &work.walked {
-            ring.push(RingEdge {
-                edge: from(a),
-                ..RingEdge::zero()
-            });
-            flaps.push(match self.apex(b, a).filter(|&f| f as usize != v) {
-                Some(f) => (from(f), Simd::splat(FLAP_WEIGHT)),
-                None => (from(a), Simd::zero()),
-            });
-        }
-        measure(ring);
-        gradient_corrected::<1, false>(&max_normal(ring), ring, flaps, TILT_RIDGE)
-            .h
-            .0[0]
+        work.ring.fill(work.walked.iter().map(|&[a, b]| {
+            let flap = self.apex(b, a).filter(|&f| f as usize != v);
+            (from(a), flap.map(&from))
+        }));
+        work.ring.fit(TILT_RIDGE).h.0[0]
     }
 
     /// The same fit from one side, to the ring with weight 1 and to all of the second ring as to flaps: a vertex of two
@@ -128,7 +116,7 @@ impl VertexTriangles {
             let w = second[k];
             !repeated(k) && w != v && first.binary_search(&w).is_err()
         });
-        let samples = &mut work.flaps;
+        let samples = &mut work.samples;
         samples.clear();
         samples.extend(first.iter().map(|&w| (from(w), Simd::splat(1.0))));
         samples.extend(beyond.map(|k| (from(second[k]), Simd::splat(FLAP_WEIGHT))));
@@ -136,8 +124,7 @@ impl VertexTriangles {
         for &[a, b] in self.of(v) {
             sum = plus(&sum, &cross(&from(a), &from(b)));
         }
-        let squares: f64 = samples[..ring].iter().map(|(e, _)| dot(e, e).0[0]).sum();
-        let l = Simd::splat((squares / ring as f64).sqrt());
+        let l = Simd::splat(root_mean_square(samples[..ring].iter().map(|(e, _)| e)));
         let (mut n, mut h) = (normalized(&sum), 0.0);
         for _ in 0..BOUNDARY_PASSES {
             let frame = TangentFrame::new(n);

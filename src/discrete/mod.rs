@@ -18,6 +18,7 @@ pub(crate) mod outside_fit;
 pub(crate) mod paper_curvature;
 pub(crate) mod ring_edges;
 pub(crate) mod simd;
+mod single_ring;
 pub(crate) mod smooth_interior;
 pub(crate) mod target;
 pub(crate) mod valence_batches;

@@ -46,9 +46,10 @@ pub(super) fn repeated(
 }
 
 /// The root mean square length of some edge vectors.
-pub(super) fn root_mean_square(edges: &[Vec3<1>]) -> f64 {
-    let squares: f64 = edges.iter().map(|e| dot(e, e).0[0]).sum();
-    (squares / edges.len() as f64).sqrt()
+pub(super) fn root_mean_square<'a>(edges: impl ExactSizeIterator<Item = &'a Vec3<1>>) -> f64 {
+    let count = edges.len();
+    let squares: f64 = edges.map(|e| dot(e, e).0[0]).sum();
+    (squares / count as f64).sqrt()
 }
 
 /// How far a sample, basis values and curvature, is from the fit with these coefficients: squared.
@@ -83,7 +84,7 @@ impl Samples {
         self.edges.clear();
         self.edges
             .extend(found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
-        self.length = root_mean_square(&self.edges[..self.ends[0]]);
+        self.length = root_mean_square(self.edges[..self.ends[0]].iter());
     }
 
     /// The samples and their weights by ring. A vertex with one or two outside triangles only has to trust all rings.

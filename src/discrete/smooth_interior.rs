@@ -5,19 +5,11 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::curvature::{FLAP_WEIGHT, gradient_corrected};
 use super::equations::{Equations, FreeCurvature, State};
-use super::normals::{cross_product_normal, max_normal};
-use super::ring_edges::{RingEdge, measure};
-use super::simd::{Simd, Vec3, lane, one};
+use super::normals::cross_product_normal;
+use super::simd::{lane, one};
+use super::single_ring::SingleRing;
 use crate::mesh::NONE;
-
-/// Room for one closed ring.
-#[derive(Debug, Default)]
-struct RingRoom {
-    ring: Vec<RingEdge<1>>,
-    flaps: Vec<(Vec3<1>, Simd<1>)>,
-}
 
 impl Equations<'_> {
     /// Whether the surface passes boundary vertex `b`: fixed in position, but free in its normal.
@@ -40,9 +32,9 @@ impl Equations<'_> {
             .zip(h)
             .with_min_len(64)
             .enumerate()
-            .for_each_init(RingRoom::default, |room, (b, (normal, h))| {
+            .for_each_init(SingleRing::default, |ring, (b, (normal, h))| {
                 if self.is_smooth_interior(b) {
-                    (*normal, *h) = self.smooth_fit(x, b, room);
+                    (*normal, *h) = self.smooth_fit(x, b, ring);
                 }
             });
     }
@@ -55,7 +47,7 @@ impl Equations<'_> {
         b: usize,
     ) -> f64 {
         if self.is_smooth_interior(b) && self.curvature != FreeCurvature::Paper {
-            self.smooth_fit(x, b, &mut RingRoom::default()).1
+            self.smooth_fit(x, b, &mut SingleRing::default()).1
         } else {
             self.boundary_curvature(x, corrected, b)
         }
@@ -63,29 +55,18 @@ impl Equations<'_> {
 
     /// Normal and `H` of the surface at boundary vertex `b`, which has a closed ring. The paper's discretization has no
     /// `H` without the neighbours' normals: it is 0 here.
-    fn smooth_fit(&self, x: &[Vector3<f64>], b: usize, room: &mut RingRoom) -> (Vector3<f64>, f64) {
+    fn smooth_fit(&self, x: &[Vector3<f64>], b: usize, ring: &mut SingleRing) -> (Vector3<f64>, f64) {
         let rings = self.rings;
         let q = x[self.free() + b];
         let triangles = rings.boundary_triangles(b);
         let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let to = |j: u32| one(&(x[j as usize] - q));
-        room.ring.clear();
-        room.ring.extend(triangles.iter().map(|&[j, _]| RingEdge {
-            edge: to(j),
-            ..RingEdge::zero()
-        }));
-        measure(&mut room.ring);
+        let edges = triangles.iter().zip(flaps);
+        ring.fill(edges.map(|(&[j, _], &flap)| (to(j), (flap != NONE).then(|| to(flap)))));
         let FreeCurvature::GradientCorrected { tilt_ridge } = self.curvature else {
-            return (lane(&cross_product_normal(&room.ring), 0), 0.0);
+            return (lane(&cross_product_normal(&ring.ring), 0), 0.0);
         };
-        room.flaps.clear();
-        room.flaps
-            .extend(triangles.iter().zip(flaps).map(|(&[j, _], &flap)| match flap {
-                NONE => (to(j), Simd([0.0])),
-                flap => (to(flap), Simd([FLAP_WEIGHT])),
-            }));
-        let n = max_normal(&room.ring);
-        let fit = gradient_corrected::<1, false>(&n, &room.ring, &room.flaps, tilt_ridge);
+        let fit = ring.fit(tilt_ridge);
         (lane(&fit.normal, 0), fit.h.0[0])
     }
 }

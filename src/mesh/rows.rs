@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Row `i` holds the values that belong to number `i`: a vertex, most of the time.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Rows<T> {
     /// One offset per row, and the end.
     start: Vec<u32>,

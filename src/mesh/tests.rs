@@ -605,14 +605,14 @@ fn renumbering_gives_the_isomorphic_structure() {
         if i < a.free {
             let begin = left.iter().position(|&k| k == right[0]).unwrap();
             left.rotate_left(begin);
-            let mut flaps: Vec<_> = ra.flap[ra.start[i] as usize..ra.start[i + 1] as usize].to_vec();
+            let mut flaps: Vec<_> = ra.flap[ra.neighbour.range(i)].to_vec();
             flaps.rotate_left(begin);
             let flaps: Vec<_> = flaps.iter().map(|&f| flap_id(&a, f)).collect();
             let flaps: Vec<_> = flaps
                 .iter()
                 .map(|&f| if f == NONE { f } else { vertex(f) })
                 .collect();
-            let same = &rb.flap[rb.start[j] as usize..rb.start[j + 1] as usize];
+            let same = &rb.flap[rb.neighbour.range(j)];
             assert_eq!(flaps, same.iter().map(|&f| flap_id(&b, f)).collect::<Vec<_>>());
         }
         assert_eq!(left, right);

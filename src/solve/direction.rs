@@ -65,12 +65,12 @@ pub(crate) fn averaged(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::rows::Rows;
 
     /// A free vertex with a wrong normal among six boundary vertices.
     fn star() -> Rings {
         Rings {
-            start: vec![0, 6],
-            neighbour: (1..7).collect(),
+            neighbour: Rows::collect(1, (1..7).map(|j| (0, j))),
             ..Rings::default()
         }
     }
