@@ -16,7 +16,7 @@ fn a_million_vertices() {
     let error = errors(&shape, &solution).max;
     println!("{} iterations, error {error:.1e}", solution.report.iterations);
     assert_eq!(solution.report.outcome, Outcome::Converged);
-    assert!(error < 1e-7, "{error:.1e}");
+    assert!(error < 7e-10, "{error:.1e}");
 }
 
 /// Of each kind a hundred triangulations. How many are not solved is pinned: fewer and more are both news.
