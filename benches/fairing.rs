@@ -201,7 +201,7 @@ fn one_case(path: &Path, name: &str, threads: usize) -> io::Result<()> {
 
 fn solve(case: &Case, threads: usize) -> io::Result<Solution> {
     let options = Options {
-        normals: BoundaryNormals::Given(&case.normals),
+        boundary_normals: BoundaryNormals::Given(case.normals.clone()),
         threads,
         ..Options::default()
     };
@@ -209,7 +209,7 @@ fn solve(case: &Case, threads: usize) -> io::Result<Solution> {
         &case.positions,
         &case.triangles,
         Selection::Vertices(&case.free),
-        options,
+        &options,
     )
     .map_err(io::Error::other)
 }

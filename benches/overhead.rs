@@ -21,7 +21,7 @@ fn rust(bencher: divan::Bencher<'_, '_>) {
             threads: 2,
             ..Options::default()
         };
-        fairmesh::fair(&start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+        fairmesh::fair(&start, &shape.triangles, Selection::Mask(&shape.free), &options).unwrap()
     });
 }
 

@@ -2,7 +2,7 @@
 
 use crate::discrete::mesh_curvature;
 use crate::error::Error;
-use crate::fairing::with_threads;
+use crate::fairing::Workers;
 
 /// Mean curvature `(k1 + k2) / 2` at every vertex, in one over the unit of the positions: the gradient-corrected
 /// Moreton-Sequin fit (paper 6.1) that the solver uses at free vertices.
@@ -21,11 +21,9 @@ use crate::fairing::with_threads;
 /// ```
 ///
 /// # Errors
-/// [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist, [`Error::NotFinite`] for a
-/// vertex of a triangle whose position is not finite.
+/// [`Error::TooLarge`], [`Error::IndexOutOfRange`] for a triangle that names a vertex that does not exist,
+/// [`Error::NotFinite`] for a vertex of a triangle whose position is not finite.
 pub fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     // Not on the global pool, whose threads would outlive a library that is unloaded.
-    with_threads(0, |pool| {
-        pool.install(|| mesh_curvature::mean_curvature(positions, triangles))
-    })?
+    Workers::new(0)?.install(|| mesh_curvature::mean_curvature(positions, triangles))
 }

@@ -118,7 +118,7 @@ pub enum Error {
     /// An option is outside its range.
     #[error("option {name} is {value}: it must be {range}")]
     BadOption {
-        /// The option's name.
+        /// The option's name: that of its field, after `paper_` where it is one of [`PaperOptions`](crate::PaperOptions).
         name: &'static str,
         /// The value given.
         value: f64,
@@ -141,4 +141,19 @@ pub enum Error {
         /// The system's reason.
         why: String,
     },
+}
+
+impl Error {
+    /// Refuses an option that is not `allowed`.
+    pub(crate) fn check_option(
+        name: &'static str,
+        value: f64,
+        allowed: bool,
+        range: &'static str,
+    ) -> Result<(), Self> {
+        match allowed {
+            true => Ok(()),
+            false => Err(Self::BadOption { name, value, range }),
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Intrinsic G1 fairing of triangle meshes.
 //!
-//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that boundary
+//! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that bound
 //! them, fairmesh moves the free vertices until the surface solves `Delta_B H = 0`, so that the shape
 //! depends on the boundary alone and not on the triangulation.
 //!
@@ -22,12 +22,13 @@ mod solve;
 pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Outcome, Progress, Report,
-    Seconds, Selection, Session, Solution, Solver, Target, Watcher, fair,
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, LooseReason, Options, Outcome, Progress,
+    ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver, Target, fair,
+    fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Parents, RemeshOptions, Remeshed, boundary_loops, fill_holes, remesh_region,
+    Parents, RemeshOptions, Remeshed, boundary_loops, fill_holes, fill_holes_with_progress, remesh_region,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

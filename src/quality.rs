@@ -9,9 +9,9 @@ use crate::mesh::{Region, Rings};
 pub(crate) const NEEDLE: f64 = 1.0;
 
 /// A boundary deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
-const STRAINED_DEGREES: f64 = 15.0;
-/// See [`STRAINED_DEGREES`].
-const STRAINED_RATIO: f64 = 8.0;
+const DETACHED_DEGREES: f64 = 15.0;
+/// See [`DETACHED_DEGREES`].
+const DETACHED_RATIO: f64 = 8.0;
 
 /// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,7 +38,7 @@ pub struct Quality {
 }
 
 impl Quality {
-    /// No flipped triangle and no needle.
+    /// No folded triangle and no needle.
     pub fn is_sound(&self) -> bool {
         self.flipped.is_empty() && self.needles.is_empty()
     }
@@ -81,7 +81,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Calls `visit(triangle, flipped, smallest angle)` for every region triangle (local number).
+    /// Calls `visit(triangle, folded, smallest angle)` for every region triangle (local number).
     pub(crate) fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
         let half_edges = &self.region.half_edges;
         for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
@@ -91,10 +91,10 @@ impl Surface<'_> {
             let p = corners.map(|v| self.x[v as usize]);
             let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
             let sum: Vector3<f64> = corners.iter().map(|&v| self.normal(v)).sum();
-            // What is not a number counts as flipped.
+            // What is not a number counts as folded.
             let side = cross.dot(&sum);
-            let flipped = side < 0.0 || side.is_nan();
-            visit(t, flipped, smallest_angle(&p));
+            let folded = side < 0.0 || side.is_nan();
+            visit(t, folded, smallest_angle(&p));
         }
     }
 
@@ -105,13 +105,13 @@ impl Surface<'_> {
             worst_angle: f64::INFINITY,
             ..Quality::default()
         };
-        self.triangles(|t, flipped, angle| {
+        self.triangles(|t, folded, angle| {
             let id = self.region.half_edges.triangle_ids[t];
             if angle < quality.worst_angle {
                 quality.worst_angle = angle;
                 quality.worst_triangle = id as usize;
             }
-            if flipped {
+            if folded {
                 quality.flipped.push(id);
             }
             if angle < NEEDLE {
@@ -134,11 +134,11 @@ impl Surface<'_> {
         quality
     }
 
-    /// Region triangles (local numbers) that are flipped or have an angle below `degrees`.
+    /// Region triangles (local numbers) that are folded or have an angle below `degrees`.
     pub(crate) fn poor(&self, degrees: f64) -> Vec<u32> {
         let mut poor = Vec::new();
-        self.triangles(|t, flipped, angle| {
-            if flipped || angle < degrees {
+        self.triangles(|t, folded, angle| {
+            if folded || angle < degrees {
                 poor.push(t as u32);
             }
         });
@@ -146,11 +146,11 @@ impl Surface<'_> {
     }
 
     /// Whether single boundary vertices deviate from their normals far more than the rest.
-    pub(crate) fn is_strained(&self) -> bool {
+    pub(crate) fn is_detached_from_normals(&self) -> bool {
         let deviations = self.normal_deviations();
         let mean = deviations.iter().map(|d| d * d).sum::<f64>() / deviations.len().max(1) as f64;
         let worst = deviations.iter().copied().fold(0.0, f64::max);
-        worst > STRAINED_DEGREES && worst > STRAINED_RATIO * mean.sqrt()
+        worst > DETACHED_DEGREES && worst > DETACHED_RATIO * mean.sqrt()
     }
 
     /// Boundary vertices (the caller's numbers) whose normal points against the triangles outside, as they came in `input`,

@@ -11,7 +11,7 @@ const LONGEST_FILE: usize = 500;
 const CRATES: [&str; 4] = ["src/linear/", "src/shapes/", "src/capi/", "src/cli/"];
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 fn read(name: &str) -> String {

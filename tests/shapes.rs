@@ -1,5 +1,4 @@
 //! The generators against what they promise: topology, exactness, counts, determinism.
-#![cfg(feature = "shapes")]
 
 use fairmesh_shapes::*;
 use std::collections::HashMap;

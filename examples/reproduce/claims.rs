@@ -271,7 +271,7 @@ fn weights_do_not_matter(tool: &Tool, (fine_case, fine): &(Case, Run)) -> io::Re
         if inner == "convex" && !tool.can(inner) {
             continue;
         }
-        let run = tool.fair(&case, inner, &["--inner", inner])?;
+        let run = tool.fair(&case, inner, &["--inner-fairness", inner])?;
         let distance = to_mesh(&run.positions, &fine.positions, &fine_case.triangles).max;
         figures.push(format!("{inner} {} ({})", short(distance), run.outcome()));
         worst = worst.max(distance);
@@ -319,7 +319,7 @@ fn conformal_distorts_less(tool: &Tool) -> io::Result<Claim> {
         ],
     )?;
     let angles = |inner: &str| {
-        let run = tool.fair(&case, inner, &["--inner", inner])?;
+        let run = tool.fair(&case, inner, &["--inner-fairness", inner])?;
         io::Result::Ok(distortion(&case, &run.positions).rms)
     };
     let (uniform, conformal) = (angles("uniform")?, angles("conformal")?);

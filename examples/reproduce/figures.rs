@@ -29,7 +29,7 @@ fn faired(tool: &Tool, name: &str, generate: &[&str], inner: &str) -> io::Result
     };
     let linear = linear_surface(&case, fairness)?;
     let linear_file = tool.write(&case, &format!("linear-{inner}"), &linear)?;
-    let run = tool.fair(&case, inner, &["--inner", inner])?;
+    let run = tool.fair(&case, inner, &["--inner-fairness", inner])?;
     Ok(Faired {
         case,
         linear,
@@ -218,7 +218,7 @@ fn figure_8(tool: &Tool) -> io::Result<String> {
     for inner in ["uniform", "conformal"] {
         let [coarse, fine] = ["500", "13308"].map(|n| {
             let case = tool.generate(&format!("tetra{n}"), &["tetra-thing", "--vertices", n])?;
-            let run = tool.fair(&case, inner, &["--inner", inner])?;
+            let run = tool.fair(&case, inner, &["--inner-fairness", inner])?;
             io::Result::Ok((case, run))
         });
         let (coarse, fine) = (coarse?, fine?);
@@ -281,7 +281,7 @@ pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
     for (k, scan) in scans.iter().enumerate() {
         let case = tool.scan(&format!("scan{k}"), &scan.mesh, &scan.free);
         for inner in ["uniform", "conformal"] {
-            let run = tool.fair(&case, inner, &["--inner", inner])?;
+            let run = tool.fair(&case, inner, &["--inner-fairness", inner])?;
             let ([low, high], [least, most]) = (run.curvature("h_inside"), run.curvature("h_boundary"));
             let _ = writeln!(
                 rows,

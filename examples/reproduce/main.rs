@@ -1,17 +1,21 @@
-//! The paper's figures, table and claims, measured: writes `REPRODUCTION.md` and `docs/reproduction/*.png`.
+//! The paper's figures, table and claims, measured: writes `REPRODUCTION.md` and `docs/reproduction/*.png`; or
+//! `docs/measurements.md`.
 //!
 //! ```text
 //! reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]
+//! reproduce FAIRMESH measurements
 //! ```
 //!
 //! NAME should say where the scan comes from; its picture goes into the document. `FAIRMESH` is the program; it makes the inputs, the surfaces and the pictures. `./reproduce.sh` builds it first.
 //! Every number in the document comes from here.
+#![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 #![allow(clippy::print_stderr, reason = "tells how far it is")]
 
 mod claims;
 mod figures;
 mod machine;
 mod measure;
+mod measurements;
 mod table;
 mod tool;
 
@@ -26,6 +30,7 @@ struct Arguments {
     binary: PathBuf,
     scans: Vec<Scan>,
     runs: usize,
+    measurements: bool,
 }
 
 /// A scan to be shown, as the paper's Figs. 9 and 10 do.
@@ -46,6 +51,7 @@ fn arguments() -> Option<Arguments> {
         binary: words.next()?.into(),
         scans: Vec::new(),
         runs: 5,
+        measurements: false,
     };
     while let Some(word) = words.next() {
         match word.as_str() {
@@ -56,6 +62,7 @@ fn arguments() -> Option<Arguments> {
                 view: words.next()?,
             }),
             "--runs" => arguments.runs = words.next()?.parse().ok().filter(|n| *n > 0)?,
+            "measurements" => arguments.measurements = true,
             _ => return None,
         }
     }
@@ -65,12 +72,16 @@ fn arguments() -> Option<Arguments> {
 fn main() -> io::Result<()> {
     let Some(arguments) = arguments() else {
         return Err(io::Error::other(
-            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]",
+            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N] | measurements",
         ));
     };
     let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let work = root.join("target/reproduction");
     let tool = Tool::new(arguments.binary, work, root.join("docs/reproduction"))?;
+    if arguments.measurements {
+        let text = measurements::document(&tool, &machine())?;
+        return fs::write(root.join("docs/measurements.md"), text);
+    }
     let mut text = head();
     for (what, section) in [
         ("table", table::section(&tool, arguments.runs)?),
@@ -85,15 +96,20 @@ fn main() -> io::Result<()> {
     fs::write(root.join("REPRODUCTION.md"), text)
 }
 
-fn head() -> String {
-    let model = machine::processor();
+/// What figures in seconds belong to.
+fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{}, {threads} threads", machine::processor())
+}
+
+fn head() -> String {
+    let machine = machine();
     format!(
         "# Reproduction\n\n\
         The figures, the table and the claims of R. Schneider, L. Kobbelt, \"Geometric fairing of irregular meshes for\n\
         free-form surface design\", CAGD 18 (2001), made with this program. This file and its pictures are written by\n\n\
         ```sh\n./reproduce.sh\n```\n\n\
-        and no measured number in it is typed. Machine of this run: {model}, {threads} threads. Distances are to a surface, over the\n\
+        and no measured number in it is typed. Machine of this run: {machine}. Distances are to a surface, over the\n\
         diagonal of its bounding box. Boundary normals are the exact ones of the input, but for the scans.\n\n"
     )
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::ops::ControlFlow;
 
-use fairmesh::{BoundaryNormals, InnerFairness, Options, Selection, fair};
+use fairmesh::{BoundaryNormals, InnerFairness, Options, Selection, fair_with_progress};
 use nalgebra::Vector3;
 
 use crate::tool::Case;
@@ -18,16 +18,16 @@ pub fn linear_surface(case: &Case, inner: InnerFairness) -> io::Result<Vec<[f64;
         _ => ControlFlow::Break(()),
     };
     let options = Options {
-        normals: BoundaryNormals::Given(&given),
-        inner,
-        progress: Some(&mut stop),
+        boundary_normals: BoundaryNormals::Given(given),
+        inner_fairness: inner,
         ..Options::default()
     };
-    let solution = fair(
+    let solution = fair_with_progress(
         &case.positions,
         &case.triangles,
         Selection::Vertices(&case.free),
-        options,
+        &options,
+        &mut stop,
     );
     Ok(solution.map_err(io::Error::other)?.positions)
 }

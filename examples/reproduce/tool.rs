@@ -171,6 +171,24 @@ impl Tool {
         })
     }
 
+    /// `fairmesh fill ...` of a mesh with holes.
+    pub fn fill(&self, case: &Case, name: &str, arguments: &[&str]) -> io::Result<Run> {
+        let file = self.work.join(format!("{}.{name}.ply", case.name));
+        let report = self.work.join(format!("{}.{name}.json", case.name));
+        let mut all: Vec<String> = ["fill", "--quiet"].map(str::to_owned).to_vec();
+        all.push(case.file.display().to_string());
+        for (option, value) in [("-o", &file), ("--json", &report)] {
+            all.extend([option.to_owned(), value.display().to_string()]);
+        }
+        all.extend(arguments.iter().map(|&a| a.to_owned()));
+        self.run(&all)?;
+        Ok(Run {
+            positions: read_ply(&file)?.0,
+            report: serde_json::from_slice(&fs::read(&report)?).map_err(io::Error::other)?,
+            file,
+        })
+    }
+
     /// The same `times` times: the quickest of them, and the mean CPU seconds of the whole program, files included,
     /// where the system tells.
     pub fn timed(

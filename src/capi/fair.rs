@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, ProgressCallback};
+use super::options::{HostCallback, OptionsIn};
 use super::outputs::*;
 use super::report;
 use super::results::Content;
@@ -13,7 +13,7 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::mean_curvature;
-use fairmesh::{Progress, Solution, fair};
+use fairmesh::{Progress, Solution, fair_with_progress};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
@@ -67,8 +67,8 @@ pub extern "C" fn fairmesh_fair(
         point();
         let solution = {
             let mut tell = |progress: &Progress| callback.tell(progress);
-            let options = asked.options(&normals, Some(&mut tell));
-            fair(&positions, &triangles, selected.selection(), options)?
+            let options = asked.options(normals);
+            fair_with_progress(&positions, &triangles, selected.selection(), &options, &mut tell)?
         };
         drop((positions, triangles));
         callback.memory()?;
@@ -120,7 +120,7 @@ pub extern "C" fn fairmesh_mean_curvature(
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
-        let callback = ProgressCallback::new(None, core::ptr::null_mut());
+        let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
         let curvature = mean_curvature(&positions, &triangles)?;
         callback.memory()?;

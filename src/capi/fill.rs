@@ -7,7 +7,7 @@ use super::about::{default_fill_options, default_remesh_options};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, ProgressCallback};
+use super::options::{HostCallback, OptionsIn};
 use super::outputs::*;
 use super::results::Content;
 use super::status::*;
@@ -15,7 +15,8 @@ use super::types::*;
 use super::views::*;
 use fairmesh::Progress;
 use fairmesh::{
-    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops, fill_holes, remesh_region,
+    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops, fill_holes_with_progress,
+    remesh_region,
 };
 
 use fairmesh_status as Status;
@@ -35,7 +36,7 @@ pub extern "C" fn fairmesh_boundary_loops(
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-        let callback = ProgressCallback::new(None, core::ptr::null_mut());
+        let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
         let loops = boundary_loops(&positions, &triangles)?;
         publish(Arc::new(Content::Loops(loops)), result, &callback)
@@ -102,16 +103,16 @@ pub extern "C" fn fairmesh_fill_holes(
             let mut tell = |progress: &Progress| callback.tell(progress);
             let asked = FillOptions {
                 loops: if named.count > 0 {
-                    Loops::Chosen(&numbers)
+                    Loops::Chosen(numbers)
                 } else {
                     Loops::UpTo(count(fill_view.max_edges))
                 },
                 density: fill_view.density,
                 max_new_vertices: most,
                 fair: fill_view.fair != 0,
-                fairing: asked.options(&normals, Some(&mut tell)),
+                fairing: asked.options(normals),
             };
-            fill_holes(&positions, &triangles, asked)?
+            fill_holes_with_progress(&positions, &triangles, &asked, &mut tell)?
         };
         callback.memory()?;
         let content = Content::Filled {
@@ -197,7 +198,7 @@ pub extern "C" fn fairmesh_remesh(
         let triangles = mesh.triangles.rows::<3>()?;
         let most = count(view.max_vertices);
         let _reserve = memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, most)?)?;
-        let callback = ProgressCallback::new(None, core::ptr::null_mut());
+        let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
         let asked = RemeshOptions {
             density: view.density,

@@ -198,13 +198,6 @@ pub(crate) struct NormalsIn {
     vertices: Array,
 }
 
-/// Boundary normals as the library takes them.
-pub(crate) enum NormalsRead {
-    Fitted,
-    Averaged,
-    Given(Vec<(u32, [f64; 3])>),
-}
-
 impl NormalsIn {
     pub(crate) fn new(
         view: &fairmesh_normals,
@@ -259,11 +252,11 @@ impl NormalsIn {
         })
     }
 
-    pub(crate) fn read(&self, vertices: usize) -> CallResult<NormalsRead> {
+    pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryNormals> {
         let Some(vectors) = &self.vectors else {
             return Ok(match self.kind {
-                fairmesh_normals_kind::Averaged => NormalsRead::Averaged,
-                _ => NormalsRead::Fitted,
+                fairmesh_normals_kind::Averaged => BoundaryNormals::Averaged,
+                _ => BoundaryNormals::Fitted,
             });
         };
         let listed = !self.vertices.data.is_null();
@@ -287,16 +280,6 @@ impl NormalsIn {
                 given.push((vertex, n));
             }
         }
-        Ok(NormalsRead::Given(given))
-    }
-}
-
-impl NormalsRead {
-    pub(crate) fn normals(&self) -> BoundaryNormals<'_> {
-        match self {
-            Self::Fitted => BoundaryNormals::Fitted,
-            Self::Averaged => BoundaryNormals::Averaged,
-            Self::Given(list) => BoundaryNormals::Given(list),
-        }
+        Ok(BoundaryNormals::Given(given))
     }
 }

@@ -4,12 +4,14 @@ use core::ffi::c_void;
 use core::mem::offset_of;
 use std::ops::ControlFlow;
 
-use super::input::{NormalsIn, NormalsRead};
+use super::input::NormalsIn;
 use super::memory;
 use super::status::{CallResult, Failure, Text, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
-use fairmesh::{Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target, Watcher};
+use fairmesh::{
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target,
+};
 use fairmesh::{Estimate, PaperOptions};
 
 pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
@@ -35,7 +37,7 @@ pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Targ
 /// Options, checked; arrays in them not read.
 pub(crate) struct OptionsIn {
     pub normals: NormalsIn,
-    pub callback: ProgressCallback,
+    pub callback: HostCallback,
     target: Target,
     interior: InteriorNormals,
     inner: InnerFairness,
@@ -164,7 +166,7 @@ impl OptionsIn {
         );
         Ok(Self {
             normals,
-            callback: ProgressCallback::new(view.progress, view.user_data),
+            callback: HostCallback::new(view.progress, view.user_data),
             target,
             interior,
             inner,
@@ -219,40 +221,35 @@ impl OptionsIn {
         })
     }
 
-    pub(crate) fn options<'a>(
-        &self,
-        normals: &'a NormalsRead,
-        progress: Option<&'a mut Watcher<'a>>,
-    ) -> Options<'a> {
+    pub(crate) fn options(&self, boundary_normals: BoundaryNormals) -> Options {
         Options {
-            normals: normals.normals(),
-            interior: self.interior,
+            boundary_normals,
+            interior_normals: self.interior,
             target: self.target,
-            inner: self.inner,
+            inner_fairness: self.inner,
             discretization: self.discretization,
             solver: self.solver,
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
             threads: self.threads,
-            progress,
         }
     }
 }
 
 /// The callback, and the watch on the memory.
 #[derive(Clone, Copy)]
-pub(crate) struct ProgressCallback {
+pub(crate) struct HostCallback {
     progress: fairmesh_progress_fn,
     user_data: *mut c_void,
     failures: usize,
 }
 
 // SAFETY: the pointer is only handed back to the caller's function, on the thread that makes the call.
-unsafe impl Send for ProgressCallback {}
+unsafe impl Send for HostCallback {}
 // SAFETY: as above.
-unsafe impl Sync for ProgressCallback {}
+unsafe impl Sync for HostCallback {}
 
-impl ProgressCallback {
+impl HostCallback {
     pub(crate) fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
         Self {
             progress,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::handles;
-use super::options::ProgressCallback;
+use super::options::HostCallback;
 use super::results::Content;
 use super::status::CallResult;
 use super::types::fairmesh_result;
@@ -13,7 +13,7 @@ use super::views::{Argument, NumbersOut, write};
 pub(crate) fn publish(
     content: Arc<Content>,
     result: *mut *mut fairmesh_result,
-    callback: &ProgressCallback,
+    callback: &HostCallback,
 ) -> CallResult {
     let handle = handles::add::<fairmesh_result, _>(content);
     if let Err(failure) = callback.memory() {

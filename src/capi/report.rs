@@ -68,7 +68,7 @@ fn outcome(of: &Outcome) -> (fairmesh_outcome, f64, [c_char; 160]) {
         Outcome::ConvergedLoosely { reason } => (
             C::ConvergedLoosely,
             1.0,
-            Text::new(format_args!("{reason}")).characters(),
+            Text::new(format_args!("{}", reason.text())).characters(),
         ),
         Outcome::NormalsNotReachable { reached, .. } => (C::NormalsNotReachable, *reached, nothing),
         Outcome::TargetNotReachable { reached } => (C::TargetNotReachable, *reached, nothing),

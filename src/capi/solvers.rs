@@ -3,7 +3,7 @@
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
 use super::memory::Reserve;
-use super::options::ProgressCallback;
+use super::options::HostCallback;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use fairmesh::Session;
 
@@ -12,7 +12,7 @@ pub(crate) struct Shared(Mutex<Solver>);
 
 pub(crate) struct Solver {
     pub session: Session,
-    pub callback: ProgressCallback,
+    pub callback: HostCallback,
     pub vertices: usize,
     /// What each call sets aside.
     pub need: usize,

@@ -58,7 +58,7 @@ pub extern "C" fn fairmesh_solver_new(
             &positions,
             &triangles,
             selected.selection(),
-            &asked.options(&normals, None),
+            &asked.options(normals),
         )?;
         let made = Solver {
             session,
@@ -136,7 +136,7 @@ pub extern "C" fn fairmesh_solver_set_normals(
         let _reserve = memory_bounds::reserve(solver.need)?;
         let callback = solver.callback.fresh();
         point();
-        solver.session.set_boundary_normals(asked.normals())?;
+        solver.session.set_boundary_normals(asked)?;
         callback.memory()
     })
 }

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{BoundaryNormals, Options, Outcome, Selection};
+use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Solution};
 use fairmesh_shapes::Shape;
 
 use crate::failure::Failure;
-use crate::formats::{self, Format};
+use crate::formats::{self, Format, Geometry};
 use crate::output::Output;
-use crate::picture::{self, Layout, Shading, View};
+use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::report::{Summary, Times};
 
 /// What `fairmesh demo` is asked.
@@ -38,60 +38,46 @@ start.ply and result.ply are the two meshes, for any viewer. Next, fair a mesh o
 pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let directory = &args.directory;
-    fs::create_dir_all(directory).map_err(|why| {
-        Failure::new(format!(
-            "{}: cannot make this directory: {why}",
-            directory.display()
-        ))
-    })?;
+    let name = directory.display();
+    fs::create_dir_all(directory)
+        .map_err(|why| Failure::new(format!("{name}: cannot make this directory: {why}")))?;
     let shape = fairmesh_shapes::cylinder_blend();
     let rough = shape.noise(1, ROUGHNESS);
-    let normals = boundary_normals(&shape);
-    let options = Options {
-        normals: BoundaryNormals::Given(&normals),
-        ..Options::default()
-    };
     let solving = Instant::now();
-    let solution = fairmesh::fair(&rough, &shape.triangles, Selection::Mask(&shape.free), options)
-        .map_err(|error| Failure::new(format!("demo: {error}")))?;
+    let solution = solve(&shape, &rough).map_err(|error| Failure::new(format!("demo: {error}")))?;
     let solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
-    let polygons: Vec<Vec<u32>> = shape.triangles.iter().map(|triangle| triangle.to_vec()).collect();
-    let result = &solution.positions;
-    write(
-        &directory.join("start.ply"),
-        &formats::plain(Format::Ply, &rough, &polygons),
-    )?;
-    write(
-        &directory.join("result.ply"),
-        &formats::plain(Format::Ply, result, &polygons),
-    )?;
-    write(
-        &directory.join("blend.png"),
-        &picture(&shape.triangles, &rough, result)?,
-    )?;
-    let times = Times {
-        read: 0.0,
-        solve,
-        write: writing.elapsed().as_secs_f64(),
-        total: start.elapsed().as_secs_f64(),
-    };
-
-    let geometry = formats::Geometry::default();
+    let mesh = |positions: &[[f64; 3]]| formats::plain(Format::Ply, positions, &shape.triangles);
+    write(&directory.join("start.ply"), &mesh(&rough))?;
+    write(&directory.join("result.ply"), &mesh(&solution.positions))?;
+    let picture = picture(&shape.triangles, &rough, &solution.positions)?;
+    write(&directory.join("blend.png"), &picture)?;
     let summary = Summary {
         report: &solution.report,
-        geometry: &geometry,
-        times,
+        geometry: &Geometry::default(),
+        times: Times {
+            read: 0.0,
+            solve,
+            write: writing.elapsed().as_secs_f64(),
+            total: start.elapsed().as_secs_f64(),
+        },
         stale_normals: 0,
     };
     crate::say(&format!(
-        "Written to {}: start.ply, result.ply, blend.png\n",
-        directory.display()
+        "Written to {name}: start.ply, result.ply, blend.png\n{WHAT_TO_LOOK_AT}\n{}",
+        summary.readable()
     ));
-    crate::say(WHAT_TO_LOOK_AT);
-    crate::say(&format!("\n{}", summary.readable()));
     Ok(solution.report.outcome == Outcome::Converged)
+}
+
+fn solve(shape: &Shape, start: &[[f64; 3]]) -> Result<Solution, fairmesh::Error> {
+    let normals = boundary_normals(shape);
+    let options = Options {
+        boundary_normals: BoundaryNormals::Given(normals),
+        ..Options::default()
+    };
+    fairmesh::fair(start, &shape.triangles, Selection::Mask(&shape.free), &options)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
@@ -113,7 +99,6 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
         positions,
         triangles,
         shading,
-        region: &[],
         focus: &[],
     };
     let views = [
@@ -123,10 +108,10 @@ fn picture(triangles: &[[u32; 3]], start: &[[f64; 3]], result: &[[f64; 3]]) -> R
         view(result, Shading::ReflectionLines),
     ];
     // From above, along one of the three tubes.
-    let options = picture::Options {
+    let options = PictureOptions {
         tile: [490, 400],
         direction: [0.45, -0.75, 0.8],
-        ..picture::Options::default()
+        ..PictureOptions::default()
     };
     let layout = Layout {
         columns: 2,

@@ -1,11 +1,14 @@
 //! Refusals and outcomes in words, in the numbering of the user's file.
 
+use std::path::Path;
+
 use fairmesh::{Error, Outcome, Report};
 
+use crate::failure::Failure;
 use crate::formats::{Geometry, MeshFile};
 
 /// The library's refusal with polygons instead of triangles, where it is, and what to do.
-pub fn refusal(error: &Error, mesh: &MeshFile) -> String {
+pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
     let geometry = &mesh.geometry;
     let message = in_polygons(error, geometry).to_string();
     let place = vertex_of(error)
@@ -13,10 +16,8 @@ pub fn refusal(error: &Error, mesh: &MeshFile) -> String {
         .map_or(String::new(), |(v, [x, y, z])| {
             format!(" (vertex {v} is at {x} {y} {z})")
         });
-    match remedy(error) {
-        Some(remedy) => format!("{message}{place}; {remedy}"),
-        None => format!("{message}{place}"),
-    }
+    let remedy = remedy(error).map_or(String::new(), |remedy| format!("; {remedy}"));
+    Failure::new(format!("{}: {message}{place}{remedy}", path.display()))
 }
 
 /// Triangles of a file of polygons are numbered by polygon.
@@ -80,7 +81,7 @@ pub fn outcome(report: &Report) -> String {
                 triangles.len()
             )
         }
-        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {reason}"),
+        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {}", reason.text()),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
             "no surface with the boundary normals was found: {:.0} % of the way was reached, and the normals of {} \
              vertices stand farthest off",
@@ -99,17 +100,17 @@ pub fn outcome(report: &Report) -> String {
 }
 
 /// What the user can do about the outcome; empty if there is nothing to do.
-pub fn advice(report: &Report) -> String {
-    let advice = match &report.outcome {
+pub fn advice(report: &Report) -> &'static str {
+    match &report.outcome {
         Outcome::Converged => "",
         Outcome::ConvergedPoorTriangles { .. } => {
-            "look at these triangles; remeshing the region, or --inner uniform, usually cures them"
+            "look at these triangles; remeshing the region, or --inner-fairness uniform, usually cures them"
         }
         Outcome::ConvergedLoosely { .. } => {
             "the surface is usable; a better mesh of the region, or a larger --tolerance, usually cures it"
         }
         Outcome::NormalsNotReachable { .. } => {
-            "check the normals of the vertices named (flipped? noise?); try --average-normals or select more"
+            "check the normals of the vertices named (flipped? noise?); try --normals averaged or select more"
         }
         Outcome::TargetNotReachable { .. } => {
             "the file holds the linear surface; ask for a smaller constant, or a smaller region"
@@ -117,10 +118,11 @@ pub fn advice(report: &Report) -> String {
         Outcome::NotConverged => {
             "the file holds the linear surface; select more, or remesh the region and try again"
         }
-        Outcome::IterationLimit => "run again with a larger --max-iterations, or fair the result once more",
+        Outcome::IterationLimit => {
+            "run again with a larger --max-iterations (solver paper: --paper-max-updates), or fair the result once more"
+        }
         _ => "the file holds the best surface so far",
-    };
-    advice.to_owned()
+    }
 }
 
 #[cfg(test)]
@@ -132,7 +134,10 @@ mod tests {
     fn refusals_name_faces_and_places() {
         let text = "OFF 6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1.5 0\n4 0 1 4 3\n4 1 2 5 4\n";
         let mesh = MeshFile::parse("quads.off", Format::Off, text.as_bytes().to_vec()).unwrap();
-        let told = |error: Error| refusal(&error, &mesh);
+        let told = |error: Error| {
+            let told = refusal(Path::new("quads.off"), &mesh, &error).to_string();
+            told.strip_prefix("quads.off: ").unwrap().to_owned()
+        };
         assert_eq!(
             told(Error::RepeatedIndex {
                 triangle: 3,

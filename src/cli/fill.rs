@@ -1,4 +1,4 @@
-//! `fairmesh holes` and `fairmesh fill`.
+//! `fairmesh fill`: the holes of a file filled.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -6,26 +6,16 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Options, Outcome, Progress, boundary_loops, fill_holes,
+    FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome, Progress,
+    fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
+use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
-use crate::fair::{Bar, prepare_json};
 use crate::formats::{Added, Format, MeshFile};
-use crate::output::Output;
-
-/// What `fairmesh holes` is asked.
-#[derive(Debug, Args)]
-pub struct HolesArgs {
-    /// The mesh: .ply, .obj, .off or .stl
-    input: PathBuf,
-    /// Writes the list as JSON, too
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-}
+use crate::output::{Output, prepare_json};
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -69,79 +59,15 @@ pub struct FillArgs {
     quiet: bool,
 }
 
-/// Lists the boundary loops.
-pub fn list(args: &HolesArgs) -> Result<bool, Failure> {
-    let mesh = MeshFile::read(&args.input)?;
-    let json = prepare_json(args.json.as_deref(), &[&args.input])?;
-    let geometry = &mesh.geometry;
-    let name = args.input.display();
-    let loops = boundary_loops(&geometry.positions, &geometry.triangles)
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
-    let mut text = match loops.len() {
-        0 => "no boundary: the mesh is closed\n".to_owned(),
-        _ => "loop   edges      length        area  turn  kind\n".to_owned(),
-    };
-    for (i, boundary) in loops.iter().enumerate() {
-        let _ = writeln!(
-            text,
-            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0}  {}{}",
-            boundary.vertices.len(),
-            boundary.length,
-            boundary.area,
-            boundary.turn,
-            kind(boundary),
-            touching(boundary)
-        );
-    }
-    crate::say(&text);
-    if let Some(json) = json {
-        let all: Vec<Value> = loops.iter().map(described).collect();
-        json.write(format!("{:#}\n", Value::from(all)).as_bytes())?;
-    }
-    Ok(true)
-}
-
-fn kind(boundary: &BoundaryLoop) -> String {
-    match boundary.kind {
-        LoopKind::Hole => "hole".into(),
-        LoopKind::OuterBoundary => "outer boundary".into(),
-        LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
-        _ => "unknown".into(),
-    }
-}
-
-fn touching(boundary: &BoundaryLoop) -> String {
-    match boundary.touching.len() {
-        0 => String::new(),
-        1 => format!(", touches another at vertex {}", boundary.touching[0]),
-        n => format!(", touches others at {n} vertices"),
-    }
-}
-
-fn described(boundary: &BoundaryLoop) -> Value {
-    let (name, edge) = match boundary.kind {
-        LoopKind::Hole => ("hole", Value::Null),
-        LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
-        LoopKind::NonManifold { a, b } => ("non_manifold", json!([a, b])),
-        _ => ("unknown", Value::Null),
-    };
-    json!({
-        "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
-        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "vertices": boundary.vertices,
-    })
-}
-
 /// Fills holes; true if all that were asked for are filled and fair.
 pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let format = Format::of(&args.output)?;
-    let name = args.input.display().to_string();
     let mesh = MeshFile::read(&args.input)?;
     let output = Output::prepare(&args.output)?;
     let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let solving = Instant::now();
-    let filled = solve(args, &mesh)
-        .map_err(|error| Failure::new(format!("{name}: {}", explain::refusal(&error, &mesh))))?;
+    let filled = solve(args, &mesh).map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -155,7 +81,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         let value = json!({ "loops": loops, "new_vertices": filled.parents.len(),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } });
-        json.write(format!("{value:#}\n").as_bytes())?;
+        json.write_json(&value)?;
     }
     if !args.quiet {
         crate::say(&readable(&filled));
@@ -171,7 +97,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         loops: if args.loops.is_empty() {
             Loops::UpTo(args.max_edges.unwrap_or(usize::MAX))
         } else {
-            Loops::Chosen(&args.loops)
+            Loops::Chosen(args.loops.clone())
         },
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
@@ -179,11 +105,15 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             threads: args.threads,
-            progress: Some(&mut progress),
             ..Options::default()
         },
     };
-    let filled = fill_holes(&mesh.geometry.positions, &mesh.geometry.triangles, options);
+    let filled = fill_holes_with_progress(
+        &mesh.geometry.positions,
+        &mesh.geometry.triangles,
+        &options,
+        &mut progress,
+    );
     bar.finish();
     filled
 }
@@ -290,7 +220,7 @@ fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
             "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals })
     });
     json!({
-        "loop": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
+        "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
         "seconds": report.seconds,

@@ -191,7 +191,7 @@ pub fn average<const N: usize>(
 }
 
 /// Where the numbers are in the file's bytes.
-enum Layout {
+enum Places {
     Ply(ply::Ply),
     Obj(obj::Obj),
     Off(off::Off),
@@ -201,7 +201,7 @@ enum Layout {
 /// A mesh file: its bytes and what they mean.
 pub struct MeshFile {
     bytes: Vec<u8>,
-    layout: Layout,
+    places: Places,
     /// What the solver needs.
     pub geometry: Geometry,
 }
@@ -218,15 +218,15 @@ impl MeshFile {
     /// Understands the bytes of a file of this format. `name` is for messages.
     pub fn parse(name: &str, format: Format, bytes: Vec<u8>) -> Result<Self, Failure> {
         let parsed = match format {
-            Format::Ply => ply::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Ply(layout))),
-            Format::Obj => obj::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Obj(layout))),
-            Format::Off => off::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Off(layout))),
-            Format::Stl => stl::parse(&bytes).map(|(geometry, layout)| (geometry, Layout::Stl(layout))),
+            Format::Ply => ply::parse(&bytes).map(|(geometry, places)| (geometry, Places::Ply(places))),
+            Format::Obj => obj::parse(&bytes).map(|(geometry, places)| (geometry, Places::Obj(places))),
+            Format::Off => off::parse(&bytes).map(|(geometry, places)| (geometry, Places::Off(places))),
+            Format::Stl => stl::parse(&bytes).map(|(geometry, places)| (geometry, Places::Stl(places))),
         };
-        let (geometry, layout) = parsed.map_err(|malformed| malformed.locate(name, &bytes))?;
+        let (geometry, places) = parsed.map_err(|malformed| malformed.locate(name, &bytes))?;
         Ok(Self {
             bytes,
-            layout,
+            places,
             geometry,
         })
     }
@@ -241,19 +241,19 @@ impl MeshFile {
 
     /// The file's format.
     pub fn format(&self) -> Format {
-        match self.layout {
-            Layout::Ply(_) => Format::Ply,
-            Layout::Obj(_) => Format::Obj,
-            Layout::Off(_) => Format::Off,
-            Layout::Stl(_) => Format::Stl,
+        match self.places {
+            Places::Ply(_) => Format::Ply,
+            Places::Obj(_) => Format::Obj,
+            Places::Off(_) => Format::Off,
+            Places::Stl(_) => Format::Stl,
         }
     }
 
     /// The elements for which the property `name` is nonzero (`flags`: has the selection bit); None if the
     /// file has no such property.
     pub fn selected(&self, kind: Kind, name: &str) -> Option<Vec<u32>> {
-        match &self.layout {
-            Layout::Ply(layout) => layout.selected(&self.bytes, kind, name),
+        match &self.places {
+            Places::Ply(places) => places.selected(&self.bytes, kind, name),
             _ => None,
         }
     }
@@ -262,13 +262,13 @@ impl MeshFile {
     /// otherwise the vertices and faces and nothing else.
     pub fn with_added(&self, format: Format, added: &Added<'_>) -> Vec<u8> {
         let new = &added.triangles[self.geometry.triangles.len()..];
-        match &self.layout {
-            Layout::Ply(layout) if format == Format::Ply => {
+        match &self.places {
+            Places::Ply(places) if format == Format::Ply => {
                 let mut patches = Patches::default();
-                layout.grow(&self.bytes, added, new, &mut patches);
+                places.grow(&self.bytes, added, new, &mut patches);
                 patches.apply(&self.bytes)
             }
-            Layout::Obj(_) if format == Format::Obj => obj::grown(&self.bytes, added, new),
+            Places::Obj(_) if format == Format::Obj => obj::grown(&self.bytes, added, new),
             _ => {
                 let mut polygons = self.geometry.polygons();
                 polygons.extend(new.iter().map(|t| t.to_vec()));
@@ -289,11 +289,11 @@ impl MeshFile {
             normals: &normals,
         };
         let mut patches = Patches::default();
-        let stale_normals = match &self.layout {
-            Layout::Ply(layout) => layout.patch(&self.bytes, &change, &mut patches),
-            Layout::Obj(layout) => layout.patch(&self.bytes, &change, &mut patches),
-            Layout::Off(layout) => layout.patch(&self.bytes, &change, &mut patches),
-            Layout::Stl(layout) => layout.patch(&self.bytes, &self.geometry.triangles, &change, &mut patches),
+        let stale_normals = match &self.places {
+            Places::Ply(places) => places.patch(&self.bytes, &change, &mut patches),
+            Places::Obj(places) => places.patch(&self.bytes, &change, &mut patches),
+            Places::Off(places) => places.patch(&self.bytes, &change, &mut patches),
+            Places::Stl(places) => places.patch(&self.bytes, &self.geometry.triangles, &change, &mut patches),
         };
         Written {
             bytes: patches.apply(&self.bytes),
@@ -303,7 +303,7 @@ impl MeshFile {
 }
 
 /// A new file of this format that holds these positions and polygons and nothing else.
-pub fn plain(format: Format, positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+pub fn plain(format: Format, positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
     match format {
         Format::Ply => ply::plain(positions, polygons),
         Format::Obj => obj::plain(positions, polygons),

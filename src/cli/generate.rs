@@ -118,10 +118,10 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
     let format = Format::of(&args.output)?;
     let mut files = vec![(
         Output::prepare(&args.output)?,
-        mesh(format, &positions, &shape.triangles),
+        formats::plain(format, &positions, &shape.triangles),
     )];
     if let Some(path) = &args.exact {
-        let bytes = mesh(Format::of(path)?, &shape.positions, &shape.triangles);
+        let bytes = formats::plain(Format::of(path)?, &shape.positions, &shape.triangles);
         files.push((Output::prepare(path)?, bytes));
     }
     if let Some(path) = &args.free {
@@ -186,11 +186,6 @@ fn make(args: &GenerateArgs) -> Shape {
         ShapeKind::Unduloid => fairmesh_shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
         ShapeKind::Saddle => fairmesh_shapes::saddle_graph(n, sampling, outside),
     }
-}
-
-fn mesh(format: Format, positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
-    let polygons: Vec<Vec<u32>> = triangles.iter().map(|triangle| triangle.to_vec()).collect();
-    formats::plain(format, positions, &polygons)
 }
 
 fn summary(args: &GenerateArgs, shape: &Shape) -> String {

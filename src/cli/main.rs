@@ -2,13 +2,19 @@
 //!
 //! Exit codes: 0 converged and sound, 2 wrong usage or input, 3 written but not converged.
 
+#![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
+
+mod bar;
 mod demo;
 mod explain;
 mod failure;
 mod fair;
+mod figures;
 mod fill;
 mod formats;
 mod generate;
+mod help;
+mod holes;
 mod normals;
 mod output;
 mod picture;
@@ -17,6 +23,7 @@ mod render;
 mod report;
 mod selection;
 mod solver;
+mod surface;
 mod text;
 
 use std::io::Write;
@@ -27,7 +34,7 @@ use clap::{Parser, Subcommand};
 /// Fairs a region of a triangle mesh: moves its vertices until the surface is smooth,
 /// tangent to its surroundings and independent of the triangulation.
 #[derive(Debug, Parser)]
-#[command(version, verbatim_doc_comment)]
+#[command(name = "fairmesh", version, verbatim_doc_comment)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -36,82 +43,27 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Fairs a region of a mesh file
-    #[command(long_about = LONG_ABOUT, after_long_help = AFTER_HELP, after_help = EXAMPLES)]
+    #[command(long_about = help::FAIR_ABOUT, after_long_help = help::FAIR_LONG, after_help = help::FAIR_SHORT)]
     Fair(Box<fair::FairArgs>),
     /// Writes one of the paper's inputs or an exact surface as a mesh file
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
     Render(render::RenderArgs),
     /// Lists the boundary loops of a mesh file
-    Holes(fill::HolesArgs),
+    Holes(holes::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
-    #[command(after_help = AFTER_FILL)]
+    #[command(after_help = help::FILL)]
     Fill(fill::FillArgs),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
-
-const LONG_ABOUT: &str = "\
-Fairs a region of a mesh file: the free vertices move until the surface has harmonic mean curvature,
-meets the fixed vertices and has the tangent planes of its surroundings there.
-
-Say which vertices may move by --free, --faces or --selection. Without any of these, the selection that
-MeshLab stores in a PLY file (property 'flags') is used, selected faces first.
-
-Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), told by their
-names. If both have the same format, the output is the input with only the coordinates of the free
-vertices replaced, and the normals that the file has for these vertices and their neighbours. Colours,
-texture coordinates, materials, batches, comments, unknown elements and all other vertices stay as they
-are, byte for byte. If the formats differ, the output holds the vertices and faces and nothing else.
-Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
-coordinates are taken as one, and vertices are numbered in the order of their first appearance.
-
-All numbers of vertices and faces are counted from 0, in messages and in the files given, for OBJ too.";
-
-const EXAMPLES: &str = "Examples:
-  fairmesh fair part.ply -o fair.ply                  the faces selected in MeshLab
-  fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
-  fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
-  fairmesh fair part.ply -o fair.ply --selection vertex:quality
-
-Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
-sound, the best surface is written.";
-
-const AFTER_HELP: &str = "Examples:
-  fairmesh fair part.ply -o fair.ply                  the faces selected in MeshLab
-  fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
-  fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
-  fairmesh fair part.ply -o fair.ply --selection vertex:quality
-
-Lists (--free, --faces): one number per line; blank lines and what follows a # are ignored. Normals (--normals):
-'vertex nx ny nz' per line, of any length but zero, pointing to the side that the faces turn to.
-
-The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
-(of Delta_B H = 0, without unit), step, seconds, quality, free_vertices, diagonal, linear_surface, suspicious_normals,
-unreachable_normals, reached, fallback_weights and stale_normals (vertices whose normals in the file
-could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
-the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
-'total' is the whole run. Numbers that are not finite are null.
-
-Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
-sound, the best surface is written.";
-
-const AFTER_FILL: &str = "\
-The new vertices and faces come behind the file's own, which stay as they are, byte for byte, in PLY and OBJ; OFF, STL and
-other formats than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and
-texture coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
-
-Loops that enclose the mesh instead of a gap (the outer boundary of an open sheet) stay open unless named by --loop.
-
-Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
-hole is left open or its surface is not fair: the report says which and why.";
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
-        Command::Holes(args) => fill::list(&args),
+        Command::Holes(args) => holes::run(&args),
         Command::Fill(args) => fill::run(&args),
         Command::Demo(args) => demo::run(&args),
     };

@@ -32,6 +32,11 @@ pub fn unit(a: [f64; 3]) -> Option<[f64; 3]> {
     Some(a.map(|c| c / length + 0.0))
 }
 
+/// The unit normal of a triangle, or None if it has no direction.
+pub fn of_triangle([a, b, c]: [[f64; 3]; 3]) -> Option<[f64; 3]> {
+    unit(cross(sub(b, a), sub(c, a)))
+}
+
 /// Unit normals of the marked vertices by Max's weights (the sum of `e1 x e2 / (|e1|^2 |e2|^2)` over the
 /// corners, exact on spheres); zero where there is no direction.
 fn of(positions: &[[f64; 3]], triangles: &[[u32; 3]], marked: &[bool]) -> Vec<[f64; 3]> {

@@ -1,10 +1,11 @@
 //! Files that are written whole or not at all.
 
-use std::fs::{self, Permissions};
-use std::io::Write;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::process;
 
-use tempfile::{Builder, NamedTempFile};
+use serde_json::Value;
 
 use crate::failure::Failure;
 
@@ -46,25 +47,15 @@ impl Output {
     }
 
     /// A new file beside the target, so that renaming it cannot cross file systems.
-    fn temporary(&self) -> Result<NamedTempFile, Failure> {
+    fn temporary(&self) -> Result<Temporary, Failure> {
         let directory = match self.target.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent,
             _ => Path::new("."),
         };
-        let mut builder = Builder::new();
-        builder.prefix(".fairmesh-");
-        let permissions = fs::metadata(&self.target)
-            .ok()
-            .map(|found| found.permissions())
-            .or_else(usual_permissions);
-        if let Some(permissions) = permissions.clone() {
-            builder.permissions(permissions);
-        }
-        let file = builder.tempfile_in(directory).map_err(|why| {
+        Temporary::new(directory).map_err(|why| {
             let directory = directory.display();
             self.failure(format!("no file can be made in '{directory}': {}", short(&why)))
-        })?;
-        Ok(file)
+        })
     }
 
     /// Writes the bytes to a temporary file and gives it the name.
@@ -72,49 +63,105 @@ impl Output {
         if self.is_special {
             return fs::write(&self.target, bytes).map_err(|why| self.failure(why));
         }
-        let permissions = fs::metadata(&self.target).ok().map(|found| found.permissions());
-        let mut file = self.temporary()?;
-        file.write_all(bytes)
-            .and_then(|()| file.as_file().sync_all())
-            .map_err(|why| self.failure(why))?;
-        if let Some(permissions) = permissions {
-            // Making a file applies the umask; an existing file's permissions are kept exactly.
-            file.as_file()
-                .set_permissions(permissions)
-                .map_err(|why| self.failure(why))?;
+        let temporary = self.temporary()?;
+        self.replace(&temporary, bytes).map_err(|why| self.failure(why))
+    }
+
+    /// Writes a report.
+    pub fn write_json(&self, report: &Value) -> Result<(), Failure> {
+        self.write(format!("{report:#}\n").as_bytes())
+    }
+
+    fn replace(&self, temporary: &Temporary, bytes: &[u8]) -> io::Result<()> {
+        let mut file = &temporary.file;
+        // Before the bytes: what only some may read is at no time open to others.
+        if let Ok(found) = fs::metadata(&self.target) {
+            file.set_permissions(found.permissions())?;
         }
-        file.persist(&self.target)
-            .map_err(|why| self.failure(why.error))?;
-        Ok(())
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&temporary.path, &self.target)
     }
 }
 
-/// The system's reason without the path, which tempfile adds.
-fn short(why: &std::io::Error) -> String {
+/// Where a report as JSON goes: not over these files.
+pub fn prepare_json(json: Option<&Path>, others: &[&Path]) -> Result<Option<Output>, Failure> {
+    let Some(path) = json else { return Ok(None) };
+    if others.iter().any(|other| same_file(path, other)) {
+        return Err(Failure::new(format!(
+            "{}: --json would overwrite the mesh; name another file",
+            path.display()
+        )));
+    }
+    Output::prepare(path).map(Some)
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    let resolved = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path)).ok();
+    resolved(a) == resolved(b)
+}
+
+/// A new file that is removed at the end unless it was renamed.
+struct Temporary {
+    path: PathBuf,
+    file: File,
+}
+
+impl Temporary {
+    fn new(directory: &Path) -> io::Result<Self> {
+        let mut number = 0;
+        loop {
+            let path = directory.join(format!(".fairmesh-{}-{number}", process::id()));
+            match File::create_new(&path) {
+                Ok(file) => return Ok(Self { path, file }),
+                Err(why) if why.kind() == io::ErrorKind::AlreadyExists => number += 1,
+                Err(why) => return Err(why),
+            }
+        }
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// The system's reason in few words.
+fn short(why: &io::Error) -> String {
     match why.kind() {
-        std::io::ErrorKind::NotFound => "it does not exist".to_owned(),
+        io::ErrorKind::NotFound => "it does not exist".to_owned(),
         kind => kind.to_string(),
     }
 }
 
-/// What a newly made file has, before the umask.
-#[cfg(unix)]
-fn usual_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
-}
-
-/// What a newly made file has: nothing to say.
-#[cfg(not(unix))]
-fn usual_permissions() -> Option<Permissions> {
-    None
-}
-
 #[cfg(all(test, unix))]
 mod tests {
+    use std::fs::Permissions;
     use std::os::unix::fs::{PermissionsExt, symlink};
 
     use super::*;
+
+    /// An empty directory, removed at the end.
+    struct Scratch(PathBuf);
+
+    impl Scratch {
+        fn new(test: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("fairmesh-{}-{test}", process::id()));
+            fs::create_dir(&path).unwrap();
+            Self(path)
+        }
+
+        fn path(&self) -> &Path {
+            &self.0
+        }
+    }
+
+    impl Drop for Scratch {
+        fn drop(&mut self) {
+            fs::remove_dir_all(&self.0).unwrap();
+        }
+    }
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path).unwrap().permissions().mode() & 0o777
@@ -122,7 +169,7 @@ mod tests {
 
     #[test]
     fn files_are_replaced_whole_with_their_permissions() {
-        let directory = tempfile::tempdir().unwrap();
+        let directory = Scratch::new("permissions");
         let (file, link) = (directory.path().join("file"), directory.path().join("link"));
         Output::prepare(&file).unwrap().write(b"one").unwrap();
         // Others may read a new file if the umask lets them, unlike a temporary one.
@@ -138,8 +185,23 @@ mod tests {
     }
 
     #[test]
+    fn other_files_stay_and_a_failed_write_leaves_none_behind() {
+        let directory = Scratch::new("failed");
+        let (file, taken) = (
+            directory.path().join("file"),
+            directory.path().join(format!(".fairmesh-{}-0", process::id())),
+        );
+        fs::write(&taken, "of another run").unwrap();
+        let output = Output::prepare(&file).unwrap();
+        fs::create_dir(&file).unwrap();
+        output.write(b"nowhere to go").unwrap_err();
+        assert_eq!(fs::read(&taken).unwrap(), b"of another run");
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 2);
+    }
+
+    #[test]
     fn what_cannot_be_written_is_refused_before_the_work() {
-        let directory = tempfile::tempdir().unwrap();
+        let directory = Scratch::new("refused");
         let refused = |path: &Path| Output::prepare(path).err().unwrap().to_string();
         assert!(refused(directory.path()).ends_with("cannot write: this is a directory; name a file in it"));
         let file = directory.path().join("file");

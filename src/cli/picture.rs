@@ -3,6 +3,7 @@
 mod camera;
 mod canvas;
 mod paint;
+mod pixels;
 mod sheet;
 
 use rayon::prelude::*;
@@ -31,14 +32,12 @@ pub struct View<'a> {
     pub positions: &'a [V3],
     pub triangles: &'a [[u32; 3]],
     pub shading: Shading<'a>,
-    /// Vertices of the faired region: triangles that have one are tinted. Empty: none.
-    pub region: &'a [bool],
     /// Vertices that have to be in the picture. Empty: all.
     pub focus: &'a [bool],
 }
 
 /// How it is seen. All views are seen by the same camera, which shows all of every surface's focus.
-pub struct Options {
+pub struct PictureOptions {
     /// Width and height of one view, in pixels.
     pub tile: [usize; 2],
     /// From the surface to the eye; any length.
@@ -49,7 +48,7 @@ pub struct Options {
     pub samples: usize,
 }
 
-impl Default for Options {
+impl Default for PictureOptions {
     fn default() -> Self {
         Self {
             tile: [720, 720],
@@ -61,25 +60,32 @@ impl Default for Options {
 }
 
 /// Paints the views in rows and encodes the picture.
-pub fn render(views: &[View<'_>], options: &Options, layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
+pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
     let camera = Camera::around(views, options);
     let tiles: Vec<_> = views
         .par_iter()
         .map(|view| Canvas::paint(view, &camera, options).shrunk(options.samples))
         .collect();
-    sheet::encode(&tiles, layout).map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
+    let sheet = sheet::arrange(&tiles, layout);
+    sheet
+        .png()
+        .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::io::Cursor;
+
     use super::canvas::{BACKDROP, srgb};
     use super::*;
 
     /// The pixels of an encoded picture.
     fn decode(bytes: &[u8]) -> (Vec<u8>, [usize; 2]) {
-        let image = image::load_from_memory(bytes).unwrap().to_rgb8();
-        let size = [image.width() as usize, image.height() as usize];
-        (image.into_raw(), size)
+        let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(info.color_type, png::ColorType::Rgb);
+        (pixels, [info.width as usize, info.height as usize])
     }
 
     /// A square seen from the front, and one half its size before (`near` > 0) or behind it.
@@ -103,14 +109,13 @@ mod tests {
             positions: &positions,
             triangles: &triangles,
             shading,
-            region: &[],
             focus: &[],
         };
-        let options = Options {
+        let options = PictureOptions {
             tile: [50, 50],
             direction: [0.0, 0.0, 1.0],
             up: [0.0, 1.0, 0.0],
-            ..Options::default()
+            ..PictureOptions::default()
         };
         decode(&render(&[view], &options, &Layout::default()).unwrap())
     }
@@ -144,9 +149,9 @@ mod tests {
 
     #[test]
     fn odd_input_makes_a_picture_too() {
-        let options = Options {
+        let options = PictureOptions {
             tile: [8, 8],
-            ..Options::default()
+            ..PictureOptions::default()
         };
         let positions = [[f64::NAN; 3], [0.0; 3], [1.0; 3], [1e308; 3]];
         let triangles = [[0, 1, 2], [1, 1, 1], [1, 2, 3]];
@@ -164,7 +169,6 @@ mod tests {
                 positions: &positions,
                 triangles: &triangles,
                 shading,
-                region: &[],
                 focus: &[],
             };
             let (_, size) = decode(&render(&[view(), view(), view()], &options, &two).unwrap());
@@ -181,14 +185,13 @@ mod tests {
             positions: &positions,
             triangles: &triangles,
             shading: Shading::Values(&values, [-1.0, 1.0]),
-            region: &[],
             focus: &[],
         };
-        let options = Options {
+        let options = PictureOptions {
             tile: [60, 60],
             direction: [0.0, 0.0, 1.0],
             up: [0.0, 1.0, 0.0],
-            ..Options::default()
+            ..PictureOptions::default()
         };
         let captions = ["one".to_owned()];
         let layout = Layout {

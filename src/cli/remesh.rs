@@ -1,37 +1,49 @@
 //! `fairmesh fair --remesh`: the region is triangulated anew where it will lie.
 
-use fairmesh::{RemeshOptions, Solver, remesh_region};
+use std::borrow::Cow;
 
-use crate::fair::{FairArgs, Region, solve};
+use fairmesh::{BoundaryNormals, RemeshOptions, Solver, remesh_region};
+
+use crate::fair::{FairArgs, FairInput, solve};
 use crate::formats::{Geometry, Kind};
+use crate::selection::Selected;
 
 /// How well the surface is faired on which the new vertices are laid out.
 const TOLERANCE: f64 = 1e-3;
 
-/// The new mesh and the region in it.
+/// The same region, triangulated anew.
 pub fn remesh(
     args: &FairArgs,
     solver: Solver,
-    geometry: &Geometry,
-    region: &Region,
-) -> Result<(Geometry, Region), fairmesh::Error> {
-    let rough = solve(args, solver, geometry, region, Some(TOLERANCE))?;
+    input: &FairInput<'_>,
+) -> Result<FairInput<'static>, fairmesh::Error> {
+    let rough = solve(args, solver, input, Some(TOLERANCE))?;
     let positions = if rough.report.linear_surface {
-        &geometry.positions
+        &input.geometry.positions
     } else {
         &rough.positions
     };
-    let options = RemeshOptions::default();
-    let mesh = remesh_region(positions, &geometry.triangles, region.selection(), &options)?;
+    let mesh = remesh_region(
+        positions,
+        &input.geometry.triangles,
+        input.selected.selection(),
+        &RemeshOptions::default(),
+    )?;
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
-    let normals = region.normals.as_ref().map(|list| {
-        let kept = list.iter().filter_map(|&(v, n)| Some((moved(v)?, n)));
-        kept.collect()
-    });
-    let region = Region {
+    let boundary_normals = match &input.boundary_normals {
+        BoundaryNormals::Given(list) => {
+            let kept = list.iter().filter_map(|&(v, n)| Some((moved(v)?, n)));
+            BoundaryNormals::Given(kept.collect())
+        }
+        other => other.clone(),
+    };
+    let selected = Selected {
         kind: Kind::Vertex,
         elements: mesh.free,
-        normals,
     };
-    Ok((Geometry::of_triangles(mesh.positions, mesh.triangles), region))
+    Ok(FairInput {
+        geometry: Cow::Owned(Geometry::of_triangles(mesh.positions, mesh.triangles)),
+        selected,
+        boundary_normals,
+    })
 }

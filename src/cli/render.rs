@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::formats::{Geometry, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
-use crate::picture::{self, Layout, Shading, View};
+use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::selection;
 
 /// How the surface is painted.
@@ -84,22 +84,16 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let captions = captions(args)?;
     let asked_range = args.range.as_deref().map(range).transpose()?;
     let output = Output::prepare(&args.output)?;
-    let meshes = args
-        .inputs
-        .iter()
-        .map(|path| Ok(MeshFile::read(path)?.geometry))
+    let meshes = (args.inputs.iter().map(|path| Ok(MeshFile::read(path)?.geometry)))
         .collect::<Result<Vec<Geometry>, Failure>>()?;
-    let focus = meshes
-        .iter()
-        .map(|mesh| focus(args, mesh))
-        .collect::<Result<Vec<_>, Failure>>()?;
-    let (curvatures, range) = if args.shade.contains(&Shade::Curvature) {
-        let curvatures = curvatures(args, &meshes)?;
-        let range = asked_range.unwrap_or_else(|| usual_range(&curvatures, &focus));
-        (curvatures, range)
+    let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
+    let has_scale = args.shade.contains(&Shade::Curvature);
+    let curvatures = if has_scale {
+        curvatures(args, &meshes)?
     } else {
-        (vec![Vec::new(); meshes.len()], [0.0, 1.0])
+        vec![Vec::new(); meshes.len()]
     };
+    let range = asked_range.unwrap_or_else(|| usual_range(&curvatures, &focus));
     let mut views = Vec::new();
     for shade in &args.shade {
         for ((mesh, focus), curvature) in meshes.iter().zip(&focus).zip(&curvatures) {
@@ -111,7 +105,6 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
                     Shade::Reflection => Shading::ReflectionLines,
                     Shade::Curvature => Shading::Values(curvature, range),
                 },
-                region: &[],
                 focus,
             });
         }
@@ -121,11 +114,11 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     } else {
         meshes.len().min(MOST_COLUMNS)
     };
-    let shown: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
+    let captions: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
     let layout = Layout {
         columns,
-        captions: &shown,
-        scale: args.shade.contains(&Shade::Curvature).then_some(("H", range)),
+        captions: &captions,
+        scale: has_scale.then_some(("H", range)),
     };
     output.write(&picture::render(&views, &options, &layout)?)?;
     Ok(true)
@@ -134,7 +127,7 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
 /// More meshes than this go to the next row.
 const MOST_COLUMNS: usize = 4;
 
-fn options(args: &RenderArgs) -> Result<picture::Options, Failure> {
+fn options(args: &RenderArgs) -> Result<PictureOptions, Failure> {
     let wrong = |what: &str, text: &str, form: &str| Failure::new(format!("{what} {text}: give {form}"));
     let direction = match args.view.as_str() {
         "front" => [0.0, -1.0, 0.0],
@@ -161,11 +154,11 @@ fn options(args: &RenderArgs) -> Result<picture::Options, Failure> {
         .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]))
         .filter(|tile: &[usize; 2]| tile.iter().all(|side| SIZES.contains(side)))
         .ok_or_else(|| wrong("--size", &args.size, "WIDTHxHEIGHT, each from 16 to 4096"))?;
-    Ok(picture::Options {
+    Ok(PictureOptions {
         tile,
         direction,
         up,
-        ..picture::Options::default()
+        ..PictureOptions::default()
     })
 }
 

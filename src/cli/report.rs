@@ -1,13 +1,15 @@
 //! The report at the end of a run: for people and as JSON.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 use fairmesh::{LevelReport, Outcome, Report, Target};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::explain;
-use crate::fair::target_name;
+use crate::figures::{FACES, VERTICES, listed, range, scientific, significant};
+
 use crate::formats::Geometry;
+use crate::surface::target_name;
 
 /// Seconds of the command; `solve` is the library's whole call, `setup` the part of it before any solving.
 #[derive(Debug, Clone, Copy, Default)]
@@ -27,8 +29,14 @@ pub struct Summary<'a> {
     pub stale_normals: usize,
 }
 
-/// How many numbers a line of the readable report shows.
-const SHOWN: usize = 12;
+/// The readable report.
+struct Table(String);
+
+impl Table {
+    fn row(&mut self, name: &str, value: impl Display) {
+        let _ = writeln!(self.0, "  {:<20} {value}", format!("{name}:"));
+    }
+}
 
 impl Summary<'_> {
     /// Triangles in the file's numbering of faces.
@@ -52,136 +60,128 @@ impl Summary<'_> {
 
     /// Lines for people.
     pub fn readable(&self) -> String {
-        let Report { quality, .. } = self.report;
-        let report = self.report;
-        let mut text = format!("{}\n", explain::outcome(report));
-        let advice = explain::advice(report);
+        let mut table = Table(format!("{}\n", explain::outcome(self.report)));
+        let advice = explain::advice(self.report);
         if !advice.is_empty() {
-            let _ = writeln!(text, "  what to do:          {advice}");
+            table.row("what to do", advice);
         }
-        let mut row = |name: &str, value: String| {
-            let _ = writeln!(text, "  {:<20} {value}", format!("{name}:"));
-        };
-        row("free vertices", report.free_vertices.to_string());
-        row(
-            "iterations",
-            format!(
-                "{}, last step {} of the region's diagonal",
-                report.iterations,
-                scientific(report.step)
-            ),
-        );
-        if !report.levels.is_empty() {
-            row("levels", levels(&report.levels));
-        }
-        if report.target != Target::Harmonic {
-            row("target", target_name(report.target));
-        }
-        row(
-            if report.target == Target::Harmonic {
-                "harmonic defect"
-            } else {
-                "defect"
-            },
-            scientific(report.defect),
-        );
-        row("region's diagonal", significant(report.diagonal));
-        let worst = self.geometry.polygon_of(quality.worst_triangle);
-        row(
-            "smallest angle",
-            format!("{} degrees, in face {worst}", significant(quality.worst_angle)),
-        );
-        row("flipped", listed(&self.faces(&quality.flipped), "face"));
-        row("needles", listed(&self.faces(&quality.needles), "face"));
-        row("curvature inside", range(quality.h_inside));
-        row("curvature boundary", range(quality.h_boundary));
-        let deviation = significant(quality.normal_deviation);
-        let rms = significant(quality.normal_deviation_rms);
-        let vertex = quality.normal_deviation_vertex;
-        row(
-            "normal deviation",
-            format!("at most {deviation} degrees (vertex {vertex}), rms {rms}"),
-        );
-        if report.linear_surface {
-            row("surface", "the linear one".into());
-        }
-        if report.fallback_weights > 0 {
-            row(
-                "fallback weights",
-                format!("{} vertices (poor input triangles)", report.fallback_weights),
-            );
-        }
-        if !self.blamed().is_empty() {
-            row("normals far off", listed(self.blamed(), "vertex"));
-        }
-        if !report.suspicious_normals.is_empty() {
-            row(
-                "suspicious normals",
-                format!(
-                    "{} (probably flipped or wrong)",
-                    listed(&report.suspicious_normals, "vertex")
-                ),
-            );
-        }
-        if self.stale_normals > 0 {
-            row(
-                "normals not updated",
-                format!("{} vertices share theirs with others", self.stale_normals),
-            );
-        }
+        self.tell_run(&mut table);
+        self.tell_quality(&mut table);
+        self.tell_remarks(&mut table);
         let Times {
             read,
             solve,
             write,
             total,
         } = self.times;
-        row(
+        table.row(
             "seconds",
-            format!("{total:.2} (read {read:.2}, solve {solve:.2}, write {write:.2})"),
+            format_args!("{total:.2} (read {read:.2}, solve {solve:.2}, write {write:.2})"),
         );
-        text
+        table.0
+    }
+
+    fn tell_run(&self, table: &mut Table) {
+        let report = self.report;
+        table.row("free vertices", report.free_vertices);
+        let (iterations, step) = (report.iterations, scientific(report.step));
+        table.row(
+            "iterations",
+            format_args!("{iterations}, last step {step} of the region's diagonal"),
+        );
+        if !report.levels.is_empty() {
+            table.row("levels", levels(&report.levels));
+        }
+        if report.target == Target::Harmonic {
+            table.row("harmonic defect", scientific(report.defect));
+        } else {
+            table.row("target", target_name(report.target));
+            table.row("defect", scientific(report.defect));
+        }
+        table.row("region's diagonal", significant(report.diagonal));
+    }
+
+    fn tell_quality(&self, table: &mut Table) {
+        let quality = &self.report.quality;
+        let angle = significant(quality.worst_angle);
+        let worst = self.geometry.polygon_of(quality.worst_triangle);
+        table.row("smallest angle", format_args!("{angle} degrees, in face {worst}"));
+        table.row("flipped", listed(&self.faces(&quality.flipped), FACES));
+        table.row("needles", listed(&self.faces(&quality.needles), FACES));
+        table.row("curvature inside", range(quality.h_inside));
+        table.row("curvature boundary", range(quality.h_boundary));
+        let deviation = significant(quality.normal_deviation);
+        let rms = significant(quality.normal_deviation_rms);
+        let vertex = quality.normal_deviation_vertex;
+        table.row(
+            "normal deviation",
+            format_args!("at most {deviation} degrees (vertex {vertex}), rms {rms}"),
+        );
+    }
+
+    /// What is not so in every run.
+    fn tell_remarks(&self, table: &mut Table) {
+        let report = self.report;
+        if report.linear_surface {
+            table.row("surface", "the linear one");
+        }
+        let count = report.fallback_weights;
+        if count > 0 {
+            table.row(
+                "fallback weights",
+                format_args!("{count} vertices (poor input triangles)"),
+            );
+        }
+        if !self.blamed().is_empty() {
+            table.row("normals far off", listed(self.blamed(), VERTICES));
+        }
+        if !report.suspicious_normals.is_empty() {
+            let vertices = listed(&report.suspicious_normals, VERTICES);
+            table.row(
+                "suspicious normals",
+                format_args!("{vertices} (probably flipped or wrong)"),
+            );
+        }
+        let count = self.stale_normals;
+        if count > 0 {
+            table.row(
+                "normals not updated",
+                format_args!("{count} vertices share theirs with others"),
+            );
+        }
     }
 
     /// The same for programs; numbers that are not finite are null.
     pub fn json(&self) -> Value {
         let report = self.report;
-        let reason = match &report.outcome {
-            Outcome::Converged => Value::Null,
-            _ => Value::from(explain::outcome(report)),
-        };
+        let reason = (report.outcome != Outcome::Converged).then(|| explain::outcome(report));
+        let advice = Some(explain::advice(report)).filter(|advice| !advice.is_empty());
         let reached = match report.outcome {
             Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => {
-                Value::from(reached)
+                Some(reached)
             }
-            _ => Value::Null,
+            _ => None,
         };
-        let mut object = Map::new();
-        let mut add = |key: &str, value: Value| _ = object.insert(key.to_owned(), value);
-        add("outcome", report.outcome.name().into());
-        add("reason", reason);
-        add(
-            "advice",
-            Some(explain::advice(report))
-                .filter(|advice| !advice.is_empty())
-                .into(),
-        );
-        add("target", target_name(report.target).into());
-        add("iterations", report.iterations.into());
-        let levels = report.levels.iter().map(level);
-        add("levels", levels.collect::<Vec<_>>().into());
-        add("defect", report.defect.into());
-        add("step", report.step.into());
-        add("seconds", self.seconds());
-        add("quality", self.quality());
-        add("free_vertices", report.free_vertices.into());
-        add("diagonal", report.diagonal.into());
-        add("linear_surface", report.linear_surface.into());
-        add("suspicious_normals", report.suspicious_normals.clone().into());
-        add("unreachable_normals", self.blamed().to_vec().into());
-        add("reached", reached);
-        add("fallback_weights", report.fallback_weights.into());
-        add("stale_normals", self.stale_normals.into());
-        Value::Object(object)
+        json!({
+            "outcome": report.outcome.name(),
+            "reason": reason,
+            "advice": advice,
+            "target": target_name(report.target),
+            "iterations": report.iterations,
+            "levels": report.levels.iter().map(level).collect::<Vec<_>>(),
+            "defect": report.defect,
+            "step": report.step,
+            "seconds": self.seconds(),
+            "quality": self.quality(),
+            "free_vertices": report.free_vertices,
+            "diagonal": report.diagonal,
+            "linear_surface": report.linear_surface,
+            "suspicious_normals": report.suspicious_normals,
+            "unreachable_normals": self.blamed(),
+            "reached": reached,
+            "fallback_weights": report.fallback_weights,
+            "stale_normals": self.stale_normals,
+        })
     }
 
     fn seconds(&self) -> Value {
@@ -236,51 +236,9 @@ fn levels(levels: &[LevelReport]) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// Two significant digits, for figures of which the order of magnitude counts.
-fn scientific(value: f64) -> String {
-    if value.is_finite() {
-        format!("{value:.1e}")
-    } else {
-        "unknown".into()
-    }
-}
-
-/// Four significant digits.
-fn significant(value: f64) -> String {
-    if !value.is_finite() {
-        return "unknown".into();
-    }
-    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
-        let digits = if value == 0.0 {
-            0.0
-        } else {
-            3.0 - value.abs().log10().floor()
-        };
-        format!("{value:.*}", digits.clamp(0.0, 8.0) as usize)
-    } else {
-        format!("{value:.3e}")
-    }
-}
-
-fn range([low, high]: [f64; 2]) -> String {
-    format!("{} to {}", significant(low), significant(high))
-}
-
-/// How many, and the first of them.
-fn listed(elements: &[impl ToString], singular: &str) -> String {
-    if elements.is_empty() {
-        return "none".into();
-    }
-    let plural = if singular == "vertex" { "vertices" } else { "faces" };
-    let first: Vec<String> = elements.iter().take(SHOWN).map(ToString::to_string).collect();
-    let more = if elements.len() > SHOWN { ", ..." } else { "" };
-    let noun = if elements.len() == 1 { singular } else { plural };
-    format!("{} {noun}: {}{more}", elements.len(), first.join(", "))
-}
-
 #[cfg(test)]
 mod tests {
-    use fairmesh::{Quality, Seconds};
+    use fairmesh::{LooseReason, Quality, Seconds};
 
     use super::*;
     use crate::formats::{Format, MeshFile};
@@ -358,7 +316,7 @@ mod tests {
         let outcomes = [
             Outcome::ConvergedPoorTriangles { triangles: vec![1] },
             Outcome::ConvergedLoosely {
-                reason: "the step stayed at 1e-6".into(),
+                reason: LooseReason::Bump,
             },
             Outcome::NormalsNotReachable {
                 reached: 0.4,

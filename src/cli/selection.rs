@@ -1,54 +1,89 @@
 //! Which vertices may move, and the normals given for the boundary.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use fairmesh::{BoundaryNormals, Selection};
 
 use crate::failure::{Failure, Malformed};
-use crate::formats::{Kind, MeshFile};
+use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::text::{self, Words};
 
-/// What the user selected, in the file's numbering.
+/// What the user selected: vertices, or faces, which are the polygons of a file or the triangles of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Selected {
     pub kind: Kind,
-    /// Vertices or polygons.
     pub elements: Vec<u32>,
 }
 
-/// How the user says it.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Ways<'a> {
-    /// A file of vertex numbers.
-    pub free: Option<&'a Path>,
-    /// A file of face numbers.
-    pub faces: Option<&'a Path>,
-    /// A property of the mesh file.
-    pub property: Option<&'a str>,
+impl Selected {
+    /// The triangles for the polygons of a file.
+    pub fn in_triangles(self, geometry: &Geometry) -> Self {
+        if self.kind == Kind::Vertex {
+            return self;
+        }
+        let mut chosen = vec![false; geometry.polygon_count];
+        self.elements
+            .iter()
+            .for_each(|&polygon| chosen[polygon as usize] = true);
+        let triangles = 0..geometry.triangles.len();
+        let elements = triangles.filter(|&t| chosen[geometry.polygon_of(t)]);
+        Self {
+            kind: Kind::Face,
+            elements: elements.map(|t| t as u32).collect(),
+        }
+    }
+
+    /// The same for the library, in triangles.
+    pub fn selection(&self) -> Selection<'_> {
+        match self.kind {
+            Kind::Vertex => Selection::Vertices(&self.elements),
+            Kind::Face => Selection::Faces(&self.elements),
+        }
+    }
 }
 
-/// Finds the selection.
-pub fn find(mesh: &MeshFile, name: &str, ways: Ways<'_>) -> Result<Selected, Failure> {
-    let selected = if let Some(path) = ways.free {
-        let elements = indices(path, mesh.geometry.positions.len(), "vertices")?;
-        Selected {
-            kind: Kind::Vertex,
-            elements,
-        }
-    } else if let Some(path) = ways.faces {
-        Selected {
-            kind: Kind::Face,
-            elements: indices(path, mesh.geometry.polygon_count, "faces")?,
-        }
-    } else if let Some(property) = ways.property {
-        named(mesh, name, property)?
-    } else {
-        stored(mesh, name)?
+/// Flags of the region.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Region")]
+#[group(multiple = false)]
+pub struct RegionArgs {
+    /// Vertices that may move: a text file with one number per line, from 0
+    #[arg(long, value_name = "FILE")]
+    free: Option<PathBuf>,
+    /// Faces to be faired: a text file with one number per line, from 0;
+    /// a vertex moves if all faces around it are listed
+    #[arg(long, value_name = "FILE", verbatim_doc_comment)]
+    faces: Option<PathBuf>,
+    /// Property of a PLY file that is nonzero on what is selected:
+    /// NAME, vertex:NAME or face:NAME
+    #[arg(long, value_name = "NAME", verbatim_doc_comment)]
+    selection: Option<String>,
+}
+
+/// Finds the selection in the mesh of a file.
+pub fn find(mesh: &MeshFile, path: &Path, args: &RegionArgs) -> Result<Selected, Failure> {
+    if let Some(path) = &args.free {
+        let count = mesh.geometry.positions.len();
+        let elements = indices(path, count, "vertices")?;
+        let kind = Kind::Vertex;
+        return Ok(Selected { kind, elements });
+    }
+    if let Some(path) = &args.faces {
+        let elements = indices(path, mesh.geometry.polygon_count, "faces")?;
+        let kind = Kind::Face;
+        return Ok(Selected { kind, elements });
+    }
+    let found = match &args.selection {
+        Some(property) => named(mesh, property),
+        None => stored(mesh).map_err(str::to_owned),
     };
-    Ok(selected)
+    found.map_err(|why| Failure::new(format!("{}: {why}", path.display())))
 }
 
 /// The selection of a property `NAME`, `vertex:NAME` or `face:NAME`.
-fn named(mesh: &MeshFile, name: &str, property: &str) -> Result<Selected, Failure> {
+fn named(mesh: &MeshFile, property: &str) -> Result<Selected, String> {
     let (kinds, bare): (&[Kind], &str) = if let Some(bare) = property.strip_prefix("vertex:") {
         (&[Kind::Vertex], bare)
     } else if let Some(bare) = property.strip_prefix("face:") {
@@ -61,27 +96,23 @@ fn named(mesh: &MeshFile, name: &str, property: &str) -> Result<Selected, Failur
         .find_map(|&kind| Some((kind, mesh.selected(kind, bare)?)));
     match found {
         Some((kind, elements)) if !elements.is_empty() => Ok(Selected { kind, elements }),
-        Some(_) => Err(Failure::new(format!(
-            "{name}: nothing is selected in property '{property}'"
-        ))),
-        None => Err(Failure::new(format!(
-            "{name}: there is no property '{property}' with one number per vertex or face (only PLY files have them)"
-        ))),
+        Some(_) => Err(format!("nothing is selected in property '{property}'")),
+        None => Err(format!(
+            "there is no property '{property}' with one number per vertex or face (only PLY files have them)"
+        )),
     }
 }
 
 /// The selection that MeshLab stores in `flags`.
-fn stored(mesh: &MeshFile, name: &str) -> Result<Selected, Failure> {
+fn stored(mesh: &MeshFile) -> Result<Selected, &'static str> {
     let found = [Kind::Face, Kind::Vertex].into_iter().find_map(|kind| {
         let elements = mesh.selected(kind, "flags")?;
         (!elements.is_empty()).then_some(Selected { kind, elements })
     });
-    found.ok_or_else(|| {
-        Failure::new(format!(
-            "{name}: nothing says which vertices may move; give --free FILE (vertex numbers), --faces FILE (face \
-             numbers) or --selection NAME (a property of a PLY file), or save a PLY with selected faces"
-        ))
-    })
+    found.ok_or(
+        "nothing says which vertices may move; give --free FILE (vertex numbers), --faces FILE (face numbers) or \
+         --selection NAME (a property of a PLY file), or save a PLY with selected faces",
+    )
 }
 
 /// Reads a text file for parsing by lines.
@@ -147,8 +178,17 @@ pub fn indices(path: &Path, count: usize, what: &str) -> Result<Vec<u32>, Failur
     Ok(indices)
 }
 
+/// `fitted`, `averaged`, or the normals of a file.
+pub fn boundary_normals(which: &Path, vertex_count: usize) -> Result<BoundaryNormals, Failure> {
+    match which.to_str() {
+        Some("fitted") => Ok(BoundaryNormals::Fitted),
+        Some("averaged") => Ok(BoundaryNormals::Averaged),
+        _ => given_normals(which, vertex_count).map(BoundaryNormals::Given),
+    }
+}
+
 /// Normals, `index nx ny nz` per line, brought to length one.
-pub fn boundary_normals(path: &Path, vertex_count: usize) -> Result<Vec<(u32, [f64; 3])>, Failure> {
+fn given_normals(path: &Path, vertex_count: usize) -> Result<Vec<(u32, [f64; 3])>, Failure> {
     let (name, bytes) = read(path)?;
     let mut given = Vec::new();
     lines(&bytes, |words| {

@@ -1,6 +1,7 @@
 //! Lines and words of a text that need not be UTF-8, by their byte offsets.
 
 use std::ops::Range;
+use std::str::FromStr;
 
 use crate::failure::Malformed;
 
@@ -83,26 +84,20 @@ pub fn shown(bytes: &[u8], word: Range<usize>) -> String {
 
 /// A word as a number; `what` names it in the error.
 pub fn number(bytes: &[u8], word: Range<usize>, what: &str) -> Result<f64, Malformed> {
-    let parsed = std::str::from_utf8(&bytes[word.clone()])
-        .ok()
-        .and_then(|text| text.parse::<f64>().ok());
-    parsed.ok_or_else(|| {
-        Malformed::text(
-            word.start,
-            format!("{what}: {} is not a number", shown(bytes, word)),
-        )
-    })
+    parsed(bytes, word, what, "a number")
 }
 
 /// A word as a whole number; `what` names it in the error.
 pub fn integer(bytes: &[u8], word: Range<usize>, what: &str) -> Result<i64, Malformed> {
+    parsed(bytes, word, what, "a whole number")
+}
+
+fn parsed<T: FromStr>(bytes: &[u8], word: Range<usize>, what: &str, kind: &str) -> Result<T, Malformed> {
     let text = std::str::from_utf8(&bytes[word.clone()]).ok();
-    let parsed = text.and_then(|text| text.parse::<i64>().ok());
-    parsed.ok_or_else(|| {
-        Malformed::text(
-            word.start,
-            format!("{what}: {} is not a whole number", shown(bytes, word)),
-        )
+    let value = text.and_then(|text| text.parse().ok());
+    value.ok_or_else(|| {
+        let shown = shown(bytes, word.clone());
+        Malformed::text(word.start, format!("{what}: {shown} is not {kind}"))
     })
 }
 

@@ -3,14 +3,15 @@
 //! The paper averages the outside triangles (7.5); that is wrong by `O(h)`. The gradient-corrected fit of
 //! [`super::curvature`] over the outside alone is exact on spheres and wrong by `O(h^2)`, with cubics by `O(h^3)`; but on
 //! a rough scan it can turn a normal far away. So the order is chosen and blended with the average by how certain the
-//! fits are, judged by their own residuals. Where the coordinates themselves are rounded, a wide fit joins them.
+//! fits are, judged by their own residuals. Where the coordinates themselves are rounded, a fit to eight rings joins them.
 
 use nalgebra::Vector3;
 
 use super::eight_ring_fit::EightRingSamples;
 use super::outside_fit::{Fit, SECOND, Samples, THIRD};
 use crate::error::Error;
-use crate::mesh::{Region, Rings, Surroundings};
+use crate::mesh::disjoint_sets::DisjointSets;
+use crate::mesh::{OutsideNeighbours, Region, Rings};
 
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
@@ -33,47 +34,40 @@ pub(crate) fn estimate(
 ) -> Result<Vec<Vector3<f64>>, Error> {
     let mut normals = vec![Vector3::zeros(); region.boundary];
     let mut fits = Fits::new(if fitted { region.boundary } else { 0 });
-    let mut wide = EightRingSamples::default();
-    let surroundings = fitted.then(|| Surroundings::new(region));
+    let mut eight_rings = EightRingSamples::default();
+    let neighbours = fitted.then(|| OutsideNeighbours::new(region));
     let (mut samples, mut found) = (Samples::default(), Vec::new());
     for b in 0..region.boundary {
         if let Some(n) = given[b] {
             normals[b] = n;
             continue;
         }
-        let outside = rings.outside_triangles(b);
-        let average = if outside.is_empty() {
-            average_beside(region, rings, x, b)
-                .or_else(|| average(x, region.free + b, inside_edges(rings, b)))
-        } else {
-            average(x, region.free + b, outside)
-        };
-        normals[b] = average.ok_or(Error::NoNormal {
+        normals[b] = average_at(region, rings, x, b).ok_or(Error::NoNormal {
             vertex: region.vertex_ids[region.free + b] as usize,
         })?;
-        if let Some(surroundings) = &surroundings {
-            samples.gather(surroundings, x, region.free + b, &mut found);
+        if let Some(neighbours) = &neighbours {
+            samples.gather(neighbours, x, region.free + b, &mut found);
             fits.second[b] = SECOND.fit(&samples, normals[b]);
             fits.third[b] = THIRD.fit(&samples, normals[b]);
             if region.is_rounded {
-                wide.gather(surroundings, x, region.free + b);
-                fits.wide[b] = wide.fit(normals[b]);
+                eight_rings.gather(neighbours, x, region.free + b);
+                fits.eight_rings[b] = eight_rings.fit(normals[b]);
             }
         }
     }
     if fitted {
-        for boundary in boundaries(region, rings) {
-            blend(&boundary, fits.of(&boundary), &mut normals);
+        for piece in pieces(region, rings) {
+            blend(&piece, fits.of(&piece), &mut normals);
         }
     }
     Ok(normals)
 }
 
-/// The fits of both orders at every boundary vertex, where there are enough samples.
+/// The fits of both orders, and to eight rings, at every boundary vertex, where there are enough samples.
 struct Fits {
     second: Vec<Option<Fit>>,
     third: Vec<Option<Fit>>,
-    wide: Vec<Option<Fit>>,
+    eight_rings: Vec<Option<Fit>>,
 }
 
 impl Fits {
@@ -81,36 +75,41 @@ impl Fits {
         Self {
             second: vec![None; boundary],
             third: vec![None; boundary],
-            wide: vec![None; boundary],
+            eight_rings: vec![None; boundary],
         }
     }
 
-    /// The fits to be used on a boundary: those that are most certain there; on noise that is the lower order.
-    fn of(&mut self, boundary: &[u32]) -> &[Option<Fit>] {
-        prefer_certain(&mut self.second, &self.third, boundary);
-        prefer_certain(&mut self.second, &self.wide, boundary);
+    /// The fits to be used on a piece of the boundary: those that are most certain there; on noise that is the lower order.
+    fn of(&mut self, piece: &[u32]) -> &[Option<Fit>] {
+        prefer_certain(&mut self.second, &self.third, piece);
+        prefer_certain(&mut self.second, &self.eight_rings, piece);
         &self.second
     }
 }
 
-/// Replaces fits on a boundary by others if those are more certain, by the medians of where there are both.
-fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], boundary: &[u32]) {
+/// Replaces the fits on a piece of the boundary by others if those are more certain, by the medians of where there are both.
+fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], piece: &[u32]) {
     let (mut errors, mut other_errors) = (Vec::new(), Vec::new());
-    for &b in boundary {
+    for &b in piece {
         if let (Some(fit), Some(other)) = (&fits[b as usize], &others[b as usize]) {
             errors.push(fit.error);
             other_errors.push(other.error);
         }
     }
     if !errors.is_empty() && median(&mut other_errors) < median(&mut errors) {
-        for &b in boundary {
+        for &b in piece {
             fits[b as usize] = others[b as usize].or(fits[b as usize]);
         }
     }
 }
 
-fn inside_edges(rings: &Rings, b: usize) -> &[[u32; 2]] {
-    &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
+/// The average at boundary vertex `b`, of the triangles that [`estimate`] names.
+fn average_at(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
+    match rings.outside_triangles(b) {
+        [] => average_beside(region, rings, x, b)
+            .or_else(|| average(x, region.free + b, rings.boundary_triangles(b))),
+        outside => average(x, region.free + b, outside),
+    }
 }
 
 /// The normalized sum of the outside triangles' cross products of the boundary vertices beside `b`: for a fixed vertex in
@@ -127,22 +126,22 @@ fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) 
     sum.try_normalize(1e-6)
 }
 
-/// The normalized sum of the cross products of the triangles at vertex `v` with these ring edges.
-pub(crate) fn average(x: &[Vector3<f64>], v: usize, edges: &[[u32; 2]]) -> Option<Vector3<f64>> {
+/// The normalized sum of the cross products of the triangles at vertex `v` with these other corners.
+pub(crate) fn average(x: &[Vector3<f64>], v: usize, triangles: &[[u32; 2]]) -> Option<Vector3<f64>> {
     let q = x[v];
-    let sum: Vector3<f64> = edges
+    let sum: Vector3<f64> = triangles
         .iter()
         .map(|&[a, c]| (x[a as usize] - q).cross(&(x[c as usize] - q)))
         .sum();
     sum.try_normalize(f64::MIN_POSITIVE)
 }
 
-/// Blends fits and averages over one boundary: `t` says how far the fits of this boundary are to be trusted at all, as the typical
-/// turn against the typical error.
-fn blend(boundary: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
-    let mut turns: Vec<f64> = Vec::with_capacity(boundary.len());
-    let mut errors: Vec<f64> = Vec::with_capacity(boundary.len());
-    for &b in boundary {
+/// Blends fits and averages over one piece of the boundary: `t` says how far its fits are to be trusted at all, as the
+/// typical turn against the typical error.
+fn blend(piece: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
+    let mut turns: Vec<f64> = Vec::with_capacity(piece.len());
+    let mut errors: Vec<f64> = Vec::with_capacity(piece.len());
+    for &b in piece {
         if let Some(fit) = &fits[b as usize] {
             turns.push(angle(&normals[b as usize], &fit.normal).powi(2));
             errors.push(fit.error.powi(2));
@@ -153,7 +152,7 @@ fn blend(boundary: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
     }
     let (turn, error) = (median(&mut turns), median(&mut errors));
     let t = turn / (turn + 4.0 * error).max(f64::MIN_POSITIVE);
-    for &b in boundary {
+    for &b in piece {
         let Some(fit) = &fits[b as usize] else { continue };
         let average = normals[b as usize];
         let delta = angle(&average, &fit.normal);
@@ -180,24 +179,18 @@ fn median(values: &mut [f64]) -> f64 {
 }
 
 /// The boundary vertices, gathered into connected pieces of the boundary.
-fn boundaries(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
-    let mut parent: Vec<u32> = (0..region.boundary as u32).collect();
-    fn root(parent: &mut [u32], mut i: u32) -> u32 {
-        while parent[i as usize] != i {
-            parent[i as usize] = parent[parent[i as usize] as usize];
-            i = parent[i as usize];
-        }
-        i
-    }
+fn pieces(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
+    let mut sets = DisjointSets::new(region.boundary);
     for &half_edge in &rings.boundary_half_edges {
         let local = |v: u32| v - region.free as u32;
-        let a = root(&mut parent, local(region.half_edges.origin(half_edge)));
-        let b = root(&mut parent, local(region.half_edges.target(half_edge)));
-        parent[a.max(b) as usize] = a.min(b);
+        sets.unite(
+            local(region.half_edges.origin(half_edge)),
+            local(region.half_edges.target(half_edge)),
+        );
     }
     let mut pieces: Vec<Vec<u32>> = vec![Vec::new(); region.boundary];
     for b in 0..region.boundary as u32 {
-        pieces[root(&mut parent, b) as usize].push(b);
+        pieces[sets.smallest(b) as usize].push(b);
     }
     pieces.retain(|p| !p.is_empty());
     pieces

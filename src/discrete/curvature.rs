@@ -40,8 +40,10 @@ pub(crate) struct Curvature<const L: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NormalEquations<const L: usize, const N: usize> {
     matrix: [[Simd<L>; N]; N],
-    right: [Simd<L>; N],
-    weight: Simd<L>,
+    /// The right-hand side.
+    pub right: [Simd<L>; N],
+    /// The sum of weights.
+    pub weight: Simd<L>,
 }
 
 impl<const L: usize, const N: usize> NormalEquations<L, N> {
@@ -135,11 +137,6 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
         back_substitute(&self.cholesky(ridge), self.right)
     }
 
-    /// The right-hand side.
-    pub(crate) fn right(&self) -> [Simd<L>; N] {
-        self.right
-    }
-
     /// `z^T M z` of the matrix without ridge.
     pub(crate) fn quadratic_form(&self, z: &[Simd<L>; N]) -> Simd<L> {
         let mut sum = Simd::zero();
@@ -150,18 +147,6 @@ impl<const L: usize, const N: usize> NormalEquations<L, N> {
             sum += z[r] * z[r] * self.matrix[r][r];
         }
         sum
-    }
-
-    /// The sum of weights.
-    #[inline(always)]
-    pub(crate) fn weight(&self) -> Simd<L> {
-        self.weight
-    }
-}
-
-impl<const L: usize, const N: usize> Default for NormalEquations<L, N> {
-    fn default() -> Self {
-        Self::new()
     }
 }
 
@@ -246,14 +231,14 @@ pub(crate) fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     let mut fit = NormalEquations::<L, 5>::new();
     let mut moved = [Simd::zero(); 5];
     let mut square = Simd::zero();
-    for (ring_edge, (flap, weight)) in ring.iter().zip(flaps) {
-        square += ring_edge.square;
-        let near = frame.sample_at(&ring_edge.edge, ring_edge.inverse_square);
+    for (edge, (flap, weight)) in ring.iter().zip(flaps) {
+        square += edge.square;
+        let near = frame.sample_at(&edge.edge, edge.inverse_square);
         let inverse_square = inverse_square(dot(flap, flap));
         let far = frame.sample_at(flap, inverse_square);
         fit.add_two(&near, &far, *weight);
         if RESPONSE {
-            add_scaled(&mut moved, &near.0, ring_edge.inverse_square * 2.0);
+            add_scaled(&mut moved, &near.0, edge.inverse_square * 2.0);
             add_scaled(&mut moved, &far.0, *weight * inverse_square * 2.0);
         }
     }

@@ -8,9 +8,9 @@
 use nalgebra::Vector3;
 
 use super::curvature::{NormalEquations, TangentFrame, back_substitute};
-use super::outside_fit::Fit;
+use super::outside_fit::{Fit, repeated, root_mean_square, squared_residual};
 use super::simd::{Simd, Vec3, dot, lane, one};
-use crate::mesh::surroundings::{Marks, RINGS_WIDE, Surroundings};
+use crate::mesh::outside_neighbours::{Marks, OutsideNeighbours, RINGS_WIDE};
 
 /// Unknowns: those of [`TangentFrame::sample`] and the constant.
 const UNKNOWNS: usize = 6;
@@ -18,8 +18,6 @@ const UNKNOWNS: usize = 6;
 const RIDGES: [f64; UNKNOWNS] = [0.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e-10];
 /// Fewer samples cannot judge the fit.
 const FEWEST: usize = 20;
-/// The repeated fit stops when the normal turns by less than this (radians).
-const STANDS: f64 = 1e-13;
 /// At most this many fits per vertex.
 const MAX_FITS: usize = 20;
 
@@ -35,33 +33,20 @@ pub(crate) struct EightRingSamples {
 
 impl EightRingSamples {
     /// Those of boundary vertex `v` (local number).
-    pub(crate) fn gather(&mut self, surroundings: &Surroundings, x: &[Vector3<f64>], v: usize) {
-        surroundings.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
+    pub(crate) fn gather(&mut self, outside: &OutsideNeighbours, x: &[Vector3<f64>], v: usize) {
+        outside.disc(v as u32, RINGS_WIDE, &mut self.found, &mut self.marks);
         self.edges.clear();
         self.edges
             .extend(self.found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
-        let squares: f64 = self.edges.iter().map(|e| dot(e, e).0[0]).sum();
-        self.length = (squares / self.edges.len() as f64).sqrt();
+        self.length = root_mean_square(&self.edges);
     }
 
-    /// The fit, from about the right normal; None if the samples are too few.
+    /// The fit, from about the right normal; `None` if the samples are too few.
     pub(crate) fn fit(&self, start: Vector3<f64>) -> Option<Fit> {
         if self.edges.len() < FEWEST {
             return None;
         }
-        let mut current = Fit {
-            normal: start,
-            error: 0.0,
-        };
-        for _ in 0..MAX_FITS {
-            let next = self.fit_once(&current.normal);
-            let turn = (next.normal - current.normal).norm();
-            current = next;
-            if turn < STANDS {
-                break;
-            }
-        }
-        current.normal.iter().all(|c| c.is_finite()).then_some(current)
+        repeated(start, MAX_FITS, |n| self.fit_once(n))
     }
 
     fn fit_once(&self, n: &Vector3<f64>) -> Fit {
@@ -73,11 +58,10 @@ impl EightRingSamples {
             equations.add(&phi, kappa, weight);
         }
         let factor = equations.cholesky(&RIDGES);
-        let y = back_substitute(&factor, equations.right());
+        let y = back_substitute(&factor, equations.right);
         let residual = |e: &Vec3<1>| {
             let (phi, kappa, weight) = sample(&frame, e, l);
-            let fitted: f64 = phi.iter().zip(&y).map(|(p, y)| p.0[0] * y.0[0]).sum();
-            weight.0[0] * (kappa.0[0] - fitted).powi(2)
+            weight.0[0] * squared_residual(&(phi, kappa), &y)
         };
         let sum: f64 = self.edges.iter().map(residual).sum();
         let variance = sum / (self.edges.len() - UNKNOWNS) as f64;
@@ -107,18 +91,18 @@ mod tests {
     use crate::mesh::{Region, Selection};
     use fairmesh_shapes::{Sampling, Shape, sphere_cap};
 
-    /// The largest angle between the wide fit, a small one, and the exact normals.
+    /// The largest angles between the exact normals and the fit to eight rings, and that to three.
     fn worst(shape: &Shape, positions: &[[f64; 3]]) -> [f64; 2] {
         let region = Region::new(positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(positions);
-        let surroundings = Surroundings::new(&region);
-        let (mut wide, mut small, mut found) = (EightRingSamples::default(), Samples::default(), Vec::new());
+        let outside = OutsideNeighbours::new(&region);
+        let (mut eight, mut three, mut found) = (EightRingSamples::default(), Samples::default(), Vec::new());
         let mut worst = [0.0_f64; 2];
         for v in region.free..region.region_vertices() {
             let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);
-            wide.gather(&surroundings, &x, v);
-            small.gather(&surroundings, &x, v, &mut found);
-            let fits = [wide.fit(exact).unwrap(), SECOND.fit(&small, exact).unwrap()];
+            eight.gather(&outside, &x, v);
+            three.gather(&outside, &x, v, &mut found);
+            let fits = [eight.fit(exact).unwrap(), SECOND.fit(&three, exact).unwrap()];
             for (worst, fit) in worst.iter_mut().zip(fits) {
                 *worst = worst.max(fit.normal.cross(&exact).norm());
             }
@@ -132,8 +116,7 @@ mod tests {
         assert!(worst(&shape, &shape.positions)[0] < 1e-9);
         let rounded = |c: f64| f64::from((c + 1_000.0) as f32);
         let far: Vec<_> = shape.positions.iter().map(|p| p.map(rounded)).collect();
-        let [wide, small] = worst(&shape, &far);
-        println!("{wide:.1e} {small:.1e}");
-        assert!(wide < 0.1 * small, "{wide} {small}");
+        let [eight, three] = worst(&shape, &far);
+        assert!(eight < 0.1 * three, "{eight} {three}");
     }
 }

@@ -88,7 +88,7 @@ pub(crate) struct State {
 impl State {
     /// Room for a region.
     pub(crate) fn new(batches: &ValenceBatches, boundary: usize) -> Self {
-        let free = batches.place.len();
+        let free = batches.free();
         Self {
             normal: vec![Vector3::zeros(); free],
             corrected: vec![Vector3::zeros(); free + boundary],
@@ -103,9 +103,10 @@ impl State {
     }
 }
 
-/// Room for the group of largest valence.
+/// Room for the batch of largest valence.
 struct Work {
     ring: Vec<RingEdge<LANES>>,
+    /// Flaps from the centre, with their weights.
     flaps: Vec<(Vec3<LANES>, Simd<LANES>)>,
     weight: Vec<Simd<LANES>>,
 }
@@ -119,23 +120,6 @@ impl Work {
             weight: vec![zero; m],
         }
     }
-
-    #[inline(always)]
-    fn of(&mut self, m: usize) -> Room<'_> {
-        Room {
-            ring: &mut self.ring[..m],
-            flaps: &mut self.flaps[..m],
-            weight: &mut self.weight[..m],
-        }
-    }
-}
-
-/// The part of it that one group uses.
-struct Room<'w> {
-    ring: &'w mut [RingEdge<LANES>],
-    /// Flaps from the centre, with their weights.
-    flaps: &'w mut [(Vec3<LANES>, Simd<LANES>)],
-    weight: &'w mut [Simd<LANES>],
 }
 
 /// Where one chunk of free vertices puts its results.
@@ -153,7 +137,7 @@ struct ChunkOutput<'s> {
 impl Equations<'_> {
     /// Number of free vertices.
     pub(crate) fn free(&self) -> usize {
-        self.batches.place.len()
+        self.batches.free()
     }
 
     /// Evaluates everything at the surface `x` (free, then boundary vertices).
@@ -180,7 +164,7 @@ impl Equations<'_> {
             .par_iter_mut()
             .with_min_len(64)
             .enumerate()
-            .filter(|(b, _)| paper || !self.passes(*b))
+            .filter(|(b, _)| paper || !self.is_smooth_interior(*b))
             .for_each(|(b, h)| *h = self.boundary_curvature(x, corrected, b));
         self.outer_residual(state);
     }
@@ -232,60 +216,38 @@ impl Equations<'_> {
         output: &mut ChunkOutput<'_>,
     ) {
         let mut work = Work::new(self.batches.largest_valence);
-        for group in chunk.batches.clone() {
-            let m = self.batches.slots(group).len();
-            let place = (group, chunk.vertices.start, chunk.slots.start);
-            self.free_group::<RESPONSE>(x, place, work.of(m), output);
+        for batch in chunk.batches.clone() {
+            self.free_batch::<RESPONSE>(x, batch, chunk, &mut work, output);
         }
     }
 
     #[inline(always)]
-    fn free_group<const RESPONSE: bool>(
+    fn free_batch<const RESPONSE: bool>(
         &self,
         x: &[Vector3<f64>],
-        (group, first_vertex, first_slot): (usize, usize, usize),
-        Room { ring, flaps, weight }: Room<'_>,
+        batch: usize,
+        chunk: &Chunk,
+        work: &mut Work,
         out: &mut ChunkOutput<'_>,
     ) {
         let batches = self.batches;
-        let slots = batches.slots(group);
-        let vertex = &batches.vertex[group];
-        let q = self.gather_ring(x, group, ring);
+        let slots = batches.slots(batch);
+        let m = slots.len();
+        let (ring, weight) = (&mut work.ring[..m], &mut work.weight[..m]);
+        let vertex = &batches.vertex[batch];
+        let q = self.gather_ring(x, batch, ring);
         let area = ring_weights(ring, weight);
-        for (to, from) in out.weight[slots.start - first_slot..]
+        for (to, from) in out.weight[slots.start - chunk.slots.start..]
             .iter_mut()
             .zip(weight.iter())
         {
             *to = from.0;
         }
-        let (n, c) = match self.curvature {
-            FreeCurvature::Paper => {
-                let n = cross_product_normal(ring);
-                let zero = Simd::zero();
-                (
-                    n,
-                    Curvature {
-                        h: zero,
-                        k: zero,
-                        normal: n,
-                        response: zero,
-                    },
-                )
-            }
-            FreeCurvature::GradientCorrected { tilt_ridge } => {
-                let n = max_normal(ring);
-                self.gather_flaps(x, slots.clone(), &q, flaps);
-                self.gather_boundary(x, group, flaps);
-                (
-                    n,
-                    gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge),
-                )
-            }
-        };
+        let (n, c) = self.free_curvature::<RESPONSE>(x, batch, &q, ring, &mut work.flaps[..m]);
         let inner = self.inner_residual(slots, ring, &n);
-        // Backwards: a group that is not full repeats its last vertex, and only the first of these lanes has its weights.
+        // Backwards: a batch that is not full repeats its last vertex, and only the first of these lanes has its weights.
         for (l, &i) in vertex.iter().enumerate().rev() {
-            let i = i as usize - first_vertex;
+            let i = i as usize - chunk.vertices.start;
             out.normal[i] = lane(&n, l);
             out.corrected[i] = lane(&c.normal, l);
             out.inner[i] = lane(&inner, l);
@@ -296,6 +258,33 @@ impl Equations<'_> {
             }
             out.area[i] = area.0[l];
         }
+    }
+
+    /// Normals and curvatures of a batch. The paper's curvatures need the neighbours' normals: they are zero here.
+    #[inline(always)]
+    fn free_curvature<const RESPONSE: bool>(
+        &self,
+        x: &[Vector3<f64>],
+        batch: usize,
+        q: &Vec3<LANES>,
+        ring: &[RingEdge<LANES>],
+        flaps: &mut [(Vec3<LANES>, Simd<LANES>)],
+    ) -> (Vec3<LANES>, Curvature<LANES>) {
+        let FreeCurvature::GradientCorrected { tilt_ridge } = self.curvature else {
+            let (normal, zero) = (cross_product_normal(ring), Simd::zero());
+            let nothing = Curvature {
+                h: zero,
+                k: zero,
+                normal,
+                response: zero,
+            };
+            return (normal, nothing);
+        };
+        let n = max_normal(ring);
+        self.gather_flaps(x, self.batches.slots(batch), q, flaps);
+        self.gather_boundary(x, batch, flaps);
+        let curvature = gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge);
+        (n, curvature)
     }
 
     #[inline(always)]
@@ -318,16 +307,15 @@ impl Equations<'_> {
         }
     }
 
-    /// Where a ring edge lies on the boundary there is no flap; the surface between its ends is known from their positions
+    /// Where an edge between two neighbours lies on the boundary there is no flap; the surface between its ends is known from their positions
     /// and normals (6.2) and takes the flap's place. Without it a vertex in a notch has too few samples.
     #[inline(always)]
-    fn gather_boundary(&self, x: &[Vector3<f64>], group: usize, flaps: &mut [(Vec3<LANES>, Simd<LANES>)]) {
+    fn gather_boundary(&self, x: &[Vector3<f64>], batch: usize, flaps: &mut [(Vec3<LANES>, Simd<LANES>)]) {
         let batches = self.batches;
         let free = self.free();
-        let boundary = batches.boundary_start[group] as usize..batches.boundary_start[group + 1] as usize;
-        for edge in &batches.boundary[boundary] {
+        for edge in batches.boundary.row(batch) {
             let lane = edge.lane as usize;
-            let q = &x[batches.vertex[group][lane] as usize];
+            let q = &x[batches.vertex[batch][lane] as usize];
             let [a, b] = edge.ends.map(|j| one(&(x[j as usize] - q)));
             let [n_a, n_b] = edge.ends.map(|j| one(&self.boundary_normals[j as usize - free]));
             let (sample, weight) = &mut flaps[edge.slot as usize];
@@ -338,8 +326,8 @@ impl Equations<'_> {
     }
 
     /// `H` at boundary vertex `b`, one-sided with its normal in `corrected`: Moreton-Sequin over its neighbours in the region,
-    /// a spiral sample on every ring edge, and the flap across it: with [`FLAP_WEIGHT`] as elsewhere, in full where one or
-    /// two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the boundary's
+    /// a spiral sample between the other corners of every triangle, and the flap across their edge: with [`FLAP_WEIGHT`] as
+    /// elsewhere, in full where one or two triangles span too few directions. Without them the fit of a narrow fan can turn the sign of the boundary's
     /// response, and even a sphere is then an unstable solution of the equations.
     /// The paper has no flaps there (7.5), and its discretization none either.
     pub(crate) fn boundary_curvature(&self, x: &[Vector3<f64>], corrected: &[Vector3<f64>], b: usize) -> f64 {
@@ -360,16 +348,8 @@ impl Equations<'_> {
         let mut n = nothing;
         (0..BOUNDARY_LANES).for_each(|l| set_lane(&mut n, l, normal));
         let mut fit = MoretonSequin::new(n);
-        let neighbours = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
-        for part in rings.boundary_neighbour[neighbours].chunks(BOUNDARY_LANES) {
-            let (mut e, mut weight) = (nothing, Simd::zero());
-            for (l, &j) in part.iter().enumerate() {
-                set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = 1.0;
-            }
-            fit.add(&e, weight);
-        }
-        for part in self.boundary_triangles(b).chunks(BOUNDARY_LANES) {
+        add_vertices(&mut fit, x, q, rings.boundary_ring(b), 1.0);
+        for part in rings.boundary_triangles(b).chunks(BOUNDARY_LANES) {
             let (mut ends, mut normals, mut weight) = ([nothing; 2], [nothing; 2], Simd::zero());
             for (l, edge) in part.iter().enumerate() {
                 for (k, &j) in edge.iter().enumerate() {
@@ -386,43 +366,49 @@ impl Equations<'_> {
         if self.curvature == FreeCurvature::Paper {
             return fit.over_lanes();
         }
-        let flaps = rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize;
+        let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let flap_weight = if flaps.len() <= NARROW { 1.0 } else { FLAP_WEIGHT };
-        for part in rings.boundary_flap[flaps].chunks(BOUNDARY_LANES) {
-            let (mut e, mut weight) = (nothing, Simd::zero());
-            for (l, &j) in part.iter().enumerate().filter(|flap| *flap.1 != NONE) {
-                set_lane(&mut e, l, &(x[j as usize] - q));
-                weight.0[l] = flap_weight;
-            }
-            fit.add(&e, weight);
-        }
+        add_vertices(&mut fit, x, q, flaps, flap_weight);
         fit.over_lanes()
     }
 
-    /// Area of the one-sided disk at boundary vertex `b`, and the one-sided cotangent weights to each of its ring edges'
-    /// ends are left to [`Self::boundary_weights`].
+    /// Area of the one-sided disk at boundary vertex `b`.
     pub(crate) fn boundary_area(&self, x: &[Vector3<f64>], b: usize) -> f64 {
         let q = &x[self.free() + b];
-        self.boundary_triangles(b)
+        self.rings
+            .boundary_triangles(b)
             .iter()
             .map(|&[a, c]| area(q, &x[a as usize], &x[c as usize]))
             .sum()
     }
 
-    /// The ring edges of boundary vertex `b`'s triangles in the region.
-    pub(crate) fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
-        let rings = self.rings;
-        &rings.boundary_edge[rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize]
-    }
-
     /// Calls `add(j, w)` for every one-sided contribution `w` to the cotangent weight `w_bj` of boundary vertex `b`.
     pub(crate) fn boundary_weights(&self, x: &[Vector3<f64>], b: usize, mut add: impl FnMut(u32, f64)) {
         let q = &x[self.free() + b];
-        for &[a, c] in self.boundary_triangles(b) {
+        for &[a, c] in self.rings.boundary_triangles(b) {
             let (p_a, p_c) = (&x[a as usize], &x[c as usize]);
             add(a, cotangent(p_c, p_a, q));
             add(c, cotangent(p_a, q, p_c));
         }
+    }
+}
+
+/// Adds vertices to the fit at `q`, all with the same weight; [`NONE`] is no vertex.
+#[inline(always)]
+fn add_vertices(
+    fit: &mut MoretonSequin<BOUNDARY_LANES>,
+    x: &[Vector3<f64>],
+    q: &Vector3<f64>,
+    vertices: &[u32],
+    weight: f64,
+) {
+    for part in vertices.chunks(BOUNDARY_LANES) {
+        let (mut e, mut weights): (Vec3<BOUNDARY_LANES>, _) = ([Simd::zero(); 3], Simd::zero());
+        for (l, &j) in part.iter().enumerate().filter(|vertex| *vertex.1 != NONE) {
+            set_lane(&mut e, l, &(x[j as usize] - q));
+            weights.0[l] = weight;
+        }
+        fit.add(&e, weights);
     }
 }
 
@@ -493,7 +479,7 @@ mod tests {
     }
 
     #[test]
-    fn a_group_that_is_not_full_keeps_the_weights_of_its_last_vertex() {
+    fn a_batch_that_is_not_full_keeps_the_weights_of_its_last_vertex() {
         let shape = sphere_cap(60.0, 60, Sampling::Irregular { seed: 7 }, 0);
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.noise(3, 0.2));
@@ -512,7 +498,7 @@ mod tests {
         let mut state = State::new(&batches, region.boundary);
         equations.evaluate(&x, &mut state);
         for i in 0..region.free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+            let (first, lane) = batches.place(i);
             let ring = rings.ring(i).iter().enumerate();
             let sum: Vector3<f64> = ring
                 .map(|(k, &j)| (x[j as usize] - x[i]) * weights.at(first + k, lane))

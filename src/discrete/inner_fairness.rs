@@ -40,46 +40,39 @@ impl FairnessWeights {
 
     /// `cot alpha_j + cot beta_j` of the input mesh: the result is discretely conformal to it.
     pub(crate) fn conformal(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
-        let mut weights = Self {
-            slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
-            clamped: 0,
-        };
-        for i in 0..batches.place.len() {
-            let was_clamped = weights.set_conformal(batches, input, i);
-            weights.clamped += usize::from(was_clamped);
-        }
-        weights
+        Self::of_input(batches, |weights, i| weights.set_conformal(batches, input, i))
     }
 
-    /// Mean-value weights of the input mesh, see [`Self::set_mean_value`]: positive without clamping, and where the ring
+    /// Mean-value weights of the input mesh, as by [`Self::set_mean_value`]: positive without clamping, and where the ring
     /// is plane they reproduce its centre, so that a plane input mesh keeps its vertices.
     pub(crate) fn convex(batches: &ValenceBatches, input: &[Vector3<f64>]) -> Self {
-        let mut weights = Self {
-            slots: Some(vec![[1.0; LANES]; batches.neighbour.len()]),
-            clamped: 0,
-        };
-        for i in 0..batches.place.len() {
-            let was_clamped = weights.set_bounded_mean_value(batches, input, i, LARGEST_ASKED_RATIO);
+        Self::of_input(batches, |weights, i| {
+            weights.set_bounded_mean_value(batches, input, i, LARGEST_ASKED_RATIO)
+        })
+    }
+
+    /// Weights that `set` gives vertex by vertex; it returns whether it had to clamp.
+    fn of_input(batches: &ValenceBatches, set: impl Fn(&mut Self, usize) -> bool) -> Self {
+        let mut weights = Self::uniform();
+        for i in 0..batches.free() {
+            let was_clamped = set(&mut weights, i);
             weights.clamped += usize::from(was_clamped);
         }
         weights
     }
 
     /// Gives one vertex the clamped cotangent weights of the input mesh. Returns whether an angle was too close to 0
-    /// or 180 degrees, where the fallback is the nearer end of [`COTANGENT_RANGE`].
+    /// or 180 degrees.
     pub(crate) fn set_conformal(
         &mut self,
         batches: &ValenceBatches,
         input: &[Vector3<f64>],
         i: usize,
     ) -> bool {
-        let slots = self
-            .slots
-            .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-        let valence = ring_length(batches, first);
-        let ring = |k: usize| &input[batches.neighbour[first + k][lane] as usize];
-        clamped_cotangents(&input[i], valence, ring, |k, w| slots[first + k][lane] = w)
+        let (slots, lane) = batches.ring_slots(i);
+        let weights = &mut self.slots(batches)[slots.clone()];
+        let ring = |k: usize| &input[batches.neighbour[slots.start + k][lane] as usize];
+        clamped_cotangents(&input[i], weights.len(), ring, |k, w| weights[k][lane] = w)
     }
 
     /// Gives one vertex the mean-value weights of the input mesh, `(tan(a/2) + tan(b/2)) / |q_j - q_i|` with the angles `a`,
@@ -98,12 +91,10 @@ impl FairnessWeights {
         i: usize,
         bound: f64,
     ) -> bool {
-        let slots = self
-            .slots
-            .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()]);
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-        let valence = ring_length(batches, first);
-        let edge = |k: usize| input[batches.neighbour[first + k % valence][lane] as usize] - input[i];
+        let (slots, lane) = batches.ring_slots(i);
+        let weights = &mut self.slots(batches)[slots.clone()];
+        let valence = weights.len();
+        let edge = |k: usize| input[batches.neighbour[slots.start + k % valence][lane] as usize] - input[i];
         let half_tangent = |k: usize| {
             let (a, b) = (edge(k), edge(k + 1));
             let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
@@ -120,14 +111,19 @@ impl FairnessWeights {
                 1.0
             };
             clamped |= inside != w;
-            let w = inside;
-            slots[first + k][lane] = w;
-            sum += w;
+            weights[k][lane] = inside;
+            sum += inside;
         }
-        for k in 0..valence {
-            slots[first + k][lane] *= valence as f64 / sum;
+        for w in weights {
+            w[lane] *= valence as f64 / sum;
         }
         clamped
+    }
+
+    /// The weights of all slots, to be changed: there are none while all are one.
+    fn slots(&mut self, batches: &ValenceBatches) -> &mut [[f64; LANES]] {
+        self.slots
+            .get_or_insert_with(|| vec![[1.0; LANES]; batches.neighbour.len()])
     }
 
     /// The weight in one slot.
@@ -137,7 +133,7 @@ impl FairnessWeights {
 }
 
 /// Hands `cot alpha_j + cot beta_j`, clamped, to `set` for each of the `valence` neighbours of a closed ring. Returns
-/// whether an angle was too close to 0 or 180 degrees; see [`FairnessWeights::set_conformal`].
+/// whether an angle was too close to 0 or 180 degrees, where the nearer end of [`COTANGENT_RANGE`] is taken.
 pub(crate) fn clamped_cotangents<'x>(
     q: &Vector3<f64>,
     valence: usize,
@@ -164,12 +160,6 @@ pub(crate) fn clamped_cotangents<'x>(
     clamped
 }
 
-/// The valence of the group whose first slot is `first`.
-fn ring_length(batches: &ValenceBatches, first: usize) -> usize {
-    let group = batches.start.partition_point(|&s| s <= first) - 1;
-    batches.start[group + 1] - first
-}
-
 /// The scalar Laplacian `G` of the weights on the pattern of the free one-ring graph: `(G f)_i = sum_j m_ij (f_i -
 /// f_j)` with `m_ij` the mean of `lambda_ij` and `lambda_ji`, fixed `f_j` being zero. Symmetric positive definite.
 pub(crate) fn laplacian(
@@ -182,15 +172,15 @@ pub(crate) fn laplacian(
     let mut values = vec![0.0; pattern.column.len()];
     let mut diagonal = vec![0.0; free];
     for i in 0..free {
-        let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-        for (k, s) in (rings.start[i] as usize..rings.start[i + 1] as usize).enumerate() {
-            let j = rings.neighbour[s] as usize;
+        let (first, lane) = batches.place(i);
+        for (k, s) in rings.neighbour.range(i).enumerate() {
+            let j = rings.neighbour.values()[s] as usize;
             let own = weights.at(first + k, lane);
             if j >= free {
                 diagonal[i] += own;
             } else if j < i {
-                let (first, lane) = (batches.place[j].0 as usize, batches.place[j].1 as usize);
-                let twin = (rings.twin[s] - rings.start[j]) as usize;
+                let (first, lane) = batches.place(j);
+                let twin = rings.twin[s] as usize - rings.neighbour.range(j).start;
                 let mean = 0.5 * (own + weights.at(first + twin, lane));
                 diagonal[i] += mean;
                 diagonal[j] += mean;
@@ -223,7 +213,7 @@ mod tests {
         let weights = FairnessWeights::convex(&batches, &x);
         assert_eq!(weights.clamped, 0);
         for i in 0..region.free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
+            let (first, lane) = batches.place(i);
             let mut sum = Vector3::zeros();
             for (k, &j) in rings.ring(i).iter().enumerate() {
                 let w = weights.at(first + k, lane);

@@ -1,4 +1,4 @@
-//! The inner residual (paper 7.3) of a group of vertices, and by itself where only tangential steps are taken.
+//! The inner residual (paper 7.3) of a batch of vertices, and by itself where only tangential steps are taken.
 
 use std::ops::Range;
 
@@ -12,27 +12,27 @@ use super::simd::{Simd, Vec3, dot, lane, minus, plus, scaled, vectorized};
 use super::valence_batches::{Chunk, LANES, gather, split_lengths};
 
 impl Equations<'_> {
-    /// The edges of a group's rings, measured. Returns the centres.
+    /// The edges of a batch's rings, measured. Returns the centres.
     #[inline(always)]
     pub(super) fn gather_ring(
         &self,
         x: &[Vector3<f64>],
-        group: usize,
+        batch: usize,
         ring: &mut [RingEdge<LANES>],
     ) -> Vec3<LANES> {
         let batches = self.batches;
-        let q = gather(x, &batches.vertex[group]);
-        for (ring_edge, j) in ring.iter_mut().zip(&batches.neighbour[batches.slots(group)]) {
-            ring_edge.edge = gather(x, j);
+        let q = gather(x, &batches.vertex[batch]);
+        for (edge, j) in ring.iter_mut().zip(&batches.neighbour[batches.slots(batch)]) {
+            edge.edge = gather(x, j);
         }
-        for ring_edge in ring.iter_mut() {
-            ring_edge.edge = minus(&ring_edge.edge, &q);
+        for edge in ring.iter_mut() {
+            edge.edge = minus(&edge.edge, &q);
         }
         measure(ring);
         q
     }
 
-    /// The inner residual of one group.
+    /// The inner residual of one batch.
     #[inline(always)]
     pub(super) fn inner_residual(
         &self,
@@ -78,17 +78,17 @@ impl Equations<'_> {
         inner: &mut [Vector3<f64>],
     ) {
         let mut ring = vec![RingEdge::zero(); self.batches.largest_valence];
-        for group in chunk.batches.clone() {
-            let slots = self.batches.slots(group);
+        for batch in chunk.batches.clone() {
+            let slots = self.batches.slots(batch);
             let ring = &mut ring[..slots.len()];
-            self.gather_ring(x, group, ring);
+            self.gather_ring(x, batch, ring);
             let n = match self.curvature {
                 FreeCurvature::Paper => cross_product_normal(ring),
                 FreeCurvature::GradientCorrected { .. } => max_normal(ring),
             };
             let residual = self.inner_residual(slots, ring, &n);
             // Backwards, as in the whole evaluation: only the first of a repeated vertex's lanes has its weights.
-            for (l, &i) in self.batches.vertex[group].iter().enumerate().rev() {
+            for (l, &i) in self.batches.vertex[batch].iter().enumerate().rev() {
                 let i = i as usize - chunk.vertices.start;
                 normal[i] = lane(&n, l);
                 inner[i] = lane(&residual, l);

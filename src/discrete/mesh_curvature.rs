@@ -8,6 +8,8 @@ use super::normals::max_normal;
 use super::ring_edges::{RingEdge, measure};
 use super::simd::{Simd, Vec3, cross, dot, normalized, one, plus};
 use crate::error::Error;
+use crate::mesh::input;
+use crate::mesh::rows::Rows;
 
 /// How often the fit at a boundary vertex is made.
 const BOUNDARY_PASSES: usize = 5;
@@ -15,40 +17,25 @@ const BOUNDARY_PASSES: usize = 5;
 /// [`crate::mean_curvature`], on the threads of the pool that it is called in.
 pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     check(positions, triangles)?;
-    let edges = Edges::new(positions.len(), triangles);
+    let fans = VertexTriangles::new(positions.len(), triangles);
     Ok((0..positions.len())
         .into_par_iter()
         .with_min_len(256)
-        .map_init(Work::default, |work, v| edges.curvature(positions, v, work))
+        .map_init(Work::default, |work, v| fans.curvature(positions, v, work))
         .collect())
 }
 
 fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), Error> {
-    for (triangle, corners) in triangles.iter().enumerate() {
-        for &index in corners {
-            let Some(p) = positions.get(index as usize) else {
-                return Err(Error::IndexOutOfRange {
-                    triangle,
-                    index,
-                    vertex_count: positions.len(),
-                });
-            };
-            if !p.iter().all(|x| x.is_finite()) {
-                return Err(Error::NotFinite {
-                    vertex: index as usize,
-                });
-            }
-        }
+    input::check(positions.len(), triangles)?;
+    let is_finite = |&&v: &&u32| positions[v as usize].iter().all(|x| x.is_finite());
+    match triangles.iter().flatten().find(|v| !is_finite(v)) {
+        Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
+        None => Ok(()),
     }
-    Ok(())
 }
 
-/// The directed edges of all triangles by their origin: row `v` of `out` holds the ring edge `[a, b]` of every
-/// triangle `(v, a, b)`, by `a`.
-struct Edges {
-    start: Vec<u32>,
-    out: Vec<[u32; 2]>,
-}
+/// Per vertex `v` its triangles `(v, a, b)` as `[a, b]`, by `a`.
+struct VertexTriangles(Rows<[u32; 2]>);
 
 /// Room for one ring.
 #[derive(Default)]
@@ -59,54 +46,42 @@ struct Work {
     near: Vec<u32>,
 }
 
-impl Edges {
+impl VertexTriangles {
     fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
-        let mut start = vec![0u32; vertices + 1];
-        triangles
+        let corners = triangles
             .iter()
-            .flatten()
-            .for_each(|&v| start[v as usize + 1] += 1);
-        (0..vertices).for_each(|v| start[v + 1] += start[v]);
-        let mut next = start.clone();
-        let mut out = vec![[0; 2]; 3 * triangles.len()];
-        for &[a, b, c] in triangles {
-            for [v, a, b] in [[a, b, c], [b, c, a], [c, a, b]] {
-                out[next[v as usize] as usize] = [a, b];
-                next[v as usize] += 1;
-            }
-        }
-        for v in 0..vertices {
-            out[start[v] as usize..start[v + 1] as usize].sort_unstable();
-        }
-        Self { start, out }
+            .flat_map(|&[a, b, c]| [(a, [b, c]), (b, [c, a]), (c, [a, b])]);
+        let mut fans = Rows::collect(vertices, corners);
+        (0..vertices).for_each(|v| fans.row_mut(v).sort_unstable());
+        Self(fans)
     }
 
-    fn row(&self, v: u32) -> &[[u32; 2]] {
-        &self.out[self.start[v as usize] as usize..self.start[v as usize + 1] as usize]
+    fn of(&self, v: u32) -> &[[u32; 2]] {
+        self.0.row(v as usize)
     }
 
     /// The third vertex of the triangle with the directed edge from `v` to `a`.
     fn apex(&self, v: u32, a: u32) -> Option<u32> {
-        let row = self.row(v);
-        let at = row.partition_point(|e| e[0] < a);
-        row.get(at).filter(|e| e[0] == a).map(|e| e[1])
+        let fan = self.of(v);
+        let at = fan.partition_point(|e| e[0] < a);
+        fan.get(at).filter(|e| e[0] == a).map(|e| e[1])
     }
 
-    /// The ring edges of `v` in order, if they are one closed ring.
+    /// The triangles of `v` in order; whether they are one closed ring.
     fn walk(&self, v: u32, walked: &mut Vec<[u32; 2]>) -> bool {
-        let row = self.row(v);
+        let fan = self.of(v);
         walked.clear();
-        let mut at = row.first().map_or(0, |e| e[0]);
-        while walked.len() < row.len() {
+        let mut at = fan.first().map_or(0, |e| e[0]);
+        while walked.len() < fan.len() {
             let Some(b) = self.apex(v, at) else { break };
             walked.push([at, b]);
             at = b;
         }
-        walked.len() == row.len() && at == row[0][0] && !repeats(row)
+        walked.len() == fan.len() && at == fan[0][0] && !repeats(fan)
     }
 
     fn curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut Work) -> f64 {
-        if self.row(v as u32).is_empty() {
+        if self.of(v as u32).is_empty() {
             return f64::NAN;
         }
         let q = Vector3::from(positions[v]);
@@ -139,12 +114,12 @@ impl Edges {
     fn boundary_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut Work) -> f64 {
         let near = &mut work.near;
         near.clear();
-        near.extend(self.row(v).iter().flatten());
+        near.extend(self.of(v).iter().flatten());
         near.sort_unstable();
         near.dedup();
         let ring = near.len();
         for k in 0..ring {
-            near.extend(self.row(near[k]).iter().flatten());
+            near.extend(self.of(near[k]).iter().flatten());
         }
         near[ring..].sort_unstable();
         let (first, second) = near.split_at(ring);
@@ -158,7 +133,7 @@ impl Edges {
         samples.extend(first.iter().map(|&w| (from(w), Simd::splat(1.0))));
         samples.extend(beyond.map(|k| (from(second[k]), Simd::splat(FLAP_WEIGHT))));
         let mut sum = [Simd::zero(); 3];
-        for &[a, b] in self.row(v) {
+        for &[a, b] in self.of(v) {
             sum = plus(&sum, &cross(&from(a), &from(b)));
         }
         let squares: f64 = samples[..ring].iter().map(|(e, _)| dot(e, e).0[0]).sum();
@@ -181,8 +156,8 @@ impl Edges {
 }
 
 /// Whether two triangles of a vertex begin with the same edge.
-fn repeats(row: &[[u32; 2]]) -> bool {
-    row.windows(2).any(|w| w[0][0] == w[1][0])
+fn repeats(fan: &[[u32; 2]]) -> bool {
+    fan.windows(2).any(|w| w[0][0] == w[1][0])
 }
 
 #[cfg(test)]

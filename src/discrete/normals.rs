@@ -1,6 +1,4 @@
-//! Vertex normals from a closed one-ring.
-//!
-//! The ring is given by its ring_edges in counter-clockwise order.
+//! Vertex normals from a closed one-ring, given by its edges in counter-clockwise order.
 
 use super::ring_edges::RingEdge;
 use super::simd::{Simd, Vec3, normalized, plus, scaled};
@@ -11,9 +9,9 @@ use super::simd::{Simd, Vec3, normalized, plus, scaled};
 pub(crate) fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
     let mut sum = [Simd::zero(); 3];
     let mut next = ring[0].inverse_square;
-    for ring_edge in ring.iter().rev() {
-        sum = plus(&sum, &scaled(&ring_edge.cross, ring_edge.inverse_square * next));
-        next = ring_edge.inverse_square;
+    for edge in ring.iter().rev() {
+        sum = plus(&sum, &scaled(&edge.cross, edge.inverse_square * next));
+        next = edge.inverse_square;
     }
     normalized(&sum)
 }
@@ -22,8 +20,8 @@ pub(crate) fn max_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
 #[inline(always)]
 pub(crate) fn cross_product_normal<const L: usize>(ring: &[RingEdge<L>]) -> Vec3<L> {
     let mut sum = [Simd::zero(); 3];
-    for ring_edge in ring {
-        sum = plus(&sum, &ring_edge.cross);
+    for edge in ring {
+        sum = plus(&sum, &edge.cross);
     }
     normalized(&sum)
 }

@@ -20,7 +20,7 @@ impl Equations<'_> {
         });
     }
 
-    /// `finish` makes `R1` of a group from its `S H`, its vertices and their `H`.
+    /// `finish` makes `R1` of a batch from its `S H`, its vertices and their `H`.
     #[inline(always)]
     fn residual_with(
         &self,
@@ -41,11 +41,11 @@ impl Equations<'_> {
                 vectorized(
                     #[inline(always)]
                     || {
-                        for group in chunk.batches.clone() {
-                            let vertex = &batches.vertex[group];
+                        for batch in chunk.batches.clone() {
+                            let vertex = &batches.vertex[batch];
                             let own = gather_scalar(h, vertex);
                             let mut sum = Simd::<LANES>::zero();
-                            for slot in batches.slots(group) {
+                            for slot in batches.slots(batch) {
                                 let other = gather_scalar(h, &batches.neighbour[slot]);
                                 sum += Simd(weight[slot]) * (own - other);
                             }
@@ -65,12 +65,11 @@ impl Equations<'_> {
         let (mut worst, mut num, mut den) = (0.0f64, 0.0, 0.0);
         for i in 0..self.free() {
             let (mut absolute, mut size) = (0.0, 0.0);
-            let (first, lane) = (self.batches.place[i].0 as usize, self.batches.place[i].1 as usize);
-            let start = self.rings.start[i] as usize;
-            for s in start..self.rings.start[i + 1] as usize {
-                let w = state.weight[first + s - start][lane].abs();
+            let (first, lane) = self.batches.place(i);
+            for (k, &j) in self.rings.ring(i).iter().enumerate() {
+                let w = state.weight[first + k][lane].abs();
                 absolute += w;
-                size += w * state.h[self.rings.neighbour[s] as usize].abs();
+                size += w * state.h[j as usize].abs();
             }
             size += absolute * state.h[i].abs();
             size += self

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::curvature::{FLAP_WEIGHT, NormalEquations, TILT_RIDGE, TangentFrame, back_substitute};
 use super::simd::{Simd, Vec3, dot, lane, one};
-use crate::mesh::Surroundings;
+use crate::mesh::OutsideNeighbours;
 
 /// The repeated fit stops when the normal turns by less than this (radians).
 const STANDS: f64 = 1e-13;
@@ -23,6 +23,43 @@ pub(crate) struct Fit {
     pub error: f64,
 }
 
+/// Fits again and again from the tilted normal, at most so often: that takes the bias of the ridge away. `None` if the
+/// normal is no number at last.
+pub(super) fn repeated(
+    start: Vector3<f64>,
+    most: usize,
+    fit_once: impl Fn(&Vector3<f64>) -> Fit,
+) -> Option<Fit> {
+    let mut current = Fit {
+        normal: start,
+        error: 0.0,
+    };
+    for _ in 0..most {
+        let next = fit_once(&current.normal);
+        let turn = (next.normal - current.normal).norm();
+        current = next;
+        if turn < STANDS {
+            break;
+        }
+    }
+    current.normal.iter().all(|c| c.is_finite()).then_some(current)
+}
+
+/// The root mean square length of some edge vectors.
+pub(super) fn root_mean_square(edges: &[Vec3<1>]) -> f64 {
+    let squares: f64 = edges.iter().map(|e| dot(e, e).0[0]).sum();
+    (squares / edges.len() as f64).sqrt()
+}
+
+/// How far a sample, basis values and curvature, is from the fit with these coefficients: squared.
+pub(super) fn squared_residual<const N: usize>(
+    (phi, kappa): &([Simd<1>; N], Simd<1>),
+    coefficients: &[Simd<1>; N],
+) -> f64 {
+    let fitted: f64 = phi.iter().zip(coefficients).map(|(p, y)| p.0[0] * y.0[0]).sum();
+    (kappa.0[0] - fitted).powi(2)
+}
+
 /// What lies around a boundary vertex outside: edge vectors, ring by ring.
 #[derive(Debug, Default)]
 pub(crate) struct Samples {
@@ -34,21 +71,19 @@ pub(crate) struct Samples {
 }
 
 impl Samples {
-    /// Those of boundary vertex `v` (local number); `found` is room to work in.
+    /// Those of boundary vertex `v` (local number); `found` is scratch.
     pub(crate) fn gather(
         &mut self,
-        surroundings: &Surroundings,
+        outside: &OutsideNeighbours,
         x: &[Vector3<f64>],
         v: usize,
         found: &mut Vec<u32>,
     ) {
-        self.ends = surroundings.rings(v as u32, found);
+        self.ends = outside.rings(v as u32, found);
         self.edges.clear();
         self.edges
             .extend(found.iter().map(|&j| one(&(x[j as usize] - x[v]))));
-        let ring = &self.edges[..self.ends[0]];
-        let squares: f64 = ring.iter().map(|e| dot(e, e).0[0]).sum();
-        self.length = (squares / ring.len() as f64).sqrt();
+        self.length = root_mean_square(&self.edges[..self.ends[0]]);
     }
 
     /// The samples and their weights by ring. A vertex with one or two outside triangles only has to trust all rings.
@@ -73,13 +108,13 @@ impl Samples {
 pub(crate) struct Order<const N: usize> {
     /// Weights of the first, second and third ring outside.
     weights: [f64; 3],
-    /// See [`super::curvature`].
+    /// Added to the diagonal of the normal equations, relative to the sum of weights.
     ridges: [f64; N],
     /// Fewer samples than this cannot judge the fit.
     fewest: usize,
 }
 
-/// Tangential quadrics: see [`super::curvature`].
+/// Quadrics, as at free vertices: the tilt and the quadratic form of [`super::curvature`].
 pub(crate) const SECOND: Order<5> = Order {
     weights: [1.0, FLAP_WEIGHT, 0.0],
     ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE],
@@ -94,24 +129,12 @@ pub(crate) const THIRD: Order<9> = Order {
 };
 
 impl<const N: usize> Order<N> {
-    /// Fits again and again from the tilted normal, which takes the bias of the ridge away.
+    /// The fit, from about the right normal; `None` if the samples are too few.
     pub(crate) fn fit(&self, samples: &Samples, start: Vector3<f64>) -> Option<Fit> {
         if samples.weighted(&self.weights).count() < self.fewest {
             return None;
         }
-        let mut current = Fit {
-            normal: start,
-            error: 0.0,
-        };
-        for _ in 0..MAX_FITS {
-            let next = self.fit_once(samples, &current.normal);
-            let turn = (next.normal - current.normal).norm();
-            current = next;
-            if turn < STANDS {
-                break;
-            }
-        }
-        current.normal.iter().all(|c| c.is_finite()).then_some(current)
+        repeated(start, MAX_FITS, |n| self.fit_once(samples, n))
     }
 
     fn fit_once(&self, samples: &Samples, n: &Vector3<f64>) -> Fit {
@@ -127,14 +150,10 @@ impl<const N: usize> Order<N> {
             count += 1.0;
         }
         let factor = normal_equations.cholesky(&self.ridges);
-        let y = back_substitute(&factor, normal_equations.right());
-        let residual = |(e, weight): (&Vec3<1>, f64)| {
-            let (phi, kappa) = basis::<N>(&frame, e, l);
-            let fitted: f64 = phi.iter().zip(&y).map(|(p, y)| p.0[0] * y.0[0]).sum();
-            weight * (kappa.0[0] - fitted).powi(2)
-        };
+        let y = back_substitute(&factor, normal_equations.right);
+        let residual = |(e, weight): (&Vec3<1>, f64)| weight * squared_residual(&basis(&frame, e, l), &y);
         let sum: f64 = samples.weighted(&self.weights).map(residual).sum();
-        let variance = sum / normal_equations.weight().0[0] * count / (count - N as f64).max(0.5);
+        let variance = sum / normal_equations.weight.0[0] * count / (count - N as f64).max(0.5);
         let tilt_variance: f64 = (3..5).map(|r| covariance(&factor, &squared, r)).sum();
         Fit {
             normal: lane(&frame.tilted(l * y[3], l * y[4]), 0),
@@ -173,10 +192,10 @@ mod tests {
     fn worst<const N: usize>(order: &Order<N>, shape: &fairmesh_shapes::Shape) -> f64 {
         let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
-        let surroundings = Surroundings::new(&region);
+        let outside = OutsideNeighbours::new(&region);
         let (mut samples, mut found) = (Samples::default(), Vec::new());
         let error = |v: usize| {
-            samples.gather(&surroundings, &x, v, &mut found);
+            samples.gather(&outside, &x, v, &mut found);
             let exact = Vector3::from(shape.normals[region.vertex_ids[v] as usize]);
             let fit = order.fit(&samples, exact)?;
             Some(fit.normal.cross(&exact).norm().asin().to_degrees())

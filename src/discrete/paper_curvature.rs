@@ -6,10 +6,34 @@ use rayon::prelude::*;
 use super::curvature::{moreton_sequin, moreton_sequin_with_response};
 use super::equations::{Equations, State};
 use super::low_valence::spiral_sample;
-use super::simd::{minus, one};
+use super::simd::{Vec3, one};
 
 /// Valences up to this take extra samples (paper 6.2).
-pub(crate) const LOW_VALENCE: usize = 4;
+const LOW_VALENCE: usize = 4;
+
+/// The samples at a vertex that is at `q` (paper 6.1): the vertices of its `ring`, and the points of 6.2 between some
+/// `pairs` of them.
+pub(crate) fn samples(
+    q: &Vector3<f64>,
+    ring: &[u32],
+    pairs: impl Iterator<Item = [u32; 2]>,
+    x: &[Vector3<f64>],
+    normal: &[Vector3<f64>],
+) -> impl Iterator<Item = Vec3<1>> {
+    let at = move |j: u32| one(&(x[j as usize] - q));
+    let between = pairs.map(move |[a, b]| {
+        let (n_a, n_b) = (one(&normal[a as usize]), one(&normal[b as usize]));
+        spiral_sample(&at(a), &at(b), &n_a, &n_b)
+    });
+    ring.iter().map(move |&j| at(j)).chain(between)
+}
+
+/// The pairs of consecutive neighbours in a closed ring of low valence; none in others (paper 6.2).
+pub(crate) fn low_valence_pairs(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> {
+    let m = ring.len();
+    let count = if m <= LOW_VALENCE { m } else { 0 };
+    (0..count).map(move |k| [ring[k], ring[(k + 1) % m]])
+}
 
 impl Equations<'_> {
     /// Plain Moreton-Sequin at free vertices, with the samples of 6.2 where the valence is low. It needs the normals
@@ -18,7 +42,6 @@ impl Equations<'_> {
         let rings = self.rings;
         let normal = &state.corrected;
         let free = self.free();
-        let of = |i: u32| normal[i as usize];
         state.h[..free]
             .par_iter_mut()
             .zip(state.k.par_iter_mut())
@@ -26,16 +49,9 @@ impl Equations<'_> {
             .with_min_len(256)
             .enumerate()
             .for_each(|(i, ((h, k), response))| {
-                let ring = &rings.neighbour[rings.start[i] as usize..rings.start[i + 1] as usize];
-                let q = one(&x[i]);
-                let at = |j: u32| minus(&one(&x[j as usize]), &q);
-                let extra = if ring.len() <= LOW_VALENCE { ring.len() } else { 0 };
-                let between = (0..extra).map(|s| {
-                    let (a, b) = (ring[s], ring[(s + 1) % ring.len()]);
-                    spiral_sample(&at(a), &at(b), &one(&of(a)), &one(&of(b)))
-                });
+                let ring = rings.ring(i);
                 let n = one(&normal[i]);
-                let samples = ring.iter().map(|&j| at(j)).chain(between);
+                let samples = samples(&x[i], ring, low_valence_pairs(ring), x, normal);
                 if RESPONSE {
                     let (mean, gauss, answer) = moreton_sequin_with_response(&n, samples);
                     (*h, *k, *response) = (mean.0[0], gauss.0[0], answer.0[0]);

@@ -11,7 +11,7 @@ pub(crate) fn inverse_square<const L: usize>(square: Simd<L>) -> Simd<L> {
     square.max(Simd::splat(SMALLEST_SQUARE)).recip()
 }
 
-/// RingEdge `k` of a ring: the edge to its `k`-th neighbour, counter-clockwise.
+/// Edge `k` of a ring: from the centre to its `k`-th neighbour, counter-clockwise.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RingEdge<const L: usize> {
     /// `e_k = q_jk - q_i`.
@@ -25,7 +25,7 @@ pub(crate) struct RingEdge<const L: usize> {
 }
 
 impl<const L: usize> RingEdge<L> {
-    /// A ring_edge without length.
+    /// An edge without length.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
         let zero = Simd::zero();
@@ -43,11 +43,11 @@ impl<const L: usize> RingEdge<L> {
 pub(crate) fn measure<const L: usize>(ring: &mut [RingEdge<L>]) {
     let Some(first) = ring.first() else { return };
     let mut next = first.edge;
-    for ring_edge in ring.iter_mut().rev() {
-        ring_edge.square = dot(&ring_edge.edge, &ring_edge.edge);
-        ring_edge.inverse_square = inverse_square(ring_edge.square);
-        ring_edge.cross = cross(&ring_edge.edge, &next);
-        next = ring_edge.edge;
+    for edge in ring.iter_mut().rev() {
+        edge.square = dot(&edge.edge, &edge.edge);
+        edge.inverse_square = inverse_square(edge.square);
+        edge.cross = cross(&edge.edge, &next);
+        next = edge.edge;
     }
 }
 

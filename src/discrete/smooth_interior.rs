@@ -21,7 +21,7 @@ struct RingRoom {
 
 impl Equations<'_> {
     /// Whether the surface passes boundary vertex `b`: fixed in position, but free in its normal.
-    pub(crate) fn passes(&self, b: usize) -> bool {
+    pub(crate) fn is_smooth_interior(&self, b: usize) -> bool {
         self.smooth_interior.get(b).is_some_and(|&p| p)
     }
 
@@ -41,8 +41,8 @@ impl Equations<'_> {
             .with_min_len(64)
             .enumerate()
             .for_each_init(RingRoom::default, |room, (b, (normal, h))| {
-                if self.passes(b) {
-                    (*normal, *h) = self.passed(x, b, room);
+                if self.is_smooth_interior(b) {
+                    (*normal, *h) = self.smooth_fit(x, b, room);
                 }
             });
     }
@@ -54,8 +54,8 @@ impl Equations<'_> {
         corrected: &[Vector3<f64>],
         b: usize,
     ) -> f64 {
-        if self.passes(b) && self.curvature != FreeCurvature::Paper {
-            self.passed(x, b, &mut RingRoom::default()).1
+        if self.is_smooth_interior(b) && self.curvature != FreeCurvature::Paper {
+            self.smooth_fit(x, b, &mut RingRoom::default()).1
         } else {
             self.boundary_curvature(x, corrected, b)
         }
@@ -63,14 +63,14 @@ impl Equations<'_> {
 
     /// Normal and `H` of the surface at boundary vertex `b`, which has a closed ring. The paper's discretization has no
     /// `H` without the neighbours' normals: it is 0 here.
-    fn passed(&self, x: &[Vector3<f64>], b: usize, room: &mut RingRoom) -> (Vector3<f64>, f64) {
+    fn smooth_fit(&self, x: &[Vector3<f64>], b: usize, room: &mut RingRoom) -> (Vector3<f64>, f64) {
         let rings = self.rings;
         let q = x[self.free() + b];
-        let edges = self.boundary_triangles(b);
-        let flaps = &rings.boundary_flap[rings.boundary_edge_start[b] as usize..][..edges.len()];
+        let triangles = rings.boundary_triangles(b);
+        let flaps = &rings.boundary_flap[rings.boundary_triangle.range(b)];
         let to = |j: u32| one(&(x[j as usize] - q));
         room.ring.clear();
-        room.ring.extend(edges.iter().map(|&[j, _]| RingEdge {
+        room.ring.extend(triangles.iter().map(|&[j, _]| RingEdge {
             edge: to(j),
             ..RingEdge::zero()
         }));
@@ -80,7 +80,7 @@ impl Equations<'_> {
         };
         room.flaps.clear();
         room.flaps
-            .extend(edges.iter().zip(flaps).map(|(&[j, _], &flap)| match flap {
+            .extend(triangles.iter().zip(flaps).map(|(&[j, _], &flap)| match flap {
                 NONE => (to(j), Simd([0.0])),
                 flap => (to(flap), Simd([FLAP_WEIGHT])),
             }));

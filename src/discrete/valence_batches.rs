@@ -1,16 +1,17 @@
-//! Free vertices in groups of [`LANES`] with equal valence, so that one formula runs on a whole group at once.
+//! Free vertices in batches of [`LANES`] with equal valence, so that one formula runs on a whole batch at once.
 //!
-//! ValenceBatches never reach over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to
-//! threads, and the same whatever their number.
+//! No batch reaches over a chunk of [`CHUNK`] consecutive vertices: chunks are the unit of work that is handed to threads,
+//! and the same whatever their number.
 
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
 use super::simd::{Simd, Vec3};
+use crate::mesh::rows::Rows;
 use crate::mesh::{NONE, Rings};
 
-/// Vertices per group.
+/// Vertices per batch.
 pub(crate) const LANES: usize = 8;
 
 /// Vertices per chunk.
@@ -27,33 +28,31 @@ pub(crate) struct Chunk {
     pub slots: Range<usize>,
 }
 
-/// The rings of all free vertices, transposed: slot `k` of a group holds the `k`-th neighbour of each of its vertices.
+/// The rings of all free vertices, transposed: slot `k` of a batch holds the `k`-th neighbour of each of its vertices.
 #[derive(Debug, Clone)]
 pub(crate) struct ValenceBatches {
     /// The chunks, in the order of their vertices.
     pub chunks: Vec<Chunk>,
-    /// Per group its vertices; a group that is not full repeats its last vertex.
+    /// Per batch its vertices; a batch that is not full repeats its last vertex.
     pub vertex: Vec<[u32; LANES]>,
-    /// Per group its first slot, and the end.
+    /// Per batch its first slot, and the end.
     pub start: Vec<usize>,
     /// Per slot the neighbours.
     pub neighbour: Vec<[u32; LANES]>,
-    /// Per slot the flaps across ring edge `(k, k+1)`; the neighbour itself where there is none.
+    /// Per slot the flaps across the edges from neighbour `k` to `k + 1`; the neighbour itself where there is none.
     pub flap: Vec<[u32; LANES]>,
-    /// Rows of `boundary`, by group, and the end.
-    pub boundary_start: Vec<u32>,
-    /// Slots without a flap: the ring edge lies on the boundary of the region, with fixed vertices at both ends.
-    pub boundary: Vec<BoundaryEdge>,
+    /// Per batch the edges without a flap: they lie on the boundary of the region, between fixed vertices.
+    pub boundary: Rows<BoundaryEdge>,
     /// Per free vertex its first slot and its lane.
-    pub place: Vec<(u32, u32)>,
+    place: Vec<(u32, u32)>,
     /// The largest valence.
     pub largest_valence: usize,
 }
 
-/// A ring edge that has no flap.
+/// An edge between two consecutive neighbours of a vertex that has no flap.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BoundaryEdge {
-    /// The ring position of its first end.
+    /// The place of its first end in the ring.
     pub slot: u32,
     /// The lane of the vertex in whose ring it is.
     pub lane: u32,
@@ -64,23 +63,22 @@ pub(crate) struct BoundaryEdge {
 impl ValenceBatches {
     /// Sorts the rings of the free vertices into batches.
     pub(crate) fn new(rings: &Rings) -> Self {
-        let free = rings.start.len() - 1;
-        let valence = |i: u32| (rings.start[i as usize + 1] - rings.start[i as usize]) as usize;
+        let free = rings.free();
+        let valence = |i: u32| rings.ring(i as usize).len();
         let mut batches = Self {
             chunks: Vec::with_capacity(free.div_ceil(CHUNK)),
             vertex: Vec::new(),
             start: vec![0],
             neighbour: Vec::new(),
             flap: Vec::new(),
-            boundary_start: vec![0],
-            boundary: Vec::new(),
+            boundary: Rows::default(),
             place: vec![(0, 0); free],
             largest_valence: (0..free as u32).map(valence).max().unwrap_or(0),
         };
         let mut sorted: Vec<u32> = Vec::with_capacity(CHUNK);
         for first in (0..free).step_by(CHUNK) {
             let vertices = first..(first + CHUNK).min(free);
-            let (group, slot) = (batches.vertex.len(), batches.neighbour.len());
+            let (batch, slot) = (batches.vertex.len(), batches.neighbour.len());
             sorted.clear();
             sorted.extend(vertices.clone().map(|i| i as u32));
             sorted.sort_by_key(|&i| (valence(i), i));
@@ -91,7 +89,7 @@ impl ValenceBatches {
             }
             batches.chunks.push(Chunk {
                 vertices,
-                batches: group..batches.vertex.len(),
+                batches: batch..batches.vertex.len(),
                 slots: slot..batches.neighbour.len(),
             });
         }
@@ -104,37 +102,52 @@ impl ValenceBatches {
         for (l, &i) in members.iter().enumerate() {
             self.place[i as usize] = (first as u32, l as u32);
         }
-        let start = vertex.map(|i| rings.start[i as usize] as usize);
-        let valence = rings.start[vertex[0] as usize + 1] as usize - start[0];
+        let ring = |i: u32| rings.ring(i as usize);
+        let flaps = |i: u32| &rings.flap[rings.neighbour.range(i as usize)];
+        let valence = ring(vertex[0]).len();
         for k in 0..valence {
-            self.neighbour.push(start.map(|s| rings.neighbour[s + k]));
-            self.flap.push(start.map(|s| {
-                let flap = rings.flap[s + k];
-                if flap == NONE {
-                    rings.neighbour[s + k]
-                } else {
-                    flap
-                }
+            self.neighbour.push(vertex.map(|i| ring(i)[k]));
+            self.flap.push(vertex.map(|i| match flaps(i)[k] {
+                NONE => ring(i)[k],
+                flap => flap,
             }));
         }
         for (lane, &i) in members.iter().enumerate() {
-            let s = rings.start[i as usize] as usize;
-            for k in (0..valence).filter(|k| rings.flap[s + k] == NONE) {
+            for k in (0..valence).filter(|&k| flaps(i)[k] == NONE) {
                 self.boundary.push(BoundaryEdge {
                     slot: k as u32,
                     lane: lane as u32,
-                    ends: [rings.neighbour[s + k], rings.neighbour[s + (k + 1) % valence]],
+                    ends: [ring(i)[k], ring(i)[(k + 1) % valence]],
                 });
             }
         }
-        self.boundary_start.push(self.boundary.len() as u32);
+        self.boundary.end_row();
         self.vertex.push(vertex);
         self.start.push(self.neighbour.len());
     }
 
-    /// The slots of a group.
-    pub(crate) fn slots(&self, group: usize) -> Range<usize> {
-        self.start[group]..self.start[group + 1]
+    /// How many free vertices there are.
+    pub(crate) fn free(&self) -> usize {
+        self.place.len()
+    }
+
+    /// The first slot and the lane of a free vertex.
+    #[inline]
+    pub(crate) fn place(&self, i: usize) -> (usize, usize) {
+        let (first, lane) = self.place[i];
+        (first as usize, lane as usize)
+    }
+
+    /// The slots of a free vertex's ring, and its lane.
+    pub(crate) fn ring_slots(&self, i: usize) -> (Range<usize>, usize) {
+        let (first, lane) = self.place(i);
+        let batch = self.start.partition_point(|&s| s <= first) - 1;
+        (self.slots(batch), lane)
+    }
+
+    /// The slots of a batch.
+    pub(crate) fn slots(&self, batch: usize) -> Range<usize> {
+        self.start[batch]..self.start[batch + 1]
     }
 }
 

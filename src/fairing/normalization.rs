@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::mesh::Region;
-use crate::solve::globalize::bounding_box;
+use crate::solve::problem::bounding_box;
 
 /// A centre and a unit of length.
 pub(super) struct Normalization {

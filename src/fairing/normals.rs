@@ -4,11 +4,11 @@ use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
-use crate::mesh::{Region, Rings};
+use crate::solve::Domain;
 
 /// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
-#[derive(Debug, Clone, Copy, Default)]
-pub enum BoundaryNormals<'a> {
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum BoundaryNormals {
     /// Fitted to three rings of the surface outside the region, to second or third order, whichever is more certain
     /// there, and blended with the average where the scan is rough; by the paper's rule (7.5) where there is no outside.
     /// To eight rings where all coordinates around are single precision numbers so far from the origin that their rounding
@@ -19,7 +19,7 @@ pub enum BoundaryNormals<'a> {
     Averaged,
     /// Given for some or all boundary vertices (`(vertex, unit normal)`); the others are fitted. Entries for
     /// vertices that are not on the boundary are ignored.
-    Given(&'a [(u32, [f64; 3])]),
+    Given(Vec<(u32, [f64; 3])>),
 }
 
 /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
@@ -38,7 +38,7 @@ pub enum InteriorNormals {
 }
 
 /// The vertices whose normals are given, ascending.
-pub(super) fn given_vertices(asked: BoundaryNormals<'_>) -> Vec<u32> {
+pub(super) fn given_vertices(asked: &BoundaryNormals) -> Vec<u32> {
     let BoundaryNormals::Given(list) = asked else {
         return Vec::new();
     };
@@ -52,12 +52,13 @@ const UNIT: f64 = 1e-3;
 
 /// Normals at the boundary, and where the surface passes instead; empty: nowhere.
 pub(super) fn boundary_normals(
-    region: &Region,
-    rings: &Rings,
-    x: &[Vector3<f64>],
-    asked: BoundaryNormals<'_>,
+    domain: &Domain,
+    asked: &BoundaryNormals,
     interior: InteriorNormals,
 ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+    let Domain {
+        region, rings, input, ..
+    } = domain;
     let mut given = vec![None; region.boundary];
     if let BoundaryNormals::Given(list) = asked {
         let boundary = &region.vertex_ids[region.free..region.region_vertices()];
@@ -90,5 +91,5 @@ pub(super) fn boundary_normals(
         smooth_interior.clear();
     }
     let fitted = !matches!(asked, BoundaryNormals::Averaged);
-    Ok((estimate(region, rings, x, fitted, &given)?, smooth_interior))
+    Ok((estimate(region, rings, input, fitted, &given)?, smooth_interior))
 }

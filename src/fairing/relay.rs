@@ -2,9 +2,10 @@
 
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
-use super::{Progress, Watcher};
+use super::{Progress, ProgressCallback};
 use crate::error::Error;
 use crate::solve::control::{Callback, Interrupt};
 
@@ -14,8 +15,8 @@ const TICK: Duration = Duration::from_millis(50);
 /// Runs `work` on the pool and `callback` on this thread, which waits for it in between. `work` is handed what sends to the
 /// callback, and what is set when the callback stops the run.
 pub(super) fn relay<T: Send>(
-    pool: &rayon::ThreadPool,
-    callback: &mut Watcher<'_>,
+    workers: &Workers,
+    callback: &mut ProgressCallback<'_>,
     work: impl for<'t> FnOnce(&'t mut Callback<'t>, &Interrupt) -> T + Send,
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();
@@ -36,7 +37,7 @@ pub(super) fn relay<T: Send>(
     let theirs = interrupt.clone();
     std::thread::scope(|scope| {
         let worker = std::thread::Builder::new()
-            .spawn_scoped(scope, move || pool.install(move || work(&mut tell, &theirs)))
+            .spawn_scoped(scope, move || workers.install(move || work(&mut tell, &theirs)))
             .map_err(|e| Error::Threads {
                 threads: 1,
                 why: e.to_string(),
@@ -74,26 +75,51 @@ pub(super) fn relay<T: Send>(
     })
 }
 
-/// Runs `work` with a pool of its own, whose threads have ended afterwards, to the last destructor: a program may unload
-/// the library then.
-pub(crate) fn with_threads<T>(
-    threads: usize,
-    work: impl FnOnce(&rayon::ThreadPool) -> T,
-) -> Result<T, Error> {
-    let mut handles = Vec::new();
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .spawn_handler(|thread| {
-            handles.push(std::thread::Builder::new().spawn(|| thread.run())?);
-            Ok(())
-        })
-        .build();
-    let done = pool.map(|pool| work(&pool)).map_err(|e| Error::Threads {
-        threads,
-        why: e.to_string(),
-    });
-    for handle in handles {
-        let _ = handle.join();
+/// A pool whose threads have ended when it is dropped, to the last destructor: a program may unload the library then.
+pub(crate) struct Workers {
+    // Dropped first: that ends the threads.
+    pool: rayon::ThreadPool,
+    _threads: Threads,
+}
+
+/// Waits for the threads.
+struct Threads(Vec<JoinHandle<()>>);
+
+impl Drop for Threads {
+    fn drop(&mut self) {
+        for thread in self.0.drain(..) {
+            let _ = thread.join();
+        }
     }
-    done
+}
+
+impl Workers {
+    /// So many threads; 0: as many as the machine has.
+    pub(crate) fn new(threads: usize) -> Result<Self, Error> {
+        let mut handles = Threads(Vec::new());
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .spawn_handler(|thread| {
+                handles
+                    .0
+                    .push(std::thread::Builder::new().spawn(|| thread.run())?);
+                Ok(())
+            })
+            .build();
+        match pool {
+            Ok(pool) => Ok(Self {
+                pool,
+                _threads: handles,
+            }),
+            Err(e) => Err(Error::Threads {
+                threads,
+                why: e.to_string(),
+            }),
+        }
+    }
+
+    /// Runs `work` on the pool.
+    pub(crate) fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
 }

@@ -1,23 +1,13 @@
 //! Fairing in steps, for interactive programs: run some iterations, look, change what is asked, go on.
-//!
-//! The solver runs on a thread of its own and waits there between the steps. So the sequence of means of
-//! [`solve`](crate::solve::globalize::solve) needs no second form: in steps it finds the same surface, bit by bit.
 
-mod input;
-mod worker;
+mod cursor;
 
-use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::thread::JoinHandle;
-
-use super::{
-    BoundaryNormals, Options, Progress, Selection, Solution, Solver, Target, Watcher, check, with_threads,
-};
+use super::prepared::{Prepared, region};
+use super::relay::{Workers, relay};
+use super::{BoundaryNormals, Options, ProgressCallback, Selection, Solution, Solver, Target};
 use crate::error::Error;
 use crate::mesh::Region;
-use input::{Input, Normals};
-use worker::Problem;
+use cursor::Cursor;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
 ///
@@ -25,52 +15,50 @@ use worker::Problem;
 /// options, to the last bit. After a change of the boundary normals or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 pub struct Session {
-    commands: Option<Sender<Command>>,
-    answers: Receiver<Answer>,
-    thread: Option<JoinHandle<()>>,
-    /// There from the beginning.
-    solution: Option<Solution>,
+    input: Input,
+    cursor: Cursor,
+    solution: Solution,
     /// What the last run failed with.
     broken: Option<Error>,
-    input: Arc<Input>,
-    connectivity: Connectivity,
-    target: Target,
+    workers: Workers,
 }
 
-/// What the matrices were made for.
-#[derive(PartialEq)]
-struct Connectivity {
-    vertices: Vec<u32>,
+/// A selection that outlives the call.
+enum Selected {
+    Mask(Vec<bool>),
+    Vertices(Vec<u32>),
+    Faces(Vec<u32>),
+}
+
+/// What was asked, in the session's own memory. Changes go into the options.
+struct Input {
+    positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
+    selection: Selected,
+    options: Options,
 }
 
-impl Connectivity {
-    fn of(region: &Region) -> Self {
-        Self {
-            vertices: region.vertex_ids.clone(),
-            triangles: region.half_edges.triangles.clone(),
+impl Input {
+    fn selection(&self) -> Selection<'_> {
+        match &self.selection {
+            Selected::Mask(mask) => Selection::Mask(mask),
+            Selected::Vertices(list) => Selection::Vertices(list),
+            Selected::Faces(list) => Selection::Faces(list),
         }
+    }
+
+    /// The region, cut where these normals ask for it.
+    fn region(&self, normals: &BoundaryNormals) -> Result<Region, Error> {
+        region(&self.positions, &self.triangles, self.selection(), normals)
+    }
+
+    fn prepared(&self) -> Result<Prepared, Error> {
+        Prepared::new(&self.positions, &self.triangles, self.selection(), &self.options)
     }
 }
 
-enum Command {
-    /// At most this many iterations.
-    Run(usize),
-    Normals(Normals),
-    Target(Target),
-    /// The answer to [`Answer::Progress`].
-    GoOn(ControlFlow<()>),
-}
-
-enum Answer {
-    /// The end of a run or of the setup.
-    Surface(Box<Result<Solution, Error>>),
-    Changed(Result<(), Error>),
-    Progress(Progress),
-}
-
 impl Session {
-    /// Checks the input, and orders and analyses the matrices. `progress` of the options is not used.
+    /// Checks the input, and orders and analyses the matrices.
     ///
     /// # Errors
     /// Those of [`fair`](super::fair), and [`Error::BadOption`] for a solver other than [`Solver::Fast`].
@@ -78,9 +66,9 @@ impl Session {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        options: &Options<'_>,
+        options: &Options,
     ) -> Result<Self, Error> {
-        check(options)?;
+        options.validate()?;
         if options.solver != Solver::Fast {
             return Err(Error::BadOption {
                 name: "solver",
@@ -88,41 +76,25 @@ impl Session {
                 range: "the fast one for a fairing in steps",
             });
         }
-        let input = Arc::new(Input::new(positions, triangles, selection, options));
-        Self::start(input, options.normals, options.target)
-    }
-
-    fn start(input: Arc<Input>, normals: BoundaryNormals<'_>, target: Target) -> Result<Self, Error> {
-        let threads = input.threads;
-        let problem = Problem::new(input.clone(), normals)?;
-        let normals = problem.normals(normals)?;
-        let connectivity = Connectivity::of(&problem.region);
-        let ((commands, orders), (answer, answers)) = (channel(), channel());
-        let failed = answer.clone();
-        let thread = std::thread::Builder::new().spawn(move || {
-            let served = with_threads(threads, |pool| {
-                pool.install(move || problem.serve(normals, target, &orders, &answer));
-            });
-            if let Err(error) = served {
-                let _ = failed.send(Answer::Surface(Box::new(Err(error))));
-            }
-        });
-        let thread = thread.map_err(|e| Error::Threads {
-            threads: 1,
-            why: e.to_string(),
-        })?;
-        let mut session = Self {
-            commands: Some(commands),
-            answers,
-            thread: Some(thread),
-            solution: None,
-            broken: None,
-            input,
-            connectivity,
-            target,
+        let input = Input {
+            positions: positions.to_vec(),
+            triangles: triangles.to_vec(),
+            selection: match selection {
+                Selection::Mask(mask) => Selected::Mask(mask.to_vec()),
+                Selection::Vertices(list) => Selected::Vertices(list.to_vec()),
+                Selection::Faces(list) => Selected::Faces(list.to_vec()),
+            },
+            options: options.clone(),
         };
-        session.wait(None)?;
-        Ok(session)
+        let workers = Workers::new(options.threads)?;
+        let (cursor, solution) = workers.install(|| Cursor::new(&input))?;
+        Ok(Self {
+            input,
+            cursor,
+            solution,
+            broken: None,
+            workers,
+        })
     }
 
     /// Runs at most this many nonlinear iterations (at least one), and returns the surface: of the last iteration if the
@@ -132,16 +104,36 @@ impl Session {
     ///
     /// # Errors
     /// [`Error::NothingFixed`] where not even a linear surface exists.
-    pub fn run(&mut self, iterations: usize, progress: Option<&mut Watcher<'_>>) -> Result<&Solution, Error> {
+    pub fn run(
+        &mut self,
+        iterations: usize,
+        progress: Option<&mut ProgressCallback<'_>>,
+    ) -> Result<&Solution, Error> {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
-        self.send(Command::Run(iterations.max(1)));
-        if let Err(error) = self.wait(progress) {
-            self.broken = Some(error.clone());
-            return Err(error);
+        if self.cursor.is_over() {
+            return Ok(&self.solution);
         }
-        Ok(self.solution())
+        let iterations = iterations.max(1);
+        let (input, cursor) = (&self.input, &mut self.cursor);
+        let ran = match progress {
+            None => self.workers.install(|| cursor.run(input, iterations, None)),
+            // A run that is held up goes on later: no factorization is to be broken off.
+            Some(callback) => relay(&self.workers, callback, |told, _| {
+                cursor.run(input, iterations, Some(told))
+            })?,
+        };
+        match ran {
+            Ok(solution) => {
+                self.solution = solution;
+                Ok(&self.solution)
+            }
+            Err(error) => {
+                self.broken = Some(error.clone());
+                Err(error)
+            }
+        }
     }
 
     /// Asks for other boundary normals from now on. Where a curve of fixed vertices inside the region gets normals, or loses them,
@@ -149,13 +141,23 @@ impl Session {
     ///
     /// # Errors
     /// [`Error::BadNormal`], [`Error::NoNormal`]; the normals before then hold on.
-    pub fn set_boundary_normals(&mut self, normals: BoundaryNormals<'_>) -> Result<(), Error> {
-        if self.connectivity != Connectivity::of(&self.input.region(normals)?) {
-            // A curve inside has got its normals, or has lost them: the region is cut there.
-            *self = Self::start(self.input.clone(), normals, self.target)?;
-            return Ok(());
+    pub fn set_boundary_normals(&mut self, normals: BoundaryNormals) -> Result<(), Error> {
+        if let Some(error) = &self.broken {
+            return Err(error.clone());
         }
-        self.change(Command::Normals(Normals::new(normals)))
+        let region = self.input.region(&normals)?;
+        let before = std::mem::replace(&mut self.input.options.boundary_normals, normals);
+        let (input, cursor) = (&self.input, &mut self.cursor);
+        let changed = if cursor.is_of(&region) {
+            self.workers.install(|| cursor.set_boundary_normals(input))
+        } else {
+            let anew = self.workers.install(|| Cursor::new(input));
+            anew.map(|(cursor, solution)| (self.cursor, self.solution) = (cursor, solution))
+        };
+        if changed.is_err() {
+            self.input.options.boundary_normals = before;
+        }
+        changed
     }
 
     /// Asks for another right-hand side from now on.
@@ -163,72 +165,21 @@ impl Session {
     /// # Errors
     /// [`Error::BadOption`] for a constant that is not finite; the target before then holds on.
     pub fn set_target(&mut self, target: Target) -> Result<(), Error> {
-        check(&Options {
+        if let Some(error) = &self.broken {
+            return Err(error.clone());
+        }
+        Options {
             target,
             ..Options::default()
-        })?;
-        self.change(Command::Target(target))?;
-        self.target = target;
+        }
+        .validate()?;
+        self.input.options.target = target;
+        self.cursor.set_target(target);
         Ok(())
     }
 
     /// The surface of the last run; before the first one, the input's.
     pub fn solution(&self) -> &Solution {
-        match &self.solution {
-            Some(solution) => solution,
-            None => unreachable!("the setup ends with a surface"),
-        }
-    }
-
-    fn change(&mut self, command: Command) -> Result<(), Error> {
-        if let Some(error) = &self.broken {
-            return Err(error.clone());
-        }
-        self.send(command);
-        match self.answers.recv() {
-            Ok(Answer::Changed(answer)) => answer,
-            _ => self.gone(),
-        }
-    }
-
-    fn send(&mut self, command: Command) {
-        // A thread that is gone is noticed where its answer is missing.
-        let _ = self.commands.as_ref().map(|c| c.send(command));
-    }
-
-    fn wait(&mut self, mut progress: Option<&mut Watcher<'_>>) -> Result<(), Error> {
-        loop {
-            match self.answers.recv() {
-                Ok(Answer::Progress(told)) => {
-                    let answer = progress
-                        .as_mut()
-                        .map_or(ControlFlow::Continue(()), |callback| callback(&told));
-                    self.send(Command::GoOn(answer));
-                }
-                Ok(Answer::Surface(result)) => {
-                    self.solution = Some((*result)?);
-                    return Ok(());
-                }
-                Ok(Answer::Changed(_)) | Err(_) => return self.gone(),
-            }
-        }
-    }
-
-    /// The thread has panicked: so does the caller.
-    fn gone<T>(&mut self) -> T {
-        self.commands = None;
-        match self.thread.take().map(JoinHandle::join) {
-            Some(Err(panic)) => std::panic::resume_unwind(panic),
-            _ => panic!("the solver's thread has ended"),
-        }
-    }
-}
-
-impl Drop for Session {
-    fn drop(&mut self) {
-        self.commands = None;
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
+        &self.solution
     }
 }

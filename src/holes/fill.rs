@@ -7,25 +7,26 @@ use std::time::Instant;
 use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::outcome::{LoopReport, OpenReason, renumber};
 use super::parents::Parents;
-use super::piece::{Piece, Task};
+use super::piece::{Piece, Task, local_options};
 use super::surroundings::Surroundings;
 use crate::error::Error;
-use crate::fairing::{self, Options, Progress};
+use crate::fairing::{Options, Progress, ProgressCallback};
 use crate::mesh::NONE;
 
 /// Which loops are filled.
-#[derive(Debug, Clone, Copy)]
-pub enum Loops<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub enum Loops {
     /// All holes of at most this many edges; outer boundaries stay open.
     UpTo(usize),
     /// These, by their numbers in [`boundary_loops`](super::boundary_loops), outer boundaries included.
-    Chosen(&'a [usize]),
+    Chosen(Vec<usize>),
 }
 
 /// What is asked. `FillOptions::default()` is right for most uses.
-pub struct FillOptions<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct FillOptions {
     /// Which loops. Default: all holes of whatever size.
-    pub loops: Loops<'a>,
+    pub loops: Loops,
     /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
     /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
     pub density: f64,
@@ -35,9 +36,8 @@ pub struct FillOptions<'a> {
     pub max_new_vertices: usize,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
-    /// For the fairing. Normals are those of the boundary, by default fitted to the surroundings. `progress` is told about the
-    /// whole call, with the fraction of all loops.
-    pub fairing: Options<'a>,
+    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops.
+    pub fairing: Options,
 }
 
 /// See [`FillOptions::max_new_vertices`].
@@ -45,7 +45,18 @@ fn largest_patch(edges: usize, density: f64) -> usize {
     1_000 + (edges as f64 * density.max(1.0)).powi(2).round() as usize
 }
 
-impl Default for FillOptions<'_> {
+impl FillOptions {
+    /// Checks the ranges of all options, those of the fairing included.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], which names the option.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_density(self.density)?;
+        self.fairing.validate()
+    }
+}
+
+impl Default for FillOptions {
     fn default() -> Self {
         Self {
             loops: Loops::UpTo(usize::MAX),
@@ -76,18 +87,68 @@ pub struct Filled {
 /// Original vertices and triangles keep their numbers and bits. A loop that cannot be filled, or not well, says so in its
 /// report and does not affect the others.
 ///
+/// ```
+/// use fairmesh::{FillOptions, boundary_loops, fill_holes};
+/// // An octahedron without one of its triangles.
+/// let positions = [
+///     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// ];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let filled = fill_holes(&positions, &triangles, &FillOptions::default())?;
+/// assert!(boundary_loops(&filled.positions, &filled.triangles)?.is_empty());
+/// assert_eq!(filled.positions[..6], positions);
+/// assert_eq!(filled.triangles[..7], triangles);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::BadOption`], [`Error::IndexOutOfRange`], [`Error::TooLarge`], [`Error::SelectionOutOfRange`] for a loop
 /// that does not exist.
 pub fn fill_holes(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    options: FillOptions<'_>,
+    options: &FillOptions,
 ) -> Result<Filled, Error> {
-    check(&options)?;
+    run(positions, triangles, options, None)
+}
+
+/// [`fill_holes`], which calls `progress` on the calling thread, with the fraction of all loops. `Break` stops the run: the
+/// loops that are not done stay open.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use fairmesh::{FillOptions, FillOutcome, OpenReason, fill_holes_with_progress};
+/// # let positions = [
+/// #     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// # ];
+/// # let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let mut stop = |_: &fairmesh::Progress| ControlFlow::Break(());
+/// let filled = fill_holes_with_progress(&positions, &triangles, &FillOptions::default(), &mut stop)?;
+/// assert_eq!(filled.loops[0].outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`fill_holes`].
+pub fn fill_holes_with_progress(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &FillOptions,
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Filled, Error> {
+    run(positions, triangles, options, Some(progress))
+}
+
+fn run<'a>(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &'a FillOptions,
+    progress: Option<&'a mut ProgressCallback<'a>>,
+) -> Result<Filled, Error> {
+    options.validate()?;
     let links = Links::new(positions.len(), triangles)?;
     let loops = links.loops(positions);
-    let (numbers, named) = choose(&options, loops.len())?;
+    let (numbers, named) = choose(options, loops.len())?;
     let mut order: Vec<usize> = (0..numbers.len()).collect();
     order.sort_by_key(|&i| loops[numbers[i]].vertices.len());
     let total: usize = numbers.iter().map(|&l| loops[l].vertices.len()).sum();
@@ -98,6 +159,7 @@ pub fn fill_holes(
         made: HashSet::new(),
         left: options.max_new_vertices,
         options,
+        progress,
         named,
         done: 0.0,
         total: total as f64,
@@ -124,31 +186,20 @@ pub fn fill_holes(
     Ok(filled)
 }
 
-fn check(options: &FillOptions<'_>) -> Result<(), Error> {
-    check_density(options.density)?;
-    fairing::check(&options.fairing)
-}
-
 pub(super) fn check_density(density: f64) -> Result<(), Error> {
-    if (0.1..=10.0).contains(&density) {
-        return Ok(());
-    }
-    Err(Error::BadOption {
-        name: "density",
-        value: density,
-        range: "between 0.1 and 10",
-    })
+    let allowed = (0.1..=10.0).contains(&density);
+    Error::check_option("density", density, allowed, "between 0.1 and 10")
 }
 
 /// The loops to be looked at, ascending, and whether they were named.
-fn choose(options: &FillOptions<'_>, count: usize) -> Result<(Vec<usize>, bool), Error> {
-    match options.loops {
+fn choose(options: &FillOptions, count: usize) -> Result<(Vec<usize>, bool), Error> {
+    match &options.loops {
         Loops::UpTo(_) => Ok(((0..count).collect(), false)),
         Loops::Chosen(list) => {
             if let Some(&index) = list.iter().find(|&&l| l >= count) {
                 return Err(Error::SelectionOutOfRange { index, count });
             }
-            let mut list = list.to_vec();
+            let mut list = list.clone();
             list.sort_unstable();
             list.dedup();
             Ok((list, true))
@@ -165,7 +216,8 @@ struct Run<'m, 'o> {
     made: HashSet<(u32, u32)>,
     /// New vertices that may still be made.
     left: usize,
-    options: FillOptions<'o>,
+    options: &'o FillOptions,
+    progress: Option<&'o mut ProgressCallback<'o>>,
     named: bool,
     /// Edges of loops done, and of all.
     done: f64,
@@ -205,19 +257,19 @@ impl Run<'_, '_> {
             self.done / self.total,
             boundary.vertices.len() as f64 / self.total,
         );
-        let watcher = &mut self.options.fairing.progress;
+        let callback = &mut self.progress;
         let (mut cancelled, mut reached) = (false, 0.0_f64);
         let mut tell = |progress: &Progress| {
             // Who has asked to stop is not asked again.
             if cancelled {
                 return ControlFlow::Break(());
             }
-            let Some(watcher) = watcher else {
+            let Some(callback) = callback else {
                 return ControlFlow::Continue(());
             };
             // A patch may be faired more than once.
             reached = reached.max(progress.fraction);
-            let answer = watcher(&Progress {
+            let answer = callback(&Progress {
                 fraction: done + total * reached,
                 ..*progress
             });
@@ -231,14 +283,7 @@ impl Run<'_, '_> {
                 .left
                 .min(largest_patch(boundary.vertices.len(), self.options.density)),
             fair: self.options.fair,
-            normals: self.options.fairing.normals,
-            target: self.options.fairing.target,
-            inner: self.options.fairing.inner,
-            discretization: self.options.fairing.discretization,
-            solver: self.options.fairing.solver,
-            tolerance: self.options.fairing.tolerance,
-            max_iterations: self.options.fairing.max_iterations,
-            threads: self.options.fairing.threads,
+            options: local_options(&surroundings, &self.options.fairing),
         };
         let piece = task.run(&mut tell);
         self.cancelled = cancelled;
@@ -261,7 +306,7 @@ impl Run<'_, '_> {
 
     /// Edges that patches on touching loops have made are taken, too.
     fn add_made(&self, surroundings: &mut Surroundings) {
-        let boundary = surroundings.boundary as u32;
+        let boundary = surroundings.loop_vertices as u32;
         let touching = |v: &u32| self.made.iter().any(|e| e.0 == *v || e.1 == *v);
         let common: Vec<u32> = (0..boundary)
             .filter(|&i| touching(&surroundings.ids[i as usize]))

@@ -10,6 +10,8 @@ use nalgebra::Vector3;
 
 use crate::error::Error;
 use crate::mesh::halfedge::{next, previous};
+use crate::mesh::input;
+use crate::mesh::rows::Rows;
 
 /// No half-edge on the other side: the boundary.
 pub(super) const BOUNDARY: u32 = u32::MAX;
@@ -63,6 +65,20 @@ pub struct BoundaryLoop {
 ///
 /// At a vertex where several gaps meet, each gap is a loop of its own.
 ///
+/// ```
+/// use fairmesh::{LoopKind, boundary_loops};
+/// // An octahedron without one of its triangles.
+/// let positions = [
+///     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// ];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5]];
+/// let loops = boundary_loops(&positions, &triangles)?;
+/// assert_eq!(loops.len(), 1);
+/// assert_eq!((loops[0].vertices.len(), loops[0].kind), (3, LoopKind::Hole));
+/// assert!((loops[0].turn - 90.0).abs() < 1e-9); // half the octahedron's curvature is missing
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::TooLarge`].
 pub fn boundary_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BoundaryLoop>, Error> {
@@ -75,33 +91,18 @@ pub(super) struct Links<'a> {
     pub(super) triangles: &'a [[u32; 3]],
     /// The half-edge across, [`BOUNDARY`], or more than one.
     opposite: Vec<u32>,
-    /// Half-edges that start at vertex v: `out[start[v]..start[v + 1]]`, ascending.
-    start: Vec<u32>,
-    out: Vec<u32>,
+    /// The half-edges that start at each vertex, ascending.
+    outgoing: Rows<u32>,
 }
 
 impl<'a> Links<'a> {
     pub(super) fn new(vertices: usize, triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
-        check(vertices, triangles)?;
-        let mut start = vec![0u32; vertices + 1];
-        triangles
-            .iter()
-            .flatten()
-            .for_each(|&v| start[v as usize + 1] += 1);
-        for v in 0..vertices {
-            start[v + 1] += start[v];
-        }
-        let mut fill = start.clone();
-        let mut out = vec![0; 3 * triangles.len()];
-        for (h, &v) in triangles.iter().flatten().enumerate() {
-            out[fill[v as usize] as usize] = h as u32;
-            fill[v as usize] += 1;
-        }
+        input::check(vertices, triangles)?;
+        let corners = (0..).zip(triangles.iter().flatten());
         let mut links = Self {
             triangles,
             opposite: vec![BOUNDARY; 3 * triangles.len()],
-            start,
-            out,
+            outgoing: Rows::collect(vertices, corners.map(|(h, &v)| (v, h))),
         };
         links.pair();
         Ok(links)
@@ -110,10 +111,9 @@ impl<'a> Links<'a> {
     /// Pairs half-edges: per vertex the edges to larger numbers, in both directions, sorted.
     fn pair(&mut self) {
         let mut edges: Vec<(u32, u32)> = Vec::new();
-        for v in 0..self.start.len() as u32 - 1 {
+        for v in 0..self.outgoing.len() as u32 {
             edges.clear();
-            for i in self.start[v as usize]..self.start[v as usize + 1] {
-                let h = self.out[i as usize];
+            for &h in self.outgoing.row(v as usize) {
                 if repeats(&self.triangles[h as usize / 3]) {
                     self.opposite[h as usize] = NON_MANIFOLD;
                     continue;
@@ -143,7 +143,7 @@ impl<'a> Links<'a> {
 
     /// The half-edges that start at a vertex.
     pub(super) fn at(&self, v: u32) -> &[u32] {
-        &self.out[self.start[v as usize] as usize..self.start[v as usize + 1] as usize]
+        self.outgoing.row(v as usize)
     }
 
     #[inline]
@@ -196,7 +196,7 @@ impl<'a> Links<'a> {
             }
         }
         let mut done = vec![false; self.opposite.len()];
-        let mut place = vec![BOUNDARY; self.start.len()];
+        let mut place = vec![BOUNDARY; self.outgoing.len()];
         let mut found = Vec::new();
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
@@ -208,7 +208,7 @@ impl<'a> Links<'a> {
             }
         }
         found.sort_by_key(|(run, _): &(Vec<u32>, _)| run.iter().copied().min());
-        let mut visits = vec![0u8; self.start.len()];
+        let mut visits = vec![0u8; self.outgoing.len()];
         for &h in found.iter().flat_map(|(run, _)| run) {
             let v = self.origin(next(h)) as usize;
             visits[v] = visits[v].saturating_add(1);
@@ -262,21 +262,40 @@ impl<'a> Links<'a> {
         visits: &[u8],
     ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
-        let n = vertices.len();
         let at = |v: u32| Vector3::from(positions[v as usize]);
-        let origin = at(vertices[0]);
+        let first = at(vertices[0]);
         let (mut length, mut area) = (0.0, Vector3::zeros());
-        for i in 0..n {
-            let (p, q) = (at(vertices[i]) - origin, at(self.origin(run[i])) - origin);
+        for (&v, &h) in vertices.iter().zip(&run) {
+            let (p, q) = (at(v) - first, at(self.origin(h)) - first);
             length += (q - p).norm();
             area += 0.5 * p.cross(&q);
         }
-        // Sum of the exterior angles seen from the mesh.
-        let turning: f64 = (0..n)
-            .map(|i| PI - self.angle(run[i], run[(i + 1) % n], positions))
-            .sum();
-        let turn = (-turning / TAU).clamp(-1.0, 1.0).acos();
-        let kind = match bad {
+        let turn = self.turn(&run, positions);
+        let mut touching = vertices.clone();
+        touching.retain(|&v| visits[v as usize] > 1);
+        BoundaryLoop {
+            vertices,
+            length,
+            area: area.norm(),
+            turn: turn.to_degrees(),
+            touching,
+            kind: self.kind(bad, turn),
+            half_edges: run,
+        }
+    }
+
+    /// [`BoundaryLoop::turn`], in radians.
+    fn turn(&self, run: &[u32], positions: &[[f64; 3]]) -> f64 {
+        let n = run.len();
+        let exterior = |i: usize| PI - self.angle(run[i], run[(i + 1) % n], positions);
+        // Seen from the mesh.
+        let turning: f64 = (0..n).map(exterior).sum();
+        (-turning / TAU).clamp(-1.0, 1.0).acos()
+    }
+
+    /// The kind of a loop whose walk met a `bad` edge, or none.
+    fn kind(&self, bad: Option<u32>, turn: f64) -> LoopKind {
+        match bad {
             Some(g) => {
                 let (a, b) = (self.origin(g), self.origin(next(g)));
                 LoopKind::NonManifold {
@@ -286,20 +305,6 @@ impl<'a> Links<'a> {
             }
             None if turn > OUTER_TURN => LoopKind::OuterBoundary,
             None => LoopKind::Hole,
-        };
-        let touching = vertices
-            .iter()
-            .copied()
-            .filter(|&v| visits[v as usize] > 1)
-            .collect();
-        BoundaryLoop {
-            vertices,
-            length,
-            area: area.norm(),
-            turn: turn.to_degrees(),
-            touching,
-            kind,
-            half_edges: run,
         }
     }
 
@@ -324,31 +329,4 @@ impl<'a> Links<'a> {
 
 fn repeats([a, b, c]: &[u32; 3]) -> bool {
     a == b || b == c || c == a
-}
-
-fn check(vertices: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
-    if vertices > NON_MANIFOLD as usize {
-        return Err(Error::TooLarge {
-            what: "vertices",
-            count: vertices,
-        });
-    }
-    if triangles.len() > NON_MANIFOLD as usize / 3 {
-        return Err(Error::TooLarge {
-            what: "triangles",
-            count: triangles.len(),
-        });
-    }
-    let wrong = triangles
-        .iter()
-        .enumerate()
-        .find_map(|(t, tri)| tri.iter().find(|&&v| v as usize >= vertices).map(|&v| (t, v)));
-    match wrong {
-        Some((triangle, index)) => Err(Error::IndexOutOfRange {
-            triangle,
-            index,
-            vertex_count: vertices,
-        }),
-        None => Ok(()),
-    }
 }

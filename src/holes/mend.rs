@@ -5,7 +5,6 @@ use nalgebra::Vector3;
 
 use super::refine::Refiner;
 use crate::mesh::NONE;
-use crate::mesh::halfedge::previous;
 use crate::quality::smallest_angle;
 
 /// Triangles with a smaller angle (degrees) are worked on: what fairing moves afterwards must not bring them below 15.
@@ -43,15 +42,15 @@ impl Refiner<'_> {
     }
 
     fn mend_lengths(&mut self) {
-        let (mut near, mut ring_edges) = (Vec::new(), Vec::new());
+        let (mut near, mut outgoing) = (Vec::new(), Vec::new());
         for v in 0..self.patch.fixed as u32 {
             let [least, most, _] = self.patch.range[v as usize];
-            self.patch.ring_edges(v, &mut ring_edges);
-            for &h in &ring_edges {
-                if !self.is_inner(h) || self.patch.from(h) != v {
+            self.patch.outgoing(v, &mut outgoing);
+            for &h in &outgoing {
+                if !self.is_inner(h) || self.patch.origin(h) != v {
                     continue;
                 }
-                let (w, length) = (self.patch.to(h), self.patch.length(h));
+                let (w, length) = (self.patch.target(h), self.patch.length(h));
                 if ROOM * length > most && !self.is_full() {
                     near.extend([w, self.patch.split(h)]);
                 } else if length < ROOM * least
@@ -93,7 +92,7 @@ impl Refiner<'_> {
     fn gather(&mut self, t: u32, near: &mut Vec<u32>) {
         for v in self.patch.triangles[t as usize] {
             if v != NONE {
-                self.patch.ring(v, &mut self.ring_edges, &mut self.ring);
+                self.patch.ring(v, &mut self.outgoing, &mut self.ring);
                 near.push(v);
                 near.extend(&self.ring);
             }
@@ -112,8 +111,8 @@ impl Refiner<'_> {
         }
         let mut stack = Vec::new();
         for &v in &*near {
-            self.patch.ring_edges(v, &mut self.ring_edges);
-            stack.extend(&self.ring_edges);
+            self.patch.outgoing(v, &mut self.outgoing);
+            stack.extend(&self.outgoing);
         }
         self.flip_from(stack);
     }
@@ -151,7 +150,7 @@ impl Refiner<'_> {
             return false;
         }
         for g in [h, o] {
-            let (a, b) = (self.patch.from(g), self.patch.to(g));
+            let (a, b) = (self.patch.origin(g), self.patch.target(g));
             if self.patch.is_boundary(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
                 continue;
             }
@@ -193,10 +192,10 @@ impl Refiner<'_> {
             return false;
         }
         let corners = [
-            self.patch.from(h),
-            self.patch.from(previous(o)),
-            self.patch.to(h),
-            self.patch.from(previous(h)),
+            self.patch.origin(h),
+            self.patch.apex(o),
+            self.patch.target(h),
+            self.patch.apex(h),
         ];
         let x = corners.map(|v| self.patch.x[v as usize]);
         let centre = x.iter().sum::<Vector3<f64>>() / 4.0;

@@ -13,7 +13,7 @@ mod remesh;
 mod surroundings;
 mod triangulate;
 
-pub use fill::{FillOptions, Filled, Loops, fill_holes};
+pub use fill::{FillOptions, Filled, Loops, fill_holes, fill_holes_with_progress};
 pub use loops::{BoundaryLoop, LoopKind, boundary_loops};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;

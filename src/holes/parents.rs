@@ -14,12 +14,12 @@ pub struct Parents {
     pub weights: [f64; 3],
 }
 
-/// The barycentric coordinates of the vertices' origins in the triangles (`corners`) that the patch was made from: each
-/// vertex walks from its hint to the nearest triangle. `ids` turns corners into the mesh's numbers.
+/// The barycentric coordinates of the vertices' places in the surface (`coarse`) that the patch was made from: each vertex
+/// walks from its hint to the nearest triangle. `ids` turns its corners into the mesh's numbers.
 pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents> {
     (patch.fixed..patch.x.len())
         .map(|v| {
-            let p = patch.origin[v];
+            let p = patch.source[v];
             let mut t = patch.hint[v];
             let (mut best, mut weights) = nearest(coarse, t, &p);
             loop {

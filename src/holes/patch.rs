@@ -14,7 +14,7 @@ pub(super) struct Patch {
     /// Positions.
     pub(super) x: Vec<Vector3<f64>>,
     /// Where the vertex lies on the surface that the patch was made from.
-    pub(super) origin: Vec<Vector3<f64>>,
+    pub(super) source: Vec<Vector3<f64>>,
     /// A triangle of that surface near there.
     pub(super) hint: Vec<u32>,
     /// The mesh's number of a vertex that was there, [`NONE`] of a new one; only where it matters.
@@ -41,7 +41,7 @@ impl Patch {
     /// The patch of these triangles; all vertices below `fixed` are the boundary. Sizes are left at zero.
     pub(super) fn new(x: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, fixed: usize) -> Self {
         let mut patch = Self {
-            origin: x.clone(),
+            source: x.clone(),
             hint: vec![0; x.len()],
             old: vec![NONE; x.len()],
             size: vec![0.0; x.len()],
@@ -56,7 +56,7 @@ impl Patch {
         };
         let mut edges: Vec<(u32, u32, u32)> = (0..patch.opposite.len() as u32)
             .map(|h| {
-                let (a, b) = (patch.from(h), patch.to(h));
+                let (a, b) = (patch.origin(h), patch.target(h));
                 (a.min(b), a.max(b), h)
             })
             .collect();
@@ -67,7 +67,7 @@ impl Patch {
             }
         }
         for h in 0..patch.opposite.len() as u32 {
-            let v = patch.from(h) as usize;
+            let v = patch.origin(h) as usize;
             patch.out[v] = h;
             patch.hint[v] = h / 3;
         }
@@ -75,13 +75,19 @@ impl Patch {
     }
 
     #[inline]
-    pub(super) fn from(&self, h: u32) -> u32 {
+    pub(super) fn origin(&self, h: u32) -> u32 {
         self.triangles[h as usize / 3][h as usize % 3]
     }
 
     #[inline]
-    pub(super) fn to(&self, h: u32) -> u32 {
-        self.from(next(h))
+    pub(super) fn target(&self, h: u32) -> u32 {
+        self.origin(next(h))
+    }
+
+    /// The corner of `h`'s triangle that is not on `h`.
+    #[inline]
+    pub(super) fn apex(&self, h: u32) -> u32 {
+        self.origin(previous(h))
     }
 
     #[inline]
@@ -116,12 +122,12 @@ impl Patch {
     /// Length of an edge.
     #[inline]
     pub(super) fn length(&self, h: u32) -> f64 {
-        (self.x[self.to(h) as usize] - self.x[self.from(h) as usize]).norm()
+        (self.x[self.target(h) as usize] - self.x[self.origin(h) as usize]).norm()
     }
 
     /// The half-edges that start at a vertex, counter-clockwise; at a boundary vertex from the boundary on.
-    pub(super) fn ring_edges(&self, v: u32, ring_edges: &mut Vec<u32>) {
-        ring_edges.clear();
+    pub(super) fn outgoing(&self, v: u32, outgoing: &mut Vec<u32>) {
+        outgoing.clear();
         let mut first = self.out[v as usize];
         if first == NONE {
             return;
@@ -136,7 +142,7 @@ impl Patch {
         }
         let mut h = first;
         loop {
-            ring_edges.push(h);
+            outgoing.push(h);
             h = self.across(previous(h));
             if h == NONE || h == first {
                 return;
@@ -145,14 +151,14 @@ impl Patch {
     }
 
     /// The neighbours of a vertex, counter-clockwise.
-    pub(super) fn ring(&self, v: u32, ring_edges: &mut Vec<u32>, ring: &mut Vec<u32>) {
-        self.ring_edges(v, ring_edges);
+    pub(super) fn ring(&self, v: u32, outgoing: &mut Vec<u32>, ring: &mut Vec<u32>) {
+        self.outgoing(v, outgoing);
         ring.clear();
-        ring.extend(ring_edges.iter().map(|&h| self.to(h)));
-        if let Some(&last) = ring_edges.last()
+        ring.extend(outgoing.iter().map(|&h| self.target(h)));
+        if let Some(&last) = outgoing.last()
             && self.across(previous(last)) == NONE
         {
-            ring.push(self.from(previous(last)));
+            ring.push(self.apex(last));
         }
     }
 
@@ -173,8 +179,8 @@ impl Patch {
     /// Splits an edge inside the patch in its middle; the new vertex.
     pub(super) fn split(&mut self, h: u32) -> u32 {
         let o = self.across(h);
-        let (a, b) = (self.from(h), self.to(h));
-        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
+        let (a, b) = (self.origin(h), self.target(h));
+        let (c, d) = (self.apex(h), self.apex(o));
         let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
         let m = self.middle(a, b);
         let (t0, t1, t2) = (h / 3, o / 3, self.triangles.len() as u32);
@@ -200,7 +206,7 @@ impl Patch {
         let (i, j) = (a as usize, b as usize);
         let half = 0.5 * (self.x[j] - self.x[i]).norm();
         self.x.push((self.x[i] + self.x[j]) * 0.5);
-        self.origin.push((self.origin[i] + self.origin[j]) * 0.5);
+        self.source.push((self.source[i] + self.source[j]) * 0.5);
         self.hint.push(self.hint[if i < self.fixed { j } else { i }]);
         self.size.push(0.5 * (self.size[i] + self.size[j]));
         self.depth.push(self.depth[i].min(self.depth[j]) + half);
@@ -214,8 +220,8 @@ impl Patch {
     /// Turns an edge inside the patch to the other two corners of its triangles.
     pub(super) fn flip(&mut self, h: u32) {
         let o = self.across(h);
-        let (a, b) = (self.from(h), self.to(h));
-        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
+        let (a, b) = (self.origin(h), self.target(h));
+        let (c, d) = (self.apex(h), self.apex(o));
         let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
         let (t0, t1) = (h / 3, o / 3);
         self.set(t0, [c, a, d]);
@@ -227,56 +233,25 @@ impl Patch {
         self.link(3 * t1 + 1, bc);
     }
 
-    /// Whether two vertices have an edge in the patch, without scratch.
-    pub(super) fn are_neighbours(&self, a: u32, b: u32) -> bool {
-        self.are_joined(a, b, &mut Vec::new())
-    }
-
-    /// Whether two vertices have an edge in the patch.
-    pub(super) fn are_joined(&self, a: u32, b: u32, ring_edges: &mut Vec<u32>) -> bool {
-        self.ring_edges(a, ring_edges);
-        ring_edges
-            .iter()
-            .any(|&h| self.to(h) == b || self.from(previous(h)) == b)
+    /// Whether two vertices have an edge in the patch; `outgoing` is scratch.
+    pub(super) fn are_neighbours(&self, a: u32, b: u32, outgoing: &mut Vec<u32>) -> bool {
+        self.outgoing(a, outgoing);
+        outgoing.iter().any(|&h| self.target(h) == b || self.apex(h) == b)
     }
 
     /// Moves the inner vertex that `h` starts at onto its other end, if the patch stays a manifold with valences of at
-    /// least 3 and no triangle turns over. `ring_edges` and `ring` are scratch.
-    pub(super) fn collapse(&mut self, h: u32, ring_edges: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
-        let (a, b, o) = (self.from(h), self.to(h), self.across(h));
-        if self.is_boundary(a) || o == NONE {
+    /// least 3 and no triangle turns over. `outgoing` and `ring` are scratch.
+    pub(super) fn collapse(&mut self, h: u32, outgoing: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
+        let (a, b, o) = (self.origin(h), self.target(h), self.across(h));
+        if self.is_boundary(a) || o == NONE || !self.stays_manifold(h, outgoing, ring) {
             return false;
-        }
-        let (c, d) = (self.from(previous(h)), self.from(previous(o)));
-        self.ring(b, ring_edges, ring);
-        self.ring_edges(a, ring_edges);
-        let common = ring_edges.iter().filter(|&&g| ring.contains(&self.to(g))).count();
-        if common != 2 || ring_edges.len() < 4 {
-            return false;
-        }
-        for v in [c, d] {
-            self.ring_edges(v, ring);
-            if ring.len() < 4 && !self.is_boundary(v) || ring.len() < 2 {
-                return false;
-            }
         }
         let target = self.x[b as usize];
-        for &g in &*ring_edges {
-            let (p, q) = (self.to(g), self.from(previous(g)));
-            if p == b || q == b {
-                continue;
-            }
-            let old = self.cross(g as usize / 3);
-            let (p, q) = (self.x[p as usize] - target, self.x[q as usize] - target);
-            let new = p.cross(&q);
-            // More than 60 degrees is as good as over; and no new needles.
-            let longest = p.norm_squared().max(q.norm_squared()).max((p - q).norm_squared());
-            if old.dot(&new) < 0.5 * old.norm() * new.norm() || new.norm() < 0.2 * longest {
-                return false;
-            }
+        if !outgoing.iter().all(|&g| self.stays_sound(g, b, &target)) {
+            return false;
         }
         let [bc, ca, ad, db] = [next(h), previous(h), next(o), previous(o)].map(|g| self.across(g));
-        for &g in &*ring_edges {
+        for &g in &*outgoing {
             self.triangles[g as usize / 3][g as usize % 3] = b;
         }
         for t in [h / 3, o / 3] {
@@ -286,15 +261,49 @@ impl Patch {
         self.link(bc, ca);
         self.link(ad, db);
         self.out[a as usize] = NONE;
-        // Every triangle kept around b, c and d can tell a half-edge.
-        for g in [bc, ca, ad, db] {
-            if g != NONE {
-                let (from, to) = (self.from(g), self.to(g));
-                self.out[from as usize] = g;
-                self.out[to as usize] = next(g);
-            }
+        // Every triangle kept around b and the two apexes can tell a half-edge.
+        for g in [bc, ca, ad, db].into_iter().filter(|&g| g != NONE) {
+            let (from, to) = (self.origin(g), self.target(g));
+            self.out[from as usize] = g;
+            self.out[to as usize] = next(g);
         }
         true
+    }
+
+    /// Whether the patch stays a manifold with valences of at least 3 if the origin of `h` moves to its target. Leaves the
+    /// half-edges of the origin in `outgoing`.
+    fn stays_manifold(&self, h: u32, outgoing: &mut Vec<u32>, ring: &mut Vec<u32>) -> bool {
+        let (a, b, o) = (self.origin(h), self.target(h), self.across(h));
+        self.ring(b, outgoing, ring);
+        self.outgoing(a, outgoing);
+        let common = outgoing
+            .iter()
+            .filter(|&&g| ring.contains(&self.target(g)))
+            .count();
+        if common != 2 || outgoing.len() < 4 {
+            return false;
+        }
+        [self.apex(h), self.apex(o)].into_iter().all(|v| {
+            self.outgoing(v, ring);
+            ring.len() >= if self.is_boundary(v) { 2 } else { 4 }
+        })
+    }
+
+    /// Whether the triangle of `g` neither turns over nor becomes a needle when the origin of `g` moves to `target`, where
+    /// vertex `b` is.
+    fn stays_sound(&self, g: u32, b: u32, target: &Vector3<f64>) -> bool {
+        let (p, q) = (self.target(g), self.apex(g));
+        if p == b || q == b {
+            return true;
+        }
+        let old = self.cross(g as usize / 3);
+        let (p, q) = (self.x[p as usize] - target, self.x[q as usize] - target);
+        let new = p.cross(&q);
+        // More than 60 degrees is as good as over.
+        let longest = p.norm_squared().max(q.norm_squared()).max((p - q).norm_squared());
+        let turns_over = old.dot(&new) < 0.5 * old.norm() * new.norm();
+        let is_needle = new.norm() < 0.2 * longest;
+        !turns_over && !is_needle
     }
 
     /// Drops removed vertices and triangles; the boundary keeps its numbers.
@@ -306,19 +315,15 @@ impl Patch {
             .map(|v| v < self.fixed || self.out[v] != NONE)
             .collect();
         let mut number = vec![NONE; keep.len()];
-        let mut count = 0;
-        for v in 0..keep.len() {
-            if keep[v] {
-                number[v] = count;
-                count += 1;
-            }
+        for (new, v) in (0..).zip((0..keep.len()).filter(|&v| keep[v])) {
+            number[v] = new;
         }
         fn filter<T: Copy>(values: &mut Vec<T>, keep: &[bool]) {
             let mut at = keep.iter();
             values.retain(|_| *at.next().unwrap_or(&false));
         }
         filter(&mut self.x, &keep);
-        filter(&mut self.origin, &keep);
+        filter(&mut self.source, &keep);
         filter(&mut self.hint, &keep);
         filter(&mut self.old, &keep);
         filter(&mut self.size, &keep);
@@ -351,9 +356,9 @@ impl Patch {
                 continue;
             }
             let o = self.across(h);
-            let (a, b) = (self.from(h), self.to(h));
+            let (a, b) = (self.origin(h), self.target(h));
             edges.push((a, b));
-            if o != NONE && (self.across(o) != h || self.from(o) != b || self.to(o) != a) {
+            if o != NONE && (self.across(o) != h || self.origin(o) != b || self.target(o) != a) {
                 return Err(format!("half-edge {h} ({a}, {b}) does not match {o}"));
             }
             if o == NONE && !(self.is_boundary(a) && self.is_boundary(b)) {
@@ -366,7 +371,7 @@ impl Patch {
         }
         for v in 0..self.x.len() {
             let h = self.out[v];
-            if h != NONE && (self.triangles[h as usize / 3][0] == NONE || self.from(h) != v as u32) {
+            if h != NONE && (self.triangles[h as usize / 3][0] == NONE || self.origin(h) != v as u32) {
                 return Err(format!("vertex {v} has a wrong half-edge"));
             }
         }

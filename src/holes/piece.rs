@@ -3,8 +3,6 @@
 //! The triangulation of a large hole is far from the surface that it becomes, and edges of the right length there would be
 //! too long on it. So a coarse patch is faired first, loosely, and the fine one is refined on that.
 
-use std::ops::ControlFlow;
-
 use nalgebra::Vector3;
 
 use super::outcome::{FillOutcome, FlatReason, OpenReason};
@@ -12,11 +10,11 @@ use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use super::surroundings::{Surroundings, bounds};
-use super::triangulate::Boundary;
+use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Discretization, InnerFairness, Options, Outcome, Progress, Report, Selection, Solution,
-    Solver, Target, fair,
+    BoundaryNormals, Options, Outcome, Progress, ProgressCallback, Report, Selection, Solution, Target,
+    fair_with_progress,
 };
 use crate::quality::smallest_angle;
 
@@ -91,18 +89,40 @@ pub(super) struct Task<'a> {
     pub(super) factor: f64,
     pub(super) most: usize,
     pub(super) fair: bool,
-    pub(super) normals: BoundaryNormals<'a>,
-    pub(super) target: Target,
-    pub(super) inner: InnerFairness,
-    pub(super) discretization: Discretization,
-    pub(super) solver: Solver,
-    pub(super) tolerance: f64,
-    pub(super) max_iterations: usize,
-    pub(super) threads: usize,
+    /// As [`local_options`] gives them.
+    pub(super) options: Options,
+}
+
+/// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths.
+pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
+    Options {
+        boundary_normals: match &asked.boundary_normals {
+            BoundaryNormals::Given(list) => BoundaryNormals::Given(local_normals(around, list)),
+            other => other.clone(),
+        },
+        target: match asked.target {
+            Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
+            other => other,
+        },
+        ..asked.clone()
+    }
+}
+
+/// The normals given for the loop's vertices, in local numbers.
+fn local_normals(around: &Surroundings, list: &[(u32, [f64; 3])]) -> Vec<(u32, [f64; 3])> {
+    let mut list = list.to_vec();
+    list.sort_by_key(|entry| entry.0);
+    let boundary = (0..).zip(&around.ids[..around.loop_vertices]);
+    boundary
+        .filter_map(|(v, id)| {
+            let at = list.binary_search_by_key(id, |entry| entry.0).ok()?;
+            Some((v, list[at].1))
+        })
+        .collect()
 }
 
 /// Asks between two parts of the work.
-fn is_stopped(tell: &mut Tell<'_>, fraction: f64) -> bool {
+fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
     tell(&Progress {
         fraction,
         iterations: 0,
@@ -112,10 +132,8 @@ fn is_stopped(tell: &mut Tell<'_>, fraction: f64) -> bool {
     .is_break()
 }
 
-type Tell<'t> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 't;
-
 impl Task<'_> {
-    pub(super) fn run(&self, tell: &mut Tell<'_>) -> Piece {
+    pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> Piece {
         let Some(coarse) = self.triangulate() else {
             return Piece::open(OpenReason::NoTriangulation);
         };
@@ -143,7 +161,7 @@ impl Task<'_> {
                 ..*p
             })
         };
-        let mut best = match self.faired(&patch, self.tolerance, self.max_iterations, &mut last) {
+        let mut best = match self.faired(&patch, &self.options, &mut last) {
             Ok(solution) => (patch, solution),
             Err(error) => return self.flat(&coarse, FlatReason::Refused(self.in_mesh(error)), None),
         };
@@ -160,7 +178,12 @@ impl Task<'_> {
     }
 
     /// Mends a faired patch where it lies now, and fairs it again; None if its worst angle is no better.
-    fn again(&self, patch: &Patch, solution: &Solution, tell: &mut Tell<'_>) -> Option<(Patch, Solution)> {
+    fn again(
+        &self,
+        patch: &Patch,
+        solution: &Solution,
+        tell: &mut ProgressCallback<'_>,
+    ) -> Option<(Patch, Solution)> {
         let inner = self.inner(solution);
         if is_failed(&solution.report) || !self.outside(&inner).is_empty() {
             return None;
@@ -169,9 +192,7 @@ impl Task<'_> {
         patch.x[patch.fixed..].copy_from_slice(&inner);
         let fineness = self.fineness(0.0);
         Refiner::new(&mut patch, fineness, &self.surroundings.taken).run_again();
-        let again = self
-            .faired(&patch, self.tolerance, self.max_iterations, tell)
-            .ok()?;
+        let again = self.faired(&patch, &self.options, tell).ok()?;
         let better = again.report.quality.worst_angle > solution.report.quality.worst_angle;
         (better && !is_failed(&again.report)).then_some((patch, again))
     }
@@ -179,13 +200,13 @@ impl Task<'_> {
     /// The triangulated loop with the sizes of its surroundings.
     fn triangulate(&self) -> Option<Patch> {
         let around = self.surroundings;
-        let n = around.boundary;
-        let boundary = Boundary {
+        let n = around.loop_vertices;
+        let polygon = Polygon {
             x: &around.x[..n],
             normals: &around.normals,
             taken: &around.taken,
         };
-        let triangles = boundary.triangulate()?;
+        let triangles = polygon.triangulate()?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
         if n == 3 && around.triangles.iter().any(is_there) {
             return None;
@@ -199,7 +220,7 @@ impl Task<'_> {
     }
 
     /// Moves a patch near to the surface it will become: coarse, and faired loosely.
-    fn shape(&self, patch: &mut Patch, tell: &mut Tell<'_>) {
+    fn shape(&self, patch: &mut Patch, tell: &mut ProgressCallback<'_>) {
         let fineness = self.fineness(COARSE_GROWTH);
         let mut shaped = patch.clone();
         Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
@@ -212,15 +233,16 @@ impl Task<'_> {
                 ..*p
             })
         };
-        let rough = Self {
-            // Averages are cheap and good enough here.
-            normals: match self.normals {
-                BoundaryNormals::Fitted => BoundaryNormals::Averaged,
-                asked => asked,
-            },
-            ..*self
+        let mut rough = Options {
+            tolerance: COARSE_TOLERANCE,
+            max_iterations: COARSE_ITERATIONS,
+            ..self.options.clone()
         };
-        let solution = rough.faired(&shaped, COARSE_TOLERANCE, COARSE_ITERATIONS, &mut first);
+        if rough.boundary_normals == BoundaryNormals::Fitted {
+            // Averages are cheap and good enough here.
+            rough.boundary_normals = BoundaryNormals::Averaged;
+        }
+        let solution = self.faired(&shaped, &rough, &mut first);
         if let Ok(solution) = solution {
             let inner = self.inner(&solution);
             if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
@@ -263,52 +285,18 @@ impl Task<'_> {
     fn faired(
         &self,
         patch: &Patch,
-        tolerance: f64,
-        max_iterations: usize,
-        tell: &mut Tell<'_>,
+        options: &Options,
+        tell: &mut ProgressCallback<'_>,
     ) -> Result<Solution, Error> {
         let around = self.surroundings;
-        let (n, known) = (around.boundary as u32, around.x.len() as u32);
+        let (n, known) = (around.loop_vertices as u32, around.x.len() as u32);
         let inner = patch.x[patch.fixed..].iter();
         let positions: Vec<[f64; 3]> = around.x.iter().chain(inner).map(|&p| p.into()).collect();
         let number = |v: u32| if v < n { v } else { known + (v - n) };
         let mut triangles = around.triangles.clone();
         triangles.extend(patch.triangles.iter().map(|t| t.map(number)));
         let free: Vec<u32> = (known..positions.len() as u32).collect();
-        let mut given = Vec::new();
-        if let BoundaryNormals::Given(list) = self.normals {
-            let mut list: Vec<(u32, [f64; 3])> = list.to_vec();
-            list.sort_by_key(|entry| entry.0);
-            for (v, id) in (0..).zip(&around.ids[..around.boundary]) {
-                if let Ok(at) = list.binary_search_by_key(id, |entry| entry.0) {
-                    given.push((v, list[at].1));
-                }
-            }
-        }
-        let options = Options {
-            normals: match self.normals {
-                BoundaryNormals::Given(_) => BoundaryNormals::Given(&given),
-                other => other,
-            },
-            target: self.target_here(),
-            inner: self.inner,
-            discretization: self.discretization,
-            solver: self.solver,
-            tolerance,
-            max_iterations,
-            threads: self.threads,
-            progress: Some(tell),
-            ..Options::default()
-        };
-        fair(&positions, &triangles, Selection::Vertices(&free), options)
-    }
-
-    /// The right-hand side in the units of the frame: a constant is an inverse cube of lengths.
-    fn target_here(&self) -> Target {
-        match self.target {
-            Target::Constant(c) => Target::Constant(c * self.surroundings.scale().powi(3)),
-            other => other,
-        }
+        fair_with_progress(&positions, &triangles, Selection::Vertices(&free), options, tell)
     }
 
     /// The new vertices of a solution.
@@ -322,7 +310,7 @@ impl Task<'_> {
 
     /// Which vertices the loop's box, grown by [`ROOM`], does not hold.
     fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
-        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.boundary]);
+        let (low, high) = bounds(&self.surroundings.x[..self.surroundings.loop_vertices]);
         let room = Vector3::repeat(ROOM * (high - low).norm());
         let (low, high) = (low - room, high + room);
         let is_inside = |p: &Vector3<f64>| (0..3).all(|k| p[k] >= low[k] && p[k] <= high[k]);
@@ -379,7 +367,7 @@ impl Task<'_> {
         let angles = patch.triangles.iter().map(|t| smallest_angle(&corners(t)));
         Piece {
             outcome,
-            boundary: around.ids[..around.boundary].to_vec(),
+            boundary: around.ids[..around.loop_vertices].to_vec(),
             positions: patch.x[patch.fixed..].iter().map(|p| around.leave(p)).collect(),
             parents: parents(&patch, coarse, &around.ids),
             fairing: fairing.map(|report| self.in_units(report)),

@@ -2,7 +2,7 @@
 //!
 //! Longest edges (against the length wanted there) are split in their middles first, and after every split edges are
 //! flipped towards Delaunay, so that vertices never crowd. Then rounds of splits, collapses, flips and tangential steps even
-//! the vertices out (as in Botsch and Kobbelt 2004). Boundary vertices and boundary edges stay.
+//! the vertices out (M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004). Boundary vertices and boundary edges stay.
 
 use std::collections::BinaryHeap;
 
@@ -23,8 +23,8 @@ const SHORT: f64 = 0.7;
 const FIRST: f64 = 1.6;
 /// Rounds of splits, collapses, flips and steps.
 const ROUNDS: usize = 4;
-/// Sweeps in which origins follow at the end.
-const ORIGINS: usize = 3;
+/// Sweeps at the end in which the places on the source surface follow.
+const SOURCE_SWEEPS: usize = 3;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
 const MOST_FLIPS: usize = 40;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
@@ -49,9 +49,8 @@ pub(super) struct Refiner<'a> {
     pub(super) patch: &'a mut Patch,
     pub(super) fineness: Fineness,
     pub(super) taken: Taken<'a>,
-    pub(super) ring_edges: Vec<u32>,
+    pub(super) outgoing: Vec<u32>,
     pub(super) ring: Vec<u32>,
-    stack: Vec<u32>,
     sweeps: Sweeps,
 }
 
@@ -61,14 +60,13 @@ impl<'a> Refiner<'a> {
             patch,
             fineness,
             taken,
-            ring_edges: Vec::new(),
+            outgoing: Vec::new(),
             ring: Vec::new(),
-            stack: Vec::new(),
             sweeps: Sweeps::default(),
         }
     }
 
-    /// Splits, evens out, and drops what was removed. False, and not finished: the vertices did not suffice.
+    /// Splits, evens out, and drops what was removed. False if the vertices did not suffice; the patch is not finished then.
     pub(super) fn run(&mut self) -> bool {
         self.flip_all();
         if !self.split_long(FIRST) {
@@ -77,7 +75,7 @@ impl<'a> Refiner<'a> {
         self.even_out()
     }
 
-    /// The same, and finished with the vertices there are.
+    /// The same, but finished with the vertices there are.
     pub(super) fn run_to_end(&mut self) -> bool {
         self.flip_all();
         let enough = self.split_long(FIRST);
@@ -110,8 +108,8 @@ impl<'a> Refiner<'a> {
     }
 
     fn finish(&mut self) {
-        for _ in 0..ORIGINS {
-            self.sweeps.settle_origins(self.patch);
+        for _ in 0..SOURCE_SWEEPS {
+            self.sweeps.settle_sources(self.patch);
         }
         self.patch.compact();
     }
@@ -131,7 +129,7 @@ impl<'a> Refiner<'a> {
 
     /// Length over the wanted one.
     fn ratio(&self, h: u32) -> f64 {
-        let (a, b) = (self.patch.from(h), self.patch.to(h));
+        let (a, b) = (self.patch.origin(h), self.patch.target(h));
         let mut wanted = 0.5 * (self.wanted(a) + self.wanted(b));
         if self.patch.is_boundary(a) && self.patch.is_boundary(b) {
             // An edge across the hole holds the surface in its middle: rather none.
@@ -151,18 +149,18 @@ impl<'a> Refiner<'a> {
             if this.is_inner(h) {
                 let ratio = this.ratio(h);
                 if ratio > long {
-                    queue.push((ratio.to_bits(), h, this.patch.from(h), this.patch.to(h)));
+                    queue.push((ratio.to_bits(), h, this.patch.origin(h), this.patch.target(h)));
                 }
             }
         };
         for h in 0..self.patch.half_edges() {
-            if self.is_inner(h) && self.patch.from(h) < self.patch.to(h) {
+            if self.is_inner(h) && self.patch.origin(h) < self.patch.target(h) {
                 push(self, &mut queue, h);
             }
         }
         let mut inner = self.inner_vertices();
         while let Some((_, h, a, b)) = queue.pop() {
-            if !self.is_inner(h) || self.patch.from(h) != a || self.patch.to(h) != b {
+            if !self.is_inner(h) || self.patch.origin(h) != a || self.patch.target(h) != b {
                 continue;
             }
             if self.would_encroach(h) {
@@ -172,37 +170,30 @@ impl<'a> Refiner<'a> {
                 return false;
             }
             inner += 1;
-            let m = self.patch.split(h);
-            let mut stack = std::mem::take(&mut self.stack);
-            self.patch.ring_edges(m, &mut self.ring_edges);
-            stack.extend(self.ring_edges.iter().map(|&g| next(g)));
-            let mut changed = self.ring_edges.clone();
-            let mut left = MOST_FLIPS;
-            while let Some(g) = stack.pop() {
-                if left > 0 && self.should_flip(g) {
-                    left -= 1;
-                    let o = self.patch.across(g);
-                    self.patch.flip(g);
-                    let (t0, t1) = (g / 3, o / 3);
-                    stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
-                    changed.push(3 * t0 + 2);
-                }
-            }
-            self.stack = stack;
-            self.patch.ring_edges(m, &mut self.ring_edges);
-            changed.extend(&self.ring_edges);
-            for g in changed {
+            for g in self.split_and_flip(h) {
                 push(self, &mut queue, g);
             }
         }
         true
     }
 
+    /// Splits an edge, and flips around the new vertex; the half-edges that are new.
+    fn split_and_flip(&mut self, h: u32) -> Vec<u32> {
+        let m = self.patch.split(h);
+        self.patch.outgoing(m, &mut self.outgoing);
+        let mut new = self.outgoing.clone();
+        let around = new.iter().map(|&g| next(g)).collect();
+        self.flip(around, MOST_FLIPS, |g| new.push(g));
+        self.patch.outgoing(m, &mut self.outgoing);
+        new.extend(&self.outgoing);
+        new
+    }
+
     /// Whether the middle of an edge would see a boundary edge beside it under a wide angle. Boundary edges cannot be split, so
     /// vertices would gather along one that is longer than what is wanted there.
     pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
-        let (a, b) = (self.patch.from(h) as usize, self.patch.to(h) as usize);
+        let (a, b) = (self.patch.origin(h) as usize, self.patch.target(h) as usize);
         let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
         [next(h), previous(h), next(o), previous(o)]
             .into_iter()
@@ -211,8 +202,8 @@ impl<'a> Refiner<'a> {
 
     /// Whether a point sees an edge under more than 120 degrees.
     fn is_wide(&self, m: &Vector3<f64>, h: u32) -> bool {
-        let p = self.patch.x[self.patch.from(h) as usize] - m;
-        let q = self.patch.x[self.patch.to(h) as usize] - m;
+        let p = self.patch.x[self.patch.origin(h) as usize] - m;
+        let q = self.patch.x[self.patch.target(h) as usize] - m;
         p.dot(&q) < -0.5 * p.norm() * q.norm()
     }
 
@@ -222,7 +213,7 @@ impl<'a> Refiner<'a> {
             if self.patch.triangles[h as usize / 3][0] == NONE || self.patch.across(h) != NONE {
                 continue;
             }
-            let v = self.patch.from(previous(h));
+            let v = self.patch.apex(h);
             if self.patch.is_boundary(v) || !self.is_wide(&self.patch.x[v as usize], h) {
                 continue;
             }
@@ -235,7 +226,7 @@ impl<'a> Refiner<'a> {
                 [to_end, to_start]
             };
             for g in order {
-                let end = if g == NONE { v } else { self.patch.to(g) };
+                let end = if g == NONE { v } else { self.patch.target(g) };
                 if g != NONE && self.makes_nothing_taken(v, end) && self.collapse(g) {
                     break;
                 }
@@ -244,24 +235,18 @@ impl<'a> Refiner<'a> {
     }
 
     pub(super) fn collapse(&mut self, h: u32) -> bool {
-        let (mut ring_edges, mut ring) = (
-            std::mem::take(&mut self.ring_edges),
-            std::mem::take(&mut self.ring),
-        );
-        let done = self.patch.collapse(h, &mut ring_edges, &mut ring);
-        (self.ring_edges, self.ring) = (ring_edges, ring);
-        done
+        self.patch.collapse(h, &mut self.outgoing, &mut self.ring)
     }
 
     /// Whether vertex `a` may move to `b` without an edge that is taken; leaves `a`'s neighbours in `ring`.
     pub(super) fn makes_nothing_taken(&mut self, a: u32, b: u32) -> bool {
-        self.patch.ring(a, &mut self.ring_edges, &mut self.ring);
+        self.patch.ring(a, &mut self.outgoing, &mut self.ring);
         !self.patch.is_boundary(b)
             || self.ring.iter().all(|&v| {
                 let boundary_edge = v != b && self.patch.is_boundary(v);
                 !boundary_edge
                     || self.taken.binary_search(&(v.min(b), v.max(b))).is_err()
-                    || self.patch.are_neighbours(v, b)
+                    || self.patch.are_neighbours(v, b, &mut self.outgoing)
             })
     }
 
@@ -272,8 +257,8 @@ impl<'a> Refiner<'a> {
         if o == NONE || self.patch.triangles[h as usize / 3][0] == NONE {
             return false;
         }
-        let [a, b] = [self.patch.from(h), self.patch.to(h)];
-        let [c, d] = [self.patch.from(previous(h)), self.patch.from(previous(o))];
+        let [a, b] = [self.patch.origin(h), self.patch.target(h)];
+        let [c, d] = [self.patch.apex(h), self.patch.apex(o)];
         let [p, q, r, s] = [a, b, c, d].map(|v| self.patch.x[v as usize]);
         let (dot0, dot1) = ((p - r).dot(&(q - r)), (p - s).dot(&(q - s)));
         let (old0, old1) = ((q - p).cross(&(r - p)), (p - q).cross(&(s - q)));
@@ -305,27 +290,32 @@ impl<'a> Refiner<'a> {
         }
         // A boundary vertex keeps a triangle, an inner one three.
         for v in [a, b] {
-            self.patch.ring_edges(v, &mut self.ring_edges);
-            if self.ring_edges.len() < 2 || !self.patch.is_boundary(v) && self.ring_edges.len() < 4 {
+            self.patch.outgoing(v, &mut self.outgoing);
+            if self.outgoing.len() < 2 || !self.patch.is_boundary(v) && self.outgoing.len() < 4 {
                 return false;
             }
         }
         let boundary_edge = self.patch.is_boundary(c) && self.patch.is_boundary(d);
         let is_taken = boundary_edge && self.taken.binary_search(&(c.min(d), c.max(d))).is_ok();
-        !is_taken && !self.patch.are_joined(c, d, &mut self.ring_edges)
+        !is_taken && !self.patch.are_neighbours(c, d, &mut self.outgoing)
     }
 
     /// Flips towards Delaunay until nothing changes, or often enough.
     pub(super) fn flip_all(&mut self) {
         let stack = (0..self.patch.half_edges())
-            .filter(|&h| self.is_inner(h) && self.patch.from(h) < self.patch.to(h))
+            .filter(|&h| self.is_inner(h) && self.patch.origin(h) < self.patch.target(h))
             .collect();
         self.flip_from(stack);
     }
 
     /// The same, from these half-edges on.
-    pub(super) fn flip_from(&mut self, mut stack: Vec<u32>) {
-        let mut left = MOST_FLIPS * self.patch.x.len();
+    pub(super) fn flip_from(&mut self, stack: Vec<u32>) {
+        self.flip(stack, MOST_FLIPS * self.patch.x.len(), |_| {});
+    }
+
+    /// The same, at most so many; `flipped` is told about every new edge.
+    fn flip(&mut self, mut stack: Vec<u32>, most: usize, mut flipped: impl FnMut(u32)) {
+        let mut left = most;
         while let Some(h) = stack.pop() {
             if left > 0 && self.should_flip(h) {
                 left -= 1;
@@ -333,6 +323,7 @@ impl<'a> Refiner<'a> {
                 self.patch.flip(h);
                 let (t0, t1) = (h / 3, o / 3);
                 stack.extend([3 * t0, 3 * t0 + 1, 3 * t1, 3 * t1 + 1]);
+                flipped(3 * t0 + 2);
             }
         }
     }
@@ -349,7 +340,7 @@ impl<'a> Refiner<'a> {
             if !self.is_inner(h) {
                 continue;
             }
-            let (a, b) = (self.patch.from(h), self.patch.to(h));
+            let (a, b) = (self.patch.origin(h), self.patch.target(h));
             let short = if self.patch.is_boundary(b) {
                 0.85 * SHORT
             } else {

@@ -1,7 +1,7 @@
 //! Sweeps over a whole patch: vertices to the centres of their neighbours, sizes to the means of theirs.
 //!
-//! Sums run over the triangles in their order, and all vertices move at once. Around an inner vertex every neighbour comes
-//! once as the corner after it.
+//! Sums run over the triangles in their order, and all vertices move at once. Around an inner vertex every neighbour is
+//! once the next corner of a triangle, so that it counts once.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use super::patch::Patch;
 use super::refine::{GRADE, Refiner};
 use crate::mesh::NONE;
 
-/// So often are vertices held back whose triangles would turn over; then nothing moves.
+/// Vertices whose triangles would turn over are held back in at most so many rounds; if that is not enough, nothing moves.
 const HOLDS: usize = 20;
 
 /// Scratch of the sweeps.
@@ -121,21 +121,21 @@ impl Sweeps {
         }
     }
 
-    /// Origins follow the vertices: each becomes the mean of its neighbours'.
-    pub(super) fn settle_origins(&mut self, patch: &mut Patch) {
+    /// The places on the source surface follow the vertices: each becomes the mean of its neighbours'.
+    pub(super) fn settle_sources(&mut self, patch: &mut Patch) {
         self.centre.clear();
         self.centre.resize(patch.x.len(), (Vector3::zeros(), 0.0));
         for t in patch.triangles.iter().filter(|t| t[0] != NONE) {
             for k in 0..3 {
                 let (v, w) = (t[k] as usize, t[(k + 1) % 3] as usize);
-                self.centre[v].0 += patch.origin[w];
+                self.centre[v].0 += patch.source[w];
                 self.centre[v].1 += 1.0;
             }
         }
         for v in patch.fixed..patch.x.len() {
             let (centre, count) = self.centre[v];
             if count > 0.0 {
-                patch.origin[v] = centre / count;
+                patch.source[v] = centre / count;
             }
         }
     }
@@ -147,7 +147,7 @@ impl Refiner<'_> {
         if self.patch.is_boundary(v) || !self.patch.is_alive(v) {
             return;
         }
-        self.patch.ring(v, &mut self.ring_edges, &mut self.ring);
+        self.patch.ring(v, &mut self.outgoing, &mut self.ring);
         let (x, count) = (self.patch.x[v as usize], self.ring.len());
         let at = |k: usize| self.patch.x[self.ring[k % count] as usize];
         let cross = |p: &Vector3<f64>, k: usize| (at(k) - p).cross(&(at(k + 1) - p));

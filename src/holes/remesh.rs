@@ -48,8 +48,28 @@ pub struct Remeshed {
 
 /// Triangulates a region anew: splits, collapses and flips edges until their lengths are those of the surroundings and their
 /// angles are good. The surface stays where it is, up to the new edges; to be faired, it is best faired loosely
-/// before, so that a feature is flat when its vertices are thinned out. Fixed vertices, and edges between them that
-/// boundary the region, stay.
+/// before, so that a feature is flat when its vertices are thinned out. Fixed vertices, and edges between them on the
+/// boundary of the region, stay.
+///
+/// ```
+/// use fairmesh::{RemeshOptions, Selection, remesh_region};
+/// // A sheet of 8 by 8 squares, each divided into two triangles.
+/// let number = |i: u32, j: u32| 9 * i + j;
+/// let grid = |n: u32| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+/// let positions: Vec<[f64; 3]> = grid(9).map(|(i, j)| [f64::from(i), f64::from(j), 0.0]).collect();
+/// let triangles: Vec<[u32; 3]> = grid(8)
+///     .flat_map(|(i, j)| {
+///         let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+///         [[a, b, c], [a, c, d]]
+///     })
+///     .collect();
+/// let free: Vec<u32> = grid(5).map(|(i, j)| number(i + 2, j + 2)).collect();
+/// let finer = RemeshOptions { density: 3.0, ..RemeshOptions::default() };
+/// let remeshed = remesh_region(&positions, &triangles, Selection::Vertices(&free), &finer)?;
+/// assert!(remeshed.free.len() > 2 * free.len());
+/// assert!(remeshed.positions.iter().all(|p| p[2].abs() < 1e-12)); // still plane
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 ///
 /// # Errors
 /// Those of [`fair`](crate::fair) for the region, and [`Error::BadOption`].
@@ -82,7 +102,7 @@ fn ids(region: &Region) -> Vec<u32> {
     boundary.iter().chain(free).copied().collect()
 }
 
-/// The region as a patch whose boundary is the boundary, with the sizes outside.
+/// The region as a patch, with the sizes outside.
 fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     let (free, boundary) = (region.free as u32, region.boundary as u32);
     let number = |v: u32| if v < free { v + boundary } else { v - free };
@@ -116,7 +136,7 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
             let limit = BESIDE_SHORT * patch.length(h);
-            for v in [patch.from(h), patch.to(h)] {
+            for v in [patch.origin(h), patch.target(h)] {
                 let of = &mut patch.limit[v as usize];
                 *of = of.min(limit);
             }
@@ -142,6 +162,14 @@ fn taken(region: &Region) -> Vec<(u32, u32)> {
     taken
 }
 
+/// The numbers below `count` but those that have `gone` and did not come `back`.
+fn without<'a>(count: usize, gone: &[u32], back: impl Iterator<Item = &'a u32>) -> Vec<u32> {
+    let mut stays = vec![true; count];
+    gone.iter().for_each(|&i| stays[i as usize] = false);
+    back.for_each(|&i| stays[i as usize] = true);
+    (0..count as u32).filter(|&i| stays[i as usize]).collect()
+}
+
 fn assemble(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
@@ -150,24 +178,10 @@ fn assemble(
     patch: &Patch,
     ids: &[u32],
 ) -> Remeshed {
-    // Which vertices and triangles go: those of the region that the patch does not have any more.
-    let mut stays = vec![true; positions.len()];
-    region.vertex_ids[..region.free]
-        .iter()
-        .for_each(|&v| stays[v as usize] = false);
-    for &v in patch.old.iter().filter(|&&v| v != NONE) {
-        stays[v as usize] = true;
-    }
-    let mut keep = vec![true; triangles.len()];
-    region.half_edges.triangle_ids[..region.half_edges.region_triangles]
-        .iter()
-        .for_each(|&t| keep[t as usize] = false);
-    let kept_vertices: Vec<u32> = (0..positions.len() as u32)
-        .filter(|&v| stays[v as usize])
-        .collect();
-    let kept_triangles: Vec<u32> = (0..triangles.len() as u32)
-        .filter(|&t| keep[t as usize])
-        .collect();
+    let (free, is_old) = (&region.vertex_ids[..region.free], |v: &&u32| **v != NONE);
+    let kept_vertices = without(positions.len(), free, patch.old.iter().filter(is_old));
+    let gone = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
+    let kept_triangles = without(triangles.len(), gone, [].iter());
     let mut number = vec![NONE; positions.len()];
     for (new, &v) in (0..).zip(&kept_vertices) {
         number[v as usize] = new;

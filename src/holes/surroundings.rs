@@ -7,12 +7,13 @@ use nalgebra::Vector3;
 
 use super::loops::{BoundaryLoop, Links};
 use crate::mesh::NONE;
+use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
 const LAYERS: usize = 6;
 
-/// See the module.
+/// The triangles around a loop, moved and scaled.
 pub(super) struct Surroundings {
     /// The mesh's number of each vertex.
     pub(super) ids: Vec<u32>,
@@ -22,8 +23,8 @@ pub(super) struct Surroundings {
     pub(super) triangles: Vec<[u32; 3]>,
     /// The mesh's number of each triangle.
     pub(super) triangle_ids: Vec<u32>,
-    /// Vertices of the loop.
-    pub(super) boundary: usize,
+    /// How many vertices the loop has.
+    pub(super) loop_vertices: usize,
     /// Unit normal of the mesh's triangle at each edge of the loop, zero if it has no area.
     pub(super) normals: Vec<Vector3<f64>>,
     /// Pairs of the loop's vertices that the mesh has an edge between: (smaller, larger), sorted.
@@ -38,76 +39,39 @@ impl Surroundings {
     pub(super) fn new(
         links: &Links<'_>,
         positions: &[[f64; 3]],
-        boundary: &BoundaryLoop,
+        boundary_loop: &BoundaryLoop,
         place: &mut [u32],
     ) -> Self {
-        let triangle_ids = collect(links, boundary, place);
-        let mut corners = Corners::new(links, &triangle_ids, place);
-        let run = &boundary.half_edges;
-        let n = run.len();
-        for i in 0..n {
-            // Vertex i is where half-edge i ends and half-edge i - 1 begins.
-            corners.unite(
-                corners.of(next(run[i]), place),
-                corners.of(run[(i + n - 1) % n], place),
-            );
-        }
-        let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], Vec::new());
-        for (i, &h) in run.iter().enumerate() {
-            let root = corners.root(corners.of(h, place));
-            number[root as usize] = ((i + 1) % n) as u32;
-        }
-        ids.extend(&boundary.vertices);
-        let mut triangles = Vec::with_capacity(triangle_ids.len());
-        for (local, &t) in triangle_ids.iter().enumerate() {
-            let corner = |k: usize| {
-                let root = corners.root((3 * local + k) as u32) as usize;
-                if number[root] == NONE {
-                    number[root] = ids.len() as u32;
-                    ids.push(links.triangles[t as usize][k]);
-                }
-                number[root]
-            };
-            triangles.push([0, 1, 2].map(corner));
-        }
+        let triangle_ids = collect(links, boundary_loop, place);
+        let (ids, triangles) = number(links, boundary_loop, &triangle_ids, place);
         triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
+        let at = |&v: &u32| Vector3::from(positions[v as usize]);
         let mut surroundings = Self {
-            x: ids
-                .iter()
-                .map(|&v| Vector3::from(positions[v as usize]))
-                .collect(),
+            x: ids.iter().map(at).collect(),
             ids,
             triangles,
             triangle_ids,
-            boundary: n,
-            normals: Vec::with_capacity(n),
-            taken: taken(links, boundary),
+            loop_vertices: boundary_loop.vertices.len(),
+            normals: Vec::new(),
+            taken: taken(links, boundary_loop),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
         surroundings.enter();
         surroundings.drop_infinite();
-        let at = |v: u32| surroundings.entered(positions[v as usize]);
-        surroundings.normals = run
+        let triangle =
+            |&h: &u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
+        surroundings.normals = boundary_loop
+            .half_edges
             .iter()
-            .map(|&h| {
-                let [a, b, c] = links.triangles[h as usize / 3].map(at);
-                let (e, f) = (b - a, c - a);
-                let cross = e.cross(&f);
-                let longest = e.norm_squared().max(f.norm_squared());
-                if cross.norm() > 1e-12 * longest {
-                    cross.normalize()
-                } else {
-                    Vector3::zeros()
-                }
-            })
+            .map(|h| normal(&triangle(h)))
             .collect();
         surroundings
     }
 
     /// Moves and scales, so that the loop lies around the origin with a diagonal of about one.
     fn enter(&mut self) {
-        let (low, high) = bounds(&self.x[..self.boundary]);
+        let (low, high) = bounds(&self.x[..self.loop_vertices]);
         let diagonal = (high - low).norm();
         self.centre = (low + high) * 0.5;
         if diagonal > 0.0 && diagonal.is_finite() {
@@ -149,18 +113,18 @@ impl Surroundings {
     /// A vertex of the loop that is not finite; the first one if all lie in one point.
     pub(super) fn first_unusable(&self) -> Option<u32> {
         let wrong = |v: &usize| !self.x[*v].iter().all(|c| c.is_finite());
-        let flat = bounds(&self.x[..self.boundary]);
+        let flat = bounds(&self.x[..self.loop_vertices]);
         let first = (flat.0 == flat.1).then_some(0);
-        (0..self.boundary).find(wrong).or(first).map(|v| self.ids[v])
+        (0..self.loop_vertices).find(wrong).or(first).map(|v| self.ids[v])
     }
 
     /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
     /// the longest.
     pub(super) fn ranges(&self) -> Vec<[f64; 3]> {
-        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.boundary];
+        let mut edges = vec![[f64::INFINITY, 0.0f64, 0.0, 0.0]; self.loop_vertices];
         self.each_edge(|a, b| {
             let length = (self.x[a] - self.x[b]).norm();
-            for v in [a, b].into_iter().filter(|&v| v < self.boundary) {
+            for v in [a, b].into_iter().filter(|&v| v < self.loop_vertices) {
                 let [shortest, longest, sum, count] = edges[v];
                 edges[v] = [
                     shortest.min(length),
@@ -194,11 +158,11 @@ impl Surroundings {
                 around[v].1 += sum[w].1;
             }
         });
-        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.boundary]).norm();
-        let shorter = (0..self.boundary)
-            .map(|i| edge(i).min(edge((i + self.boundary - 1) % self.boundary)))
+        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.loop_vertices]).norm();
+        let shorter = (0..self.loop_vertices)
+            .map(|i| edge(i).min(edge((i + self.loop_vertices - 1) % self.loop_vertices)))
             .collect();
-        let mean = around[..self.boundary]
+        let mean = around[..self.loop_vertices]
             .iter()
             .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
         (mean.collect(), shorter)
@@ -221,7 +185,7 @@ pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
 }
 
 /// The fans of the loop's vertices and some layers of triangles around them; `place` gets their local numbers.
-fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
+fn collect(links: &Links<'_>, boundary_loop: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
     let mut found: Vec<u32> = Vec::new();
     let mut add = |t: u32, found: &mut Vec<u32>| {
         if place[t as usize] == NONE {
@@ -229,7 +193,7 @@ fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec
             found.push(t);
         }
     };
-    for &h in &boundary.half_edges {
+    for &h in &boundary_loop.half_edges {
         add(h / 3, &mut found);
         // The fans at both ends; at a bow-tie the next half-edge lies in another one.
         let _ = links.follow(h, |g| add(g / 3, &mut found));
@@ -249,54 +213,76 @@ fn collect(links: &Links<'_>, boundary: &BoundaryLoop, place: &mut [u32]) -> Vec
     found
 }
 
-/// Corners that are one vertex.
-struct Corners {
-    parent: Vec<u32>,
+/// The vertices of these triangles, the loop's first, and the triangles in their numbers.
+fn number(
+    links: &Links<'_>,
+    boundary_loop: &BoundaryLoop,
+    triangle_ids: &[u32],
+    place: &[u32],
+) -> (Vec<u32>, Vec<[u32; 3]>) {
+    let at = |h: u32| 3 * place[h as usize / 3] + h % 3;
+    let mut corners = unite_corners(links, boundary_loop, triangle_ids, place, at);
+    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], boundary_loop.vertices.clone());
+    for (&h, i) in boundary_loop.half_edges.iter().zip(1..) {
+        let corner = corners.smallest(at(h));
+        number[corner as usize] = i % ids.len() as u32;
+    }
+    let triangles = (0..).zip(triangle_ids).map(|(local, &t)| {
+        [0, 1, 2].map(|k| {
+            let corner = corners.smallest(3 * local + k as u32) as usize;
+            if number[corner] == NONE {
+                number[corner] = ids.len() as u32;
+                ids.push(links.triangles[t as usize][k]);
+            }
+            number[corner]
+        })
+    });
+    let triangles = triangles.collect();
+    (ids, triangles)
 }
 
-impl Corners {
-    fn new(links: &Links<'_>, triangle_ids: &[u32], place: &[u32]) -> Self {
-        let mut corners = Self {
-            parent: (0..3 * triangle_ids.len() as u32).collect(),
-        };
-        for &t in triangle_ids {
-            for h in 3 * t..3 * t + 3 {
-                if let Some(o) = links.across(h).filter(|&o| place[o as usize / 3] != NONE) {
-                    corners.unite(corners.of(h, place), corners.of(next(o), place));
-                    corners.unite(corners.of(next(h), place), corners.of(o, place));
-                }
-            }
+/// The unit normal of a triangle, zero if it has no area to speak of.
+fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
+    let (e, f) = (b - a, c - a);
+    let cross = e.cross(&f);
+    let longest = e.norm_squared().max(f.norm_squared());
+    if cross.norm() > 1e-12 * longest {
+        cross.normalize()
+    } else {
+        Vector3::zeros()
+    }
+}
+
+/// Which corners are one vertex. `at` is the local corner that a half-edge of the mesh starts at.
+fn unite_corners(
+    links: &Links<'_>,
+    boundary_loop: &BoundaryLoop,
+    triangle_ids: &[u32],
+    place: &[u32],
+    at: impl Fn(u32) -> u32,
+) -> DisjointSets {
+    let mut corners = DisjointSets::new(3 * triangle_ids.len());
+    for h in triangle_ids.iter().flat_map(|&t| 3 * t..3 * t + 3) {
+        if let Some(o) = links.across(h).filter(|&o| place[o as usize / 3] != NONE) {
+            corners.unite(at(h), at(next(o)));
+            corners.unite(at(next(h)), at(o));
         }
-        corners
     }
-
-    /// The local corner that a half-edge of the mesh starts at.
-    fn of(&self, h: u32, place: &[u32]) -> u32 {
-        3 * place[h as usize / 3] + h % 3
+    // A vertex of the loop is where one half-edge of it ends and the one before begins.
+    let run = &boundary_loop.half_edges;
+    for (i, &h) in run.iter().enumerate() {
+        corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
     }
-
-    fn root(&mut self, mut corner: u32) -> u32 {
-        while self.parent[corner as usize] != corner {
-            let up = self.parent[self.parent[corner as usize] as usize];
-            self.parent[corner as usize] = up;
-            corner = up;
-        }
-        corner
-    }
-
-    fn unite(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b) as usize] = a.min(b);
-    }
+    corners
 }
 
 /// Pairs of the loop's vertices between which the mesh has an edge, sound or not.
-fn taken(links: &Links<'_>, boundary: &BoundaryLoop) -> Vec<(u32, u32)> {
-    let mut order: Vec<(u32, u32)> = boundary.vertices.iter().copied().zip(0..).collect();
+fn taken(links: &Links<'_>, boundary_loop: &BoundaryLoop) -> Vec<(u32, u32)> {
+    let mut order: Vec<(u32, u32)> = boundary_loop.vertices.iter().copied().zip(0..).collect();
     order.sort_unstable();
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
-    for (&v, i) in boundary.vertices.iter().zip(0u32..) {
+    for (&v, i) in boundary_loop.vertices.iter().zip(0u32..) {
         for &h in links.at(v) {
             for other in [next(h), previous(h)] {
                 if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {

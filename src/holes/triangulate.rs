@@ -14,17 +14,17 @@ use nalgebra::Vector3;
 
 /// Loops of up to this many edges are triangulated by dynamic programming alone.
 pub(super) const DYNAMIC: usize = 100;
-/// The cosine of the bend is told apart in so many steps; what bends equally is decided by area.
+/// Bends (1 - cosine) are compared in steps of one over this; between those in the same step area decides.
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
 const SHARP: f64 = 1.17;
 /// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight boundaries.
 const FLAT: f64 = 1e-6;
-/// How much later: factors on the chord's length.
+/// The cost of an ear that shall come later is multiplied by this.
 const LATER: f64 = 1e6;
 
 /// A loop in space.
-pub(super) struct Boundary<'a> {
+pub(super) struct Polygon<'a> {
     /// The vertices.
     pub(super) x: &'a [Vector3<f64>],
     /// The unit normal of the mesh's triangle at each edge from a vertex to the next, zero if it has none.
@@ -33,12 +33,12 @@ pub(super) struct Boundary<'a> {
     pub(super) taken: &'a [(u32, u32)],
 }
 
-impl Boundary<'_> {
+impl Polygon<'_> {
     fn is_free(&self, a: u32, b: u32) -> bool {
         self.taken.binary_search(&(a.min(b), a.max(b))).is_err()
     }
 
-    /// The triangles, in numbers of the boundary's vertices, or None if there is no triangulation without the edges taken.
+    /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
         let (polygon, normals) = if self.x.len() > DYNAMIC {
@@ -76,13 +76,8 @@ impl Boundary<'_> {
         Some(ears.rest())
     }
 
-    /// The best triangulation of a polygon of these vertices.
-    fn optimal(
-        &self,
-        polygon: &[u32],
-        boundary: &[Vector3<f64>],
-        triangles: &mut Vec<[u32; 3]>,
-    ) -> Option<()> {
+    /// The best triangulation of a polygon of these vertices; `beyond` are the normals on the other side of its edges.
+    fn optimal(&self, polygon: &[u32], beyond: &[Vector3<f64>], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
         let n = polygon.len();
         if n < 3 {
             return None;
@@ -93,39 +88,17 @@ impl Boundary<'_> {
                 worst: 0,
                 area: 0.0,
                 apex: 0,
-                normal: boundary[i],
+                normal: beyond[i],
             };
         }
         for span in 2..n {
             for i in 0..n - span {
                 let k = i + span;
-                let closing = span == n - 1;
-                if !closing && !self.is_free(polygon[i], polygon[k]) {
-                    continue;
+                // The last chord is an edge of the polygon.
+                let last = (span == n - 1).then(|| &beyond[n - 1]);
+                if last.is_some() || self.is_free(polygon[i], polygon[k]) {
+                    table[i * n + k] = self.best(polygon, &table, (i, k), last);
                 }
-                let mut best = Cell::default();
-                for m in i + 1..k {
-                    let (left, right) = (&table[i * n + m], &table[m * n + k]);
-                    let below = left.worst.max(right.worst);
-                    if below > best.worst || below == u32::MAX {
-                        continue;
-                    }
-                    let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
-                    let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
-                    if closing {
-                        bend = bend.max(bend_at(&normal, &boundary[n - 1]));
-                    }
-                    let cell = Cell {
-                        worst: below.max((bend * STEPS) as u32),
-                        area: left.area + right.area + area,
-                        apex: m as u32,
-                        normal,
-                    };
-                    if (cell.worst, cell.area) < (best.worst, best.area) {
-                        best = cell;
-                    }
-                }
-                table[i * n + k] = best;
             }
         }
         if table[n - 1].worst == u32::MAX {
@@ -141,6 +114,42 @@ impl Boundary<'_> {
             }
         }
         Some(())
+    }
+
+    /// The best triangulation between two vertices of the polygon, by those of smaller parts in `table`; `beyond` is the
+    /// normal on the other side of their chord, where there is a triangle.
+    #[inline]
+    fn best(
+        &self,
+        polygon: &[u32],
+        table: &[Cell],
+        (i, k): (usize, usize),
+        beyond: Option<&Vector3<f64>>,
+    ) -> Cell {
+        let n = polygon.len();
+        let mut best = Cell::default();
+        for m in i + 1..k {
+            let (left, right) = (&table[i * n + m], &table[m * n + k]);
+            let below = left.worst.max(right.worst);
+            if below > best.worst || below == u32::MAX {
+                continue;
+            }
+            let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
+            let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
+            if let Some(beyond) = beyond {
+                bend = bend.max(bend_at(&normal, beyond));
+            }
+            let cell = Cell {
+                worst: below.max((bend * STEPS) as u32),
+                area: left.area + right.area + area,
+                apex: m as u32,
+                normal,
+            };
+            if (cell.worst, cell.area) < (best.worst, best.area) {
+                best = cell;
+            }
+        }
+        best
     }
 }
 
@@ -186,7 +195,7 @@ fn bend_at(normal: &Vector3<f64>, other: &Vector3<f64>) -> f64 {
 
 /// A loop that is being shortened.
 struct Ears<'a> {
-    boundary: &'a Boundary<'a>,
+    polygon: &'a Polygon<'a>,
     next: Vec<u32>,
     prev: Vec<u32>,
     /// The normal beyond the edge to the next vertex.
@@ -200,13 +209,13 @@ struct Ears<'a> {
 type Ear = (u64, u32, u32, u32, bool);
 
 impl<'a> Ears<'a> {
-    fn new(boundary: &'a Boundary<'a>) -> Self {
-        let n = boundary.x.len() as u32;
+    fn new(polygon: &'a Polygon<'a>) -> Self {
+        let n = polygon.x.len() as u32;
         let mut ears = Self {
-            boundary,
+            polygon,
             next: (0..n).map(|i| (i + 1) % n).collect(),
             prev: (0..n).map(|i| (i + n - 1) % n).collect(),
-            normals: boundary.normals.to_vec(),
+            normals: polygon.normals.to_vec(),
             alive: vec![true; n as usize],
             left: n as usize,
             queue: BinaryHeap::new(),
@@ -217,11 +226,11 @@ impl<'a> Ears<'a> {
 
     fn push(&mut self, v: u32) {
         let (a, b) = (self.prev[v as usize], self.next[v as usize]);
-        if !self.boundary.is_free(a, b) {
+        if !self.polygon.is_free(a, b) {
             return;
         }
-        let (normal, _) = self.boundary.normal(a, v, b);
-        let chord = (self.boundary.x[b as usize] - self.boundary.x[a as usize]).norm();
+        let (normal, _) = self.polygon.normal(a, v, b);
+        let chord = (self.polygon.x[b as usize] - self.polygon.x[a as usize]).norm();
         let bend = bend(&normal, &self.normals[a as usize]).max(bend_at(&normal, &self.normals[v as usize]));
         let mut cost = chord * (1.0 + bend);
         if bend > SHARP {
@@ -249,7 +258,7 @@ impl<'a> Ears<'a> {
             self.left -= 1;
             self.next[a as usize] = b;
             self.prev[b as usize] = a;
-            self.normals[a as usize] = self.boundary.normal(a, v, b).0;
+            self.normals[a as usize] = self.polygon.normal(a, v, b).0;
             self.push(a);
             self.push(b);
             return Some([a, v, b]);
@@ -258,10 +267,10 @@ impl<'a> Ears<'a> {
 
     /// Whether the ball over the chord holds another vertex of what is left.
     fn is_crowded(&self, v: u32, a: u32, b: u32) -> bool {
-        let (p, q) = (self.boundary.x[a as usize], self.boundary.x[b as usize]);
+        let (p, q) = (self.polygon.x[a as usize], self.polygon.x[b as usize]);
         let mut w = self.next[b as usize];
         while w != a {
-            let x = self.boundary.x[w as usize];
+            let x = self.polygon.x[w as usize];
             if w != v && (p - x).dot(&(q - x)) < 0.0 {
                 return true;
             }
@@ -290,10 +299,10 @@ impl<'a> Ears<'a> {
 mod tests {
     use super::*;
 
-    fn boundary(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
+    fn triangulate(x: &[[f64; 3]], taken: &[(u32, u32)]) -> Option<Vec<[u32; 3]>> {
         let x: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
         let normals = vec![Vector3::zeros(); x.len()];
-        Boundary {
+        Polygon {
             x: &x,
             normals: &normals,
             taken,
@@ -309,7 +318,7 @@ mod tests {
     #[test]
     fn a_polygon_with_a_notch_is_triangulated_without_folds() {
         let x = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]].map(|[x, y]| [x, y, 0.0]);
-        let triangles = boundary(&x, &[]).unwrap();
+        let triangles = triangulate(&x, &[]).unwrap();
         let areas: Vec<f64> = triangles.iter().map(|t| signed_area(&x, t)).collect();
         assert!(areas.iter().all(|&a| a > 0.0));
         assert!((areas.iter().sum::<f64>() - 2.5).abs() < 1e-12);
@@ -319,16 +328,16 @@ mod tests {
     fn edges_that_are_there_already_are_not_made_again() {
         let x = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
         let has = |t: &[[u32; 3]], v| t.iter().filter(|t| t.contains(&v)).count() == 2;
-        assert!(has(&boundary(&x, &[(0, 2)]).unwrap(), 1));
-        assert!(has(&boundary(&x, &[(1, 3)]).unwrap(), 0));
-        assert_eq!(boundary(&x, &[(0, 2), (1, 3)]), None);
+        assert!(has(&triangulate(&x, &[(0, 2)]).unwrap(), 1));
+        assert!(has(&triangulate(&x, &[(1, 3)]).unwrap(), 0));
+        assert_eq!(triangulate(&x, &[(0, 2), (1, 3)]), None);
     }
 
     #[test]
     fn the_bend_counts_before_the_area() {
         // The diagonal of a folded square that keeps the worst angle small is the ridge's own.
         let x = [[0., 0., 0.], [1., 0., 1.], [0., 1., 0.], [-1., 0., 1.]];
-        let triangles = boundary(&x, &[]).unwrap();
+        let triangles = triangulate(&x, &[]).unwrap();
         let bend = |t: &[[u32; 3]]| {
             let normal = |t: &[u32; 3]| {
                 let [a, b, c] = t.map(|v| Vector3::from(x[v as usize]));
@@ -353,7 +362,7 @@ mod tests {
         // Without the mesh's normals nothing would tell an ear from a notch.
         let at: Vec<_> = x.iter().map(|&p| Vector3::from(p)).collect();
         let normals = vec![Vector3::z(); n as usize];
-        let loop_in_plane = Boundary {
+        let loop_in_plane = Polygon {
             x: &at,
             normals: &normals,
             taken: &[],

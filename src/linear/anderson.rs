@@ -33,10 +33,13 @@ pub struct Anderson {
 }
 
 impl Anderson {
-    /// No history yet, for vectors of length `n` and at most `window` differences, which is cut to
-    /// [`MAX_WINDOW`]; with a window of 0 steps are left as they are.
+    /// No history yet, for vectors of length `n` and at most `window` differences; with a window of 0 steps are left as they
+    /// are.
+    ///
+    /// # Panics
+    /// If `window` is larger than [`MAX_WINDOW`].
     pub fn new(n: usize, window: usize) -> Self {
-        let window = window.min(MAX_WINDOW);
+        assert!(window <= MAX_WINDOW, "at most {MAX_WINDOW} differences");
         let blocks = if window == 0 { 0 } else { n.div_ceil(BLOCK) };
         Self {
             window,
@@ -289,6 +292,12 @@ mod tests {
             // The plain first step leaves a step in range(A), of dimension m.
             assert!(norms[m + 2] < 1e-8 * norms[0], "{n} {m} {norms:?}");
         }
+    }
+
+    #[test]
+    #[should_panic = "at most 16 differences"]
+    fn a_window_that_is_too_long_is_refused() {
+        Anderson::new(10, MAX_WINDOW + 1);
     }
 
     #[test]

@@ -23,52 +23,26 @@ pub(super) fn cut(
     vertex_ids: &[u32],
     prescribed: impl Fn(usize) -> bool,
 ) -> Option<Cut> {
-    let fans: Vec<Fans> = (free..free + boundary)
-        .map(|v| {
-            if prescribed(v) {
-                Fans::of(half_edges, v)
-            } else {
-                Fans::Other
-            }
-        })
-        .collect();
-    let of = |v: u32| (v as usize).checked_sub(free).and_then(|b| fans.get(b)).copied();
-    // Where the curve meets the surroundings, the vertex stays whole: one cut leaves its triangles connected outside.
-    let only: Vec<u32> = (0..boundary)
-        .map(|b| match fans[b] {
-            Fans::Surrounded => first_to_closed(half_edges, free + b, of),
-            _ => NONE,
-        })
-        .collect();
-    let is_cut = |h: u32| {
-        let o = half_edges.opposite[h as usize];
-        if o == NONE || !half_edges.in_region(h) || !half_edges.in_region(o) {
-            return false;
-        }
-        let chosen = |h: u32| only[half_edges.origin(h) as usize - free] == h;
-        match (of(half_edges.origin(h)), of(half_edges.target(h))) {
-            (Some(Fans::Closed), Some(Fans::Closed | Fans::Open))
-            | (Some(Fans::Open), Some(Fans::Closed)) => true,
-            (Some(Fans::Surrounded), Some(Fans::Closed)) => chosen(h),
-            (Some(Fans::Closed), Some(Fans::Surrounded)) => chosen(o),
-            _ => false,
-        }
-    };
+    let curves = Curves::new(half_edges, (free, boundary), prescribed);
     let mut side = vec![0u32; half_edges.opposite.len()];
     let mut copies = vec![1u32; boundary];
-    for b in 0..boundary {
-        if !matches!(fans[b], Fans::Closed | Fans::Open) {
+    for (b, around) in curves.around.iter().enumerate() {
+        if !matches!(around, Neighbourhood::Closed | Neighbourhood::Open) {
             continue;
         }
-        let ring_edges = half_edges.ring_edges(free + b);
-        let first = ring_edges.iter().position(|&h| is_cut(h));
+        let outgoing = half_edges.outgoing.row(free + b);
+        let first = outgoing.iter().position(|&h| curves.is_cut(h));
         let Some(first) = first else { continue };
         // Around a closed ring from a cut on; an open fan begins where it begins.
-        let turn = if fans[b] == Fans::Closed { first } else { 0 };
+        let turn = if *around == Neighbourhood::Closed {
+            first
+        } else {
+            0
+        };
         let mut current = 0;
-        for k in 0..ring_edges.len() {
-            let h = ring_edges[(k + turn) % ring_edges.len()];
-            if k > 0 && is_cut(h) {
+        for k in 0..outgoing.len() {
+            let h = outgoing[(k + turn) % outgoing.len()];
+            if k > 0 && curves.is_cut(h) {
                 current += 1;
             }
             side[h as usize] = current;
@@ -87,23 +61,85 @@ pub(super) fn cut(
     ))
 }
 
-/// The first ring_edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
-fn first_to_closed(half_edges: &HalfEdges, v: usize, of: impl Fn(u32) -> Option<Fans>) -> u32 {
-    let leads = |&&h: &&u32| {
-        let o = half_edges.opposite[h as usize];
-        half_edges.in_region(h) && half_edges.in_region(o) && of(half_edges.target(h)) == Some(Fans::Closed)
-    };
-    half_edges
-        .ring_edges(v)
-        .iter()
-        .find(leads)
-        .copied()
-        .unwrap_or(NONE)
+/// Where the mesh may be cut.
+struct Curves<'a> {
+    half_edges: &'a HalfEdges,
+    free: usize,
+    /// Per boundary vertex; `Other` where the normal is not prescribed.
+    around: Vec<Neighbourhood>,
+    /// Per boundary vertex where the curve meets the surroundings the only half-edge that is cut, else [`NONE`]. Such a
+    /// vertex stays whole: one cut leaves its triangles connected outside.
+    only: Vec<u32>,
+}
+
+impl<'a> Curves<'a> {
+    fn new(
+        half_edges: &'a HalfEdges,
+        (free, boundary): (usize, usize),
+        prescribed: impl Fn(usize) -> bool,
+    ) -> Self {
+        let around = (free..free + boundary).map(|v| {
+            if prescribed(v) {
+                Neighbourhood::of(half_edges, v)
+            } else {
+                Neighbourhood::Other
+            }
+        });
+        let mut curves = Self {
+            half_edges,
+            free,
+            around: around.collect(),
+            only: Vec::new(),
+        };
+        curves.only = (0..boundary)
+            .map(|b| match curves.around[b] {
+                Neighbourhood::Surrounded => curves.first_to_closed(free + b),
+                _ => NONE,
+            })
+            .collect();
+        curves
+    }
+
+    /// What stands around a vertex; `None` of a free vertex or one outside.
+    fn at(&self, v: u32) -> Option<Neighbourhood> {
+        let b = (v as usize).checked_sub(self.free)?;
+        self.around.get(b).copied()
+    }
+
+    /// Whether `h` lies between two triangles of the region.
+    fn is_inside(&self, h: u32) -> bool {
+        let o = self.half_edges.opposite[h as usize];
+        o != NONE && self.half_edges.in_region(h) && self.half_edges.in_region(o)
+    }
+
+    /// The first half-edge inside the region that leads from `v` to a vertex with a closed ring, or [`NONE`].
+    fn first_to_closed(&self, v: usize) -> u32 {
+        let leads = |h: &&u32| {
+            self.is_inside(**h) && self.at(self.half_edges.target(**h)) == Some(Neighbourhood::Closed)
+        };
+        let mut outgoing = self.half_edges.outgoing.row(v).iter();
+        outgoing.find(leads).copied().unwrap_or(NONE)
+    }
+
+    fn is_cut(&self, h: u32) -> bool {
+        let (origin, target) = (self.half_edges.origin(h), self.half_edges.target(h));
+        let is_only = |v: u32, h: u32| self.only[v as usize - self.free] == h;
+        self.is_inside(h)
+            && match (self.at(origin), self.at(target)) {
+                (Some(Neighbourhood::Closed), Some(Neighbourhood::Closed | Neighbourhood::Open))
+                | (Some(Neighbourhood::Open), Some(Neighbourhood::Closed)) => true,
+                (Some(Neighbourhood::Surrounded), Some(Neighbourhood::Closed)) => is_only(origin, h),
+                (Some(Neighbourhood::Closed), Some(Neighbourhood::Surrounded)) => {
+                    is_only(target, self.half_edges.opposite[h as usize])
+                }
+                _ => false,
+            }
+    }
 }
 
 /// What stands around a boundary vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Fans {
+enum Neighbourhood {
     /// One closed ring of region triangles.
     Closed,
     /// One open fan of region triangles, and nothing else.
@@ -114,21 +150,21 @@ enum Fans {
     Other,
 }
 
-impl Fans {
+impl Neighbourhood {
     fn of(half_edges: &HalfEdges, v: usize) -> Self {
-        let ring_edges = half_edges.ring_edges(v);
+        let outgoing = half_edges.outgoing.row(v);
         let before = |h: u32| half_edges.opposite[h as usize];
         let inside = |h: u32| h != NONE && half_edges.in_region(h);
-        let begins = ring_edges
+        let begins = outgoing
             .iter()
             .filter(|&&h| inside(h) && !inside(before(h)))
             .count();
-        let is_open = ring_edges.iter().any(|&h| before(h) == NONE);
+        let is_open = outgoing.iter().any(|&h| before(h) == NONE);
         match (begins, is_open) {
-            (0, false) => Fans::Closed,
-            (1, true) if ring_edges.iter().all(|&h| inside(h)) => Fans::Open,
-            (1, false) => Fans::Surrounded,
-            _ => Fans::Other,
+            (0, false) => Neighbourhood::Closed,
+            (1, true) if outgoing.iter().all(|&h| inside(h)) => Neighbourhood::Open,
+            (1, false) => Neighbourhood::Surrounded,
+            _ => Neighbourhood::Other,
         }
     }
 }

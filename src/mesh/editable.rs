@@ -13,7 +13,7 @@ pub(crate) struct EditableMesh {
     alive: Vec<bool>,
     opposite: Vec<u32>,
     /// Per free and boundary vertex a half-edge that leaves it: the first of an open fan.
-    ring_edge: Vec<u32>,
+    first: Vec<u32>,
     free: usize,
     region_triangles: usize,
 }
@@ -29,12 +29,12 @@ impl EditableMesh {
     /// The region with all its triangles.
     pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
-        let ring_edge = (0..region.region_vertices()).map(|v| half_edges.ring_edges(v)[0]);
+        let first = (0..region.region_vertices()).map(|v| half_edges.outgoing.row(v)[0]);
         Self {
             triangles: half_edges.triangles.clone(),
             alive: vec![true; half_edges.triangles.len()],
             opposite: half_edges.opposite.clone(),
-            ring_edge: ring_edge.collect(),
+            first: first.collect(),
             free: region.free,
             region_triangles: half_edges.region_triangles,
         }
@@ -79,8 +79,8 @@ impl EditableMesh {
     }
 
     /// The outgoing half-edges of a free or boundary vertex that is there, counter-clockwise, one per triangle.
-    pub(crate) fn ring_edges(&self, v: u32) -> impl Iterator<Item = u32> {
-        let first = self.ring_edge[v as usize];
+    pub(crate) fn outgoing(&self, v: u32) -> impl Iterator<Item = u32> {
+        let first = self.first[v as usize];
         let following = move |&h: &u32| {
             let o = self.opposite[previous(h) as usize];
             (o != NONE && o != first).then_some(o)
@@ -88,70 +88,71 @@ impl EditableMesh {
         std::iter::successors(Some(first), following)
     }
 
-    /// The same, from the triangles of the region.
-    pub(crate) fn region_spokes(&self, v: u32) -> impl Iterator<Item = u32> {
-        self.ring_edges(v).filter(|&h| self.in_region(h))
+    /// Those of them that lie in triangles of the region.
+    pub(crate) fn outgoing_in_region(&self, v: u32) -> impl Iterator<Item = u32> {
+        self.outgoing(v).filter(|&h| self.in_region(h))
     }
 
     fn is_closed(&self, v: u32) -> bool {
-        let first = self.ring_edge[v as usize];
-        self.opposite[first as usize] != NONE && self.ring_edges(v).all(|h| self.in_region(h))
+        let first = self.first[v as usize];
+        self.opposite[first as usize] != NONE && self.outgoing(v).all(|h| self.in_region(h))
     }
 
     fn are_neighbours(&self, u: u32, w: u32) -> bool {
-        self.ring_edges(u)
-            .any(|h| self.target(h) == w || self.apex(h) == w)
+        self.outgoing(u).any(|h| self.target(h) == w || self.apex(h) == w)
     }
 
     /// Whether the origin of `h` may be moved into its target: it is free, the mesh stays a 2-manifold, every triangle of
     /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
     pub(crate) fn can_collapse(&self, h: u32) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
-        if !self.is_free(u) {
-            return false;
-        }
+        self.is_free(u)
+            && self.stays_manifold(h)
+            && self.keeps_valences(h)
+            && (self.is_free(v) || self.keeps_free_corners(u, v))
+    }
+
+    /// Whether the mesh stays a 2-manifold when the free origin of `h` moves into its target.
+    fn stays_manifold(&self, h: u32) -> bool {
+        let (u, v) = (self.origin(h), self.target(h));
         let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
-        if l == r {
-            return false;
-        }
-        // The vertices beside both are those of the two triangles (the link condition; u is never on the boundary).
+        // The vertices beside both ends are those of the two triangles (the link condition; u is never on the boundary).
         let beside_both = |w: u32| w != u && w != l && w != r && self.are_neighbours(u, w);
-        if self
-            .ring_edges(v)
-            .any(|g| beside_both(self.target(g)) || beside_both(self.apex(g)))
-        {
+        let mut outgoing = self.outgoing(v);
+        if l == r || outgoing.any(|g| beside_both(self.target(g)) || beside_both(self.apex(g))) {
             return false;
         }
-        let valence = self.ring_edges(u).count();
-        if valence == 3 {
-            let across = self
-                .ring_edges(u)
-                .map(next)
-                .find(|&g| self.target(g) == r && self.origin(g) == l);
-            if across.is_some_and(|g| {
-                self.opposite[g as usize] != NONE && self.apex(self.opposite[g as usize]) == v
-            }) {
-                return false;
-            }
-        }
-        let enough = |w: u32, after: usize| {
-            after
-                >= if self.is_closed(w) {
-                    FEWEST_CLOSED
-                } else {
-                    FEWEST_OPEN
-                }
-                && after <= MOST
+        // A tetrahedron would become two triangles back to back.
+        let is_back_to_back = |g: u32| {
+            let o = self.opposite[g as usize];
+            self.origin(g) == l && self.target(g) == r && o != NONE && self.apex(o) == v
         };
-        let count = |w: u32| self.region_spokes(w).count();
-        if !(enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)) {
-            return false;
-        }
-        let moved = self
-            .ring_edges(u)
-            .filter(|&g| self.target(g) != v && self.apex(g) != v);
-        let mut fixed = moved.filter(|&g| !self.is_free(self.target(g)) && !self.is_free(self.apex(g)));
-        self.is_free(v) || fixed.next().is_none()
+        self.outgoing(u).count() != 3 || !self.outgoing(u).map(next).any(is_back_to_back)
+    }
+
+    /// Whether no vertex around `h` gets too few or too many triangles of the region.
+    fn keeps_valences(&self, h: u32) -> bool {
+        let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
+        let count = |w: u32| self.outgoing_in_region(w).count();
+        let enough = |w: u32, after: usize| {
+            let fewest = if self.is_closed(w) {
+                FEWEST_CLOSED
+            } else {
+                FEWEST_OPEN
+            };
+            (fewest..=MOST).contains(&after)
+        };
+        let (u, v) = (self.origin(h), self.target(h));
+        let valence = self.outgoing(u).count();
+        enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)
+    }
+
+    /// Whether every triangle of `u` that is left keeps a free vertex when `u` moves into the fixed vertex `v`.
+    fn keeps_free_corners(&self, u: u32, v: u32) -> bool {
+        self.outgoing(u).all(|g| {
+            let (a, b) = (self.target(g), self.apex(g));
+            a == v || b == v || self.is_free(a) || self.is_free(b)
+        })
     }
 
     /// Moves the origin of `h` into its target. [`Self::can_collapse`] must hold.
@@ -164,9 +165,9 @@ impl EditableMesh {
         self.alive[h as usize / 3] = false;
         self.alive[o as usize / 3] = false;
         let (l, r) = (self.apex(h), self.apex(o));
-        self.set_spoke(v, b);
-        self.set_spoke(l, next(b));
-        self.set_spoke(r, c);
+        self.set_first(v, b);
+        self.set_first(l, next(b));
+        self.set_first(r, c);
     }
 
     /// Undoes the last collapse, which was that of `h`; further ones in reverse order.
@@ -181,10 +182,10 @@ impl EditableMesh {
         self.alive[h as usize / 3] = true;
         self.alive[o as usize / 3] = true;
         let (v, l, r) = (self.target(h), self.apex(h), self.apex(o));
-        self.set_spoke(u, h);
-        self.set_spoke(v, next(h));
-        self.set_spoke(l, previous(h));
-        self.set_spoke(r, previous(o));
+        self.set_first(u, h);
+        self.set_first(v, next(h));
+        self.set_first(l, previous(h));
+        self.set_first(r, previous(o));
     }
 
     fn around(&self, h: u32) -> Around {
@@ -220,7 +221,7 @@ impl EditableMesh {
     }
 
     /// Lets the fan of `v` begin at `h`, or where an open fan that `h` belongs to begins.
-    fn set_spoke(&mut self, v: u32, h: u32) {
+    fn set_first(&mut self, v: u32, h: u32) {
         let mut g = h;
         while self.opposite[g as usize] != NONE {
             g = next(self.opposite[g as usize]);
@@ -228,7 +229,7 @@ impl EditableMesh {
                 break;
             }
         }
-        self.ring_edge[v as usize] = g;
+        self.first[v as usize] = g;
     }
 
     #[cfg(test)]
@@ -237,12 +238,12 @@ impl EditableMesh {
     /// # Errors
     /// What is violated.
     pub(crate) fn validate(&self) -> Result<(), String> {
-        let mut ring_edges = vec![0usize; self.ring_edge.len()];
+        let mut valence = vec![0usize; self.first.len()];
         for (t, corners) in self.triangles() {
             for k in 0..3 {
                 let h = (3 * t + k) as u32;
                 let (u, o) = (corners[k], self.opposite[h as usize]);
-                if let Some(count) = ring_edges.get_mut(u as usize) {
+                if let Some(count) = valence.get_mut(u as usize) {
                     *count += 1;
                 }
                 if u == corners[(k + 1) % 3] {
@@ -266,8 +267,8 @@ impl EditableMesh {
                 return Err(format!("triangle {t} is on the wrong side"));
             }
         }
-        for (v, &count) in ring_edges.iter().enumerate().filter(|(_, count)| **count > 0) {
-            let fan: Vec<u32> = self.ring_edges(v as u32).take(count + 1).collect();
+        for (v, &count) in valence.iter().enumerate().filter(|(_, count)| **count > 0) {
+            let fan: Vec<u32> = self.outgoing(v as u32).take(count + 1).collect();
             if fan.len() != count || fan.iter().any(|&h| self.origin(h) as usize != v) {
                 return Err(format!("fan of {v}"));
             }

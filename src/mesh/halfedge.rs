@@ -4,6 +4,7 @@
 //! Half-edge `3t + k` runs from corner `k` of triangle `t` to corner `k + 1`.
 
 use super::NONE;
+use super::rows::Rows;
 use crate::error::Error;
 
 /// The half-edge after `h` in its triangle.
@@ -30,12 +31,10 @@ pub(crate) struct HalfEdges {
     pub region_triangles: usize,
     /// Per half-edge its partner, or [`NONE`].
     pub opposite: Vec<u32>,
-    /// Rows of `ring_edge`; one offset per free and boundary vertex, and the end.
-    pub spoke_start: Vec<u32>,
     /// The outgoing half-edges of each free and boundary vertex, counter-clockwise, one per triangle. An open fan
     /// begins at its boundary; a closed one at a boundary vertex that has an outside begins with a run of region
     /// triangles; among the choices left it begins at the smallest local vertex.
-    pub ring_edge: Vec<u32>,
+    pub outgoing: Rows<u32>,
 }
 
 impl HalfEdges {
@@ -45,28 +44,25 @@ impl HalfEdges {
         triangles: Vec<[u32; 3]>,
         triangle_ids: Vec<u32>,
         region_triangles: usize,
-        free: usize,
-        boundary: usize,
+        (free, boundary): (usize, usize),
         vertex_ids: &[u32],
     ) -> Result<Self, Error> {
-        let mut half_edges = Self {
-            triangles,
-            triangle_ids,
-            region_triangles,
-            ..Self::default()
-        };
-        half_edges.sort_spokes(vertex_ids.len());
-        let starts = half_edges.spoke_start[..=free].windows(2);
-        if let Some(v) = starts.into_iter().position(|w| w[0] == w[1]) {
+        let corners = (0..).zip(triangles.iter().flatten());
+        let outgoing = Rows::collect(vertex_ids.len(), corners.map(|(h, &v)| (v, h)));
+        if let Some(v) = (0..free).find(|&v| outgoing.row(v).is_empty()) {
             return Err(Error::FreeVertexWithoutTriangle {
                 vertex: vertex_ids[v] as usize,
             });
         }
+        let mut half_edges = Self {
+            triangles,
+            triangle_ids,
+            region_triangles,
+            outgoing,
+            ..Self::default()
+        };
         half_edges.link(free, free + boundary, vertex_ids)?;
-        half_edges.spoke_start.truncate(free + boundary + 1);
-        half_edges
-            .ring_edge
-            .truncate(half_edges.spoke_start[free + boundary] as usize);
+        half_edges.outgoing.truncate(free + boundary);
         Ok(half_edges)
     }
 
@@ -116,41 +112,15 @@ impl HalfEdges {
         }
     }
 
-    /// The outgoing half-edges of a free or boundary vertex; see [`HalfEdges::ring_edge`].
-    #[inline]
-    pub(crate) fn ring_edges(&self, vertex: usize) -> &[u32] {
-        &self.ring_edge[self.spoke_start[vertex] as usize..self.spoke_start[vertex + 1] as usize]
-    }
-
-    /// Sorts the half-edges by the vertex that they leave.
-    fn sort_spokes(&mut self, vertices: usize) {
-        let mut cursor = vec![0u32; vertices + 1];
-        self.triangles
-            .iter()
-            .flatten()
-            .for_each(|&v| cursor[v as usize] += 1);
-        let mut sum = 0;
-        for c in &mut cursor {
-            sum += std::mem::replace(c, sum);
-        }
-        self.spoke_start = cursor.clone();
-        self.ring_edge = vec![0; 3 * self.triangles.len()];
-        for (h, &v) in self.triangles.iter().flatten().enumerate() {
-            let at = &mut cursor[v as usize];
-            self.ring_edge[*at as usize] = h as u32;
-            *at += 1;
-        }
-    }
-
-    /// Finds every half-edge's partner, brings the ring_edges of free and boundary vertices into order, and checks
-    /// that each of these has one fan.
+    /// Finds every half-edge's partner, brings those that leave free and boundary vertices into order, and checks
+    /// that each of these vertices has one fan.
     fn link(&mut self, free: usize, region: usize, vertex_ids: &[u32]) -> Result<(), Error> {
         let mut opposite = vec![NONE; 3 * self.triangles.len()];
-        let mut ring_edge = std::mem::take(&mut self.ring_edge);
+        let mut outgoing = std::mem::take(&mut self.outgoing);
         let mut fan = Fan::default();
         let (mut sound, mut open, mut bow_tie) = (true, NONE, NONE);
         for (v, &id) in vertex_ids.iter().enumerate() {
-            let row = &mut ring_edge[self.spoke_start[v] as usize..self.spoke_start[v + 1] as usize];
+            let row = outgoing.row_mut(v);
             sound &= fan.link(self, row, &mut opposite);
             if v < free && fan.is_open() {
                 open = open.min(id);
@@ -158,7 +128,7 @@ impl HalfEdges {
                 bow_tie = bow_tie.min(id);
             }
         }
-        (self.ring_edge, self.opposite) = (ring_edge, opposite);
+        (self.outgoing, self.opposite) = (outgoing, opposite);
         if !sound {
             self.find_flaws(vertex_ids).into_result()?;
         }
@@ -178,17 +148,16 @@ impl HalfEdges {
     /// Goes through all edges for those that are not of two triangles side by side.
     #[cold]
     fn find_flaws(&self, vertex_ids: &[u32]) -> Flaws {
-        let (end, mut bucket) = buckets(vertex_ids.len(), self.triangles.iter().enumerate());
         let mut flaws = Flaws::default();
-        let mut begin = 0;
-        for (v, &end) in end.iter().enumerate() {
-            let bucket = &mut bucket[begin..end as usize];
-            begin = end as usize;
-            bucket.sort_unstable();
-            for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32).filter(|e| e.len() > 1) {
-                flaws.note(self, v, edge, vertex_ids);
-            }
-        }
+        each_edge(
+            vertex_ids.len(),
+            (0..).zip(&self.triangles),
+            |v, other, half_edges| {
+                if half_edges.len() > 1 {
+                    flaws.note(self, [v, other], half_edges, vertex_ids);
+                }
+            },
+        );
         flaws
     }
 
@@ -214,19 +183,17 @@ impl HalfEdges {
                 return Err(format!("ends of {h} and {o}"));
             }
         }
-        for v in 0..self.spoke_start.len() - 1 {
-            let ring_edges = self.ring_edges(v);
-            if ring_edges.is_empty() || ring_edges.iter().any(|&h| self.origin(h) as usize != v) {
-                return Err(format!("ring_edges of {v}"));
+        for v in 0..self.outgoing.len() {
+            let outgoing = self.outgoing.row(v);
+            if outgoing.is_empty() || outgoing.iter().any(|&h| self.origin(h) as usize != v) {
+                return Err(format!("half-edges that leave {v}"));
             }
-            if ring_edges
-                .windows(2)
-                .any(|s| self.opposite[previous(s[0]) as usize] != s[1])
-            {
-                return Err(format!("order of the ring_edges of {v}"));
+            let after = |h: u32| self.opposite[previous(h) as usize];
+            if outgoing.windows(2).any(|pair| after(pair[0]) != pair[1]) {
+                return Err(format!("order of the half-edges that leave {v}"));
             }
-            let last = self.opposite[previous(ring_edges[ring_edges.len() - 1]) as usize];
-            if last != ring_edges[0] && (last != NONE || self.opposite[ring_edges[0] as usize] != NONE) {
+            let last = after(outgoing[outgoing.len() - 1]);
+            if last != outgoing[0] && (last != NONE || self.opposite[outgoing[0] as usize] != NONE) {
                 return Err(format!("fan of {v}"));
             }
         }
@@ -237,53 +204,53 @@ impl HalfEdges {
 /// The triangles around one vertex, on the way from a heap to a fan. One for all vertices: no allocation.
 #[derive(Default)]
 struct Fan {
-    /// (target, apex, half-edge) of each ring_edge, by target.
-    ring_edge: Vec<[u32; 3]>,
-    /// Per ring_edge the next one counter-clockwise, or [`NONE`].
+    /// (target, apex, half-edge) of each half-edge that leaves the vertex, by target.
+    outgoing: Vec<[u32; 3]>,
+    /// Per outgoing half-edge the next one counter-clockwise, or [`NONE`].
     following: Vec<u32>,
-    /// Per ring_edge the one before, or [`NONE`].
+    /// Per outgoing half-edge the one before, or [`NONE`].
     preceding: Vec<u32>,
 }
 
 impl Fan {
-    /// Enters the ring_edges of `row` and finds their partners. False where an edge has two triangles on one side
+    /// Enters the half-edges of `row` and finds their partners. False where an edge has two triangles on one side
     /// or two triangles lie back to back.
     fn link(&mut self, half_edges: &HalfEdges, row: &[u32], opposite: &mut [u32]) -> bool {
-        self.ring_edge.clear();
-        self.ring_edge.extend(row.iter().map(|&h| {
+        self.outgoing.clear();
+        self.outgoing.extend(row.iter().map(|&h| {
             let [_, target, apex] = half_edges.corners(h);
             [target, apex, h]
         }));
-        self.ring_edge.sort_unstable_by_key(|s| s[0]);
-        let mut sound = self.ring_edge.windows(2).all(|s| s[0][0] != s[1][0]);
+        self.outgoing.sort_unstable_by_key(|s| s[0]);
+        let mut sound = self.outgoing.windows(2).all(|s| s[0][0] != s[1][0]);
         self.following.clear();
         self.following.resize(row.len(), NONE);
         self.preceding.clear();
         self.preceding.resize(row.len(), NONE);
-        for (i, &[target, apex, h]) in self.ring_edge.iter().enumerate() {
+        for (i, &[target, apex, h]) in self.outgoing.iter().enumerate() {
             let Some(j) = self.to(apex) else { continue };
-            sound &= self.ring_edge[j][1] != target && self.preceding[j] == NONE;
+            sound &= self.outgoing[j][1] != target && self.preceding[j] == NONE;
             self.following[i] = j as u32;
             self.preceding[j] = i as u32;
-            opposite[self.ring_edge[j][2] as usize] = previous(h);
+            opposite[self.outgoing[j][2] as usize] = previous(h);
         }
         sound
     }
 
-    /// The ring_edge to a neighbour.
+    /// The number of the half-edge to a neighbour.
     #[inline]
     fn to(&self, neighbour: u32) -> Option<usize> {
-        if self.ring_edge.len() > 16 {
-            return self.ring_edge.binary_search_by_key(&neighbour, |s| s[0]).ok();
+        if self.outgoing.len() > 16 {
+            return self.outgoing.binary_search_by_key(&neighbour, |s| s[0]).ok();
         }
-        self.ring_edge.iter().position(|s| s[0] == neighbour)
+        self.outgoing.iter().position(|s| s[0] == neighbour)
     }
 
     fn is_open(&self) -> bool {
         self.following.contains(&NONE)
     }
 
-    /// Writes the ring_edges to `row` in order. False if they are not all of one fan.
+    /// Writes the half-edges to `row` in order. False if they are not all of one fan.
     fn order(&self, half_edges: &HalfEdges, row: &mut [u32]) -> bool {
         let first = self.first(half_edges);
         let mut at = first;
@@ -291,15 +258,15 @@ impl Fan {
             if at == NONE || (at == first && count > 0) {
                 return false;
             }
-            *h = self.ring_edge[at as usize][2];
+            *h = self.outgoing[at as usize][2];
             at = self.following[at as usize];
         }
         true
     }
 
-    /// Where the fan begins; see [`HalfEdges::ring_edge`].
+    /// Where the fan begins, by the rule of [`HalfEdges::outgoing`].
     fn first(&self, half_edges: &HalfEdges) -> u32 {
-        let inside = |i: u32| half_edges.in_region(self.ring_edge[i as usize][2]);
+        let inside = |i: u32| half_edges.in_region(self.outgoing[i as usize][2]);
         let enters = |&(i, &p): &(usize, &u32)| inside(i as u32) && !inside(p);
         if let Some(i) = self.preceding.iter().position(|&p| p == NONE) {
             return i as u32;
@@ -312,31 +279,22 @@ impl Fan {
     }
 }
 
-/// Half-edges as `larger vertex << 32 | half-edge`, grouped by the smaller vertex; the end of each group.
-pub(super) fn buckets<'a>(
+/// Hands every edge of some numbered triangles to `visit`: its smaller and its larger end, and the half-edges along it
+/// as `(larger end, half-edge)`, ascending.
+pub(super) fn each_edge<'a>(
     vertices: usize,
-    triangles: impl Iterator<Item = (usize, &'a [u32; 3])> + Clone,
-) -> (Vec<u32>, Vec<u64>) {
-    let mut cursor = vec![0u32; vertices];
-    for (_, &[a, b, c]) in triangles.clone() {
-        cursor[a.min(b) as usize] += 1;
-        cursor[b.min(c) as usize] += 1;
-        cursor[c.min(a) as usize] += 1;
-    }
-    let mut sum = 0;
-    for c in &mut cursor {
-        sum += std::mem::replace(c, sum);
-    }
-    let mut entries = vec![0u64; sum as usize];
-    for (t, tri) in triangles {
-        for k in 0..3 {
-            let (a, b) = (tri[k], tri[(k + 1) % 3]);
-            let at = &mut cursor[a.min(b) as usize];
-            entries[*at as usize] = u64::from(a.max(b)) << 32 | (3 * t + k) as u64;
-            *at += 1;
+    triangles: impl Iterator<Item = (u32, &'a [u32; 3])> + Clone,
+    mut visit: impl FnMut(u32, u32, &[(u32, u32)]),
+) {
+    let sides = triangles.flat_map(|(t, &[a, b, c])| [(a, b, 3 * t), (b, c, 3 * t + 1), (c, a, 3 * t + 2)]);
+    let mut edges = Rows::collect(vertices, sides.map(|(a, b, h)| (a.min(b), (a.max(b), h))));
+    for v in 0..vertices {
+        let row = edges.row_mut(v);
+        row.sort_unstable();
+        for half_edges in row.chunk_by(|x, y| x.0 == y.0) {
+            visit(v as u32, half_edges[0].0, half_edges);
         }
     }
-    (cursor, entries)
 }
 
 /// The smallest flaw of each kind, in the caller's numbers.
@@ -358,21 +316,21 @@ fn keep<T: Ord>(least: &mut Option<T>, found: T) {
 }
 
 impl Flaws {
-    /// Records what is wrong with an edge whose smaller end is `v`.
-    fn note(&mut self, half_edges: &HalfEdges, v: usize, edge: &[u64], vertex_ids: &[u32]) {
-        let id = |h: u64| half_edges.triangle_ids[h as u32 as usize / 3];
-        let mut by_third: Vec<_> = edge.iter().map(|&h| (half_edges.apex(h as u32), id(h))).collect();
+    /// Records what is wrong with an edge between these two vertices.
+    fn note(&mut self, half_edges: &HalfEdges, ends: [u32; 2], edge: &[(u32, u32)], vertex_ids: &[u32]) {
+        let id = |h: u32| half_edges.triangle_ids[h as usize / 3];
+        let mut by_third: Vec<_> = edge.iter().map(|&(_, h)| (half_edges.apex(h), id(h))).collect();
         by_third.sort_unstable();
         for pair in by_third.windows(2).filter(|p| p[0].0 == p[1].0) {
             keep(&mut self.duplicate, (pair[1].1, pair[0].1));
         }
-        let (p, q) = (vertex_ids[v], vertex_ids[(edge[0] >> 32) as usize]);
+        let [p, q] = ends.map(|v| vertex_ids[v as usize]);
         let (a, b) = (p.min(q), p.max(q));
-        let last = edge.iter().map(|&h| id(h)).max().unwrap_or(NONE);
+        let last = edge.iter().map(|e| id(e.1)).max().unwrap_or(NONE);
         if edge.len() > 2 {
             keep(&mut self.edge, (a, b, last));
-        } else if half_edges.origin(edge[0] as u32) == half_edges.origin(edge[1] as u32) {
-            let first = edge.iter().map(|&h| id(h)).min().unwrap_or(NONE);
+        } else if half_edges.origin(edge[0].1) == half_edges.origin(edge[1].1) {
+            let first = edge.iter().map(|e| id(e.1)).min().unwrap_or(NONE);
             keep(&mut self.orientation, (last, first, a, b));
         }
     }
@@ -418,7 +376,7 @@ mod tests {
         let ids: Vec<u32> = (100..100 + vertices).collect();
         let triangle_ids = (0..n).collect();
         let (free, boundary) = (usize::from(closed), usize::from(!closed));
-        HalfEdges::new(triangles, triangle_ids, n as usize, free, boundary, &ids)
+        HalfEdges::new(triangles, triangle_ids, n as usize, (free, boundary), &ids)
     }
 
     #[test]
@@ -436,7 +394,8 @@ mod tests {
                 let half_edges = fan(n, closed).unwrap();
                 half_edges.validate().unwrap();
                 let ring: Vec<u32> = half_edges
-                    .ring_edges(0)
+                    .outgoing
+                    .row(0)
                     .iter()
                     .map(|&h| half_edges.target(h))
                     .collect();

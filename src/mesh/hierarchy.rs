@@ -12,7 +12,7 @@ use crate::error::Error;
 
 /// A collapse must leave no triangle with less than this roundness.
 const LEAST_ROUNDNESS: f64 = 0.15;
-/// The normal of no triangle turns further from that of its vertex: cosine.
+/// A collapse leaves no triangle whose normal is further than this from that of the vertex: cosine of the angle.
 const LEAST_COSINE: f64 = 0.2;
 
 /// A mesh and the collapses that have led to it.
@@ -65,7 +65,7 @@ pub(crate) fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> Pr
             continue;
         }
         around.clear();
-        around.extend(progressive.mesh.ring_edges(u).map(|g| progressive.mesh.target(g)));
+        around.extend(progressive.mesh.outgoing(u).map(|g| progressive.mesh.target(g)));
         queue.stamp[u as usize] += 1;
         progressive.mesh.collapse(h);
         progressive.collapses.push(h);
@@ -138,7 +138,7 @@ impl Queue {
     fn push(&mut self, mesh: &EditableMesh, x: &[Vector3<f64>], u: u32) {
         let stamp = &mut self.stamp[u as usize];
         *stamp += 1;
-        let candidates = mesh.ring_edges(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
+        let candidates = mesh.outgoing(u).filter_map(|h| Some((cost(mesh, x, h)?, h)));
         let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if let Some((cost, h)) = cheapest {
             // The bits of numbers that are not negative are ordered as they are.
@@ -153,12 +153,12 @@ fn cost(mesh: &EditableMesh, x: &[Vector3<f64>], h: u32) -> Option<f64> {
     let place = |w: u32| x[w as usize];
     let cross = |a: Vector3<f64>, b: Vector3<f64>, c: Vector3<f64>| (b - a).cross(&(c - a));
     let normals = mesh
-        .ring_edges(u)
+        .outgoing(u)
         .map(|g| cross(place(u), place(mesh.target(g)), place(mesh.apex(g))));
     let normal = normals.sum::<Vector3<f64>>().try_normalize(f64::MIN_POSITIVE)?;
     let mut least = 1.0f64;
     for g in mesh
-        .ring_edges(u)
+        .outgoing(u)
         .filter(|&g| mesh.target(g) != v && mesh.apex(g) != v)
     {
         let corners = [place(v), place(mesh.target(g)), place(mesh.apex(g))];

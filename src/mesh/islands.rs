@@ -1,10 +1,13 @@
 //! Islands: a few fixed vertices inside the region that happen to have triangles among themselves. So few vertices say
 //! nothing about a tangent plane; they are interpolated like single fixed vertices, and their triangles are the region's.
 
+use super::disjoint_sets::DisjointSets;
+use super::rows::Rows;
+
 /// The most vertices of an island: with one more a normal can be fitted to the others.
 const LARGEST: usize = 6;
 
-/// Which of the `outside` triangles belong to islands: batches connected by vertices, of at most six boundary vertices
+/// Which of the `outside` triangles belong to islands: groups connected by vertices, of at most six boundary vertices
 /// and no others, with a triangle on both sides of every edge. `inside` are the triangles of the region.
 pub(crate) fn islands(
     inside: &[[u32; 3]],
@@ -18,7 +21,8 @@ pub(crate) fn islands(
     }
     let edges = directed_edges(inside.iter().chain(outside), &is_boundary);
     let closed = |tri: &[u32; 3]| (0..3).all(|k| edges.binary_search(&[tri[(k + 1) % 3], tri[k]]).is_ok());
-    for group in batches(outside) {
+    let groups = connected(outside);
+    for group in (0..groups.len()).map(|i| groups.row(i)) {
         let triangles = || group.iter().map(|&t| &outside[t as usize]);
         let mut vertices: Vec<u32> = triangles().flatten().copied().collect();
         vertices.sort_unstable();
@@ -41,33 +45,19 @@ fn directed_edges<'a>(
     edges
 }
 
-/// The triangles' numbers, by batches with common vertices.
-fn batches(triangles: &[[u32; 3]]) -> Vec<Vec<u32>> {
-    let mut by_vertex: Vec<(u32, u32)> = Vec::with_capacity(3 * triangles.len());
-    for (t, tri) in triangles.iter().enumerate() {
-        by_vertex.extend(tri.iter().map(|&v| (v, t as u32)));
+/// The triangles' numbers: one row for each group that is connected by vertices, and empty ones.
+fn connected(triangles: &[[u32; 3]]) -> Rows<u32> {
+    let mut corners: Vec<(u32, u32)> = (0..)
+        .zip(triangles)
+        .flat_map(|(t, tri)| tri.map(|v| (v, t)))
+        .collect();
+    corners.sort_unstable();
+    let mut sets = DisjointSets::new(triangles.len());
+    for pair in corners.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        sets.unite(pair[0].1, pair[1].1);
     }
-    by_vertex.sort_unstable();
-    let mut seen = vec![false; triangles.len()];
-    let mut batches = Vec::new();
-    for first in 0..triangles.len() {
-        if std::mem::replace(&mut seen[first], true) {
-            continue;
-        }
-        let mut group = vec![first as u32];
-        let mut next = 0;
-        while next < group.len() {
-            for v in triangles[group[next] as usize] {
-                let begin = by_vertex.partition_point(|&(w, _)| w < v);
-                for &(_, t) in by_vertex[begin..].iter().take_while(|&&(w, _)| w == v) {
-                    if !std::mem::replace(&mut seen[t as usize], true) {
-                        group.push(t);
-                    }
-                }
-            }
-            next += 1;
-        }
-        batches.push(group);
-    }
-    batches
+    let members: Vec<(u32, u32)> = (0..triangles.len() as u32)
+        .map(|t| (sets.smallest(t), t))
+        .collect();
+    Rows::collect(triangles.len(), members.into_iter())
 }

@@ -1,20 +1,23 @@
-//! The region of a triangle mesh: half-edges, rings, and what is free, fixed and boundary.
+//! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
 mod cut;
+pub(crate) mod disjoint_sets;
 pub(crate) mod editable;
 pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
-pub(crate) mod islands;
+pub(crate) mod input;
+mod islands;
+pub(crate) mod outside_neighbours;
 pub(crate) mod region;
 pub(crate) mod rings;
 mod rounding;
-pub(crate) mod surroundings;
+pub(crate) mod rows;
 
 pub(crate) use editable::EditableMesh;
 pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
+pub(crate) use outside_neighbours::OutsideNeighbours;
 pub(crate) use region::{Region, Selection};
 pub(crate) use rings::Rings;
-pub(crate) use surroundings::Surroundings;
 
 #[cfg(test)]
 mod tests;

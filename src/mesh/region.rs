@@ -4,10 +4,12 @@ use nalgebra::Vector3;
 
 use super::NONE;
 use super::cut::cut;
-use super::halfedge::{HalfEdges, buckets};
+use super::disjoint_sets::DisjointSets;
+use super::halfedge::{HalfEdges, each_edge};
+use super::input::{check_indices, check_size};
 use super::islands::islands;
+use super::outside_neighbours::RINGS_WIDE;
 use super::rounding;
-use super::surroundings::RINGS_WIDE;
 use crate::error::Error;
 
 /// Which vertices may move.
@@ -88,29 +90,22 @@ impl Region {
         let (mut vertex_ids, local, free, mut boundary) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
-        let numbered = triangle_ids
-            .iter()
-            .map(|&t| triangles[t as usize].map(|v| local[v as usize]))
-            .collect();
-        let mut half_edges = HalfEdges::new(
-            numbered,
-            triangle_ids,
-            region_triangles,
-            free,
-            boundary,
-            &vertex_ids,
-        )?;
+        let ids = triangle_ids.iter();
+        let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
+        let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
+            HalfEdges::new(
+                numbered,
+                triangle_ids,
+                region_triangles,
+                (free, boundary),
+                vertex_ids,
+            )
+        };
+        let mut half_edges = link(numbered.collect(), triangle_ids, boundary, &vertex_ids)?;
         let of_curve = |v: usize| prescribed(vertex_ids[v]);
         if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
             (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
-            half_edges = HalfEdges::new(
-                cut.triangles,
-                half_edges.triangle_ids,
-                region_triangles,
-                free,
-                boundary,
-                &vertex_ids,
-            )?;
+            half_edges = link(cut.triangles, half_edges.triangle_ids, boundary, &vertex_ids)?;
         }
         let outside = half_edges.triangle_ids[region_triangles..].iter();
         let is_rounded =
@@ -195,23 +190,6 @@ enum Role {
     Ring,
 }
 
-/// Indices, half-edge numbers and [`NONE`] must fit into 32 bits.
-fn check_size(vertices: usize, triangles: usize) -> Result<(), Error> {
-    if vertices > NONE as usize {
-        return Err(Error::TooLarge {
-            what: "vertices",
-            count: vertices,
-        });
-    }
-    if triangles > NONE as usize / 3 {
-        return Err(Error::TooLarge {
-            what: "triangles",
-            count: triangles,
-        });
-    }
-    Ok(())
-}
-
 /// Marks the free vertices. Also checks every index of the mesh, and that free vertices have triangles.
 fn resolve(vertices: usize, triangles: &[[u32; 3]], selection: Selection<'_>) -> Result<Vec<Role>, Error> {
     let mut role = vec![Role::Other; vertices];
@@ -256,22 +234,6 @@ fn check_selection(list: &[u32], count: usize) -> Result<(), Error> {
     }
 }
 
-fn check_indices(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<(), Error> {
-    let outside = |tri: &[u32; 3]| tri[0].max(tri[1]).max(tri[2]) as usize >= vertex_count;
-    let Some(triangle) = triangles.iter().position(outside) else {
-        return Ok(());
-    };
-    let index = triangles[triangle]
-        .into_iter()
-        .find(|&v| v as usize >= vertex_count)
-        .unwrap_or(NONE);
-    Err(Error::IndexOutOfRange {
-        triangle,
-        index,
-        vertex_count,
-    })
-}
-
 /// Marks the vertices all of whose triangles are in `list` and that are not on the mesh's boundary.
 fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     let mut selected = vec![false; triangles.len()];
@@ -287,25 +249,19 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
     // An edge at a vertex that is still free has all its triangles in the list, so a single one there means
     // the mesh's boundary. Edges (i, i) of broken triangles are left for the checks that follow.
     let touched = |tri: &[u32; 3]| tri.iter().any(|&v| role[v as usize] == Role::Free);
-    let kept = triangles
-        .iter()
-        .zip(&selected)
-        .enumerate()
-        .filter(|(_, (tri, s))| **s && touched(tri));
-    let (end, mut bucket) = buckets(role.len(), kept.map(|(t, (tri, _))| (t, tri)));
-    let mut begin = 0;
-    for (a, &end) in end.iter().enumerate() {
-        let bucket = &mut bucket[begin..end as usize];
-        begin = end as usize;
-        bucket.sort_unstable();
-        for edge in bucket.chunk_by(|x, y| x >> 32 == y >> 32) {
-            let b = (edge[0] >> 32) as usize;
-            if edge.len() == 1 && a != b {
-                role[a] = Role::Other;
-                role[b] = Role::Other;
-            }
+    let kept = (0..).zip(triangles).zip(&selected);
+    let kept = kept
+        .filter(|((_, tri), s)| **s && touched(tri))
+        .map(|(kept, _)| kept);
+    let mut on_boundary = Vec::new();
+    each_edge(role.len(), kept, |a, b, half_edges| {
+        if half_edges.len() == 1 && a != b {
+            on_boundary.extend([a, b]);
         }
-    }
+    });
+    on_boundary
+        .into_iter()
+        .for_each(|v| role[v as usize] = Role::Other);
 }
 
 /// The region's triangles, then those of the outside ring; how many belong to the region. Marks boundary and
@@ -410,10 +366,32 @@ fn add_beyond(
     rings: usize,
     vertex_ids: &mut Vec<u32>,
 ) -> Vec<[u32; 3]> {
+    let mut beyond = reach_beyond(positions, triangles, role, rings);
     let mut local = vec![NONE; role.len()];
-    for (l, &v) in vertex_ids.iter().enumerate() {
-        local[v as usize] = l as u32;
+    for (l, &v) in (0..).zip(&*vertex_ids) {
+        local[v as usize] = l;
     }
+    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
+    new.retain(|&v| local[v as usize] == NONE);
+    new.sort_unstable();
+    new.dedup();
+    for v in new {
+        local[v as usize] = vertex_ids.len() as u32;
+        vertex_ids.push(v);
+    }
+    for v in beyond.iter_mut().flatten() {
+        *v = local[*v as usize];
+    }
+    beyond
+}
+
+/// The triangles of so many rings beyond the outside ring, in the caller's numbers.
+fn reach_beyond(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    role: &[Role],
+    rings: usize,
+) -> Vec<[u32; 3]> {
     let mut reached: Vec<bool> = role.iter().map(|r| *r == Role::Ring).collect();
     let mut before = vec![false; role.len()];
     let mut beyond = Vec::new();
@@ -435,17 +413,6 @@ fn add_beyond(
             .flatten()
             .for_each(|&v| reached[v as usize] = true);
     }
-    let mut new: Vec<u32> = beyond.iter().flatten().copied().collect();
-    new.retain(|&v| local[v as usize] == NONE);
-    new.sort_unstable();
-    new.dedup();
-    for v in new {
-        local[v as usize] = vertex_ids.len() as u32;
-        vertex_ids.push(v);
-    }
-    for v in beyond.iter_mut().flatten() {
-        *v = local[*v as usize];
-    }
     beyond
 }
 
@@ -456,26 +423,26 @@ fn components(
     boundary: usize,
     vertex_ids: &[u32],
 ) -> Result<(Vec<u32>, usize), Error> {
-    // Union-find whose root is the smallest vertex, so that roots come first and are free.
-    let mut parent: Vec<u32> = (0..(free + boundary) as u32).collect();
+    let mut sets = DisjointSets::new(free + boundary);
     for &[a, b, c] in &half_edges.triangles[..half_edges.region_triangles] {
-        unite(&mut parent, a, b);
-        unite(&mut parent, b, c);
+        sets.unite(a, b);
+        sets.unite(b, c);
     }
     let mut number = vec![NONE; free];
     let mut count = 0;
     for v in 0..free {
-        let root = find(&mut parent, v as u32) as usize;
-        if root == v {
+        // It comes first, and is free.
+        let smallest = sets.smallest(v as u32) as usize;
+        if smallest == v {
             number[v] = count;
             count += 1;
         } else {
-            number[v] = number[root];
+            number[v] = number[smallest];
         }
     }
     let mut fixed = vec![false; count as usize];
     for b in free..free + boundary {
-        fixed[number[find(&mut parent, b as u32) as usize] as usize] = true;
+        fixed[number[sets.smallest(b as u32) as usize] as usize] = true;
     }
     match number.iter().position(|&c| !fixed[c as usize]) {
         Some(v) => Err(Error::NothingFixed {
@@ -485,51 +452,9 @@ fn components(
     }
 }
 
-fn find(parent: &mut [u32], mut v: u32) -> u32 {
-    while parent[v as usize] != v {
-        parent[v as usize] = parent[parent[v as usize] as usize];
-        v = parent[v as usize];
-    }
-    v
-}
-
-fn unite(parent: &mut [u32], a: u32, b: u32) {
-    if parent[a as usize] == parent[b as usize] {
-        return;
-    }
-    let (a, b) = (find(parent, a), find(parent, b));
-    parent[a.max(b) as usize] = a.min(b);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sizes_that_fit_into_32_bits() {
-        let (most, third) = (u32::MAX as usize, u32::MAX as usize / 3);
-        assert_eq!(check_size(most, third), Ok(()));
-        let vertices = Error::TooLarge {
-            what: "vertices",
-            count: most + 1,
-        };
-        assert_eq!(check_size(most + 1, 0), Err(vertices));
-        let triangles = Error::TooLarge {
-            what: "triangles",
-            count: third + 1,
-        };
-        assert_eq!(check_size(0, third + 1), Err(triangles));
-    }
-
-    #[test]
-    fn the_root_of_a_united_set_is_its_smallest_member() {
-        let mut parent: Vec<u32> = (0..10).collect();
-        for (a, b) in [(9, 7), (3, 5), (7, 5), (1, 2), (8, 8)] {
-            unite(&mut parent, a, b);
-        }
-        let roots: Vec<u32> = (0..10).map(|v| find(&mut parent, v)).collect();
-        assert_eq!(roots, [0, 1, 1, 3, 4, 3, 6, 3, 8, 3]);
-    }
 
     #[test]
     fn repeated_corners() {

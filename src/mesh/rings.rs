@@ -3,32 +3,27 @@
 use super::NONE;
 use super::halfedge::{next, previous};
 use super::region::Region;
+use super::rows::Rows;
 use fairmesh_linear::sparse::SymmetricPattern;
 
-/// The neighbourhoods of the region's vertices, in local vertex numbers. Row `i` of a quantity `x` is
-/// `x[x_start[i]..x_start[i + 1]]`; boundary rows are numbered from the first boundary vertex.
+/// The neighbourhoods of the region's vertices, in local vertex numbers. There is a row for each free vertex, or, in
+/// what is called boundary or outside, for each boundary vertex, numbered from the first of them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rings {
-    /// Rows of `neighbour`, `flap` and `twin`; free + 1 offsets.
-    pub start: Vec<u32>,
     /// The closed ring of each free vertex, counter-clockwise from the smallest local number.
-    pub neighbour: Vec<u32>,
-    /// The third vertex of the region triangle across ring edge `(j_k, j_k+1)`, or [`NONE`]. Never the vertex
-    /// itself: that would be a duplicate triangle.
+    pub neighbour: Rows<u32>,
+    /// Per value of `neighbour` the flap: the third vertex of the region triangle across the edge from this neighbour to
+    /// the next, or [`NONE`]. Never the vertex itself: that would be a duplicate triangle.
     pub flap: Vec<u32>,
-    /// Where this vertex stands in the ring of a free neighbour: a position in `neighbour`. [`NONE`] at
-    /// fixed neighbours.
+    /// Per value of `neighbour` where the vertex stands in the ring of that neighbour, as a position among all values.
+    /// [`NONE`] at fixed neighbours.
     pub twin: Vec<u32>,
 
-    /// Rows of `boundary_neighbour`; boundary + 1 offsets.
-    pub boundary_start: Vec<u32>,
     /// The neighbours of each boundary vertex within the region, each once, counter-clockwise fan by fan.
-    pub boundary_neighbour: Vec<u32>,
-    /// Rows of `boundary_edge`; boundary + 1 offsets.
-    pub boundary_edge_start: Vec<u32>,
-    /// Ring edges of the region triangles at each boundary vertex `b`: `(b, e[0], e[1])` is counter-clockwise.
-    pub boundary_edge: Vec<[u32; 2]>,
-    /// The third vertex of the region triangle across that ring edge, or [`NONE`].
+    pub boundary_neighbour: Rows<u32>,
+    /// The region triangles at each boundary vertex `b` by their other corners: `(b, c[0], c[1])` is counter-clockwise.
+    pub boundary_triangle: Rows<[u32; 2]>,
+    /// Per value of `boundary_triangle` the flap across the edge between those corners, or [`NONE`].
     pub boundary_flap: Vec<u32>,
     /// Per boundary vertex: its triangles form one closed ring inside the region, nothing is outside.
     pub closed: Vec<bool>,
@@ -37,10 +32,8 @@ pub(crate) struct Rings {
     /// their left. Something is outside where [`HalfEdges::opposite`](super::HalfEdges::opposite) is there.
     pub boundary_half_edges: Vec<u32>,
 
-    /// Rows of `outside_edge`; boundary + 1 offsets.
-    pub outside_edge_start: Vec<u32>,
-    /// Ring edges of the outside triangles at each boundary vertex, oriented as in `boundary_edge`.
-    pub outside_edge: Vec<[u32; 2]>,
+    /// The outside triangles at each boundary vertex, as in `boundary_triangle`.
+    pub outside_triangle: Rows<[u32; 2]>,
 }
 
 impl Rings {
@@ -59,34 +52,40 @@ impl Rings {
         rings
     }
 
-    /// The ring edges of the outside triangles at a boundary vertex.
+    /// The outside triangles at boundary vertex `free + b`.
     #[inline]
     pub(crate) fn outside_triangles(&self, b: usize) -> &[[u32; 2]] {
-        &self.outside_edge[self.outside_edge_start[b] as usize..self.outside_edge_start[b + 1] as usize]
+        self.outside_triangle.row(b)
+    }
+
+    /// The region triangles at boundary vertex `free + b`.
+    #[inline]
+    pub(crate) fn boundary_triangles(&self, b: usize) -> &[[u32; 2]] {
+        self.boundary_triangle.row(b)
     }
 
     /// How many free vertices there are.
     #[inline]
     pub(crate) fn free(&self) -> usize {
-        self.start.len() - 1
+        self.neighbour.len()
     }
 
     /// How many boundary vertices there are.
     #[inline]
     pub(crate) fn boundary(&self) -> usize {
-        self.boundary_start.len() - 1
+        self.boundary_neighbour.len()
     }
 
     /// The ring of a free vertex, counter-clockwise.
     #[inline]
     pub(crate) fn ring(&self, i: usize) -> &[u32] {
-        &self.neighbour[self.start[i] as usize..self.start[i + 1] as usize]
+        self.neighbour.row(i)
     }
 
     /// The region neighbours of boundary vertex `free + b`.
     #[inline]
     pub(crate) fn boundary_ring(&self, b: usize) -> &[u32] {
-        row(&self.boundary_start, &self.boundary_neighbour, b)
+        self.boundary_neighbour.row(b)
     }
 
     /// The region neighbours of any region vertex.
@@ -101,17 +100,15 @@ impl Rings {
 
     fn walk_free(&mut self, region: &Region) {
         let half_edges = &region.half_edges;
-        self.start = half_edges.spoke_start[..=region.free].to_vec();
-        let ring_edge = &half_edges.ring_edge[..self.start[region.free] as usize];
-        self.neighbour = ring_edge.iter().map(|&h| half_edges.target(h)).collect();
-        self.flap = ring_edge.iter().map(|&h| half_edges.flap(next(h))).collect();
+        self.neighbour = half_edges
+            .outgoing
+            .map_first(region.free, |&h| half_edges.target(h));
+        let outgoing = &half_edges.outgoing.values()[..self.neighbour.values().len()];
+        self.flap = outgoing.iter().map(|&h| half_edges.flap(next(h))).collect();
         // Half-edges that leave a fixed vertex have no position.
         let mut position = vec![NONE; 3 * half_edges.region_triangles];
-        ring_edge
-            .iter()
-            .enumerate()
-            .for_each(|(p, &h)| position[h as usize] = p as u32);
-        self.twin = ring_edge
+        (0..).zip(outgoing).for_each(|(p, &h)| position[h as usize] = p);
+        self.twin = outgoing
             .iter()
             .map(|&h| position[half_edges.opposite[h as usize] as usize])
             .collect();
@@ -119,17 +116,14 @@ impl Rings {
 
     fn walk_boundary(&mut self, region: &Region) {
         let half_edges = &region.half_edges;
-        self.boundary_start.push(0);
-        self.boundary_edge_start.push(0);
-        self.outside_edge_start.push(0);
         for b in region.free..region.region_vertices() {
             self.closed.push(true);
-            for &h in half_edges.ring_edges(b) {
+            for &h in half_edges.outgoing.row(b) {
                 self.add_boundary_triangle(region, h);
             }
-            self.boundary_start.push(self.boundary_neighbour.len() as u32);
-            self.boundary_edge_start.push(self.boundary_edge.len() as u32);
-            self.outside_edge_start.push(self.outside_edge.len() as u32);
+            self.boundary_neighbour.end_row();
+            self.boundary_triangle.end_row();
+            self.outside_triangle.end_row();
         }
     }
 
@@ -146,63 +140,54 @@ impl Rings {
             *closed &= inside && !begins && !ends;
         }
         let [_, target, apex] = half_edges.corners(h);
-        let edge = [target, apex];
         if inside {
-            self.boundary_neighbour.push(edge[0]);
+            self.boundary_neighbour.push(target);
             if ends {
-                self.boundary_neighbour.push(edge[1]);
+                self.boundary_neighbour.push(apex);
             }
-            self.boundary_edge.push(edge);
+            self.boundary_triangle.push([target, apex]);
             self.boundary_flap.push(half_edges.flap(next(h)));
         } else {
-            self.outside_edge.push(edge);
+            self.outside_triangle.push([target, apex]);
         }
     }
 
     /// The one-ring graph of the free vertices: the pattern of the scalar graph Laplacian.
     pub(crate) fn graph(&self) -> SymmetricPattern {
-        let free = self.free();
-        let mut pattern = SymmetricPattern {
-            start: Vec::with_capacity(free + 1),
-            column: Vec::new(),
-        };
-        pattern.column.reserve(self.neighbour.len() / 2 + free);
-        pattern.start.push(0);
-        for i in 0..free {
-            let row = pattern.column.len();
-            pattern
-                .column
-                .extend(self.ring(i).iter().filter(|&&j| (j as usize) < i));
-            pattern.column[row..].sort_unstable();
-            pattern.column.push(i as u32);
-            pattern.start.push(pattern.column.len());
-        }
-        pattern
+        self.pattern(self.neighbour.values().len() / 2, |i, columns| {
+            columns.extend(self.ring(i as usize).iter().filter(|&&j| j < i));
+        })
     }
 
     /// The pattern of `S_I D S_I^T`, where S_I holds the free rows and all region columns of the Laplacian:
     /// free vertices are connected if they are the same, neighbours, or have a common neighbour, free or boundary.
     pub(crate) fn two_ring_pattern(&self) -> SymmetricPattern {
-        let free = self.free();
-        let mut pattern = SymmetricPattern {
-            start: Vec::with_capacity(free + 1),
-            column: Vec::new(),
-        };
-        pattern.column.reserve(self.neighbour.len() * 3 / 2 + free);
-        let mut seen = vec![NONE; free];
-        pattern.start.push(0);
-        for i in 0..free as u32 {
-            let row = pattern.column.len();
+        let mut seen = vec![NONE; self.free()];
+        self.pattern(self.neighbour.values().len() * 3 / 2, |i, columns| {
             let mut visit = |j: u32| {
                 if j < i && seen[j as usize] != i {
                     seen[j as usize] = i;
-                    pattern.column.push(j);
+                    columns.push(j);
                 }
             };
             for &k in self.ring(i as usize) {
                 visit(k);
                 self.neighbours(k as usize).iter().for_each(|&j| visit(j));
             }
+        })
+    }
+
+    /// A pattern over the free vertices of about `size` entries below the diagonal. `below` appends those of one row.
+    fn pattern(&self, size: usize, mut below: impl FnMut(u32, &mut Vec<u32>)) -> SymmetricPattern {
+        let free = self.free();
+        let mut pattern = SymmetricPattern {
+            start: Vec::with_capacity(free + 1),
+            column: Vec::with_capacity(size + free),
+        };
+        pattern.start.push(0);
+        for i in 0..free as u32 {
+            let row = pattern.column.len();
+            below(i, &mut pattern.column);
             pattern.column[row..].sort_unstable();
             pattern.column.push(i);
             pattern.start.push(pattern.column.len());
@@ -231,15 +216,15 @@ impl Rings {
             if ring.len() < 3 || ring.iter().min() != ring.first() {
                 return Err(format!("ring of {i}"));
             }
-            for p in self.start[i]..self.start[i + 1] {
-                let (j, twin) = (self.neighbour[p as usize], self.twin[p as usize]);
+            for p in self.neighbour.range(i) {
+                let (j, twin) = (self.neighbour.values()[p], self.twin[p]);
                 if region.is_free(j) != (twin != NONE) {
                     return Err(format!("twin of {p} is missing or superfluous"));
                 }
                 if twin != NONE
-                    && (self.twin[twin as usize] != p
-                        || self.neighbour[twin as usize] != i as u32
-                        || !(self.start[j as usize]..self.start[j as usize + 1]).contains(&twin))
+                    && (self.twin[twin as usize] as usize != p
+                        || self.neighbour.values()[twin as usize] != i as u32
+                        || !self.neighbour.range(j as usize).contains(&(twin as usize)))
                 {
                     return Err(format!("twin of {p}"));
                 }
@@ -257,19 +242,19 @@ impl Rings {
         };
         for b in 0..self.boundary() {
             let ring = self.boundary_ring(b);
-            let edges = row(&self.boundary_edge_start, &self.boundary_edge, b);
-            let outside = row(&self.outside_edge_start, &self.outside_edge, b);
+            let triangles = self.boundary_triangle.row(b);
+            let outside = self.outside_triangle.row(b);
             if !distinct(ring) {
                 return Err(format!("boundary vertex {b} has a neighbour twice"));
             }
-            if edges.is_empty() || self.closed[b] != (ring.len() == edges.len()) {
+            if triangles.is_empty() || self.closed[b] != (ring.len() == triangles.len()) {
                 return Err(format!("fans of boundary vertex {b}"));
             }
             if self.closed[b] && !outside.is_empty() {
                 return Err(format!("boundary vertex {b} is closed but has an outside"));
             }
             // A free neighbour has triangles on both sides of the edge to it.
-            if ring.len() < 3 || edges.len() < 2 {
+            if ring.len() < 3 || triangles.len() < 2 {
                 return Err(format!("boundary vertex {b} has fewer than two triangles"));
             }
             if ring.iter().all(|&j| !region.is_free(j)) {
@@ -281,20 +266,17 @@ impl Rings {
 
     #[cfg(test)]
     /// V - E + F with the boundary vertices split into their fans must match the count of half-edges: every
-    /// half-edge of the region is a ring_edge of exactly one ring, and every boundary half-edge begins one fan.
+    /// half-edge of the region leaves exactly one vertex, and every boundary half-edge begins one fan.
     fn validate_euler(&self, region: &Region) -> Result<(), String> {
         let half_edges = 3 * region.half_edges.region_triangles;
-        if self.neighbour.len() + self.boundary_edge.len() != half_edges {
-            return Err("ring_edges and half-edges differ".into());
+        let boundary_triangles = self.boundary_triangle.values().len();
+        if self.neighbour.values().len() + boundary_triangles != half_edges {
+            return Err("rings and half-edges differ".into());
         }
-        let fans = self.boundary_neighbour.len() - self.boundary_edge.len();
+        let fans = self.boundary_neighbour.values().len() - boundary_triangles;
         if fans != self.boundary_half_edges.len() {
             return Err("open fans and boundary half-edges differ".into());
         }
         Ok(())
     }
-}
-
-fn row<'a, T>(start: &[u32], values: &'a [T], i: usize) -> &'a [T] {
-    &values[start[i] as usize..start[i + 1] as usize]
 }

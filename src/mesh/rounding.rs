@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-/// Edges that rounding may turn by more than this (radians) are felt by fits to three rings.
-const FELT: f64 = 1e-4;
+/// Rounding that may turn edges by more than this (radians) spoils fits to three rings.
+const LARGEST_TURN: f64 = 1e-4;
 /// Half the distance of single precision numbers from 1 to 2.
 const HALF_STEP: f64 = 0.5 * f32::EPSILON as f64;
 
@@ -25,7 +25,7 @@ pub(super) fn single_precision_matters(
             edges += 1.0;
         }
     }
-    largest * HALF_STEP * edges > FELT * length
+    largest * HALF_STEP * edges > LARGEST_TURN * length
 }
 
 #[cfg(test)]
@@ -40,11 +40,11 @@ mod tests {
     }
 
     #[test]
-    fn single_precision_is_felt_far_away_only_and_double_nowhere() {
-        let felt = |positions: &[[f64; 3]]| single_precision_matters(positions, [[0, 1, 2]].into_iter());
+    fn single_precision_matters_far_away_only_and_double_nowhere() {
+        let matters = |positions: &[[f64; 3]]| single_precision_matters(positions, [[0, 1, 2]].into_iter());
         let single = |c: f64| f64::from(c as f32);
-        assert!(!felt(&triangle(1.0, single)));
-        assert!(felt(&triangle(1_000.0, single)));
-        assert!(!felt(&triangle(1_000.0, |c| c)));
+        assert!(!matters(&triangle(1.0, single)));
+        assert!(matters(&triangle(1_000.0, single)));
+        assert!(!matters(&triangle(1_000.0, |c| c)));
     }
 }

@@ -1,6 +1,6 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
-use super::{NONE, Region, Rings, Selection, Surroundings, decimate};
+use super::{NONE, OutsideNeighbours, Region, Rings, Selection, decimate};
 use crate::error::Error;
 use fairmesh_shapes::{
     OUTSIDE, Sampling, Shape, cylinder_band, cylinder_blend, sphere_cap, tetra_thing_coarse,
@@ -123,15 +123,16 @@ fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
             edges.iter().copied().collect()
         );
         for (k, &edge) in edges.iter().enumerate() {
-            assert_eq!(id(rings.flap[rings.start[i] as usize + k]), flap(v, edge, true));
+            assert_eq!(
+                id(rings.flap[rings.neighbour.range(i).start + k]),
+                flap(v, edge, true)
+            );
         }
     }
     for b in 0..region.boundary {
         let v = id((region.free + b) as u32);
-        let inner = rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize;
-        let outer = rings.outside_edge_start[b] as usize..rings.outside_edge_start[b + 1] as usize;
-        let inside: BTreeSet<_> = rings.boundary_edge[inner].iter().map(|e| e.map(id)).collect();
-        let outside: BTreeSet<_> = rings.outside_edge[outer].iter().map(|e| e.map(id)).collect();
+        let inside: BTreeSet<_> = rings.boundary_triangles(b).iter().map(|t| t.map(id)).collect();
+        let outside: BTreeSet<_> = rings.outside_triangles(b).iter().map(|t| t.map(id)).collect();
         let side = |inside: bool| {
             let edges = link[&v].iter().filter(|e| *e.1 == inside);
             edges.map(|e| *e.0).collect::<BTreeSet<_>>()
@@ -283,7 +284,7 @@ fn one_free_vertex_in_a_grid() {
     assert_eq!(caller(rings.boundary_ring(0)), [7, 12, 11]);
     let outside: Vec<_> = rings.outside_triangles(0).iter().map(|e| caller(e)).collect();
     assert_eq!(outside, [[11, 5], [5, 0], [0, 1], [1, 7]]);
-    assert_eq!(caller(&rings.boundary_edge[0]), [7, 12]);
+    assert_eq!(caller(&rings.boundary_triangles(0)[0]), [7, 12]);
     assert!(rings.closed.iter().all(|c| !c));
 }
 
@@ -291,7 +292,7 @@ fn one_free_vertex_in_a_grid() {
 fn surroundings_are_three_rings_of_neighbours() {
     let mesh = grid(13);
     let (region, _) = sound(&mesh, Selection::Vertices(&[84]));
-    let surroundings = Surroundings::new(&region);
+    let surroundings = OutsideNeighbours::new(&region);
     // By the definition: breadth first along the edges of triangles that are not of the region.
     let outside: Vec<_> = mesh.1.iter().filter(|t| !t.contains(&84)).collect();
     let mut found = Vec::new();
@@ -325,7 +326,7 @@ fn broken_surroundings_are_left_out() {
     let all = |mesh: &Mesh| {
         let (region, _) = sound(mesh, Selection::Vertices(&[84]));
         let mut found = Vec::new();
-        Surroundings::new(&region).rings::<3>(region.free as u32, &mut found);
+        OutsideNeighbours::new(&region).rings::<3>(region.free as u32, &mut found);
         found
             .iter()
             .map(|&v| region.vertex_ids[v as usize])
@@ -382,10 +383,7 @@ fn closed_fixed_vertex_inside_the_region() {
     assert!(rings.closed[at]);
     assert_eq!(rings.closed.iter().filter(|c| **c).count(), 1);
     assert_eq!(rings.boundary_ring(at).len(), 6);
-    assert_eq!(
-        rings.boundary_edge_start[at + 1] - rings.boundary_edge_start[at],
-        6
-    );
+    assert_eq!(rings.boundary_triangles(at).len(), 6);
     assert!(rings.outside_triangles(at).is_empty());
     // V - E + F = 1 of the disc that is left.
     let faces = region.half_edges.region_triangles as i64;
@@ -450,7 +448,7 @@ fn curves_with_prescribed_normals_are_cut() {
         list.retain(|v| !line.contains(v));
         let (whole, _) = sound(&mesh, Selection::Vertices(&list));
         let boundary: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
-        // All boundary vertices have normals, those of the boundary as well.
+        // All boundary vertices have normals, those on the outer boundary too.
         let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
             boundary.contains(&v)
         })
@@ -503,7 +501,7 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
             .iter()
             .all(|h| boundary_opposite(h) == NONE)
     );
-    assert!(rings.outside_edge.is_empty());
+    assert!(rings.outside_triangle.values().is_empty());
 }
 
 #[test]
@@ -519,10 +517,7 @@ fn components_join_at_common_vertices() {
     assert_eq!(region.components, 1);
     let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
     assert_eq!((rings.boundary_ring(at).len(), rings.closed[at]), (6, false));
-    assert_eq!(
-        rings.boundary_edge_start[at + 1] - rings.boundary_edge_start[at],
-        4
-    );
+    assert_eq!(rings.boundary_triangles(at).len(), 4);
     assert_eq!(rings.outside_triangles(at).len(), 2);
     // The common boundary vertex connects the two in S_I D S_I^T, though they are no neighbours.
     assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
@@ -555,14 +550,15 @@ fn corners_of_valence_two_on_a_boundary_are_outside() {
     ];
     let mut mesh = (positions, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
     let (_, rings) = sound(&mesh, Selection::Vertices(&[0]));
-    assert_eq!((rings.boundary_edge.len(), rings.outside_edge.len()), (6, 0));
+    assert_eq!(rings.boundary_triangle.values().len(), 6);
+    assert_eq!(rings.outside_triangle.values().len(), 0);
     // A tooth: vertex 4 has only the triangle over the boundary edge (1, 2). No corner of it is free, so it is no
     // region triangle, and vertex 4 no boundary vertex.
     mesh.1.push([2, 1, 4]);
     for selection in [Selection::Vertices(&[0]), Selection::Faces(&[0, 1, 2, 3])] {
         let (region, rings) = sound(&mesh, selection);
         assert_eq!((region.half_edges.region_triangles, region.boundary), (3, 3));
-        assert_eq!(rings.outside_edge, [[4, 2], [1, 4]]);
+        assert_eq!(rings.outside_triangle.values(), [[4, 2], [1, 4]]);
     }
 }
 

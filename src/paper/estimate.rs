@@ -1,5 +1,6 @@
 //! The first of the two second-order problems (paper 7.1 (I)): the mean curvature as a harmonic function between its
-//! values on the boundary, `S H = right` (zero, or an inhomogeneous right-hand side of 7.5) with the matrix of (6), (7) frozen. Solved by a few iterations only.
+//! values on the boundary, `S H = right` with the matrix of (6), (7) frozen. `right` is zero, or an inhomogeneous
+//! right-hand side (7.5). Solved by a few iterations only.
 
 use nalgebra::Vector3;
 
@@ -36,7 +37,7 @@ impl<'a> Dirichlet<'a> {
             rings,
             batches,
             right_hand_side,
-            weight: vec![0.0; rings.neighbour.len()],
+            weight: vec![0.0; rings.neighbour.values().len()],
             diagonal: vec![0.0; free],
             right: vec![0.0; free],
             residual: vec![0.0; free],
@@ -47,13 +48,13 @@ impl<'a> Dirichlet<'a> {
 
     /// Takes the weights of the surface that `state` was evaluated at.
     pub(crate) fn refresh(&mut self, state: &State) {
-        let start = &self.rings.start;
-        for (i, &(first, lane)) in self.batches.place.iter().enumerate() {
-            let row = &mut self.weight[start[i] as usize..start[i + 1] as usize];
-            let slots = &state.weight[first as usize..first as usize + row.len()];
+        for i in 0..self.diagonal.len() {
+            let (first, lane) = self.batches.place(i);
+            let row = &mut self.weight[self.rings.neighbour.range(i)];
+            let slots = &state.weight[first..first + row.len()];
             let (mut sum, mut absolute) = (0.0, 0.0);
             for (w, slot) in row.iter_mut().zip(slots) {
-                *w = slot[lane as usize];
+                *w = slot[lane];
                 sum += *w;
                 absolute += w.abs();
             }
@@ -67,17 +68,15 @@ impl<'a> Dirichlet<'a> {
     }
 
     fn row(&self, i: usize) -> impl Iterator<Item = (f64, usize)> {
-        let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
-        let row = self.weight[slots.clone()]
-            .iter()
-            .zip(&self.rings.neighbour[slots]);
+        let weights = self.weight[self.rings.neighbour.range(i)].iter();
+        let row = weights.zip(self.rings.ring(i));
         row.map(|(&w, &j)| (w, j as usize))
     }
 
     /// By how much a Gauss-Seidel iteration at vertex `i` follows the curvature of neighbour `k` of its ring.
     pub(crate) fn share(&self, i: usize, k: usize) -> f64 {
         if self.diagonal[i] > 0.0 {
-            self.weight[self.rings.start[i] as usize + k] / self.diagonal[i]
+            self.weight[self.rings.neighbour.range(i)][k] / self.diagonal[i]
         } else {
             0.0
         }

@@ -4,14 +4,13 @@ use nalgebra::Vector3;
 
 use super::estimate::{Dirichlet, Residual};
 use super::local::Answer;
-use super::multigrid::Problem;
 use super::vertex::Ring;
 use super::{Estimate, PaperOptions};
-use crate::discrete::equations::{Equations, FreeCurvature, State};
+use crate::discrete::equations::State;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
-use crate::solve::Control;
+use crate::solve::{Control, Domain, Problem};
 
 /// What the iteration has to reach on a level.
 #[derive(Debug, Clone, Copy)]
@@ -24,9 +23,29 @@ pub(crate) struct Goal {
     pub updates: usize,
 }
 
+impl Goal {
+    /// Whether it is met, or never will be.
+    fn judge(&self, residual: &Residual) -> Option<LevelStatus> {
+        let Residual {
+            defect,
+            laplacian,
+            rounding,
+        } = *residual;
+        if !(defect.is_finite() && laplacian.is_finite()) {
+            Some(LevelStatus::Diverged)
+        } else if defect > self.defect || laplacian > self.laplacian.max(rounding) {
+            None
+        } else if laplacian <= self.laplacian {
+            Some(LevelStatus::Met)
+        } else {
+            Some(LevelStatus::Rounding)
+        }
+    }
+}
+
 /// How it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum LevelStatus {
     /// The goal is met.
     Met,
     /// Met as far as the rounding of positions lets one see.
@@ -41,9 +60,9 @@ pub(crate) enum End {
 
 /// What came of it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ended {
-    /// How.
-    pub end: End,
+pub(crate) struct LevelResult {
+    /// How it ended.
+    pub status: LevelStatus,
     /// Of the surface returned.
     pub residual: Residual,
     /// Updates made.
@@ -72,7 +91,8 @@ pub(crate) struct Level<'a> {
 impl<'a> Level<'a> {
     /// Room for the region of a problem.
     pub(crate) fn new(problem: &Problem<'a>) -> Self {
-        let (rings, batches, weights) = (problem.rings, problem.batches, problem.weights);
+        let Domain { rings, batches, .. } = &**problem.domain;
+        let weights = problem.weights;
         let free = rings.free();
         let mut normal = vec![Vector3::zeros(); free];
         normal.extend_from_slice(problem.boundary_normals);
@@ -98,7 +118,7 @@ impl<'a> Level<'a> {
         (goal, diagonal): (Goal, f64),
         control: &mut Control<'_>,
         tell: &mut dyn FnMut(&mut Control<'_>, f64, &Residual),
-    ) -> Ended {
+    ) -> LevelResult {
         let mut best = (
             x.to_vec(),
             Residual {
@@ -106,8 +126,8 @@ impl<'a> Level<'a> {
                 ..Residual::default()
             },
         );
-        let mut ended = Ended {
-            end: End::Spent,
+        let mut ended = LevelResult {
+            status: LevelStatus::Spent,
             residual: Residual::default(),
             updates: 0,
             step: f64::NAN,
@@ -117,29 +137,23 @@ impl<'a> Level<'a> {
             self.evaluate(x);
             self.dirichlet.refresh(&self.state);
             ended.residual = self.dirichlet.measure(x, &self.state, diagonal);
-            let Residual {
-                defect,
-                laplacian,
-                rounding,
-            } = ended.residual;
-            if !(defect.is_finite() && laplacian.is_finite()) {
-                ended.end = End::Diverged;
-                break;
+            match goal.judge(&ended.residual) {
+                Some(LevelStatus::Diverged) => {
+                    ended.status = LevelStatus::Diverged;
+                    break;
+                }
+                Some(status) => {
+                    ended.status = status;
+                    return ended;
+                }
+                None => {}
             }
-            if defect <= goal.defect && laplacian <= goal.laplacian.max(rounding) {
-                ended.end = if laplacian <= goal.laplacian {
-                    End::Met
-                } else {
-                    End::Rounding
-                };
-                return ended;
-            }
-            if defect < best.1.defect {
+            if ended.residual.defect < best.1.defect {
                 best.0.copy_from_slice(x);
                 best.1 = ended.residual;
             }
             if control.exhausted() {
-                ended.end = End::Stopped;
+                ended.status = LevelStatus::Stopped;
                 break;
             }
             if ended.updates == goal.updates {
@@ -161,16 +175,7 @@ impl<'a> Level<'a> {
 
     /// Evaluates both equations at `x`.
     pub(super) fn evaluate(&mut self, x: &[Vector3<f64>]) {
-        let equations = Equations {
-            rings: self.rings,
-            batches: self.problem.batches,
-            boundary_normals: self.problem.boundary_normals,
-            smooth_interior: self.problem.smooth_interior,
-            weights: self.problem.weights,
-            curvature: FreeCurvature::Paper,
-            right_hand_side: self.problem.right_hand_side,
-        };
-        equations.evaluate(x, &mut self.state);
+        self.problem.equations().evaluate(x, &mut self.state);
     }
 
     /// The estimate for update number `count`, in `h`.
@@ -196,9 +201,8 @@ impl<'a> Level<'a> {
         let free = self.rings.free();
         self.normal.copy_from_slice(&self.state.corrected);
         for i in 0..free {
-            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
             let ring = Ring {
-                neighbour: &self.rings.neighbour[slots],
+                neighbour: self.rings.ring(i),
                 lambda: &[],
             };
             let own = ring.slope(i, x, &self.normal);
@@ -219,10 +223,9 @@ impl<'a> Level<'a> {
         self.normal.copy_from_slice(&self.state.corrected);
         let mut squares = 0.0;
         for i in 0..free {
-            let slots = self.rings.start[i] as usize..self.rings.start[i + 1] as usize;
             let ring = Ring {
-                neighbour: &self.rings.neighbour[slots.clone()],
-                lambda: self.lambda.get(slots).unwrap_or(&[]),
+                neighbour: self.rings.ring(i),
+                lambda: self.lambda.get(self.rings.neighbour.range(i)).unwrap_or(&[]),
             };
             let update = ring.update(i, x, &self.normal, self.h[i], self.damping[i]);
             x[i] = update.position;
@@ -243,10 +246,10 @@ const FIRST_MEASURE: usize = 8;
 fn in_rings(rings: &Rings, batches: &ValenceBatches, weights: &FairnessWeights) -> Vec<f64> {
     let mut lambda = Vec::new();
     if weights.slots.is_some() {
-        lambda.reserve(rings.neighbour.len());
-        for (i, &(first, lane)) in batches.place.iter().enumerate() {
-            let valence = rings.ring(i).len();
-            lambda.extend((0..valence).map(|k| weights.at(first as usize + k, lane as usize)));
+        lambda.reserve(rings.neighbour.values().len());
+        for i in 0..rings.free() {
+            let (first, lane) = batches.place(i);
+            lambda.extend((0..rings.ring(i).len()).map(|k| weights.at(first + k, lane)));
         }
     }
     lambda

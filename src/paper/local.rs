@@ -3,10 +3,10 @@
 
 use nalgebra::Vector3;
 
+use crate::discrete::boundary_normals::average;
 use crate::discrete::curvature::moreton_sequin;
-use crate::discrete::low_valence::spiral_sample;
-use crate::discrete::paper_curvature::LOW_VALENCE;
-use crate::discrete::simd::{minus, one};
+use crate::discrete::paper_curvature::{low_valence_pairs, samples};
+use crate::discrete::simd::one;
 use crate::mesh::Rings;
 
 /// The triangles of the region around one vertex.
@@ -14,11 +14,11 @@ use crate::mesh::Rings;
 pub(crate) struct Fan {
     /// The neighbours, each once, counter-clockwise.
     pub ring: Vec<u32>,
-    /// The edges across, counter-clockwise: those between consecutive neighbours, one per triangle.
-    pub edges: Vec<[u32; 2]>,
+    /// The triangles, counter-clockwise, by their other two corners.
+    pub triangles: Vec<[u32; 2]>,
 }
 
-/// A region whose vertices are known by their surroundings.
+/// A region that tells the triangles around each of its vertices.
 pub(crate) trait Fans {
     /// Whether a vertex is free; else it is fixed and has a prescribed normal.
     fn is_free(&self, v: u32) -> bool;
@@ -33,18 +33,17 @@ impl Fans for Rings {
 
     fn fan(&self, v: u32, fan: &mut Fan) {
         fan.ring.clear();
-        fan.edges.clear();
+        fan.triangles.clear();
         let free = self.free();
         if (v as usize) < free {
             let ring = self.ring(v as usize);
             fan.ring.extend_from_slice(ring);
             let m = ring.len();
-            fan.edges.extend((0..m).map(|k| [ring[k], ring[(k + 1) % m]]));
+            fan.triangles.extend((0..m).map(|k| [ring[k], ring[(k + 1) % m]]));
         } else {
             let b = v as usize - free;
             fan.ring.extend_from_slice(self.boundary_ring(b));
-            let edges = self.boundary_edge_start[b] as usize..self.boundary_edge_start[b + 1] as usize;
-            fan.edges.extend_from_slice(&self.boundary_edge[edges]);
+            fan.triangles.extend_from_slice(self.boundary_triangles(b));
         }
     }
 }
@@ -52,10 +51,7 @@ impl Fans for Rings {
 impl Fan {
     /// The normalized sum of the cross products (6); `None` where the triangles have no area.
     pub(crate) fn normal(&self, x: &[Vector3<f64>], v: u32) -> Option<Vector3<f64>> {
-        let q = x[v as usize];
-        let cross = |&[a, b]: &[u32; 2]| (x[a as usize] - q).cross(&(x[b as usize] - q));
-        let sum: Vector3<f64> = self.edges.iter().map(cross).sum();
-        sum.try_normalize(f64::MIN_POSITIVE)
+        average(x, v as usize, &self.triangles)
     }
 
     /// `H` at `v`; the samples of 6.2 are added where the valence is low, and always at a boundary vertex (7.5).
@@ -66,19 +62,19 @@ impl Fan {
         v: u32,
         is_free: bool,
     ) -> f64 {
-        let q = one(&x[v as usize]);
-        let at = |j: u32| minus(&one(&x[j as usize]), &q);
-        let between = if is_free && self.ring.len() > LOW_VALENCE {
-            &[][..]
+        let (q, n) = (&x[v as usize], one(&normal[v as usize]));
+        let (h, _) = if is_free {
+            moreton_sequin(
+                &n,
+                samples(q, &self.ring, low_valence_pairs(&self.ring), x, normal),
+            )
         } else {
-            &self.edges[..]
+            moreton_sequin(
+                &n,
+                samples(q, &self.ring, self.triangles.iter().copied(), x, normal),
+            )
         };
-        let between = between.iter().map(|&[a, b]| {
-            let (n_a, n_b) = (one(&normal[a as usize]), one(&normal[b as usize]));
-            spiral_sample(&at(a), &at(b), &n_a, &n_b)
-        });
-        let samples = self.ring.iter().map(|&j| at(j)).chain(between);
-        moreton_sequin(&one(&normal[v as usize]), samples).0.0[0]
+        h.0[0]
     }
 }
 

@@ -10,7 +10,8 @@ pub(crate) mod multigrid;
 pub(crate) mod prolongation;
 pub(crate) mod vertex;
 
-pub(crate) use multigrid::{Problem, solve};
+use crate::error::Error;
+pub(crate) use multigrid::{PaperResult, solve};
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,6 +74,30 @@ impl Default for PaperOptions {
             laplacian: f64::INFINITY,
             max_updates: 20_000,
         }
+    }
+}
+
+impl PaperOptions {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], which names the option.
+    pub fn validate(&self) -> Result<(), Error> {
+        let check = Error::check_option;
+        let (Estimate::Alternating { iterations: n }
+        | Estimate::GaussSeidel { sweeps: n }
+        | Estimate::ConjugateGradients { iterations: n }) = self.estimate;
+        check("paper_estimate_iterations", 0.0, n > 0, "at least 1")?;
+        let (s, defect, laplacian) = (self.damping, self.defect, self.laplacian);
+        check(
+            "paper_damping",
+            s,
+            s > 0.0 && s <= 1.0,
+            "greater than 0 and at most 1",
+        )?;
+        check("paper_defect", defect, defect > 0.0, "greater than 0")?;
+        check("paper_laplacian", laplacian, laplacian > 0.0, "greater than 0")?;
+        check("paper_max_updates", 0.0, self.max_updates > 0, "at least 1")
     }
 }
 

@@ -1,92 +1,32 @@
 //! The whole scheme (paper 7.4, Figure 6).
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use nalgebra::Vector3;
 
 use super::estimate::Residual;
-use super::iteration::{End, Ended, Goal, Level};
+use super::iteration::{Goal, Level, LevelResult, LevelStatus};
 use super::prolongation::Prolongation;
 use super::{LevelReport, PaperOptions};
-use crate::discrete::equations::{Equations, FreeCurvature};
+use crate::discrete::equations::State;
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::discrete::target::RightHandSide;
-use crate::discrete::valence_batches::ValenceBatches;
-use crate::mesh::{ProgressiveMesh, Region, Rings, decimate, level_sizes};
+use crate::mesh::{ProgressiveMesh, decimate, level_sizes};
 use crate::quality::{NEEDLE, Surface};
 use crate::solve::curvature_bounds::Judged;
-use crate::solve::globalize::diagonal;
+use crate::solve::problem::diagonal;
 use crate::solve::system::Collapsed;
-use crate::solve::{Control, Ending, Solved, System};
-
-/// Inner fairness of a mesh.
-pub(crate) type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;
-
-/// What is to be faired, in the region's own centred and scaled frame.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Problem<'a> {
-    /// The region.
-    pub region: &'a Region,
-    /// Its rings.
-    pub rings: &'a Rings,
-    /// The same, transposed.
-    pub batches: &'a ValenceBatches,
-    /// The given mesh.
-    pub input: &'a [Vector3<f64>],
-    /// Prescribed normals.
-    pub boundary_normals: &'a [Vector3<f64>],
-    /// Boundary vertices that the surface passes, as in [`crate::discrete::equations::Equations`].
-    pub smooth_interior: &'a [bool],
-    /// Inner fairness on the given mesh.
-    pub weights: &'a FairnessWeights,
-    /// How they come from a mesh, where they are not uniform: for the levels.
-    pub weigh: Option<Weigh>,
-    /// What `Delta_B H` has to be.
-    pub right_hand_side: RightHandSide,
-}
-
-impl<'a> Problem<'a> {
-    /// Both equations.
-    pub(crate) fn equations(&self, curvature: FreeCurvature) -> Equations<'a> {
-        Equations {
-            rings: self.rings,
-            batches: self.batches,
-            boundary_normals: self.boundary_normals,
-            smooth_interior: self.smooth_interior,
-            weights: self.weights,
-            curvature,
-            right_hand_side: self.right_hand_side,
-        }
-    }
-
-    /// The whole system of the default solver for the problem.
-    pub(crate) fn system(&self, curvature: FreeCurvature) -> System<'a> {
-        let mut system = System::new(
-            self.region,
-            self.rings,
-            self.batches,
-            self.input,
-            self.boundary_normals.to_vec(),
-            self.weights.clone(),
-            curvature,
-        );
-        system.smooth_interior = self.smooth_interior.to_vec();
-        system.right_hand_side = self.right_hand_side;
-        system
-    }
-}
+use crate::solve::{Control, Domain, Problem, SolveResult, SolveStatus, System};
 
 /// What was found.
-#[derive(Debug, Clone)]
-pub(crate) struct Found {
+#[derive(Debug)]
+pub(crate) struct PaperResult {
     /// The surface, judged as the default solver judges its own.
-    pub solved: Solved,
-    /// The unit of the residuals.
-    pub diagonal: f64,
+    pub result: SolveResult,
+    /// Its evaluation.
+    pub state: State,
     /// From the base to the given mesh.
     pub levels: Vec<LevelReport>,
-    /// [`PaperOptions::laplacian`] lies below what rounding shows, and only that is met.
-    pub rounding: bool,
 }
 
 /// A level has about this many times the vertices of the one before, where their number is not given.
@@ -109,9 +49,9 @@ pub(crate) fn solve(
     problem: &Problem<'_>,
     options: &PaperOptions,
     control: &mut Control<'_>,
-) -> Result<Found, Collapsed> {
+) -> Result<PaperResult, Collapsed> {
     let clock = Instant::now();
-    control.stage(0.02, "hierarchy");
+    control.phase(0.02, "hierarchy");
     let mut run = Run {
         problem,
         options,
@@ -130,14 +70,25 @@ pub(crate) fn solve(
         updates: usize::MAX,
     };
     let ended = run.iterate(&mut level, &mut x, goal, problem, control);
-    if ended.end == End::Diverged {
+    if ended.status == LevelStatus::Diverged {
         x = linear_start(problem, control)?;
     }
-    Ok(Found {
-        solved: judged(problem, level, x, &ended, run.start_seconds),
-        diagonal: run.diagonal,
+    level.evaluate(&x);
+    let (defect, _) = problem.equations().defect(&level.state);
+    let result = SolveResult {
+        status: status(problem, &level.state, &x, ended.status, control),
+        poor: surface(problem, &level.state, &x).poor(NEEDLE),
+        step: ended.step,
+        defect: defect * run.diagonal,
+        iterations: control.tally.iterations,
+        uniform_weights: false,
+        start_seconds: run.start_seconds,
+        x,
+    };
+    Ok(PaperResult {
+        result,
+        state: level.state,
         levels: run.levels,
-        rounding: ended.end == End::Rounding,
     })
 }
 
@@ -153,7 +104,7 @@ struct Run<'a> {
 impl Run<'_> {
     /// Sizes of all levels, the given mesh last.
     fn sizes(&self) -> Vec<usize> {
-        let region = self.problem.region;
+        let region = &self.problem.domain.region;
         let vertices = region.region_vertices();
         let automatic = (BASE * region.boundary as f64).ceil() as usize;
         let base = if self.options.base > 0 {
@@ -177,12 +128,7 @@ impl Run<'_> {
         control: &mut Control<'_>,
         clock: &Instant,
     ) -> Result<Option<Vec<Vector3<f64>>>, Collapsed> {
-        let Problem {
-            region,
-            input,
-            boundary_normals,
-            ..
-        } = *self.problem;
+        let Domain { region, input, .. } = &**self.problem.domain;
         let sizes = self.sizes();
         let count = region.region_vertices();
         if sizes.len() == 1 || sizes[0] == count {
@@ -190,8 +136,8 @@ impl Run<'_> {
         }
         let mut progressive = decimate(region, input, sizes[0]);
         let mut normal = vec![Vector3::z(); region.free];
-        normal.extend_from_slice(boundary_normals);
-        let original = self.problem.weigh.is_some().then_some(input);
+        normal.extend_from_slice(self.problem.boundary_normals);
+        let original = self.problem.weigh.is_some().then_some(&input[..]);
         let mut surface = Prolongation::new(original, input[..count].to_vec(), normal, self.options.damping);
         for (k, &next) in sizes.iter().enumerate().skip(1) {
             // The base may have more vertices than asked for, where no more collapses were allowed.
@@ -202,7 +148,7 @@ impl Run<'_> {
             while progressive.vertices() < next && surface.refine(&mut progressive, control.exhausted()) {
                 splits += 1;
                 if splits % SPLITS == 0 {
-                    control.stage(0.0, "refining");
+                    control.phase(0.0, "refining");
                 }
             }
         }
@@ -218,30 +164,27 @@ impl Run<'_> {
         control: &mut Control<'_>,
         clock: &Instant,
     ) -> Result<(), Collapsed> {
-        let region = progressive.region(self.problem.input).map_err(|_| Collapsed)?;
-        let rings = Rings::new(&region);
-        let batches = ValenceBatches::new(&rings);
+        let given = &self.problem.domain.input;
+        let region = progressive.region(given).map_err(|_| Collapsed)?;
         let gather = |of: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
             let ids = region.vertex_ids[..region.region_vertices()].iter();
             ids.map(|&v| of[v as usize]).collect()
         };
-        let input = gather(self.problem.input);
-        let weights = match self.problem.weigh {
+        let (input, finer) = (gather(given), gather(&surface.x));
+        let domain = Arc::new(Domain::new(region, input));
+        let weights = Arc::new(match self.problem.weigh {
             None => FairnessWeights::uniform(),
-            Some(weigh) => weigh(&batches, &input),
-        };
+            Some(weigh) => weigh(&domain.batches, &domain.input),
+        });
         let level_problem = Problem {
-            region: &region,
-            rings: &rings,
-            batches: &batches,
-            input: &input,
+            domain: &domain,
             weights: &weights,
             ..*self.problem
         };
         let mut x = if is_base {
             self.linear_start(&level_problem, clock, control)?
         } else {
-            gather(&surface.x)
+            finer
         };
         let goal = Goal {
             defect: self.options.defect.max(COARSE_DEFECT),
@@ -251,6 +194,7 @@ impl Run<'_> {
         let mut level = Level::new(&level_problem);
         self.iterate(&mut level, &mut x, goal, &level_problem, control);
         level.evaluate(&x);
+        let region = &domain.region;
         for (i, &v) in region.vertex_ids[..region.free].iter().enumerate() {
             surface.x[v as usize] = x[i];
             surface.normal[v as usize] = level.state.normal[i];
@@ -277,10 +221,10 @@ impl Run<'_> {
         goal: Goal,
         problem: &Problem<'_>,
         control: &mut Control<'_>,
-    ) -> Ended {
-        let count = problem.region.region_vertices();
-        let is_last = count == self.problem.region.region_vertices();
-        let from = 0.05 + 0.25 * count as f64 / self.problem.region.region_vertices() as f64;
+    ) -> LevelResult {
+        let count = problem.domain.region.region_vertices();
+        let is_last = count == self.problem.domain.region.region_vertices();
+        let from = 0.05 + 0.25 * count as f64 / self.problem.domain.region.region_vertices() as f64;
         let mut tell = |control: &mut Control<'_>, step: f64, residual: &Residual| {
             let digits = residual.defect.max(goal.defect).log10() / goal.defect.log10();
             let gained = if is_last {
@@ -297,7 +241,7 @@ impl Run<'_> {
         let ended = level.iterate(x, self.options, (goal, self.diagonal), control, &mut tell);
         self.levels.push(LevelReport {
             vertices: count,
-            triangles: problem.region.triangles().len(),
+            triangles: problem.domain.region.triangles().len(),
             updates: ended.updates,
             defect: ended.residual.defect,
         });
@@ -305,48 +249,44 @@ impl Run<'_> {
     }
 }
 
-/// What the surface is worth, by the measures of the default solver.
-fn judged(
-    problem: &Problem<'_>,
-    mut level: Level<'_>,
-    x: Vec<Vector3<f64>>,
-    ended: &Ended,
-    start_seconds: f64,
-) -> Solved {
-    level.evaluate(&x);
-    let surface = Surface {
-        region: problem.region,
-        x: &x,
-        normals: &level.state.corrected,
-        boundary_normals: &level.state.corrected[problem.region.free..],
-        h: &level.state.h,
-    };
-    let bounds = Judged {
-        state: &level.state,
-        right_hand_side: problem.right_hand_side,
-        diagonal: diagonal(&x),
-    };
-    let ending = match ended.end {
-        End::Met | End::Rounding if bounds.overshoots() || surface.is_strained() => Ending::Doubtful,
-        End::Met | End::Rounding => Ending::Converged,
-        End::Spent | End::Stopped => Ending::Stopped,
-        End::Diverged => Ending::Failed,
-    };
-    Solved {
-        poor: surface.poor(NEEDLE),
+/// The surface `x`, evaluated in `state`, to be judged.
+fn surface<'s>(problem: &'s Problem<'_>, state: &'s State, x: &'s [Vector3<f64>]) -> Surface<'s> {
+    let region = &problem.domain.region;
+    Surface {
+        region,
         x,
-        ending,
-        step: ended.step,
-        even: false,
-        start_seconds,
+        normals: &state.corrected,
+        boundary_normals: &state.corrected[region.free..],
+        h: &state.h,
+    }
+}
+
+/// What the surface is worth, by the measures of the default solver.
+fn status(
+    problem: &Problem<'_>,
+    state: &State,
+    x: &[Vector3<f64>],
+    last: LevelStatus,
+    control: &Control<'_>,
+) -> SolveStatus {
+    let bounds = Judged {
+        state,
+        right_hand_side: problem.right_hand_side,
+        diagonal: diagonal(x),
+    };
+    let has_bump = || bounds.overshoots() || surface(problem, state, x).is_detached_from_normals();
+    match last {
+        LevelStatus::Met | LevelStatus::Rounding if has_bump() => SolveStatus::Bump,
+        LevelStatus::Met => SolveStatus::Converged,
+        LevelStatus::Rounding => SolveStatus::ConvergedToRounding,
+        LevelStatus::Spent | LevelStatus::Stopped if control.cancelled => SolveStatus::Cancelled,
+        LevelStatus::Spent | LevelStatus::Stopped => SolveStatus::IterationLimit,
+        LevelStatus::Diverged => SolveStatus::Failed,
     }
 }
 
 /// The linear surface of connectivity and boundary data, its vertices distributed by inner fairness.
 fn linear_start(problem: &Problem<'_>, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
-    let mut system = problem.system(FreeCurvature::Paper);
-    let mut x = system.linear_surface(control)?;
-    system.diagonal = diagonal(&x);
-    system.tangential_steps(&mut x, control);
-    Ok(x)
+    let mut system = System::new(problem);
+    system.start(control)
 }

@@ -22,17 +22,17 @@ impl Fans for EditableMesh {
 
     fn fan(&self, v: u32, fan: &mut Fan) {
         fan.ring.clear();
-        fan.edges.clear();
-        for h in self.region_spokes(v) {
+        fan.triangles.clear();
+        for h in self.outgoing_in_region(v) {
             let (a, b) = (self.target(h), self.apex(h));
             // An open fan has a neighbour more than triangles; where it has a gap, too.
             if fan.ring.last() != Some(&a) {
                 fan.ring.push(a);
             }
             fan.ring.push(b);
-            fan.edges.push([a, b]);
+            fan.triangles.push([a, b]);
         }
-        if fan.ring.len() > fan.edges.len() && fan.ring.first() == fan.ring.last() {
+        if fan.ring.len() > fan.triangles.len() && fan.ring.first() == fan.ring.last() {
             fan.ring.pop();
         }
     }
@@ -48,17 +48,17 @@ pub(crate) struct Prolongation<'a> {
     pub normal: Vec<Vector3<f64>>,
     /// `s` of the normal steps.
     pub damping: f64,
-    patch: Patch,
+    disk: Disk,
     h: Vec<f64>,
 }
 
 /// The 1-disk of the new vertex and what is around it.
 #[derive(Debug, Default)]
-struct Patch {
+struct Disk {
     /// The free vertices of the disk, then the other vertices beside them.
     vertex: Vec<u32>,
     /// How many are of the disk.
-    disk: usize,
+    size: usize,
     fan: Vec<Fan>,
     /// `lambda` of the disk's vertices; empty where all are one.
     lambda: Vec<Vec<f64>>,
@@ -80,7 +80,7 @@ impl<'a> Prolongation<'a> {
             x,
             normal,
             damping,
-            patch: Patch::default(),
+            disk: Disk::default(),
         }
     }
 
@@ -93,13 +93,13 @@ impl<'a> Prolongation<'a> {
         let (u, mesh) = (split.vertex, progressive.mesh());
         self.normal[u as usize] = self.normal[split.parent as usize];
         self.gather(mesh, u);
-        self.x[u as usize] = self.patch.ring(0).centre(&self.x);
+        self.x[u as usize] = self.disk.ring(0).centre(&self.x);
         if !placed_only {
-            let edges = self.patch.fan[0]
+            let edges = self.disk.fan[0]
                 .ring
                 .iter()
                 .map(|&j| (self.x[j as usize] - self.x[u as usize]).norm());
-            let stands = STANDS * edges.sum::<f64>() / self.patch.fan[0].ring.len() as f64;
+            let stands = STANDS * edges.sum::<f64>() / self.disk.fan[0].ring.len() as f64;
             self.flatten(stands);
             self.fair(mesh, stands);
         }
@@ -109,40 +109,39 @@ impl<'a> Prolongation<'a> {
 
     /// Collects the disk of `u` and its surroundings.
     fn gather(&mut self, mesh: &EditableMesh, u: u32) {
-        let patch = &mut self.patch;
-        patch.vertex.clear();
-        patch.vertex.push(u);
-        patch.add_fan(mesh, 0);
-        for k in 0..patch.fan[0].ring.len() {
-            let v = patch.fan[0].ring[k];
+        let disk = &mut self.disk;
+        disk.vertex.clear();
+        disk.vertex.push(u);
+        disk.add_fan(mesh, 0);
+        for k in 0..disk.fan[0].ring.len() {
+            let v = disk.fan[0].ring[k];
             if mesh.is_free(v) {
-                patch.vertex.push(v);
+                disk.vertex.push(v);
             }
         }
-        patch.disk = patch.vertex.len();
-        for k in 1..patch.disk {
-            patch.add_fan(mesh, k);
+        disk.size = disk.vertex.len();
+        for k in 1..disk.size {
+            disk.add_fan(mesh, k);
         }
-        for k in 0..patch.disk {
-            for n in 0..patch.fan[k].ring.len() {
-                let v = patch.fan[k].ring[n];
-                if !patch.vertex.contains(&v) {
-                    patch.vertex.push(v);
+        for k in 0..disk.size {
+            for n in 0..disk.fan[k].ring.len() {
+                let v = disk.fan[k].ring[n];
+                if !disk.vertex.contains(&v) {
+                    disk.vertex.push(v);
                 }
             }
         }
-        for k in patch.disk..patch.vertex.len() {
-            patch.add_fan(mesh, k);
+        for k in disk.size..disk.vertex.len() {
+            disk.add_fan(mesh, k);
         }
-        patch
-            .lambda
-            .resize_with(patch.disk.max(patch.lambda.len()), Vec::new);
+        disk.lambda
+            .resize_with(disk.size.max(disk.lambda.len()), Vec::new);
         if let Some(original) = self.original {
-            for k in 0..patch.disk {
+            for k in 0..disk.size {
                 let (q, ring, lambda) = (
-                    &original[patch.vertex[k] as usize],
-                    &patch.fan[k].ring,
-                    &mut patch.lambda[k],
+                    &original[disk.vertex[k] as usize],
+                    &disk.fan[k].ring,
+                    &mut disk.lambda[k],
                 );
                 lambda.clear();
                 lambda.resize(ring.len(), 0.0);
@@ -160,9 +159,9 @@ impl<'a> Prolongation<'a> {
     fn flatten(&mut self, stands: f64) {
         for _ in 0..FLAT_SWEEPS {
             let mut largest = 0.0f64;
-            for k in 0..self.patch.disk {
-                let v = self.patch.vertex[k] as usize;
-                let centre = self.patch.ring(k).centre(&self.x);
+            for k in 0..self.disk.size {
+                let v = self.disk.vertex[k] as usize;
+                let centre = self.disk.ring(k).centre(&self.x);
                 largest = largest.max((centre - self.x[v]).norm());
                 self.x[v] = centre;
             }
@@ -176,15 +175,15 @@ impl<'a> Prolongation<'a> {
     fn fair(&mut self, mesh: &EditableMesh, stands: f64) {
         for _ in 0..FAIR_SWEEPS {
             self.normals(mesh);
-            for (fan, &v) in self.patch.fan.iter().zip(&self.patch.vertex) {
+            for (fan, &v) in self.disk.fan.iter().zip(&self.disk.vertex) {
                 self.h[v as usize] = fan.curvature(&self.x, &self.normal, v, mesh.is_free(v));
             }
             self.estimate();
             let mut largest = 0.0f64;
-            for k in 0..self.patch.disk {
-                let v = self.patch.vertex[k] as usize;
-                let ring = self.patch.ring(k);
-                let update = ring.update(v, &self.x, &self.normal, self.patch.target[k], self.damping);
+            for k in 0..self.disk.size {
+                let v = self.disk.vertex[k] as usize;
+                let ring = self.disk.ring(k);
+                let update = ring.update(v, &self.x, &self.normal, self.disk.target[k], self.damping);
                 largest = largest.max((update.position - self.x[v]).norm());
                 self.x[v] = update.position;
                 self.normal[v] = update.normal;
@@ -195,10 +194,10 @@ impl<'a> Prolongation<'a> {
         }
     }
 
-    /// The newest normals of all free vertices of the patch.
+    /// The newest normals of all free vertices of the disk and beside it.
     fn normals(&mut self, mesh: &EditableMesh) {
         // There may be more fans than vertices: room for larger patches.
-        for (fan, &v) in self.patch.fan.iter().zip(&self.patch.vertex) {
+        for (fan, &v) in self.disk.fan.iter().zip(&self.disk.vertex) {
             if mesh.is_free(v) {
                 self.normal[v as usize] = fan.normal(&self.x, v).unwrap_or(self.normal[v as usize]);
             }
@@ -207,10 +206,10 @@ impl<'a> Prolongation<'a> {
 
     /// One Gauss-Seidel iteration of `S H = 0` over the disk (7.1).
     fn estimate(&mut self) {
-        self.patch.target.clear();
-        for k in 0..self.patch.disk {
-            let v = self.patch.vertex[k] as usize;
-            let fan = &self.patch.fan[k];
+        self.disk.target.clear();
+        for k in 0..self.disk.size {
+            let v = self.disk.vertex[k] as usize;
+            let fan = &self.disk.fan[k];
             let m = fan.ring.len();
             let place = |n: usize| &self.x[fan.ring[n % m] as usize];
             let (mut sum, mut total, mut absolute) = (0.0, 0.0, 0.0);
@@ -224,12 +223,12 @@ impl<'a> Prolongation<'a> {
             if total > super::estimate::SMALLEST_DIAGONAL * absolute {
                 self.h[v] = sum / total;
             }
-            self.patch.target.push(self.h[v]);
+            self.disk.target.push(self.h[v]);
         }
     }
 }
 
-impl Patch {
+impl Disk {
     fn add_fan(&mut self, mesh: &EditableMesh, k: usize) {
         if self.fan.len() <= k {
             self.fan.push(Fan::default());

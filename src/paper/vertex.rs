@@ -4,8 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::discrete::curvature::moreton_sequin_with_response;
-use crate::discrete::low_valence::spiral_sample;
-use crate::discrete::paper_curvature::LOW_VALENCE;
+use crate::discrete::paper_curvature::{low_valence_pairs, samples};
 use crate::discrete::simd::one;
 
 /// No normal step is longer than this part of the shortest edge. Far from the solution the linearization of 7.2 knows no
@@ -98,21 +97,13 @@ impl Ring<'_> {
         n: &Vector3<f64>,
     ) -> Response {
         let ring = self.neighbour;
-        let m = ring.len();
-        let at = |j: u32| one(&(x[j as usize] - foot));
-        let extra = if m <= LOW_VALENCE { m } else { 0 };
-        let between = (0..extra).map(|k| {
-            let (a, b) = (ring[k], ring[(k + 1) % m]);
-            let (n_a, n_b) = (one(&normal[a as usize]), one(&normal[b as usize]));
-            spiral_sample(&at(a), &at(b), &n_a, &n_b)
-        });
-        let samples = ring.iter().map(|&j| at(j)).chain(between);
+        let samples = samples(foot, ring, low_valence_pairs(ring), x, normal);
         let (curvature, _, slope) = moreton_sequin_with_response(&one(n), samples);
         let (mut shortest, mut mean) = (f64::INFINITY, 0.0);
         for &j in ring {
             let square = (x[j as usize] - foot).norm_squared().max(f64::MIN_POSITIVE);
             shortest = shortest.min(square);
-            mean += 2.0 / (square * m as f64);
+            mean += 2.0 / (square * ring.len() as f64);
         }
         Response {
             curvature: curvature.0[0],

@@ -7,7 +7,7 @@
 //! seam opposite to it. Rings of staggered vertices lead from the sheets to the fixed circles.
 
 use super::blend_start::{project, relax, trisect, tube_frame};
-use super::irregular::{regular_size, scramble};
+use super::irregular::sampled;
 use super::sampling::Sampling;
 use super::shape::Shape;
 use super::size::blend_size;
@@ -69,7 +69,7 @@ pub fn cylinder_blend_with(arc: usize, seam: usize, rings: usize) -> Shape {
 /// [`Sampling::Irregular`] inserts vertices, flips edges and shakes; [`Sampling::LocallyRefined`] is the patch of
 /// [`cylinder_blend_refined_patch`], whatever its fields.
 pub fn cylinder_blend_of(n: usize, sampling: Sampling) -> Shape {
-    let mut shape = match regular_size(n, sampling) {
+    sampled(n, sampling, refine_patch, |n| match n {
         118 => cylinder_blend_coarse(),
         920 => cylinder_blend(),
         13_308 => cylinder_blend_fine(),
@@ -77,13 +77,7 @@ pub fn cylinder_blend_of(n: usize, sampling: Sampling) -> Shape {
             let [arc, seam, rings] = blend_size(n);
             cylinder_blend_with(arc, seam, rings)
         }
-    };
-    match sampling {
-        Sampling::Regular => {}
-        Sampling::Irregular { seed } => scramble(&mut shape, seed),
-        Sampling::LocallyRefined { .. } => refine_patch(&mut shape),
-    }
-    shape
+    })
 }
 
 type Triple = [usize; 3];
@@ -193,12 +187,7 @@ impl Net {
 
     fn lay_tube(&mut self, t: usize, rings: usize) {
         let (arc, seam, n) = (self.arc, self.seam, 2 * self.arc);
-        let on_side = |q: usize| {
-            let mut c = [0; 3];
-            c[(t + 1) % 3] = seam + q;
-            c[(t + 2) % 3] = arc + seam - q;
-            c
-        };
+        let on_side = |q: usize| from_corner(t, [0, seam + q, arc + seam - q]);
         let mut ring: Vec<u32> = (0..arc).map(|q| self.at(false, on_side(q))).collect();
         ring.extend((0..arc).map(|q| self.at(true, on_side(arc - q))));
         for k in 0..rings {
@@ -220,11 +209,7 @@ impl Net {
     /// and its three neighbours become a fan of six.
     pub(super) fn insert_pole(&mut self, lower: bool) {
         let (n, third) = (self.size(), self.size() / 3);
-        let shifted = |t: usize, by: [usize; 3]| {
-            let mut c = [third; 3];
-            (0..3).for_each(|k| c[(t + k) % 3] = third + by[k]);
-            c
-        };
+        let shifted = |t: usize, by: [usize; 3]| from_corner(t, by.map(|x| third + x));
         // Corners of the middle triangle, and the vertex across the side that corner t does not touch.
         let (near, far): (Vec<Triple>, Vec<Option<Triple>>) = match n % 3 {
             1 => (0..3)
@@ -258,11 +243,7 @@ impl Net {
     fn widen_seams(&mut self) {
         let (top, half) = (self.arc + self.seam, self.seam / 2);
         for t in 0..3 {
-            let place = |x: usize, y: usize, z: usize| {
-                let mut c = [0; 3];
-                (c[t], c[(t + 1) % 3], c[(t + 2) % 3]) = (x, y, z);
-                c
-            };
+            let place = |x: usize, y: usize, z: usize| from_corner(t, [x, y, z]);
             let middle = self.at(false, place(top, half, half));
             let beyond = self.at(false, place(top, half - 1, half + 1));
             let second = self.add();
@@ -285,11 +266,7 @@ impl Net {
     fn split_seams(&mut self) {
         let top = self.arc + self.seam;
         for t in 0..3 {
-            let place = |x: usize, y: usize, z: usize| {
-                let mut c = [0; 3];
-                (c[t], c[(t + 1) % 3], c[(t + 2) % 3]) = (x, y, z);
-                c
-            };
+            let place = |x: usize, y: usize, z: usize| from_corner(t, [x, y, z]);
             let (left, right) = (self.at(false, place(top, 1, 0)), self.at(false, place(top, 0, 1)));
             let middle = self.add();
             for lower in [false, true] {
@@ -328,6 +305,13 @@ impl Net {
         relax(&mut shape);
         shape
     }
+}
+
+/// The lattice point with these coordinates from number t on.
+fn from_corner(t: usize, [x, y, z]: Triple) -> Triple {
+    let mut c = [0; 3];
+    (c[t], c[(t + 1) % 3], c[(t + 2) % 3]) = (x, y, z);
+    c
 }
 
 /// The lattice point across the side `(c with 1 at t+1), (c with 1 at t+2)` from the corner t.

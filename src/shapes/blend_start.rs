@@ -120,12 +120,23 @@ fn harmonic(shape: &mut Shape, near: &Neighbours, free: &[usize]) {
             }
         }
     }
-    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries);
+    place_free(shape, free.iter().copied(), &entries, &right);
+}
+
+/// Puts the free vertices where a positive definite system has them; nowhere else if it is not.
+pub(super) fn place_free(
+    shape: &mut Shape,
+    free: impl Iterator<Item = usize>,
+    entries: &[Triplet<usize, usize, f64>],
+    right: &Mat<f64>,
+) {
+    let n = right.nrows();
+    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, entries);
     let Some(factor) = matrix.ok().and_then(|m| m.sp_cholesky(Side::Lower).ok()) else {
         return;
     };
-    let solution = factor.solve(&right);
-    for (i, &v) in free.iter().enumerate() {
+    let solution = factor.solve(right);
+    for (i, v) in free.enumerate() {
         shape.positions[v] = std::array::from_fn(|a| solution[(i, a)]);
     }
 }
@@ -142,25 +153,7 @@ pub(super) fn trisect(
         std::array::from_fn(|i| t.iter().map(|&v| shape.positions[v as usize][i]).sum::<f64>() / 3.0)
     };
     let mut fine: Vec<bool> = shape.triangles.iter().map(|t| inside(centre(t))).collect();
-    let mut cuts: HashMap<(u32, u32), [u32; 2]> = HashMap::new();
-    loop {
-        for (t, _) in shape.triangles.iter().zip(&fine).filter(|(_, fine)| **fine) {
-            for k in 0..3 {
-                cuts.entry(edge(t[k], t[(k + 1) % 3])).or_insert([0; 2]);
-            }
-        }
-        let mut grown = false;
-        for (t, fine) in shape.triangles.iter().zip(&mut fine) {
-            let cut = (0..3)
-                .filter(|&k| cuts.contains_key(&edge(t[k], t[(k + 1) % 3])))
-                .count();
-            grown |= cut >= 2 && !*fine;
-            *fine |= cut >= 2;
-        }
-        if !grown {
-            break;
-        }
-    }
+    let mut cuts = cut_edges(&shape.triangles, &mut fine);
     let old = std::mem::take(&mut shape.triangles);
     // In the order of the triangles, so that the numbering does not depend on hashing.
     for t in &old {
@@ -180,18 +173,8 @@ pub(super) fn trisect(
         match (third(a, b), third(b, c), third(c, a)) {
             (Some(ab), Some(bc), Some(ca)) if fine => {
                 let m = add_between(shape, &place, [a, b, c], [1.0 / 3.0; 3]);
-                let boundary = [a, ab[0], ab[1], b, bc[0], bc[1], c, ca[0], ca[1]];
-                for k in 0..9 {
-                    // The three corners are cut off by the edge between their neighbours.
-                    let (v, w) = (boundary[k], boundary[(k + 1) % 9]);
-                    match k % 3 {
-                        0 => shape
-                            .triangles
-                            .extend([[v, w, boundary[(k + 8) % 9]], [m, boundary[(k + 8) % 9], w]]),
-                        1 => shape.triangles.push([m, v, w]),
-                        _ => {}
-                    }
-                }
+                let around = [a, ab[0], ab[1], b, bc[0], bc[1], c, ca[0], ca[1]];
+                nine(&mut shape.triangles, m, around);
             }
             (Some(cut), None, None) => fan(&mut shape.triangles, a, cut, b, c),
             (None, Some(cut), None) => fan(&mut shape.triangles, b, cut, c, a),
@@ -200,6 +183,39 @@ pub(super) fn trisect(
         }
     }
     shape.flattened = shape.positions.clone();
+}
+
+/// The edges that are cut: those of `fine` triangles, which those with two cuts become.
+fn cut_edges(triangles: &[[u32; 3]], fine: &mut [bool]) -> HashMap<(u32, u32), [u32; 2]> {
+    let edges = |t: &[u32; 3]| [edge(t[0], t[1]), edge(t[1], t[2]), edge(t[2], t[0])];
+    let mut cuts = HashMap::new();
+    loop {
+        for (t, _) in triangles.iter().zip(&*fine).filter(|(_, fine)| **fine) {
+            cuts.extend(edges(t).map(|e| (e, [0; 2])));
+        }
+        let mut grown = false;
+        for (t, fine) in triangles.iter().zip(&mut *fine) {
+            let is_cut = edges(t).iter().filter(|e| cuts.contains_key(*e)).count() >= 2;
+            grown |= is_cut && !*fine;
+            *fine |= is_cut;
+        }
+        if !grown {
+            return cuts;
+        }
+    }
+}
+
+/// The nine triangles of one with the vertex `m` in its middle and these around it, a corner first.
+fn nine(triangles: &mut Vec<[u32; 3]>, m: u32, around: [u32; 9]) {
+    for k in 0..9 {
+        let (v, w, before) = (around[k], around[(k + 1) % 9], around[(k + 8) % 9]);
+        match k % 3 {
+            // A corner is cut off by the edge between its neighbours.
+            0 => triangles.extend([[v, w, before], [m, before, w]]),
+            1 => triangles.push([m, v, w]),
+            _ => {}
+        }
+    }
 }
 
 fn edge(a: u32, b: u32) -> (u32, u32) {

@@ -4,17 +4,31 @@ use super::blend_start::Neighbours;
 use super::rng::Rng;
 use super::sampling::Sampling;
 use super::shape::Shape;
-use super::surface::unit;
+use super::surface::{cross, unit};
 use std::collections::HashMap;
 
 /// Share of the vertices that are inserted at random.
 const INSERTED: f64 = 0.15;
 
-/// How many vertices the net has to have that [`scramble`], where the sampling asks for it, makes into about `n`.
-pub(super) fn regular_size(n: usize, sampling: Sampling) -> usize {
+/// A shape of about `n` vertices: `make` makes regular ones, `refine` refines a part.
+pub(super) fn sampled(
+    n: usize,
+    sampling: Sampling,
+    refine: impl Fn(&mut Shape),
+    make: impl Fn(usize) -> Shape,
+) -> Shape {
     match sampling {
-        Sampling::Irregular { .. } => (n as f64 / (1.0 + INSERTED)).round() as usize,
-        _ => n,
+        Sampling::Regular => make(n),
+        Sampling::Irregular { seed } => {
+            let mut shape = make((n as f64 / (1.0 + INSERTED)).round() as usize);
+            scramble(&mut shape, seed);
+            shape
+        }
+        Sampling::LocallyRefined { .. } => {
+            let mut shape = make(n);
+            refine(&mut shape);
+            shape
+        }
     }
 }
 
@@ -29,7 +43,7 @@ const SHAKE: f64 = 0.35;
 
 /// Makes the triangulation irregular: valences from 3 to about 10, angles down to about 14 degrees. Edges
 /// between two fixed vertices stay. The same seed gives the same bits.
-pub(super) fn scramble(shape: &mut Shape, seed: u64) {
+fn scramble(shape: &mut Shape, seed: u64) {
     let mut rng = Rng::new(seed);
     insert(shape, &mut rng);
     let mut net = Net::new(shape);
@@ -189,12 +203,7 @@ fn length(a: [f64; 3]) -> f64 {
 }
 
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let (u, v) = (sub(b, a), sub(c, a));
-    unit([
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ])
+    unit(cross(sub(b, a), sub(c, a)))
 }
 
 /// In degrees.

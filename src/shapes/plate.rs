@@ -1,10 +1,9 @@
 //! A start surface for curves inside a closed mesh: the thin plate through them.
 
-use super::blend_start::Neighbours;
+use super::blend_start::{Neighbours, place_free};
 use super::shape::Shape;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use faer::Mat;
+use faer::sparse::Triplet;
 
 /// Gives the free vertices the positions that make the sum of the squares of `q_i - mean of its neighbours`
 /// smallest, over free and fixed vertices: linear fairing with uniform weights (paper 2, (3)).
@@ -32,12 +31,6 @@ pub(super) fn thin_plate(shape: &mut Shape) {
             entries.extend(others.map(|&(x, d)| Triplet::new(unknown[w], unknown[x], c * d)));
         }
     }
-    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(free.len(), free.len(), &entries);
-    if let Some(factor) = matrix.ok().and_then(|m| m.sp_cholesky(Side::Lower).ok()) {
-        let solution = factor.solve(&right);
-        for (i, &v) in free.iter().enumerate() {
-            shape.positions[v as usize] = std::array::from_fn(|a| solution[(i, a)]);
-        }
-    }
+    place_free(shape, free.iter().map(|&v| v as usize), &entries, &right);
     shape.flattened = shape.positions.clone();
 }

@@ -100,14 +100,15 @@ impl Shape {
     /// in mean edge lengths.
     pub fn noise(&self, seed: u64, amplitude: f64) -> Vec<[f64; 3]> {
         let (mut rng, deviation) = (Rng::new(seed), amplitude * self.mean_edge());
-        let moved = |(p, &free): (&[f64; 3], &bool)| {
-            if free {
-                p.map(|x| x + deviation * rng.gauss())
-            } else {
-                *p
-            }
-        };
-        self.positions.iter().zip(&self.free).map(moved).collect()
+        self.moved(|p| p.map(|x| x + deviation * rng.gauss()))
+    }
+
+    /// Positions with the free vertices where `place` puts them, one after the other.
+    fn moved(&self, mut place: impl FnMut(&[f64; 3]) -> [f64; 3]) -> Vec<[f64; 3]> {
+        let vertices = self.positions.iter().zip(&self.free);
+        vertices
+            .map(|(p, &free)| if free { place(p) } else { *p })
+            .collect()
     }
 
     /// Positions with every free vertex anywhere in the bounding box of the free region and its boundary.
@@ -123,14 +124,7 @@ impl Shape {
             high = std::array::from_fn(|i| high[i].max(p[i]));
         }
         let mut rng = Rng::new(seed);
-        let moved = |(p, &free): (&[f64; 3], &bool)| {
-            if free {
-                std::array::from_fn(|i| rng.between(low[i], high[i]))
-            } else {
-                *p
-            }
-        };
-        self.positions.iter().zip(&self.free).map(moved).collect()
+        self.moved(|_| std::array::from_fn(|i| rng.between(low[i], high[i])))
     }
 
     /// The same mesh with vertices and triangles in random order and every triangle beginning at a random

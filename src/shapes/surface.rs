@@ -83,6 +83,15 @@ pub(super) fn unit(p: [f64; 3]) -> [f64; 3] {
     }
 }
 
+/// `a x b`.
+pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
 /// Outward normal of a surface of revolution at the angle of `p`, from the slope (r', z') of its profile.
 fn outward(p: [f64; 3], slope: [f64; 2]) -> [f64; 3] {
     let radial = unit([p[0], p[1], 0.0]);

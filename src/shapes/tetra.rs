@@ -7,12 +7,12 @@
 
 use super::blend::Net;
 use super::blend_start::trisect;
-use super::irregular::{regular_size, scramble};
+use super::irregular::sampled;
 use super::plate::thin_plate;
 use super::sampling::Sampling;
 use super::shape::Shape;
 use super::size::tetra_size;
-use super::surface::unit;
+use super::surface::{cross, unit};
 
 /// Radius of the six circles of the tetra thing. The tetrahedron's edges have length 2.
 pub const TETRA_RADIUS: f64 = 0.35;
@@ -35,19 +35,13 @@ pub fn tetra_thing_coarse() -> Shape {
 /// vertices, flips edges and shakes; [`Sampling::LocallyRefined`] divides the triangles on one side of a corner
 /// into nine each, whatever its fields.
 pub fn tetra_thing_of(n: usize, sampling: Sampling) -> Shape {
-    let mut shape = match regular_size(n, sampling) {
+    sampled(n, sampling, refine_corner, |n| match n {
         500 => tetra_thing_coarse(),
         n => {
             let [arc, seam, rings] = tetra_size(n);
             tetra_thing_with(arc, seam, rings)
         }
-    };
-    match sampling {
-        Sampling::Regular => {}
-        Sampling::Irregular { seed } => scramble(&mut shape, seed),
-        Sampling::LocallyRefined { .. } => refine_corner(&mut shape),
-    }
-    shape
+    })
 }
 
 /// The tetra thing with `arc` edges on half a circle, `seam` edges on each of the curves that three tubes
@@ -143,11 +137,7 @@ fn place_circles(shape: &mut Shape, arc: usize, staggered: bool) {
         let centre: [f64; 3] = std::array::from_fn(|i| 0.5 * (corners[a][i] + corners[b][i]));
         let axis = unit(std::array::from_fn(|i| corners[b][i] - corners[a][i]));
         let up = unit(centre);
-        let side = [
-            up[1] * axis[2] - up[2] * axis[1],
-            up[2] * axis[0] - up[0] * axis[2],
-            up[0] * axis[1] - up[1] * axis[0],
-        ];
+        let side = cross(up, axis);
         for q in 0..2 * arc {
             let (sin, cos) = (std::f64::consts::PI * (q as f64 + offset) / arc as f64).sin_cos();
             let normal = unit(std::array::from_fn(|i| cos * side[i] + sin * up[i]));

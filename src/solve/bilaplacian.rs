@@ -1,8 +1,9 @@
 //! The frozen matrix of the normal step, `P = S_I D S_I^T`, and of the linear start.
 //!
-//! Moving by `t` along the normals changes `H` by about `-D S t` with `D_i = 3 / (4 A_i)` (paper (5)), so `P t = R1`
-//! with the free rows `S_I` of `S` and all its columns: the clamped bilaplacian. The factor `D_b` at fixed boundary
-//! vertices says how much the one-sided `H_b` answers to the surface beside it.
+//! Moving by `t` along the normals changes `H` by about `-D S t`, so `P t = R1` with the free rows `S_I` of `S` and all its
+//! columns: the clamped bilaplacian. `D_i` is the answer of the ring's fit (paper 7.2) or a mean over the ring, within bounds
+//! around `3 / (4 A_i)` of (5). The factor `D_b` at fixed boundary vertices says how much the one-sided `H_b` answers to the
+//! surface beside it.
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -54,16 +55,16 @@ impl Metric {
         let (rings, batches) = (equations.rings, equations.batches);
         let free = equations.free();
         let boundary = rings.closed.len();
-        self.weight.resize(rings.neighbour.len(), 0.0);
+        self.weight.resize(rings.neighbour.values().len(), 0.0);
         self.total.resize(free, 0.0);
         self.boundary_weight.clear();
-        self.boundary_weight.resize(rings.boundary_neighbour.len(), 0.0);
+        self.boundary_weight
+            .resize(rings.boundary_neighbour.values().len(), 0.0);
         self.d.resize(free + boundary, 0.0);
         for i in 0..free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-            let range = rings.start[i] as usize..rings.start[i + 1] as usize;
+            let (first, lane) = batches.place(i);
             let mut total = 0.0;
-            for (k, w) in self.weight[range].iter_mut().enumerate() {
+            for (k, w) in self.weight[rings.neighbour.range(i)].iter_mut().enumerate() {
                 *w = state.weight[first + k][lane];
                 total += *w;
             }
@@ -78,9 +79,8 @@ impl Metric {
         }
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..boundary {
-            let range = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
-            let neighbours = &rings.boundary_neighbour[range.clone()];
-            let weights = &mut self.boundary_weight[range];
+            let neighbours = rings.boundary_ring(b);
+            let weights = &mut self.boundary_weight[rings.boundary_neighbour.range(b)];
             equations.boundary_weights(x, b, |j, w| {
                 if let Some(k) = neighbours.iter().position(|&n| n == j) {
                     weights[k] += w;
@@ -114,35 +114,38 @@ impl Metric {
         // Of an edge of two equilateral triangles.
         let equilateral = 2.0 / 3f64.sqrt();
         let free = rings.free();
-        self.weight.resize(rings.neighbour.len(), 0.0);
+        self.weight.resize(rings.neighbour.values().len(), 0.0);
         self.total.resize(free, 0.0);
         self.boundary_weight.clear();
-        self.boundary_weight.resize(rings.boundary_neighbour.len(), 0.0);
+        self.boundary_weight
+            .resize(rings.boundary_neighbour.values().len(), 0.0);
         self.d.clear();
         self.d.resize(free + rings.boundary(), 1.0);
         for i in 0..free {
-            let (first, lane) = (batches.place[i].0 as usize, batches.place[i].1 as usize);
-            let start = rings.start[i] as usize;
-            for s in start..rings.start[i + 1] as usize {
-                let own = fairness.at(first + s - start, lane);
+            let (first, lane) = batches.place(i);
+            let ring = rings.neighbour.range(i);
+            for (k, s) in ring.clone().enumerate() {
+                let own = fairness.at(first + k, lane);
                 let twin = rings.twin[s];
                 let mean = if twin == NONE {
                     own
                 } else {
-                    let j = rings.neighbour[s] as usize;
-                    let (first, lane) = (batches.place[j].0 as usize, batches.place[j].1 as usize);
-                    0.5 * (own + fairness.at(first + twin as usize - rings.start[j] as usize, lane))
+                    let j = rings.neighbour.values()[s] as usize;
+                    let (first, lane) = batches.place(j);
+                    0.5 * (own + fairness.at(first + twin as usize - rings.neighbour.range(j).start, lane))
                 };
                 self.weight[s] = equilateral * mean;
             }
-            self.total[i] = self.weight[start..rings.start[i + 1] as usize].iter().sum();
+            self.total[i] = self.weight[ring].iter().sum();
         }
         for b in 0..rings.boundary() {
-            let first = rings.boundary_start[b] as usize;
-            let edges = &rings.boundary_edge
-                [rings.boundary_edge_start[b] as usize..rings.boundary_edge_start[b + 1] as usize];
+            let first = rings.boundary_neighbour.range(b).start;
             for (k, &j) in rings.boundary_ring(b).iter().enumerate() {
-                let triangles = edges.iter().filter(|e| e.contains(&j)).count();
+                let triangles = rings
+                    .boundary_triangles(b)
+                    .iter()
+                    .filter(|t| t.contains(&j))
+                    .count();
                 self.boundary_weight[first + k] = if (j as usize) < free {
                     self.weight_between(rings, j as usize, (free + b) as u32)
                 } else {
@@ -155,7 +158,7 @@ impl Metric {
     /// `w_ij` of free vertex `i` and its neighbour `j`.
     fn weight_between(&self, rings: &Rings, i: usize, j: u32) -> f64 {
         let place = rings.ring(i).iter().position(|&n| n == j);
-        place.map_or(0.0, |k| self.weight[rings.start[i] as usize + k])
+        place.map_or(0.0, |k| self.weight[rings.neighbour.range(i)][k])
     }
 
     /// Collapsed disks would make single entries of `D` astronomically large: none exceeds the median by more than
@@ -215,30 +218,25 @@ impl Metric {
                 }
             }
         };
-        let ring = rings.start[i] as usize..rings.start[i + 1] as usize;
+        let ring = rings.neighbour.range(i);
         column(
             self.d[i] * self.total[i],
-            &rings.neighbour[ring.clone()],
+            rings.ring(i),
             &self.weight[ring.clone()],
         );
         let mut diagonal = self.d[i] * self.total[i] * self.total[i];
         for s in ring {
-            let k = rings.neighbour[s] as usize;
+            let k = rings.neighbour.values()[s] as usize;
             let factor = -self.d[k] * self.weight[s];
             if k < free {
-                let ring = rings.start[k] as usize..rings.start[k + 1] as usize;
-                column(factor, &rings.neighbour[ring.clone()], &self.weight[ring]);
+                column(factor, rings.ring(k), &self.weight[rings.neighbour.range(k)]);
                 if k < i {
                     column(factor, &[k as u32], &[-self.total[k]]);
                 }
             } else {
                 let b = k - free;
-                let ring = rings.boundary_start[b] as usize..rings.boundary_start[b + 1] as usize;
-                column(
-                    factor,
-                    &rings.boundary_neighbour[ring.clone()],
-                    &self.boundary_weight[ring],
-                );
+                let weights = &self.boundary_weight[rings.boundary_neighbour.range(b)];
+                column(factor, rings.boundary_ring(b), weights);
             }
         }
         let last = row.len() - 1;
@@ -261,16 +259,13 @@ impl Metric {
             .with_min_len(CHUNK)
             .enumerate()
             .for_each(|(k, u)| {
-                let (range, neighbours, weights) = if k < free {
-                    let range = rings.start[k] as usize..rings.start[k + 1] as usize;
-                    (range, &rings.neighbour, &self.weight)
+                let weights = if k < free {
+                    &self.weight[rings.neighbour.range(k)]
                 } else {
-                    let range =
-                        rings.boundary_start[k - free] as usize..rings.boundary_start[k - free + 1] as usize;
-                    (range, &rings.boundary_neighbour, &self.boundary_weight)
+                    &self.boundary_weight[rings.boundary_neighbour.range(k - free)]
                 };
                 let mut sum = [0.0; K];
-                for (j, w) in neighbours[range.clone()].iter().zip(&weights[range]) {
+                for (j, w) in rings.neighbours(k).iter().zip(weights) {
                     for c in 0..K {
                         sum[c] += w * (x[k][c] - x[*j as usize][c]);
                     }
@@ -287,9 +282,9 @@ impl Metric {
             .with_min_len(CHUNK)
             .enumerate()
             .for_each(|(i, y)| {
-                let range = rings.start[i] as usize..rings.start[i + 1] as usize;
+                let weights = &self.weight[rings.neighbour.range(i)];
                 let mut sum = [0.0; K];
-                for (j, w) in rings.neighbour[range.clone()].iter().zip(&self.weight[range]) {
+                for (j, w) in rings.ring(i).iter().zip(weights) {
                     for c in 0..K {
                         sum[c] += w * (u[i][c] - u[*j as usize][c]);
                     }

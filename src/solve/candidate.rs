@@ -2,49 +2,79 @@
 
 use nalgebra::Vector3;
 
-use super::quasi_newton::End;
+use super::quasi_newton::IterationStatus;
 use super::system::System;
+use crate::quality::NEEDLE;
 
-/// A surface that one of the means has led to.
+/// A surface that an iteration has led to.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     /// The surface.
     pub x: Vec<Vector3<f64>>,
     /// How the iteration ended.
-    pub end: End,
+    pub status: IterationStatus,
     /// Its step norm.
     pub step: f64,
-    /// Its poor triangles.
+    /// Its poor triangles (local numbers).
     pub poor: Vec<u32>,
-    /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]), or it stands off single
-    /// boundary normals far more than off the others: a bump that the coarse equations admit.
-    pub doubtful: bool,
-    /// See [`Solved::even`](super::Solved::even).
-    pub even: bool,
+    /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]).
+    pub curvature_overshoot: bool,
+    /// It stands off single boundary normals far more than off the others.
+    pub detached_from_normals: bool,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
-    /// connectivity, such as at the pole of a sphere with hundreds of meridians. Nothing else that is tried would.
-    pub needled: bool,
+    /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
+    pub needles_from_input: bool,
 }
 
 impl Candidate {
+    /// Evaluates and judges `x`, at which an iteration ended.
+    pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>, status: IterationStatus, step: f64) -> Self {
+        system.evaluate(&x);
+        let surface = system.surface(&x);
+        Self {
+            status,
+            step,
+            poor: surface.poor(NEEDLE),
+            curvature_overshoot: system.overshoots(),
+            detached_from_normals: surface.is_detached_from_normals(),
+            needles_from_input: false,
+            x,
+        }
+    }
+
+    /// A bump: the coarse equations admit it, but no smooth surface has it.
+    pub(crate) fn has_bump(&self) -> bool {
+        self.curvature_overshoot || self.detached_from_normals
+    }
+
+    /// Tolerance met.
+    pub(crate) fn is_converged(&self) -> bool {
+        self.status == IterationStatus::Converged
+    }
+
+    /// Limit or cancel.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.status == IterationStatus::Stopped
+    }
+
     /// Converged, with sound triangles and no bump.
     pub(crate) fn is_sound(&self) -> bool {
-        self.end == End::Converged && self.poor.is_empty() && !self.doubtful
+        self.is_converged() && self.poor.is_empty() && !self.has_bump()
     }
 
     /// The smaller the better.
     pub(crate) fn rank(&self) -> (bool, usize, bool) {
-        (self.end != End::Converged, self.poor.len(), self.doubtful)
+        (!self.is_converged(), self.poor.len(), self.has_bump())
     }
 
     /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.
-    pub(crate) fn has_only_needles(&self, system: &System<'_>, most: usize) -> bool {
-        let is_flipped = || !system.poor(&self.x, 0.0).is_empty();
-        self.end == End::Converged && !self.doubtful && self.poor.len() <= most && !is_flipped()
+    pub(crate) fn has_only_needles(&self, system: &System, most: usize) -> bool {
+        let is_folded = || !system.poor(&self.x, 0.0).is_empty();
+        self.is_converged() && !self.has_bump() && self.poor.len() <= most && !is_folded()
     }
 
     /// Whether nothing better is to be looked for.
     pub(crate) fn is_settled(&self) -> bool {
-        self.is_sound() || self.end == End::Stopped || self.needled
+        self.is_sound() || self.is_stopped() || self.needles_from_input
     }
 }

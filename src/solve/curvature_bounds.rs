@@ -13,12 +13,12 @@ const OVERSHOOT_FLOOR: f64 = 0.1;
 /// triangles that is a turn of 50 degrees along every edge.
 const TOTAL_CURVATURE: f64 = 4.0;
 
-impl System<'_> {
+impl System {
     /// [`Judged::overshoots`] at the last evaluation.
     pub(crate) fn overshoots(&self) -> bool {
         let judged = Judged {
-            state: &self.state,
-            right_hand_side: self.right_hand_side,
+            state: self.state(),
+            right_hand_side: self.right_hand_side(),
             diagonal: self.diagonal,
         };
         judged.overshoots()

@@ -26,7 +26,7 @@ impl Factor {
     }
 
     /// Factorizations fail from when this is set.
-    pub(crate) fn heed(&mut self, interrupt: &Interrupt) {
+    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
         match self {
             Self::Single(c, _) => c.heed(interrupt),
             Self::Double(c, _) => c.heed(interrupt),

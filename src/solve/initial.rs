@@ -6,7 +6,9 @@ use nalgebra::Vector3;
 
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
-use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
+use super::limited_step::{LARGEST_CHANGE, advance_limited};
+use super::problem::{Domain, diagonal};
+use super::system::{Collapsed, System};
 use fairmesh_linear::cholesky::Cholesky;
 use fairmesh_linear::ordering::amd;
 use fairmesh_linear::sparse::SymmetricPattern;
@@ -23,16 +25,24 @@ const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
 const TANGENTIAL_STEPS: usize = 4;
 /// What it is called in progress reports.
-pub(crate) const STAGE: &str = "start surface";
+pub(crate) const PHASE: &str = "start surface";
 
-impl System<'_> {
+impl System {
+    /// The start with the weights and normals in force: linear surface and tangential steps.
+    pub(crate) fn start(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let mut x = self.linear_surface(control)?;
+        self.diagonal = diagonal(&x);
+        self.tangential_steps(&mut x, control);
+        Ok(x)
+    }
+
     /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
     /// component has other fixed ones: they give their place to a better metric.
     pub(crate) fn membrane(&mut self) -> Vec<Vector3<f64>> {
-        let mut x = self.input[..self.region.region_vertices()].to_vec();
+        let mut x = self.domain.surface().to_vec();
         self.relax_fixed_inside(&mut x);
-        x[..self.region.free].fill(Vector3::zeros());
-        let mut correction = vec![[0.0; 3]; self.region.free];
+        x[..self.free()].fill(Vector3::zeros());
+        let mut correction = vec![[0.0; 3]; self.free()];
         for _ in 0..4 {
             self.fairness_residual(&x, &mut correction);
             self.solve_g(&mut correction);
@@ -50,10 +60,10 @@ impl System<'_> {
     /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
     fn fairness_residual(&self, x: &[Vector3<f64>], residual: &mut [[f64; 3]]) {
         for (i, r) in residual.iter_mut().enumerate() {
-            let (first, lane) = (self.batches.place[i].0 as usize, self.batches.place[i].1 as usize);
+            let (first, lane) = self.domain.batches.place(i);
             let mut sum = Vector3::zeros();
-            for (k, &j) in self.rings.ring(i).iter().enumerate() {
-                sum += (x[j as usize] - x[i]) * self.weights.at(first + k, lane);
+            for (k, &j) in self.domain.rings.ring(i).iter().enumerate() {
+                sum += (x[j as usize] - x[i]) * self.weights().at(first + k, lane);
             }
             *r = [sum.x, sum.y, sum.z];
         }
@@ -61,19 +71,20 @@ impl System<'_> {
 
     /// Moves fixed vertices with a closed ring to the uniform membrane of their component's open boundary.
     fn relax_fixed_inside(&self, x: &mut [Vector3<f64>]) {
-        let free = self.region.free;
-        let mut has_open_boundary = vec![false; self.region.components];
-        for (b, &closed) in self.rings.closed.iter().enumerate() {
-            let touched = self.rings.boundary_ring(b).iter().find(|&&j| (j as usize) < free);
+        let Domain { region, rings, .. } = &*self.domain;
+        let free = region.free;
+        let mut has_open_boundary = vec![false; region.components];
+        for (b, &closed) in rings.closed.iter().enumerate() {
+            let touched = rings.boundary_ring(b).iter().find(|&&j| (j as usize) < free);
             if let (false, Some(&j)) = (closed, touched) {
-                has_open_boundary[self.region.component[j as usize] as usize] = true;
+                has_open_boundary[region.component[j as usize] as usize] = true;
             }
         }
         let relaxes = |v: usize| {
             v < free
-                || self.rings.closed[v - free]
-                    && self.rings.boundary_ring(v - free).iter().all(|&j| {
-                        j as usize >= free || has_open_boundary[self.region.component[j as usize] as usize]
+                || rings.closed[v - free]
+                    && rings.boundary_ring(v - free).iter().all(|&j| {
+                        j as usize >= free || has_open_boundary[region.component[j as usize] as usize]
                     })
         };
         let unknown: Vec<u32> = (0..x.len() as u32).filter(|&v| relaxes(v as usize)).collect();
@@ -88,7 +99,7 @@ impl System<'_> {
         let mut degree = vec![0.0; unknown.len()];
         let mut right = vec![[0.0; 3]; unknown.len()];
         for (n, &v) in unknown.iter().enumerate() {
-            for &j in self.rings.neighbours(v as usize) {
+            for &j in rings.neighbours(v as usize) {
                 degree[n] += 1.0;
                 let other = number[j as usize];
                 if other == u32::MAX {
@@ -123,7 +134,7 @@ impl System<'_> {
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
-        metric.combinatorial(self.rings, self.batches, &self.weights);
+        metric.combinatorial(&self.domain.rings, &self.domain.batches, self.weights());
         self.metric = metric;
         self.refactor(|_| 0.0)?;
         self.linear_solve(control)
@@ -142,16 +153,20 @@ impl System<'_> {
 
     /// Solves on the metric that `P` is factored on, by conjugate gradients with that factor.
     fn linear_solve(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        let free = self.region.free;
-        let flux = conormal_flux(self.region, self.rings, self.input, &self.boundary_normals);
-        let mut x = vec![[0.0; 3]; self.region.region_vertices()];
-        for (x, p) in x[free..].iter_mut().zip(&self.input[free..]) {
+        let domain = self.domain.clone();
+        let Domain {
+            region, rings, input, ..
+        } = &*domain;
+        let free = region.free;
+        let flux = conormal_flux(region, rings, input, self.boundary_normals());
+        let mut x = vec![[0.0; 3]; region.region_vertices()];
+        for (x, p) in x[free..].iter_mut().zip(&input[free..]) {
             *x = (*p).into();
         }
         let mut scratch = x.clone();
         let mut right = vec![[0.0; 3]; free];
         self.metric
-            .apply(self.rings, &x, Some(&flux), &mut scratch, &mut right);
+            .apply(rings, &x, Some(&flux), &mut scratch, &mut right);
         for r in right.as_flattened_mut() {
             *r = -*r;
         }
@@ -161,7 +176,7 @@ impl System<'_> {
                 return Err(Collapsed);
             }
         }
-        let fixed = self.input[free..self.region.region_vertices()].iter();
+        let fixed = domain.surface()[free..].iter();
         Ok(x[..free]
             .iter()
             .map(|p| Vector3::from(*p))
@@ -189,11 +204,11 @@ impl System<'_> {
         let mut rho = products(&residual, &preconditioned);
         let first = rho;
         for _ in 0..MOST_ITERATIONS {
-            if !control.goes_on(STAGE) {
+            if !control.checkpoint(PHASE) {
                 return true;
             }
             self.metric
-                .apply(self.rings, &direction, None, &mut scratch, &mut image);
+                .apply(&self.domain.rings, &direction, None, &mut scratch, &mut image);
             let curvature = products(&direction[..free], &image);
             let alpha = ratios(rho, curvature);
             if !self.is_double() && alpha.iter().any(|&a| a > LONGEST_STEP) {
@@ -223,19 +238,15 @@ impl System<'_> {
 
     /// Tangential steps alone, each as long as the edges allow.
     pub(crate) fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
-        let mut step = vec![0.0; 3 * self.region.free];
+        let mut step = vec![0.0; 3 * self.free()];
         for _ in 0..TANGENTIAL_STEPS {
-            if !control.goes_on(STAGE) {
+            if !control.checkpoint(PHASE) {
                 return;
             }
             self.evaluate_inner(x);
-            self.step(&mut step, false);
+            self.inner_step(&mut step);
             let change = self.edge_change(x, &step);
-            advance(
-                x,
-                &step,
-                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
-            );
+            advance_limited(x, &step, change, LARGEST_CHANGE);
             if change < 0.01 {
                 break;
             }

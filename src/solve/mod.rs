@@ -1,25 +1,62 @@
 //! The default solver: a quasi-Newton iteration on both fairness equations together.
 //!
 //! [`initial`] makes a start from connectivity and boundary data alone, [`quasi_newton`] iterates to tolerance with a
-//! frozen matrix ([`bilaplacian`]), and [`globalize`] is the order in which harder means are tried: repaired inner
-//! fairness, plain curvature, pseudo-time, continuation in the boundary normals.
+//! frozen matrix ([`bilaplacian`]); [`attempt`] is the table of what is tried in which order, and [`ladder`] goes through it.
 
+pub(crate) mod attempt;
 pub(crate) mod bilaplacian;
 pub(crate) mod candidate;
-pub(crate) mod continuation;
 pub(crate) mod control;
 pub(crate) mod curvature_bounds;
 pub(crate) mod direction;
 pub(crate) mod factor;
-pub(crate) mod globalize;
 pub(crate) mod initial;
-pub(crate) mod loading;
+pub(crate) mod ladder;
+pub(crate) mod limited_step;
+pub(crate) mod normal_continuation;
+pub(crate) mod problem;
+pub(crate) mod procedure;
 pub(crate) mod pseudo_time;
 pub(crate) mod quasi_newton;
+pub(crate) mod result;
 pub(crate) mod system;
+pub(crate) mod target_continuation;
 pub(crate) mod untangle;
 pub(crate) mod weight_repair;
 
+use std::time::Instant;
+
+use crate::discrete::equations::State;
 pub(crate) use control::Control;
-pub(crate) use globalize::{Ending, Solved, solve};
+use ladder::{Ladder, Step};
+pub(crate) use problem::{Domain, Problem};
+pub(crate) use result::{SolveResult, SolveStatus};
 pub(crate) use system::System;
+
+/// Solves both fairness equations. Returns the surface, and its evaluation.
+///
+/// # Errors
+/// [`Collapsed`](system::Collapsed) where not even the linear surface exists.
+pub(crate) fn solve(
+    problem: &Problem<'_>,
+    control: &mut Control<'_>,
+) -> Result<(SolveResult, State), system::Collapsed> {
+    if !control.phase(0.01, initial::PHASE) {
+        return Ok(problem.unmoved());
+    }
+    let clock = Instant::now();
+    let mut system = System::new(problem);
+    let analysis_seconds = clock.elapsed().as_secs_f64();
+    system.set_interrupt(&control.interrupt);
+    let mut ladder = Ladder::default();
+    loop {
+        match ladder.advance(&mut system, control)? {
+            Step::Iterated => {}
+            Step::Ended(mut result) => {
+                result.start_seconds += analysis_seconds;
+                return Ok((result, system.into_state()));
+            }
+            Step::Unmoved => return Ok(problem.unmoved()),
+        }
+    }
+}

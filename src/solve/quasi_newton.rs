@@ -1,22 +1,34 @@
-//! The iteration: quasi-Newton steps with a frozen matrix, Anderson-accelerated.
+//! The iteration: quasi-Newton steps on both fairness equations with frozen matrices, Anderson-accelerated. The paper's
+//! loop (section 7.1, Figure 6) but for the two problems being solved together.
 
 use nalgebra::Vector3;
 
+use super::candidate::Candidate;
 use super::control::Control;
-use super::system::{Collapsed, LARGEST_CHANGE, System, advance};
-use fairmesh_linear::anderson::Anderson;
+use super::limited_step::{LARGEST_CHANGE, advance, advance_limited};
+use super::system::{StepNorm, System};
+use crate::quality::NEEDLE;
+use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
 
-/// Below this step norm the triangles show what they will be.
-const NEAR: f64 = 1e-4;
-/// Growth of the step norm over the best that an accelerated step may cause.
+/// Below this step norm, in diagonals, the triangles show what they will be.
+const TRIANGLES_SETTLED: f64 = 1e-4;
+/// Growth of the step norm over the best that an accelerated step may cause,
 const SAFE_GROWTH: f64 = 3.0;
+/// and near the solution, where growth is mostly that of rounding or of a few slow vertices.
+const SAFE_GROWTH_NEAR: f64 = 6.0;
+/// An accelerated step that would change an edge by more than so many times [`LARGEST_CHANGE`] extrapolates too far: its
+/// direction is worth nothing either.
+const LARGEST_EXCESS: f64 = 2.0;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
 const EXTRA: usize = 3;
 /// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
-/// takes a step of the history; on large regions that would cost more memory than the matrix.
-const WINDOWS: [usize; 2] = [20, 8];
+/// takes a step of the history;
+const WINDOW: usize = 16;
+/// on large regions that would cost more memory than the matrix.
+const WINDOW_OF_LARGE: usize = 8;
+const _: () = assert!(WINDOW <= MAX_WINDOW && WINDOW_OF_LARGE <= MAX_WINDOW);
 /// The largest region with the longer history.
 const LONG_UP_TO: usize = 50_000;
 /// A round that gains less than this in [`PATIENCE`] steps is left.
@@ -25,201 +37,298 @@ const STALL: f64 = 0.7;
 const PATIENCE: usize = 5;
 /// At most this many rounds, each with a matrix made at the best surface so far.
 const ROUNDS: usize = 5;
+/// A round with a fresh matrix that gains less than this will not gain in another.
+const ROUND_GAIN: f64 = 0.7;
 
 /// How an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum IterationStatus {
     /// The step norm is below the tolerance.
     Converged,
     /// No round gains any more.
     Stalled,
-    /// Near the solution, but on poor triangles: see [`Plan::watch`].
-    Poor,
+    /// Near the solution, but on poor triangles: see [`IterateOptions::stop_on_folds`].
+    Folded,
     /// Limit or cancel, see [`Control`].
     Stopped,
 }
 
-/// What one call may do.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Plan {
-    /// The step norm to reach, in diagonals.
-    pub tolerance: f64,
+/// How to iterate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct IterateOptions {
+    /// The step norm to reach, in diagonals, where the tolerance that is asked for is smaller; 0: that one.
+    pub tolerance_floor: f64,
     /// A round is left when the step norm exceeds this many times the best.
-    pub guard: f64,
-    /// Stop near the solution when triangles are flipped or thin: their repair starts anew.
-    pub watch: bool,
+    pub divergence_factor: f64,
+    /// Stop near the solution when triangles are folded or thin: their repair starts anew.
+    pub stop_on_folds: bool,
     /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
     /// safer.
-    pub response: bool,
-    /// Begin with the matrix that is there.
-    pub keep: bool,
+    pub measured_response: bool,
+    /// Begin with the factor of `P` that is there.
+    pub reuse_factor: bool,
     /// What to call it in progress reports.
-    pub stage: &'static str,
+    pub phase: &'static str,
+}
+
+impl IterateOptions {
+    /// The same to the tolerance that is asked for.
+    pub(crate) fn to_the_end(self) -> Self {
+        Self {
+            tolerance_floor: 0.0,
+            ..self
+        }
+    }
 }
 
 /// The surface with the smallest step norm of a round. Norms of different rounds do not compare: each round has a
 /// matrix of its own.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct Best {
     x: Vec<Vector3<f64>>,
     d: f64,
+}
+
+/// An iteration under way. Between two calls the system stands evaluated at [`Iteration::x`].
+#[derive(Debug)]
+pub(crate) struct Iteration {
+    options: IterateOptions,
+    tolerance: f64,
+    /// The surface.
+    pub(crate) x: Vec<Vector3<f64>>,
+    best: Best,
+    anderson: Anderson,
+    step: Vec<f64>,
+    accelerated: Vec<f64>,
+    /// `x` as Anderson takes it.
+    flat: Vec<f64>,
+    /// Rounds begun.
+    rounds: usize,
+    round: Round,
+}
+
+/// What a round keeps in mind.
+#[derive(Debug)]
+struct Round {
+    /// Step norms of the round.
+    history: Vec<f64>,
+    /// The first step norm of the round.
     first: f64,
+    stop_on_folds: bool,
+    /// An accelerated step was the last: from there one may go back.
+    was_accelerated: bool,
+    /// Iterations within the tolerance.
+    within: usize,
 }
 
-/// A round with a fresh matrix that gains less than this will not gain in another.
-const ROUND_GAIN: f64 = 0.7;
-
-/// Iterates from `x`; leaves the best surface there, and returns its step norm.
-pub(crate) fn iterate(
-    system: &mut System<'_>,
-    x: &mut Vec<Vector3<f64>>,
-    plan: Plan,
-    control: &mut Control<'_>,
-) -> (End, f64) {
-    let mut best = Best {
-        x: x.clone(),
-        d: f64::INFINITY,
-        first: f64::INFINITY,
-    };
-    let window = WINDOWS[usize::from(system.free() > LONG_UP_TO)];
-    let mut anderson = Anderson::new(3 * system.free(), window);
-    for round in 0..ROUNDS {
-        best.d = f64::INFINITY;
-        let keep = plan.keep && round == 0;
-        match run(
-            system,
+impl Iteration {
+    /// An iteration from `x`, to be begun.
+    pub(crate) fn new(
+        system: &System,
+        x: Vec<Vector3<f64>>,
+        options: IterateOptions,
+        control: &Control<'_>,
+    ) -> Self {
+        let n = 3 * system.free();
+        let window = if system.free() > LONG_UP_TO {
+            WINDOW_OF_LARGE
+        } else {
+            WINDOW
+        };
+        Self {
+            tolerance: options.tolerance_floor.max(control.tolerance),
+            options,
+            best: Best {
+                x: x.clone(),
+                d: f64::INFINITY,
+            },
             x,
-            &Plan { keep, ..plan },
-            &mut anderson,
-            &mut best,
-            control,
-        ) {
-            Ok(End::Converged) => return (End::Converged, best.d),
-            // The mean step is small enough; a few slow vertices do not gain any more.
-            Ok(End::Stalled) if best.d <= plan.tolerance => {
-                x.clone_from(&best.x);
-                return (End::Converged, best.d);
-            }
-            Ok(End::Stalled) => {}
-            Ok(end @ (End::Stopped | End::Poor)) => {
-                x.clone_from(&best.x);
-                return (end, best.d);
-            }
-            // Stopped within a factorization.
-            Err(Collapsed) if !control.goes_on(plan.stage) => {
-                x.clone_from(&best.x);
-                return (End::Stopped, f64::NAN);
-            }
-            Err(Collapsed) => break,
-        }
-        x.clone_from(&best.x);
-        if best.d > ROUND_GAIN * best.first {
-            break;
+            anderson: Anderson::new(n, window),
+            step: vec![0.0; n],
+            accelerated: vec![0.0; n],
+            flat: vec![0.0; n],
+            rounds: 0,
+            round: Round {
+                history: Vec::new(),
+                first: f64::INFINITY,
+                stop_on_folds: options.stop_on_folds,
+                was_accelerated: true,
+                within: 0,
+            },
         }
     }
-    x.clone_from(&best.x);
-    (End::Stalled, best.d)
-}
 
-/// One round: until converged, stopped, diverging or stalling.
-fn run(
-    system: &mut System<'_>,
-    x: &mut Vec<Vector3<f64>>,
-    plan: &Plan,
-    anderson: &mut Anderson,
-    best: &mut Best,
-    control: &mut Control<'_>,
-) -> Result<End, Collapsed> {
-    let n = 3 * system.free();
-    let (mut step, mut accelerated, mut flat) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-    let mut history: Vec<f64> = Vec::new();
-    let mut watch = plan.watch;
-    let mut safeguard = true;
-    let mut waited = 0;
-    anderson.clear();
-    if plan.keep || !plan.response {
-        system.evaluate(x);
+    /// Begins a round: evaluates both equations at `x` and makes `P` there. Returns how the iteration ended if that is as
+    /// far as it goes.
+    pub(crate) fn begin(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<IterationStatus> {
+        let IterateOptions {
+            measured_response,
+            stop_on_folds,
+            ..
+        } = self.options;
+        let reuse = self.options.reuse_factor && self.rounds == 0;
+        self.rounds += 1;
+        self.best.d = f64::INFINITY;
+        self.round = Round {
+            history: Vec::new(),
+            first: self.round.first,
+            stop_on_folds,
+            was_accelerated: true,
+            within: 0,
+        };
+        self.anderson.clear();
+        if reuse || !measured_response {
+            system.evaluate(&self.x);
+        }
+        let made = if reuse {
+            Ok(())
+        } else {
+            system.rebuild(&self.x, measured_response, |_| 0.0)
+        };
+        // A factorization that is interrupted fails as well.
+        if !control.checkpoint(self.options.phase) {
+            self.best.d = f64::NAN;
+            return Some(IterationStatus::Stopped);
+        }
+        made.is_err().then_some(IterationStatus::Stalled)
     }
-    if !plan.keep {
-        system.rebuild(x, plan.response, |_| 0.0)?;
+
+    /// One iteration. Returns how the iteration ended, if it has.
+    pub(crate) fn advance(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<IterationStatus> {
+        // P t = R1 (12) and G d = inner residual (7.3).
+        let norm = system.step(&mut self.step);
+        control.iteration(norm.total(), self.options.phase);
+        match self.stop(&norm, system, control) {
+            Some(IterationStatus::Stalled) => return self.next_round(system, control),
+            Some(IterationStatus::Converged) => {
+                advance(&mut self.x, &self.step, 1.0);
+                return Some(IterationStatus::Converged);
+            }
+            Some(status) => {
+                self.x.clone_from(&self.best.x);
+                return Some(status);
+            }
+            None => {}
+        }
+        if self.went_too_far(norm.total()) {
+            self.go_back(system);
+        } else {
+            self.accelerate(system);
+        }
+        // (4), (7.3) at the new surface.
+        system.evaluate(&self.x);
+        None
     }
-    if !control.goes_on(plan.stage) {
-        best.d = f64::NAN;
-        return Ok(End::Stopped);
+
+    /// The surface where it ended, judged.
+    pub(crate) fn candidate(&self, status: IterationStatus, system: &mut System) -> Candidate {
+        Candidate::new(system, self.x.clone(), status, self.best.d)
     }
-    loop {
-        let norm = system.step(&mut step, true);
+
+    /// Takes note of the step, and says whether the round ends with it.
+    fn stop(&mut self, norm: &StepNorm, system: &System, control: &Control<'_>) -> Option<IterationStatus> {
         let d = norm.total();
-        control.iteration(d, plan.stage);
-        control.show(system, x, d);
         if !d.is_finite() {
-            return Ok(End::Stalled);
+            return Some(IterationStatus::Stalled);
         }
-        if history.is_empty() {
-            best.first = d;
+        if self.round.history.is_empty() {
+            self.round.first = d;
         }
-        if d < best.d {
-            best.d = d;
-            best.x.clone_from(x);
+        if d < self.best.d {
+            self.best.d = d;
+            self.best.x.clone_from(&self.x);
         }
-        // Not on the first sight: a start may be close for reasons of its own.
-        waited += usize::from(d <= plan.tolerance);
-        let even = norm.largest <= LARGEST_STEP * plan.tolerance || waited > EXTRA;
-        if d <= plan.tolerance && even && !history.is_empty() {
-            advance(x, &step, 1.0);
-            return Ok(End::Converged);
+        if self.is_converged(norm) {
+            return Some(IterationStatus::Converged);
         }
         if control.exhausted() {
-            return Ok(End::Stopped);
+            return Some(IterationStatus::Stopped);
         }
-        if watch && d < NEAR {
-            watch = false;
-            if !system.poor(x, crate::quality::NEEDLE).is_empty() {
-                return Ok(End::Poor);
+        if self.round.stop_on_folds && d < TRIANGLES_SETTLED {
+            self.round.stop_on_folds = false;
+            if !system.poor(&self.x, NEEDLE).is_empty() {
+                return Some(IterationStatus::Folded);
             }
         }
+        self.is_stalling(d).then_some(IterationStatus::Stalled)
+    }
+
+    fn is_converged(&mut self, norm: &StepNorm) -> bool {
+        if norm.total() > self.tolerance {
+            return false;
+        }
+        self.round.within += 1;
+        let is_even = norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
+        // Not on the first sight: a start may be close for reasons of its own.
+        is_even && !self.round.history.is_empty()
+    }
+
+    fn is_stalling(&mut self, d: f64) -> bool {
+        let history = &mut self.round.history;
         history.push(d);
         let k = history.len() - 1;
-        if d > plan.guard * best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE] {
-            return Ok(End::Stalled);
+        d > self.options.divergence_factor * self.best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE]
+    }
+
+    /// After a round that stalls: another one from the best surface, if that promises something.
+    fn next_round(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
+        self.x.clone_from(&self.best.x);
+        if self.best.d <= self.tolerance {
+            // The mean step is small enough; a few slow vertices do not gain any more.
+            return Some(IterationStatus::Converged);
         }
-        for (flat, x) in flat.chunks_exact_mut(3).zip(x.iter()) {
+        if self.best.d > ROUND_GAIN * self.round.first || self.rounds == ROUNDS {
+            return Some(IterationStatus::Stalled);
+        }
+        self.begin(system, control)
+    }
+
+    /// Whether the last, accelerated step has extrapolated too far.
+    fn went_too_far(&self, d: f64) -> bool {
+        let growth = if self.best.d < TRIANGLES_SETTLED {
+            SAFE_GROWTH_NEAR
+        } else {
+            SAFE_GROWTH
+        };
+        d > growth * self.best.d && self.round.was_accelerated
+    }
+
+    /// Back to the best surface, and from there without history.
+    fn go_back(&mut self, system: &mut System) {
+        self.round.was_accelerated = false;
+        self.x.clone_from(&self.best.x);
+        self.anderson.clear();
+        system.evaluate(&self.x);
+        system.step(&mut self.step);
+        self.plain_step(system);
+    }
+
+    fn accelerate(&mut self, system: &System) {
+        self.round.was_accelerated = true;
+        for (flat, x) in self.flat.chunks_exact_mut(3).zip(&self.x) {
             flat.copy_from_slice(x.as_slice());
         }
-        if d > (if best.d < NEAR { 6.0 } else { SAFE_GROWTH }) * best.d && safeguard {
-            // Extrapolated too far: back to the best surface, and from there without history.
-            safeguard = false;
-            x.clone_from(&best.x);
-            anderson.clear();
-            system.evaluate(x);
-            system.step(&mut step, true);
-            let change = system.edge_change(x, &step);
-            advance(
-                x,
-                &step,
-                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
-            );
-            system.evaluate(x);
-            continue;
-        }
-        safeguard = true;
-        anderson.accelerate(&flat, &step, &mut accelerated);
-        let change = system.edge_change(x, &accelerated);
-        if change <= 2.0 * LARGEST_CHANGE {
-            advance(
-                x,
-                &accelerated,
-                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
-            );
+        self.anderson
+            .accelerate(&self.flat, &self.step, &mut self.accelerated);
+        let change = system.edge_change(&self.x, &self.accelerated);
+        if change <= LARGEST_EXCESS * LARGEST_CHANGE {
+            advance_limited(&mut self.x, &self.accelerated, change, LARGEST_CHANGE);
         } else {
-            anderson.clear();
-            let change = system.edge_change(x, &step);
-            advance(
-                x,
-                &step,
-                (LARGEST_CHANGE / change.max(f64::MIN_POSITIVE)).min(1.0),
-            );
+            self.anderson.clear();
+            self.plain_step(system);
         }
-        system.evaluate(x);
+    }
+
+    fn plain_step(&mut self, system: &System) {
+        let change = system.edge_change(&self.x, &self.step);
+        advance_limited(&mut self.x, &self.step, change, LARGEST_CHANGE);
     }
 }

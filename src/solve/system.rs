@@ -3,57 +3,58 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
 use super::direction;
 use super::factor::Factor;
+use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
-use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
-use crate::mesh::{Region, Rings};
+use crate::mesh::Region;
+use crate::quality::Surface;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
 /// Tangential steps below this, in diagonals, are projected.
-const NEAR: f64 = 1e-3;
+const PROJECTED_BELOW: f64 = 1e-3;
 
 /// With more free vertices `P` is factored in 64 bits from the start: its condition grows with their square, and the lowest
 /// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
 const SINGLE_UP_TO: usize = 250_000;
 
-/// Largest edge-relative change of one step.
-pub(crate) const LARGEST_CHANGE: f64 = 0.5;
+/// What is asked, besides the boundary normals.
+struct Asked {
+    weights: Arc<FairnessWeights>,
+    curvature: FreeCurvature,
+    right_hand_side: RightHandSide,
+}
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
-pub(crate) struct System<'a> {
-    /// The region.
-    pub region: &'a Region,
-    /// Its rings.
-    pub rings: &'a Rings,
-    /// The same, transposed.
-    pub batches: &'a ValenceBatches,
-    /// The input surface of the region (free, boundary).
-    pub input: &'a [Vector3<f64>],
-    /// Prescribed normals; those of the last evaluation where the surface passes.
-    pub boundary_normals: Vec<Vector3<f64>>,
+///
+/// What attempts vary for a while (inner fairness, curvature, boundary normals, right-hand side) is set by methods, and
+/// [`System::reset`] and [`System::use_asked_weights`] go back to what is asked.
+pub(crate) struct System {
+    /// The region and its rings.
+    pub(super) domain: Arc<Domain>,
+    asked: Asked,
+    weights: Arc<FairnessWeights>,
+    curvature: FreeCurvature,
+    right_hand_side: RightHandSide,
+    /// Prescribed normals; those of the last evaluation where the surface passes smoothly.
+    boundary_normals: Vec<Vector3<f64>>,
+    /// The prescribed ones, while others take their place.
+    prescribed: Option<Vec<Vector3<f64>>>,
     /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
-    pub smooth_interior: Vec<bool>,
-    /// Inner fairness.
-    pub weights: FairnessWeights,
-    /// Curvature at free vertices.
-    pub curvature: FreeCurvature,
-    /// What `Delta_B H` has to be, in the frame; zero unless set.
-    pub right_hand_side: RightHandSide,
+    smooth_interior: Vec<bool>,
     /// The last evaluation.
-    pub state: State,
+    state: State,
     /// The metric that `P` was made from.
-    pub metric: Metric,
-    /// The unit of step norms: the diagonal of the region's bounding box.
-    pub diagonal: f64,
+    pub(super) metric: Metric,
+    /// The unit of step norms: the diagonal of the last linear start's bounding box.
+    pub(super) diagonal: f64,
     g_pattern: SymmetricPattern,
     g: Factor,
     p_pattern: SymmetricPattern,
@@ -87,22 +88,21 @@ impl StepNorm {
     }
 }
 
-impl<'a> System<'a> {
+impl System {
     /// Orders and analyses both matrices from connectivity, and factors `G`.
-    pub(crate) fn new(
-        region: &'a Region,
-        rings: &'a Rings,
-        batches: &'a ValenceBatches,
-        input: &'a [Vector3<f64>],
-        boundary_normals: Vec<Vector3<f64>>,
-        weights: FairnessWeights,
-        curvature: FreeCurvature,
-    ) -> Self {
+    pub(crate) fn new(problem: &Problem<'_>) -> Self {
+        let Domain {
+            region,
+            rings,
+            batches,
+            ..
+        } = &**problem.domain;
+        let weights = problem.weights;
         let g_pattern = rings.graph();
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
                 let order = fill_reducing(&g_pattern, &g_pattern, 1, None);
-                let values = laplacian(&g_pattern, rings, batches, &weights);
+                let values = laplacian(&g_pattern, rings, batches, weights);
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
@@ -118,15 +118,18 @@ impl<'a> System<'a> {
         let _ = g.factor(&g_values);
         let free = region.free;
         Self {
-            region,
-            rings,
-            batches,
-            input,
-            boundary_normals,
-            smooth_interior: Vec::new(),
-            weights,
-            curvature,
-            right_hand_side: RightHandSide::default(),
+            domain: problem.domain.clone(),
+            asked: Asked {
+                weights: weights.clone(),
+                curvature: problem.curvature,
+                right_hand_side: problem.right_hand_side,
+            },
+            weights: weights.clone(),
+            curvature: problem.curvature,
+            right_hand_side: problem.right_hand_side,
+            boundary_normals: problem.boundary_normals.to_vec(),
+            prescribed: None,
+            smooth_interior: problem.smooth_interior.to_vec(),
             state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
@@ -142,23 +145,128 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Factorizations fail from when this is set; [`Control::goes_on`](super::Control::goes_on) tells whether it is.
-    pub(crate) fn heed(&mut self, interrupt: &Interrupt) {
+    /// Factorizations fail from when this is set; [`Control::checkpoint`](super::Control::checkpoint) tells whether it is.
+    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
         self.interrupt = interrupt.clone();
-        self.g.heed(interrupt);
-        self.p.heed(interrupt);
+        self.g.set_interrupt(interrupt);
+        self.p.set_interrupt(interrupt);
+    }
+
+    /// Asks for other boundary normals from now on, and says where the surface passes smoothly instead.
+    pub(crate) fn prescribe(&mut self, normals: Vec<Vector3<f64>>, smooth_interior: Vec<bool>) {
+        self.boundary_normals = normals;
+        self.prescribed = None;
+        self.smooth_interior = smooth_interior;
+    }
+
+    /// Asks for another right-hand side from now on.
+    pub(crate) fn ask_right_hand_side(&mut self, right_hand_side: RightHandSide) {
+        self.asked.right_hand_side = right_hand_side;
+        self.right_hand_side = right_hand_side;
+    }
+
+    /// Back to the curvature, boundary normals and right-hand side that are asked for.
+    pub(crate) fn reset(&mut self) {
+        self.curvature = self.asked.curvature;
+        self.right_hand_side = self.asked.right_hand_side;
+        if let Some(prescribed) = self.prescribed.take() {
+            self.boundary_normals = prescribed;
+        }
+    }
+
+    /// Takes another curvature, until [`System::reset`].
+    pub(crate) fn use_curvature(&mut self, curvature: FreeCurvature) {
+        self.curvature = curvature;
+    }
+
+    /// Takes other boundary normals, until [`System::reset`].
+    pub(crate) fn use_boundary_normals(&mut self, normals: Vec<Vector3<f64>>) {
+        let before = std::mem::replace(&mut self.boundary_normals, normals);
+        self.prescribed.get_or_insert(before);
+    }
+
+    /// Takes a part of the right-hand side that is asked for, from 0 to 1, until [`System::reset`].
+    pub(crate) fn use_part_of_target(&mut self, part: f64) {
+        self.right_hand_side = if part >= 1.0 {
+            self.asked.right_hand_side
+        } else if part > 0.0 {
+            self.asked.right_hand_side.share(part)
+        } else {
+            RightHandSide::default()
+        };
+    }
+
+    /// Takes these inner-fairness weights, until [`System::use_asked_weights`].
+    pub(crate) fn use_weights(&mut self, weights: Arc<FairnessWeights>) -> Result<(), Collapsed> {
+        let Domain { rings, batches, .. } = &*self.domain;
+        let values = laplacian(&self.g_pattern, rings, batches, &weights);
+        self.weights = weights;
+        self.g.factor(&values).map_err(|_| Collapsed)
+    }
+
+    /// Back to the inner-fairness weights that are asked for.
+    pub(crate) fn use_asked_weights(&mut self) {
+        if !Arc::ptr_eq(&self.weights, &self.asked.weights) {
+            // They were factored before, so that they can be again.
+            let _ = self.use_weights(self.asked.weights.clone());
+        }
+    }
+
+    /// The inner-fairness weights in force.
+    pub(crate) fn weights(&self) -> &Arc<FairnessWeights> {
+        &self.weights
+    }
+
+    /// Whether inner fairness is asked for that is not uniform.
+    pub(crate) fn asks_for_weights(&self) -> bool {
+        self.asked.weights.slots.is_some()
+    }
+
+    /// Whether another right-hand side than zero is asked for.
+    pub(crate) fn asks_for_target(&self) -> bool {
+        !self.asked.right_hand_side.is_zero()
+    }
+
+    /// The curvature that is asked for.
+    pub(crate) fn asked_curvature(&self) -> FreeCurvature {
+        self.asked.curvature
+    }
+
+    /// The boundary normals in force.
+    pub(crate) fn boundary_normals(&self) -> &[Vector3<f64>] {
+        &self.boundary_normals
+    }
+
+    /// The right-hand side in force.
+    pub(crate) fn right_hand_side(&self) -> RightHandSide {
+        self.right_hand_side
+    }
+
+    /// The last evaluation.
+    pub(crate) fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Takes the last evaluation away.
+    pub(crate) fn into_state(self) -> State {
+        self.state
+    }
+
+    /// The region.
+    pub(crate) fn region(&self) -> &Region {
+        &self.domain.region
     }
 
     /// Number of free vertices.
     pub(crate) fn free(&self) -> usize {
-        self.region.free
+        self.domain.region.free
     }
 
-    /// The equations with the current normals, weights and curvature.
+    /// The equations with the normals, weights, curvature and right-hand side in force.
     pub(crate) fn equations(&self) -> Equations<'_> {
         Equations {
-            rings: self.rings,
-            batches: self.batches,
+            rings: &self.domain.rings,
+            batches: &self.domain.batches,
             boundary_normals: &self.boundary_normals,
             smooth_interior: &self.smooth_interior,
             weights: &self.weights,
@@ -167,7 +275,29 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Evaluates both equations at `x` into `state`.
+    /// Defect of the outer equation at the last evaluation, without unit.
+    pub(crate) fn defect(&self) -> f64 {
+        self.equations().defect(&self.state).0 * self.diagonal
+    }
+
+    /// The surface `x`, which was evaluated last, to be judged.
+    pub(crate) fn surface<'s>(&'s self, x: &'s [Vector3<f64>]) -> Surface<'s> {
+        Surface {
+            region: self.region(),
+            x,
+            normals: &self.state.corrected,
+            boundary_normals: &self.boundary_normals,
+            h: &self.state.h,
+        }
+    }
+
+    /// Region triangles (local numbers) that are folded or have an angle below `degrees` at `x`, which was evaluated
+    /// last.
+    pub(crate) fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
+        self.surface(x).poor(degrees)
+    }
+
+    /// Evaluates both equations at `x` ((4), 7.3).
     pub(crate) fn evaluate(&mut self, x: &[Vector3<f64>]) {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
@@ -176,7 +306,7 @@ impl<'a> System<'a> {
     }
 
     fn take_smooth_interior_normals(&mut self) {
-        let (_, current) = self.state.corrected.split_at(self.region.free);
+        let (_, current) = self.state.corrected.split_at(self.domain.region.free);
         for ((normal, current), passes) in self
             .boundary_normals
             .iter_mut()
@@ -194,13 +324,6 @@ impl<'a> System<'a> {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate_inner(x, &mut state);
         self.state = state;
-    }
-
-    /// Takes new inner-fairness weights.
-    pub(crate) fn set_weights(&mut self, weights: FairnessWeights) -> Result<(), Collapsed> {
-        self.weights = weights;
-        let values = laplacian(&self.g_pattern, self.rings, self.batches, &self.weights);
-        self.g.factor(&values).map_err(|_| Collapsed)
     }
 
     /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal. With `response` it evaluates at
@@ -226,7 +349,7 @@ impl<'a> System<'a> {
     /// Factors `P` of the metric that is there.
     pub(crate) fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
         self.metric
-            .assemble(self.rings, &self.p_pattern, mass, &mut self.p_values);
+            .assemble(&self.domain.rings, &self.p_pattern, mass, &mut self.p_values);
         match self.p.factor(&self.p_values) {
             Ok(()) => Ok(()),
             Err(_) if !self.p.is_double() => self.refactor_double(),
@@ -237,7 +360,7 @@ impl<'a> System<'a> {
     /// Goes over to a 64-bit factor of the same matrix.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
         self.p = Factor::new(&self.p_symbolic, true);
-        self.p.heed(&self.interrupt);
+        self.p.set_interrupt(&self.interrupt);
         self.p.factor(&self.p_values).map_err(|_| Collapsed)
     }
 
@@ -257,30 +380,33 @@ impl<'a> System<'a> {
     }
 
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`. Far from the solution the field is taken as it is:
-    /// projecting it with each vertex's own normal would turn the crowding of a collapsed feature into normal noise.
-    /// Near the solution it is projected, or each equation would disturb the other.
-    pub(crate) fn step(&mut self, step: &mut [f64], normal_part: bool) -> StepNorm {
+    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`.
+    pub(crate) fn step(&mut self, step: &mut [f64]) -> StepNorm {
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
         rayon::join(
             || {
-                if normal_part {
-                    t.iter_mut().zip(&state.outer).for_each(|(t, r)| *t = [*r]);
-                    p.solve(t);
-                } else {
-                    t.fill([0.0]);
-                }
+                t.iter_mut().zip(&state.outer).for_each(|(t, r)| *t = [*r]);
+                p.solve(t);
             },
-            || {
-                d.iter_mut()
-                    .zip(&state.inner)
-                    .for_each(|(d, r)| *d = [r.x, r.y, r.z]);
-                g.solve(d);
-            },
+            || solve_inner(g, state, d),
         );
+        let norm = self.step_norm();
+        self.combine(&norm, step);
+        norm
+    }
+
+    /// The tangential part alone of that step.
+    pub(crate) fn inner_step(&mut self, step: &mut [f64]) {
+        self.normal_step.fill([0.0]);
+        solve_inner(&mut self.g, &self.state, &mut self.tangential_step);
+        let norm = self.step_norm();
+        self.combine(&norm, step);
+    }
+
+    fn step_norm(&self) -> StepNorm {
         let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
-        let norm = StepNorm {
+        StepNorm {
             normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
             tangential: rms(self
                 .tangential_step
@@ -288,12 +414,24 @@ impl<'a> System<'a> {
                 .map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
                 .sum()),
             largest: self.normal_step.iter().fold(0.0f64, |m, t| m.max(t[0].abs())) / self.diagonal,
-        };
-        let project = norm.tangential < NEAR;
+        }
+    }
+
+    /// Adds both parts. Far from the solution the tangential field is taken as it is: projecting it with each vertex's own
+    /// normal would turn the crowding of a collapsed feature into normal noise. Near the solution it is projected, or
+    /// each equation would disturb the other.
+    fn combine(&self, norm: &StepNorm, step: &mut [f64]) {
+        let project = norm.tangential < PROJECTED_BELOW;
         let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
         let rounds = direction::rounds(norm.largest * self.diagonal, disk);
-        let averaged = (rounds > 0)
-            .then(|| direction::averaged(self.rings, &self.state.normal, &self.boundary_normals, rounds));
+        let averaged = (rounds > 0).then(|| {
+            direction::averaged(
+                &self.domain.rings,
+                &self.state.normal,
+                &self.boundary_normals,
+                rounds,
+            )
+        });
         let along = averaged.as_ref().unwrap_or(&self.state.normal);
         for (i, s) in step.chunks_exact_mut(3).enumerate() {
             let n = &self.state.normal[i];
@@ -303,7 +441,6 @@ impl<'a> System<'a> {
                 s[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
             }
         }
-        norm
     }
 
     /// The normal part of the last step.
@@ -321,37 +458,12 @@ impl<'a> System<'a> {
     pub(crate) fn tangential_step(&self, step: &mut [f64]) {
         step.copy_from_slice(self.tangential_step.as_flattened());
     }
-
-    /// The largest change of an edge by `step` relative to its length at `x`.
-    pub(crate) fn edge_change(&self, x: &[Vector3<f64>], step: &[f64]) -> f64 {
-        let free = self.free();
-        let of = |i: usize| Vector3::new(step[3 * i], step[3 * i + 1], step[3 * i + 2]);
-        let squared = (0..free.div_ceil(CHUNK))
-            .into_par_iter()
-            .map(|chunk| {
-                let mut largest = 0.0f64;
-                for i in chunk * CHUNK..((chunk + 1) * CHUNK).min(free) {
-                    let own = of(i);
-                    for &j in self.rings.ring(i) {
-                        let other = if (j as usize) < free {
-                            of(j as usize)
-                        } else {
-                            Vector3::zeros()
-                        };
-                        let edge = (x[i] - x[j as usize]).norm_squared().max(f64::MIN_POSITIVE);
-                        largest = largest.max((own - other).norm_squared() / edge);
-                    }
-                }
-                largest
-            })
-            .reduce(|| 0.0, f64::max);
-        squared.sqrt()
-    }
 }
 
-/// `x += scale step` at the free vertices.
-pub(crate) fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
-    for (x, s) in x.iter_mut().zip(step.chunks_exact(3)) {
-        *x += Vector3::new(s[0], s[1], s[2]) * scale;
-    }
+/// `G d = ` inner residual (7.3).
+fn solve_inner(g: &mut Factor, state: &State, d: &mut [[f64; 3]]) {
+    d.iter_mut()
+        .zip(&state.inner)
+        .for_each(|(d, r)| *d = [r.x, r.y, r.z]);
+    g.solve(d);
 }

@@ -1,41 +1,164 @@
-//! Convex inner fairness where the asked one folds: uniform weights invert triangles at the notches of a jagged boundary.
+//! Convex inner fairness where the asked one folds: uniform weights fold triangles at the notches of a jagged boundary.
+
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::candidate::Candidate;
+use super::control::Control;
+use super::procedure::{Next, Run};
+use super::quasi_newton::{IterateOptions, IterationStatus};
 use super::system::System;
 use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
+use crate::quality::NEEDLE;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
-pub(crate) const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
+const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
+
+/// An iteration that begins anew with other weights where triangles end folded or thin.
+#[derive(Debug)]
+pub(crate) struct WeightRepair {
+    options: IterateOptions,
+    marks: Marks,
+    /// Needles of the start that no weights widen; `None`: there are none, or they are widened.
+    stubborn_needles: Option<usize>,
+    best: Option<Candidate>,
+}
+
+impl WeightRepair {
+    /// Iterates from `x`.
+    pub(crate) fn begin(
+        mut x: Vec<Vector3<f64>>,
+        options: IterateOptions,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> (Self, Next) {
+        let mut marks = Marks::new(system);
+        system.evaluate(&x);
+        let needles = system.poor(&x, NEEDLE).len();
+        let mut stubborn_needles = None;
+        // The start is distributed almost as the result will be: what folds here would be found after the iterations.
+        if !system.poor(&x, THRESHOLDS[0]).is_empty()
+            && let Some(start) = marks.restart(&x, system, control)
+            && !control.cancelled
+        {
+            system.evaluate(&start);
+            if needles > 0 && system.poor(&start, NEEDLE).len() >= needles {
+                // They were factored before, so that they can be again.
+                let _ = system.use_weights(marks.asked.clone());
+                stubborn_needles = Some(needles);
+            } else {
+                x = start;
+            }
+        }
+        let repair = Self {
+            options,
+            marks,
+            stubborn_needles,
+            best: None,
+        };
+        let next = repair.iterate(x, stubborn_needles.is_none(), system, control);
+        (repair, next)
+    }
+
+    /// After an iteration that led to `last`: the next round of repairs, if there is something to repair.
+    pub(crate) fn next(
+        &mut self,
+        mut last: Candidate,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Next {
+        match self.best.take() {
+            None => {
+                if self
+                    .stubborn_needles
+                    .is_some_and(|needles| last.has_only_needles(system, needles))
+                {
+                    last.needles_from_input = true;
+                    return Next::Done(last);
+                }
+                self.best = Some(last.clone());
+            }
+            Some(_) if last.is_stopped() => return Next::Done(last),
+            Some(best) if last.rank() < best.rank() => self.best = Some(last.clone()),
+            best => self.best = best,
+        }
+        let is_repairable = matches!(last.status, IterationStatus::Converged | IterationStatus::Folded);
+        let restarted = if is_repairable && !last.poor.is_empty() {
+            self.marks.restart(&last.x, system, control)
+        } else {
+            None
+        };
+        let best = self.best.take().unwrap_or(last);
+        match restarted {
+            None => Next::Done(best),
+            Some(_) if control.cancelled => Next::Done(Candidate {
+                status: IterationStatus::Stopped,
+                ..best
+            }),
+            Some(start) => {
+                self.best = Some(best);
+                self.iterate(start, self.marks.has_more(), system, control)
+            }
+        }
+    }
+
+    fn iterate(
+        &self,
+        x: Vec<Vector3<f64>>,
+        stop_on_folds: bool,
+        system: &System,
+        control: &Control<'_>,
+    ) -> Next {
+        let options = IterateOptions {
+            stop_on_folds,
+            ..self.options
+        };
+        Next::Run(Run::iterate(system, x, options, control))
+    }
+}
 
 /// Vertices marked so far.
 #[derive(Debug)]
-pub(crate) struct Repair {
-    asked: FairnessWeights,
+struct Marks {
+    /// The weights before any repair.
+    asked: Arc<FairnessWeights>,
     marked: Vec<bool>,
     round: usize,
 }
 
-impl Repair {
-    /// Nothing marked; the system's weights are the asked ones.
-    pub(crate) fn new(system: &System<'_>) -> Self {
+impl Marks {
+    /// Nothing marked.
+    fn new(system: &System) -> Self {
         Self {
-            asked: system.weights.clone(),
+            asked: system.weights().clone(),
             marked: vec![false; system.free()],
             round: 0,
         }
     }
 
+    /// The start surface with the weights of the next round.
+    fn restart(
+        &mut self,
+        x: &[Vector3<f64>],
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<Vec<Vector3<f64>>> {
+        let weights = self.next(system, x)?;
+        system.use_weights(weights.into()).ok()?;
+        system.start(control).ok()
+    }
+
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
     /// like everything here, taken from connectivity and boundary alone and not from the input's interior. `None` when
     /// there is nothing left to try.
-    pub(crate) fn next(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
+    fn next(&mut self, system: &mut System, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
         self.round += 1;
         system.evaluate(x);
         for t in system.poor(x, threshold) {
-            for v in system.region.half_edges.triangles[t as usize] {
+            for v in system.domain.region.half_edges.triangles[t as usize] {
                 if (v as usize) < system.free() {
                     self.marked[v as usize] = true;
                 }
@@ -45,23 +168,23 @@ impl Repair {
             self.grow(system);
         }
         let mut better = x.to_vec();
-        untangle(system.rings, &self.marked, &mut better);
-        let mut weights = self.asked.clone();
+        untangle(&system.domain.rings, &self.marked, &mut better);
+        let mut weights = FairnessWeights::clone(&self.asked);
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
-            weights.set_mean_value(system.batches, &better, i);
+            weights.set_mean_value(&system.domain.batches, &better, i);
         }
         Some(weights)
     }
 
     /// Whether another round would be left after this one.
-    pub(crate) fn has_more(&self) -> bool {
+    fn has_more(&self) -> bool {
         self.round < THRESHOLDS.len()
     }
 
-    fn grow(&mut self, system: &System<'_>) {
+    fn grow(&mut self, system: &System) {
         let before = self.marked.clone();
         for i in (0..system.free()).filter(|&i| before[i]) {
-            for &j in system.rings.ring(i) {
+            for &j in system.domain.rings.ring(i) {
                 if (j as usize) < system.free() {
                     self.marked[j as usize] = true;
                 }

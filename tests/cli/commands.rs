@@ -59,16 +59,8 @@ fn wrong_usage_exits_with_2() {
             "--faces",
             "faces.txt",
         ],
-        &["fair", "cap.obj", "-o", "x.obj", "--inner", "best"],
-        &[
-            "fair",
-            "cap.obj",
-            "-o",
-            "x.obj",
-            "--normals",
-            "n.txt",
-            "--average-normals",
-        ],
+        &["fair", "cap.obj", "-o", "x.obj", "--inner-fairness", "best"],
+        &["fair", "cap.obj", "-o", "x.obj", "--interior-normals", "best"],
         &["unfair"],
     ] {
         expect(&directory, args, 2);
@@ -285,34 +277,56 @@ fn too_few_iterations_exit_with_3_and_write() {
 fn the_papers_scheme_takes_its_flags_and_tells_its_levels() {
     let directory = prepared("paper");
     let file = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+    let solver = ["--solver", "paper"];
+    let fair = |more: &[&str], code: i32| expect(&directory, &[&file[..], more].concat(), code);
     let flags = [
-        "--solver",
-        "paper",
-        "--levels",
-        "1",
-        "--damping",
-        "0.8",
-        "--cg",
-        "20",
-        "--defect",
-        "1e-5",
+        ["--paper-levels", "1"],
+        ["--paper-damping", "0.8"],
+        ["--paper-estimate", "conjugate-gradients"],
+        ["--paper-estimate-iterations", "20"],
+        ["--paper-defect", "1e-5"],
     ];
     let json = ["--json", "report.json"];
-    let (out, _) = expect(&directory, &[&file[..], &flags, &json].concat(), 0);
+    let (out, _) = fair(&[&solver, flags.as_flattened(), &json].concat(), 0);
     assert!(out.contains("levels:"), "{out}");
     let json = fs::read_to_string(directory.join("report.json")).unwrap();
     assert!(json.contains("\"updates\""), "{json}");
-    let (_, err) = expect(&directory, &[&file[..], &["--levels", "2"]].concat(), 2);
-    assert!(err.contains("--levels is for --solver paper only"), "{err}");
-    let (_, err) = expect(
-        &directory,
-        &[&file[..], &["--solver", "paper", "--damping", "2"]].concat(),
-        2,
-    );
+    for flag in flags {
+        let (_, err) = fair(&flag, 2);
+        assert!(err.contains("is for --solver paper only"), "{err}");
+    }
+    let (_, err) = fair(&[&solver[..], &["--max-iterations", "1"]].concat(), 2);
+    assert!(err.contains("--paper-max-updates"), "{err}");
+    let (_, err) = fair(&[&solver[..], &["--paper-damping", "2"]].concat(), 2);
     assert!(err.contains("damping"), "{err}");
-    let few = ["--solver", "paper", "--max-iterations", "1"];
-    let (out, _) = expect(&directory, &[&file[..], &few].concat(), 3);
+    let (out, _) = fair(&[&solver[..], &["--paper-max-updates", "1"]].concat(), 3);
     assert!(out.starts_with("stopped at the iteration limit"), "{out}");
+}
+
+#[test]
+fn normals_are_fitted_averaged_or_those_of_a_file() {
+    let directory = prepared("normals");
+    let positions = cap();
+    let given: String = (0..SIDE * SIDE)
+        .filter(|&v| !is_free(v))
+        .map(|v| {
+            format!(
+                "{v} {} {} {}\n",
+                positions[v][0], positions[v][1], positions[v][2]
+            )
+        })
+        .collect();
+    fs::write(directory.join("normals.txt"), given).unwrap();
+    let result = |normals: &[&str]| {
+        let args = ["fair", "cap.obj", "-o", "out.obj", "--free", "free.txt"];
+        expect(&directory, &[&args[..], normals].concat(), 0);
+        fs::read(directory.join("out.obj")).unwrap()
+    };
+    let fitted = result(&[]);
+    assert_eq!(result(&["--normals", "fitted"]), fitted);
+    let averaged = result(&["--normals", "averaged"]);
+    let exact = result(&["--normals", "normals.txt"]);
+    assert!(averaged != fitted && exact != fitted && exact != averaged);
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! The program `fairmesh`: files byte for byte, texts and exit codes.
+#![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
 mod commands;
 mod common;

@@ -257,7 +257,7 @@ fn fitted_normals() {
                 let shape = generate(n, seed);
                 let start = shape.random(seed);
                 let fitted = Options {
-                    normals: BoundaryNormals::Fitted,
+                    boundary_normals: BoundaryNormals::Fitted,
                     ..options(TIGHT)
                 };
                 let fitted = solve_as_asked(&shape, &start, fitted);

@@ -68,13 +68,14 @@ fn fitted_against_exact_normals() {
             ("catenoid", catenoid_band(n, irregular(1), OUTSIDE)),
         ] {
             // Solved: where the boundary has a fixed vertex all of whose triangles are free, its normal is the surface's own.
-            let [fitted, averaged] = [BoundaryNormals::Fitted, BoundaryNormals::Averaged].map(|normals| {
-                let options = Options {
-                    normals,
-                    ..options(1e-8)
-                };
-                normal_errors(&shape, &solve_as_asked(&shape, &shape.flat(), options))
-            });
+            let [fitted, averaged] =
+                [BoundaryNormals::Fitted, BoundaryNormals::Averaged].map(|boundary_normals| {
+                    let options = Options {
+                        boundary_normals,
+                        ..options(1e-8)
+                    };
+                    normal_errors(&shape, &solve_as_asked(&shape, &shape.flat(), options))
+                });
             println!(
                 "{name:9} {n:6} fitted rms {:.2e} max {:.2e}, averaged rms {:.2e} max {:.2e} degrees",
                 fitted.rms, fitted.max, averaged.rms, averaged.max
@@ -106,12 +107,12 @@ fn normals_of_coordinates_rounded_far_away_are_averaged() {
             for p in &mut far.positions {
                 *p = std::array::from_fn(|k| f64::from((p[k] + offset[k]) as f32));
             }
-            let error = |normals: BoundaryNormals<'_>| {
+            let error = |boundary_normals: BoundaryNormals| {
                 let solution = solve_as_asked(
                     &far,
                     &far.positions,
                     Options {
-                        normals,
+                        boundary_normals,
                         ..options(1e-8)
                     },
                 );
@@ -124,7 +125,7 @@ fn normals_of_coordinates_rounded_far_away_are_averaged() {
             };
             let (fitted, exact) = (
                 error(BoundaryNormals::Fitted),
-                error(BoundaryNormals::Given(&shape.boundary_normals())),
+                error(BoundaryNormals::Given(shape.boundary_normals())),
             );
             println!("sphere {n} at {offset:?}: fitted {fitted:.1e}, exact normals {exact:.1e}");
             bars.at_most(
@@ -225,7 +226,7 @@ fn bad_normals_are_refused() {
     let exact = shape.boundary_normals();
     let refused = |given: &[(u32, [f64; 3])]| {
         let options = Options {
-            normals: BoundaryNormals::Given(given),
+            boundary_normals: BoundaryNormals::Given(given.to_vec()),
             ..options(1e-8)
         };
         attempt(&shape, options).err()

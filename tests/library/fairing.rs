@@ -15,7 +15,7 @@ pub fn irregular(seed: u64) -> Sampling {
 }
 
 /// Options for one thread, because tests run side by side.
-pub fn options<'a>(tolerance: f64) -> Options<'a> {
+pub fn options(tolerance: f64) -> Options {
     Options {
         tolerance,
         threads: 1,
@@ -41,60 +41,38 @@ pub fn starts(shape: &Shape, seed: u64) -> [(&'static str, Vec<[f64; 3]>); 3] {
     ]
 }
 
-/// Fairs with the exact boundary normals, and without progress.
-pub fn solve(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
+/// Fairs with the exact boundary normals.
+pub fn solve(shape: &Shape, start: &[[f64; 3]], options: Options) -> Solution {
     solve_given(shape, start, &shape.boundary_normals(), options)
 }
 
-/// Fairs with these boundary normals, and without progress.
+/// Fairs with these boundary normals.
 pub fn solve_given(
     shape: &Shape,
     start: &[[f64; 3]],
     given: &[(u32, [f64; 3])],
-    options: Options<'_>,
+    options: Options,
 ) -> Solution {
-    // Field by field: the callback's lifetime cannot be shortened.
-    let Options {
-        interior,
-        target,
-        inner,
-        discretization,
-        solver,
-        tolerance,
-        max_iterations,
-        threads,
-        ..
-    } = options;
-    let normals = BoundaryNormals::Given(given);
-    let progress = None;
     let options = Options {
-        normals,
-        interior,
-        target,
-        inner,
-        discretization,
-        solver,
-        tolerance,
-        max_iterations,
-        threads,
-        progress,
+        boundary_normals: BoundaryNormals::Given(given.to_vec()),
+        ..options
     };
     solve_as_asked(shape, start, options)
 }
 
 /// Fairs the shape as it is, or says why not.
-pub fn attempt(shape: &Shape, options: Options<'_>) -> Result<Solution, fairmesh::Error> {
+pub fn attempt(shape: &Shape, options: Options) -> Result<Solution, fairmesh::Error> {
     fair(
         &shape.positions,
         &shape.triangles,
         Selection::Mask(&shape.free),
-        options,
+        &options,
     )
 }
 
 /// Fairs with the normals of the options.
-pub fn solve_as_asked(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
-    fair(start, &shape.triangles, Selection::Mask(&shape.free), options).expect("a sound problem")
+pub fn solve_as_asked(shape: &Shape, start: &[[f64; 3]], options: Options) -> Solution {
+    fair(start, &shape.triangles, Selection::Mask(&shape.free), &options).expect("a sound problem")
 }
 
 /// Distances of the free vertices to the exact surface, in diagonals; or what else is measured there.

@@ -17,7 +17,7 @@ use fairmesh_shapes::*;
 /// Coordinates agree to this, in diagonals.
 const NEAR: f64 = 1e-11;
 
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/library/golden.txt");
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/library/golden.txt");
 
 /// How a case ends: outcome, iterations, free vertices, diagonal, and a coordinate each of five free vertices.
 struct Golden {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::fairing::{Bars, angle, irregular, vector};
 use fairmesh::{
     Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, Loops, OpenReason, Options, Outcome,
-    boundary_loops, fill_holes,
+    boundary_loops, fill_holes, fill_holes_with_progress,
 };
 use fairmesh_shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
 
@@ -46,7 +46,7 @@ fn largest(x: &[[f64; 3]], t: &[[u32; 3]]) -> usize {
     (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap()
 }
 
-fn options(loops: Loops<'_>) -> FillOptions<'_> {
+fn options(loops: Loops) -> FillOptions {
     FillOptions {
         loops,
         fairing: Options {
@@ -57,8 +57,8 @@ fn options(loops: Loops<'_>) -> FillOptions<'_> {
     }
 }
 
-fn fill(x: &[[f64; 3]], t: &[[u32; 3]], loops: Loops<'_>) -> Filled {
-    let filled = fill_holes(x, t, options(loops)).expect("a sound call");
+fn fill(x: &[[f64; 3]], t: &[[u32; 3]], loops: Loops) -> Filled {
+    let filled = fill_holes(x, t, &options(loops)).expect("a sound call");
     check(x, t, &filled);
     filled
 }
@@ -204,9 +204,9 @@ fn check_spheres(sizes: &[(usize, u64)]) {
             for density in [1.0, 1.4, 2.0] {
                 let asked = FillOptions {
                     density,
-                    ..options(Loops::Chosen(&chosen))
+                    ..options(Loops::Chosen(chosen.to_vec()))
                 };
-                let filled = fill_holes(&x, &t, asked).unwrap();
+                let filled = fill_holes(&x, &t, &asked).unwrap();
                 check(&x, &t, &filled);
                 let report = &filled.loops[0];
                 let what = format!("{n}, seed {seed}, density {density}");
@@ -268,7 +268,7 @@ fn bend_of_mesh(x: &[[f64; 3]], t: &[[u32; 3]]) -> f64 {
 #[test]
 fn a_regular_mesh_gets_edges_and_angles_like_its_own() {
     let (x, t) = sphere(1_000, Sampling::Regular);
-    let filled = fill(&x, &t, Loops::Chosen(&[largest(&x, &t)]));
+    let filled = fill(&x, &t, Loops::Chosen(vec![largest(&x, &t)]));
     assert!(filled.loops[0].worst_angle >= 30.0);
     let (outside, mean) = edge_lengths(&x, &t, &filled);
     assert_eq!(outside, [0.0, 0.0]);
@@ -285,7 +285,7 @@ fn a_window_in_a_cylinder_is_closed() {
         let hole = (0..3)
             .min_by(|&a, &b| loops[a].turn.total_cmp(&loops[b].turn))
             .unwrap();
-        let filled = fill(&x, &t, Loops::Chosen(&[hole]));
+        let filled = fill(&x, &t, Loops::Chosen(vec![hole]));
         let off = filled.positions[x.len()..]
             .iter()
             .map(|p| (p[0].hypot(p[1]) - 1.0).abs());
@@ -334,7 +334,7 @@ fn loops_of_three_to_a_thousand_edges_in_a_plane_stay_in_it() {
             max_new_vertices: 3_000,
             ..options(Loops::UpTo(usize::MAX))
         };
-        let filled = fill_holes(&x, &t, asked).unwrap();
+        let filled = fill_holes(&x, &t, &asked).unwrap();
         check(&x, &t, &filled);
         let (inner, outer) = (&filled.loops[hole], &filled.loops[1 - hole]);
         assert_eq!(outer.outcome, FillOutcome::LeftOpen(OpenReason::OuterBoundary));
@@ -370,7 +370,7 @@ fn the_vertex_cap_holds_on_a_loop_of_ten_thousand_edges() {
         },
         ..options(Loops::UpTo(usize::MAX))
     };
-    let filled = fill_holes(&x, &t, asked).unwrap();
+    let filled = fill_holes(&x, &t, &asked).unwrap();
     check(&x, &t, &filled);
     let report = &filled.loops[inner_loop(&x, &t)];
     assert!(report.coarsened && report.vertices.len() <= 20_000 && report.vertices.len() > 5_000);
@@ -523,7 +523,7 @@ fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
     x.iter_mut()
         .for_each(|p| p[2] -= 0.5 * (-8.0 * (p[0] * p[0] + p[1] * p[1])).exp());
     let outer = largest(&x, &t);
-    let (chosen, mut calls) = ([outer], 0);
+    let mut calls = 0;
     let mut count = |_: &fairmesh::Progress| {
         calls += 1;
         std::ops::ControlFlow::Continue(())
@@ -531,12 +531,11 @@ fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
     let asked = FillOptions {
         fairing: Options {
             threads: 1,
-            progress: Some(&mut count),
             ..Options::default()
         },
-        ..options(Loops::Chosen(&chosen))
+        ..options(Loops::Chosen(vec![outer]))
     };
-    let filled = fill_holes(&x, &t, asked).unwrap();
+    let filled = fill_holes_with_progress(&x, &t, &asked, &mut count).unwrap();
     check(&x, &t, &filled);
     let report = &filled.loops[0];
     let converged = report
@@ -610,7 +609,7 @@ fn a_noisy_boundary_gives_an_honest_outcome_and_no_spike() {
         noisy.free = vec![true; shape.free.len()];
         noisy.positions = noisy.noise(seed, 0.3);
         let (x, t) = cut(&noisy, |p| p[2] < 0.5);
-        let filled = fill(&x, &t, Loops::Chosen(&[largest(&x, &t)]));
+        let filled = fill(&x, &t, Loops::Chosen(vec![largest(&x, &t)]));
         let report = &filled.loops[0];
         assert!(!matches!(report.outcome, FillOutcome::LeftOpen(_)));
         let far = |v: &u32| radius(&filled.positions[*v as usize]) > 2.0;
@@ -651,7 +650,7 @@ fn boundary_triangles_without_area_and_single_triangles_are_survived() {
         FillOutcome::LeftOpen(OpenReason::OuterBoundary)
     );
     assert_eq!(
-        left(Loops::Chosen(&[0])),
+        left(Loops::Chosen(vec![0])),
         FillOutcome::LeftOpen(OpenReason::NoTriangulation)
     );
 }
@@ -659,9 +658,9 @@ fn boundary_triangles_without_area_and_single_triangles_are_survived() {
 #[test]
 fn wrong_options_and_loops_that_do_not_exist_are_refused() {
     let (x, t) = collar(5, ring(1.0, 0.0), ring(2.0, 0.0));
-    let refused = |options| fill_holes(&x, &t, options).unwrap_err();
+    let refused = |options: FillOptions| fill_holes(&x, &t, &options).unwrap_err();
     assert!(matches!(
-        refused(options(Loops::Chosen(&[2]))),
+        refused(options(Loops::Chosen(vec![2]))),
         Error::SelectionOutOfRange { index: 2, count: 2 }
     ));
     for density in [0.0, -1.0, f64::NAN, 1e9] {
@@ -688,7 +687,7 @@ fn the_result_has_the_same_bits_for_any_number_of_threads_and_any_scale() {
             },
             ..FillOptions::default()
         };
-        fill_holes(x, &t, asked).unwrap()
+        fill_holes(x, &t, &asked).unwrap()
     };
     let (one, two) = (run(&x, 1), run(&x, 2));
     assert_eq!(one.positions, two.positions);
@@ -704,14 +703,7 @@ fn the_result_has_the_same_bits_for_any_number_of_threads_and_any_scale() {
 fn a_run_can_be_stopped() {
     let (x, t) = sphere(1_000, irregular(1));
     let mut stop = |_: &fairmesh::Progress| std::ops::ControlFlow::Break(());
-    let asked = FillOptions {
-        fairing: Options {
-            progress: Some(&mut stop),
-            ..Options::default()
-        },
-        ..FillOptions::default()
-    };
-    let filled = fill_holes(&x, &t, asked).unwrap();
+    let filled = fill_holes_with_progress(&x, &t, &FillOptions::default(), &mut stop).unwrap();
     check(&x, &t, &filled);
     let cancelled = FillOutcome::LeftOpen(OpenReason::Cancelled);
     assert!(filled.loops.iter().any(|l| l.outcome == cancelled));
@@ -731,14 +723,7 @@ fn who_has_stopped_a_run_is_not_asked_again() {
                 false => std::ops::ControlFlow::Continue(()),
             }
         };
-        let asked = FillOptions {
-            fairing: Options {
-                progress: Some(&mut once),
-                ..Options::default()
-            },
-            ..FillOptions::default()
-        };
-        let filled = fill_holes(&x, &t, asked).unwrap();
+        let filled = fill_holes_with_progress(&x, &t, &FillOptions::default(), &mut once).unwrap();
         check(&x, &t, &filled);
         assert!(fractions.is_sorted(), "{fractions:?}");
         if fractions.len() <= stop_at {
@@ -771,7 +756,7 @@ fn a_short_edge_does_not_flood_its_hole() {
             loops: Loops::UpTo(hole.vertices.len()),
             ..FillOptions::default()
         };
-        let filled = fill_holes(&x, &triangles, options).unwrap();
+        let filled = fill_holes(&x, &triangles, &options).unwrap();
         let new = filled.positions.len() - x.len();
         println!("{part:.0e}: {new} new vertices");
         assert!(new <= 1_000 + 2 * hole.vertices.len().pow(2));
@@ -791,7 +776,7 @@ fn the_outline_of_a_flat_grid_in_single_precision_does_not_flood() {
         let t: Vec<[u32; 3]> = corners
             .flat_map(|a| [[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]])
             .collect();
-        let filled = fill(&x, &t, Loops::Chosen(&[0]));
+        let filled = fill(&x, &t, Loops::Chosen(vec![0]));
         let report = &filled.loops[0];
         // The sheet itself has n n.
         let new = report.vertices.len();

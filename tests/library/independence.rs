@@ -65,7 +65,7 @@ fn blend(shape: &Shape, inner: InnerFairness) -> Solution {
         shape,
         &shape.positions,
         Options {
-            inner,
+            inner_fairness: inner,
             ..options(1e-9)
         },
     )

@@ -263,10 +263,10 @@ fn the_rule_of_the_input_is_there_on_request() {
         (Discretization::Paper, Input, MinimalEnergy, 1.6e-2, 1.8e-2),
     ] {
         let options = Options {
-            interior,
+            interior_normals: interior,
             discretization,
             target,
-            normals: BoundaryNormals::Given(&outer),
+            boundary_normals: BoundaryNormals::Given(outer.clone()),
             ..options(1e-8)
         };
         let solution = solve_as_asked(&shape, &flat(&shape), options);
@@ -286,7 +286,7 @@ fn convex_weights_keep_spheres() {
     for n in [1_000, 13_000] {
         let shape = sphere_cap(60.0, n, irregular(1), OUTSIDE);
         let options = Options {
-            inner: InnerFairness::Convex,
+            inner_fairness: InnerFairness::Convex,
             ..options(TIGHT)
         };
         // Weights of the undistorted triangles.

@@ -5,7 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use crate::fairing::*;
-use fairmesh::{BoundaryNormals, Error, Options, Outcome, Progress, Selection, Solution, fair};
+use fairmesh::{
+    BoundaryNormals, Error, Options, Outcome, Progress, Selection, Solution, fair, fair_with_progress,
+};
 use fairmesh_shapes::*;
 
 /// Fixed vertices keep their bits, the others have finite coordinates and stay near the region.
@@ -31,7 +33,6 @@ fn run_with(
     start: &[[f64; 3]],
     stop: impl Fn(&Progress) -> bool + Sync,
 ) -> (Solution, Vec<Progress>) {
-    let given = shape.boundary_normals();
     let mut told = Vec::new();
     let mut callback = |p: &Progress| {
         told.push(*p);
@@ -42,11 +43,11 @@ fn run_with(
         }
     };
     let options = Options {
-        normals: BoundaryNormals::Given(&given),
-        progress: Some(&mut callback),
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
         ..options(1e-8)
     };
-    let solution = fair(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap();
+    let selection = Selection::Mask(&shape.free);
+    let solution = fair_with_progress(start, &shape.triangles, selection, &options, &mut callback).unwrap();
     (solution, told)
 }
 
@@ -176,7 +177,7 @@ fn progress_never_falls() {
 #[test]
 fn options_out_of_range() {
     let shape = cylinder_band(100, irregular(1), OUTSIDE);
-    let refused = |options: Options<'_>| attempt(&shape, options).err();
+    let refused = |options: Options| attempt(&shape, options).err();
     let tolerance_range = "greater than 0 and less than 1";
     for tolerance in [0.0, -1e-8, 1.0, 2.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
         match refused(options(tolerance)) {
@@ -225,7 +226,7 @@ fn refused_problems() {
     let shape = cylinder_band(100, irregular(1), OUTSIDE);
     let (p, t) = (&shape.positions, &shape.triangles);
     let free = shape.free_vertices();
-    let error = |p: &[[f64; 3]], t: &[[u32; 3]], s: Selection<'_>| fair(p, t, s, options(1e-8)).err();
+    let error = |p: &[[f64; 3]], t: &[[u32; 3]], s: Selection<'_>| fair(p, t, s, &options(1e-8)).err();
     let mask = Selection::Mask(&shape.free);
     let n = p.len();
     assert_eq!(error(p, t, mask), None);
@@ -337,13 +338,12 @@ fn selections_agree() {
     let mut vertices = shape.free_vertices();
     vertices.reverse();
     vertices.extend_from_slice(&vertices.clone()[..5]);
-    let given = shape.boundary_normals();
+    let options = Options {
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
+        ..options(1e-8)
+    };
     let run = |selection| {
-        let options = Options {
-            normals: BoundaryNormals::Given(&given),
-            ..options(1e-8)
-        };
-        fair(&shape.positions, &shape.triangles, selection, options)
+        fair(&shape.positions, &shape.triangles, selection, &options)
             .unwrap()
             .positions
     };
@@ -647,7 +647,7 @@ fn a_pole_of_400_meridians() {
     for p in &mut positions {
         p[2] = p[2].min(0.2);
     }
-    let solution = fair(&positions, &triangles, Selection::Mask(&free), options(1e-8)).unwrap();
+    let solution = fair(&positions, &triangles, Selection::Mask(&free), &options(1e-8)).unwrap();
     let report = &solution.report;
     let off = |p: &[f64; 3]| (vector(p).norm() - 1.0).abs();
     let error = solution.positions.iter().map(off).fold(0.0, f64::max);

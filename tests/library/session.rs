@@ -10,12 +10,12 @@ use fairmesh_shapes::*;
 
 const TOLERANCE: f64 = 1e-8;
 
-fn session(shape: &Shape, start: &[[f64; 3]], options: &Options<'_>) -> Session {
+fn session(shape: &Shape, start: &[[f64; 3]], options: &Options) -> Session {
     Session::new(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
 }
 
-fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options<'_>) -> Solution {
-    fair(start, &shape.triangles, Selection::Mask(&shape.free), options).unwrap()
+fn at_once(shape: &Shape, start: &[[f64; 3]], options: Options) -> Solution {
+    fair(start, &shape.triangles, Selection::Mask(&shape.free), &options).unwrap()
 }
 
 fn bits(solution: &Solution) -> Vec<u64> {
@@ -47,7 +47,7 @@ fn steps_give_the_bits_of_one_call() {
         (&rough, rough.noise(1, 0.3), InnerFairness::Conformal),
     ] {
         let asked = || Options {
-            inner,
+            inner_fairness: inner,
             ..options(TOLERANCE)
         };
         let whole = at_once(shape, &start, asked());
@@ -130,7 +130,7 @@ fn after_a_change_it_goes_on_from_where_it_is() {
         })
         .collect();
     session
-        .set_boundary_normals(BoundaryNormals::Given(&leant))
+        .set_boundary_normals(BoundaryNormals::Given(leant.clone()))
         .unwrap();
     let warm = session.run(1000, None).unwrap();
     let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
@@ -173,7 +173,7 @@ fn wrong_changes_leave_things_as_they_are() {
     let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
     session.run(2, None).unwrap();
     let v = shape.boundary_normals()[3].0;
-    let wrong = session.set_boundary_normals(BoundaryNormals::Given(&[(v, [0.0, 0.0, 2.0])]));
+    let wrong = session.set_boundary_normals(BoundaryNormals::Given(vec![(v, [0.0, 0.0, 2.0])]));
     assert_eq!(wrong, Err(Error::BadNormal { vertex: v as usize }));
     assert!(matches!(
         session.set_target(Target::Constant(f64::NAN)),
@@ -202,11 +202,48 @@ fn the_callback_stops_a_run_after_one_iteration_and_it_goes_on_later() {
 }
 
 #[test]
-fn a_session_left_in_the_middle_ends() {
+fn a_session_moves_to_another_thread_in_the_middle() {
     let shape = sphere_cap(60.0, 300, irregular(7), OUTSIDE);
-    drop(session(&shape, &flat(&shape), &options(TOLERANCE)));
-    let mut session = session(&shape, &flat(&shape), &options(TOLERANCE));
-    session.run(2, None).unwrap();
+    let whole = at_once(&shape, &flat(&shape), options(TOLERANCE));
+    let mut moved = session(&shape, &flat(&shape), &options(TOLERANCE));
+    let mut left = session(&shape, &flat(&shape), &options(TOLERANCE));
+    moved.run(2, None).unwrap();
+    left.run(1, None).unwrap();
+    drop(left);
+    let moved = std::thread::spawn(move || {
+        to_end(&mut moved, 3);
+        moved
+    });
+    assert!(bits(moved.join().unwrap().solution()) == bits(&whole));
+}
+
+#[test]
+fn every_attempt_of_the_ladder_can_be_held_up() {
+    let mut shape = sphere_cap(60.0, 300, irregular(8), OUTSIDE);
+    // A fixed vertex that the surface passes smoothly, and a load that no surface bears.
+    let inside = shape.free.iter().position(|&free| free).unwrap();
+    shape.free[inside] = false;
+    let start = flat(&shape);
+    let asked = Options {
+        target: Target::Constant(1000.0),
+        max_iterations: 5000,
+        inner_fairness: InnerFairness::Convex,
+        ..options(TOLERANCE)
+    };
+    let whole = at_once(&shape, &start, asked.clone());
+    println!(
+        "{:?}, {} iterations",
+        whole.report.outcome, whole.report.iterations
+    );
+    assert!(!whole.report.outcome.is_success());
+    let mut session = session(&shape, &start, &asked);
+    let runs = to_end(&mut session, 1);
+    let found = session.solution();
+    assert!(bits(found) == bits(&whole));
+    assert_eq!(found.report.outcome, whole.report.outcome);
+    assert_eq!(found.report.iterations, whole.report.iterations);
+    assert_eq!(found.report.defect, whole.report.defect);
+    assert!(runs >= whole.report.iterations);
 }
 
 #[test]
@@ -228,7 +265,7 @@ fn a_curve_that_gets_normals_is_the_problem_of_one_call() {
     normals.sort_by_key(|n| n.0);
     normals.dedup_by_key(|n| n.0);
     session
-        .set_boundary_normals(BoundaryNormals::Given(&normals))
+        .set_boundary_normals(BoundaryNormals::Given(normals.clone()))
         .unwrap();
     session.set_target(Target::Constant(0.01)).unwrap();
     session.set_target(Target::Harmonic).unwrap();

@@ -6,7 +6,7 @@ use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, Error, Options, Outcome, Solution, Target};
 use fairmesh_shapes::*;
 
-fn asked<'a>(target: Target, tolerance: f64) -> Options<'a> {
+fn asked(target: Target, tolerance: f64) -> Options {
     Options {
         target,
         ..options(tolerance)
@@ -429,9 +429,8 @@ fn the_papers_discretization_takes_targets_too() {
 fn fitted_boundary_normals_and_targets() {
     // What is outside decides the normals, whatever the target.
     let shape = sphere_cap(60.0, 1_000, irregular(5), OUTSIDE);
-    let normals = BoundaryNormals::Fitted;
     let options = Options {
-        normals,
+        boundary_normals: BoundaryNormals::Fitted,
         ..asked(Target::MinimalEnergy, TIGHT)
     };
     let solution = solve_as_asked(&shape, &flat(&shape), options);

@@ -8,10 +8,9 @@ use fairmesh_shapes::{Sampling, Shape, tetra_thing, tetra_thing_coarse, tetra_th
 const COARSE_TO_FINE: f64 = 1.2e-2;
 
 fn faired(shape: &Shape, inner: InnerFairness) -> Solution {
-    let normals = shape.boundary_normals();
     let options = Options {
-        normals: BoundaryNormals::Given(&normals),
-        inner,
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
+        inner_fairness: inner,
         ..options(1e-8)
     };
     attempt(shape, options).unwrap()

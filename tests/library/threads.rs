@@ -54,7 +54,7 @@ fn any_number_of_threads_gives_the_same_bits() {
                 &shape,
                 &start,
                 Options {
-                    inner,
+                    inner_fairness: inner,
                     threads,
                     ..options(1e-8)
                 },

@@ -203,13 +203,13 @@ impl Case {
 
     /// fairmesh with the exact boundary normals.
     pub fn ours_with_normals(&self) -> Measured {
-        self.faired(BoundaryNormals::Given(&self.shape.boundary_normals()))
+        self.faired(BoundaryNormals::Given(self.shape.boundary_normals()))
     }
 
-    fn faired(&self, normals: BoundaryNormals<'_>) -> Measured {
+    fn faired(&self, boundary_normals: BoundaryNormals) -> Measured {
         let clock = Instant::now();
         let options = Options {
-            normals,
+            boundary_normals,
             threads: 1,
             ..Options::default()
         };
@@ -217,7 +217,7 @@ impl Case {
             &self.start,
             &self.shape.triangles,
             Selection::Mask(&self.shape.free),
-            options,
+            &options,
         );
         let solution = solution.expect("a sound problem");
         let seconds = clock.elapsed().as_secs_f64();

@@ -94,7 +94,7 @@ fn floats_are_rounded_doubles() {
             threads: 1,
             ..Options::default()
         };
-        fair(start, triangles, Selection::Mask(&case.shape.free), options)
+        fair(start, triangles, Selection::Mask(&case.shape.free), &options)
             .unwrap()
             .positions
     };

@@ -87,19 +87,23 @@ def test_vendored_as_a_subpackage(vendored):
     assert python(code, package=vendored, FAIRMESH_LIBRARY=str(library)).startswith(f"{library} ")
 
 
-@pytest.mark.parametrize("version", [(9, 0, 0), (0, 2, 0), (1, 1, 0), (0, 0, 9)])
+MAJOR, MINOR, PATCH = (int(number) for number in fairmesh.__version__.split("."))
+
+
+# Before 1.0 every minor version is another one.
+@pytest.mark.parametrize("version", [(9, 0, 0), (MAJOR + 1, MINOR, 0)] + [(0, MINOR + 1, 0)] * (MAJOR == 0))
 @pytest.mark.usefixtures("keep_loaded")
 def test_another_version_is_refused(tmp_path, version):
     library = compiled(tmp_path, version_function(*version))
     with pytest.raises(fairmesh.LibraryError) as error:
         fairmesh.load(library)
     number = ".".join(map(str, version))
-    assert str(error.value) == f"the fairmesh library {library} has version {number}, but 0.1 is needed"
+    assert str(error.value) == f"the fairmesh library {library} has version {number}, but {MAJOR}.{MINOR} is needed"
 
 
 @pytest.mark.usefixtures("keep_loaded")
 def test_a_library_without_a_function_is_refused(tmp_path):
-    library = compiled(tmp_path, version_function(0, 1, 7))
+    library = compiled(tmp_path, version_function(MAJOR, MINOR, PATCH + 7))
     with pytest.raises(fairmesh.LibraryError) as error:
         fairmesh.load(library)
     assert str(error.value) == f"{library} is no fairmesh library: it has no function fairmesh_version_string"
@@ -129,8 +133,8 @@ def test_a_refused_library_does_not_replace_the_one_in_use(tmp_path):
 @pytest.mark.usefixtures("keep_loaded")
 def test_a_later_patch_is_taken(tmp_path):
     functions = "".join(f"void {name}(void) {{}}\n" for name in fairmesh._abi.FUNCTIONS if name != "fairmesh_version")
-    library = compiled(tmp_path, version_function(0, 1, 7) + functions)
-    assert fairmesh.load(library).version == "0.1.7"
+    library = compiled(tmp_path, version_function(MAJOR, MINOR, PATCH + 7) + functions)
+    assert fairmesh.load(library).version == f"{MAJOR}.{MINOR}.{PATCH + 7}"
     assert fairmesh.load() is fairmesh.load()
 
 

@@ -180,13 +180,13 @@ impl Obj {
 }
 
 /// A file with vertices and faces.
-pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
     let mut out = String::new();
     for position in positions {
         let [x, y, z] = position.map(text::double);
         out.push_str(&format!("v {x} {y} {z}\n"));
     }
-    for polygon in polygons {
+    for polygon in polygons.iter().map(AsRef::as_ref) {
         out.push('f');
         polygon
             .iter()

@@ -176,13 +176,13 @@ impl Off {
 }
 
 /// A file with vertices and faces.
-pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
     let mut out = format!("OFF\n{} {} 0\n", positions.len(), polygons.len());
     for position in positions {
         let [x, y, z] = position.map(text::double);
         out.push_str(&format!("{x} {y} {z}\n"));
     }
-    for polygon in polygons {
+    for polygon in polygons.iter().map(AsRef::as_ref) {
         out.push_str(&polygon.len().to_string());
         polygon
             .iter()

@@ -43,23 +43,22 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
             element: &element,
         };
         let mut offsets = Vec::new();
-        match element.name.as_str() {
+        let table = match element.name.as_str() {
             "vertex" => {
                 at = read_vertices(&rows, at, &mut geometry, &mut offsets)?;
-                vertex = Some(Table {
-                    element,
-                    rows: offsets,
-                });
+                &mut vertex
             }
             "face" => {
                 at = read_faces(&rows, at, &mut geometry, &mut offsets)?;
-                face = Some(Table {
-                    element,
-                    rows: offsets,
-                });
+                &mut face
             }
-            _ => at = pass_over(&rows, at)?,
-        }
+            _ => {
+                at = pass_over(&rows, at)?;
+                continue;
+            }
+        };
+        let rows = offsets;
+        *table = Some(Table { element, rows });
     }
     let vertex = vertex.ok_or_else(|| Malformed::text(0, "the file has no element 'vertex'"))?;
     let face = face.ok_or_else(|| {
@@ -137,14 +136,11 @@ fn read_faces(
     offsets: &mut Vec<usize>,
 ) -> Result<usize, Malformed> {
     let element = rows.element;
-    let wanted = element
-        .property("vertex_indices")
-        .or_else(|| element.property("vertex_index"));
     let is_list = |&p: &usize| match element.properties[p].kind {
         PropertyKind::List { item, .. } => item.is_integer(),
         PropertyKind::Scalar(_) => false,
     };
-    let wanted = wanted.filter(is_list).ok_or_else(|| {
+    let wanted = element.vertex_indices().filter(is_list).ok_or_else(|| {
         Malformed::text(
             element.at,
             "element 'face' needs a list of integers 'vertex_indices'",
@@ -184,6 +180,14 @@ fn pass_over(rows: &Rows<'_>, at: usize) -> Result<usize, Malformed> {
 }
 
 impl Ply {
+    fn rows<'a>(&self, bytes: &'a [u8], table: &'a Table) -> Rows<'a> {
+        Rows {
+            bytes,
+            encoding: self.encoding,
+            element: &table.element,
+        }
+    }
+
     /// The rows whose property `name` is nonzero; of `flags`, only the bit for "selected" counts.
     pub fn selected(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<Vec<u32>> {
         let table = match kind {
@@ -194,11 +198,7 @@ impl Ply {
         if let PropertyKind::List { .. } = table.element.properties[wanted].kind {
             return None;
         }
-        let rows = Rows {
-            bytes,
-            encoding: self.encoding,
-            element: &table.element,
-        };
+        let rows = self.rows(bytes, table);
         let mut selected = Vec::new();
         for (number, &row) in table.rows.iter().enumerate() {
             let mut value = 0.0;
@@ -224,11 +224,7 @@ impl Ply {
     /// Replaces coordinates of moved vertices, and normals; returns the number of normals left behind.
     pub fn patch(&self, bytes: &[u8], change: &Change<'_>, patches: &mut Patches) -> usize {
         let element = &self.vertex.element;
-        let rows = Rows {
-            bytes,
-            encoding: self.encoding,
-            element,
-        };
+        let rows = self.rows(bytes, &self.vertex);
         for (v, position, normal) in change.vertices() {
             let mut write = |columns: &[usize; 3], property: usize, field: &Field, values: [f64; 3]| {
                 if let Some(axis) = columns.iter().position(|&column| column == property)
@@ -253,7 +249,7 @@ impl Ply {
 }
 
 /// A binary file with doubles.
-pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
     let header = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
          property double z\nelement face {}\nproperty list uint int vertex_indices\nend_header\n",
@@ -264,7 +260,7 @@ pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
     for coordinate in positions.iter().flatten() {
         bytes.extend_from_slice(&coordinate.to_le_bytes());
     }
-    for polygon in polygons {
+    for polygon in polygons.iter().map(AsRef::as_ref) {
         bytes.extend_from_slice(&(polygon.len() as u32).to_le_bytes());
         polygon
             .iter()

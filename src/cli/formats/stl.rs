@@ -146,9 +146,8 @@ impl Stl {
             if !corners.iter().any(|&v| change.moved[v as usize]) {
                 continue;
             }
-            let [a, b, c] = corners.map(|v| change.positions[v as usize]);
-            let normal =
-                normals::unit(normals::cross(normals::sub(b, a), normals::sub(c, a))).unwrap_or_default();
+            let places = corners.map(|v| change.positions[v as usize]);
+            let normal = normals::of_triangle(places).unwrap_or_default();
             self.patch_facet(bytes, t, 0, normal, patches);
             for (k, &v) in corners.iter().enumerate() {
                 if change.moved[v as usize] {
@@ -180,15 +179,14 @@ impl Stl {
 }
 
 /// A binary file.
-pub fn plain(positions: &[[f64; 3]], polygons: &[Vec<u32>]) -> Vec<u8> {
+pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
     let mut bytes = b"fairmesh".to_vec();
     bytes.resize(HEADER, 0);
     let mut count = 0u32;
-    for polygon in polygons {
+    for polygon in polygons.iter().map(AsRef::as_ref) {
         for pair in polygon[1..].windows(2) {
             let [a, b, c] = [polygon[0], pair[0], pair[1]].map(|v| positions[v as usize]);
-            let normal =
-                normals::unit(normals::cross(normals::sub(b, a), normals::sub(c, a))).unwrap_or_default();
+            let normal = normals::of_triangle([a, b, c]).unwrap_or_default();
             for value in [normal, a, b, c].as_flattened() {
                 bytes.extend_from_slice(&(*value as f32).to_le_bytes());
             }

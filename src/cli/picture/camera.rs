@@ -1,6 +1,6 @@
 //! Where the eye is, and where it sees a point.
 
-use super::{Options, V3, View};
+use super::{PictureOptions, V3, View};
 use crate::normals::{cross, dot, sub, unit};
 
 /// Share of a tile that stays empty on each side.
@@ -31,7 +31,7 @@ pub struct Projected {
 }
 
 impl Camera {
-    pub fn around(views: &[View<'_>], options: &Options) -> Self {
+    pub fn around(views: &[View<'_>], options: &PictureOptions) -> Self {
         let used = || views.iter().flat_map(|view| used_positions(view));
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for p in used() {

@@ -4,11 +4,10 @@
 //! author since 2021, takes depth in 32 bits and panics where its buffers do not fit, and the others draw without
 //! depth (`tiny-skia`, `imageproc`) or need a graphics card. What is needed is the one loop of [`Canvas::triangle`].
 
-use image::{Rgb, RgbImage};
-
 use super::camera::{Camera, Projected};
 use super::paint::Painter;
-use super::{Options, View};
+use super::pixels::Pixels;
+use super::{PictureOptions, View};
 
 /// Linear light where there is no surface.
 pub const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];
@@ -22,7 +21,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    pub fn paint(view: &View<'_>, camera: &Camera, options: &Options) -> Self {
+    pub fn paint(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Self {
         let mut canvas = Self::empty(options.tile.map(|pixels| pixels * options.samples));
         let painter = Painter::new(view, camera);
         let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
@@ -79,16 +78,16 @@ impl Canvas {
     }
 
     /// The tile's pixels: means of the samples' light, as sRGB.
-    pub fn shrunk(&self, samples: usize) -> RgbImage {
-        let [width, height] = self.size.map(|size| (size / samples) as u32);
-        RgbImage::from_fn(width, height, |x, y| {
+    pub fn shrunk(&self, samples: usize) -> Pixels {
+        let size = self.size.map(|size| (size / samples) as u32);
+        Pixels::from_fn(size, |x, y| {
             let mut sum = [0.0f32; 3];
             let (x, y) = (x as usize * samples, y as usize * samples);
             for (j, i) in (0..samples).flat_map(|j| (0..samples).map(move |i| (j, i))) {
                 let colour = self.colour[(y + j) * self.size[0] + x + i];
                 (0..3).for_each(|channel| sum[channel] += colour[channel]);
             }
-            Rgb(sum.map(|light| srgb(light / (samples * samples) as f32)))
+            sum.map(|light| srgb(light / (samples * samples) as f32))
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::{Shading, V3, View};
-use crate::normals::{all as vertex_normals, cross, dot, sub, unit};
+use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
 
 /// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
 const LINES: f64 = 17.0;
@@ -36,7 +36,7 @@ impl<'a> Painter<'a> {
         let [a, b, c] = corners.map(|v| self.view.positions[v as usize]);
         let point = [0, 1, 2].map(|axis| weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]);
         let eye = unit(sub(self.eye, point)).unwrap_or([0.0, 0.0, 1.0]);
-        let flat = unit(cross(sub(b, a), sub(c, a))).unwrap_or(eye);
+        let flat = of_triangle([a, b, c]).unwrap_or(eye);
         let is_back = dot(flat, eye) < 0.0;
         let mut normal = match self.view.shading {
             Shading::Flat => flat,
@@ -47,11 +47,8 @@ impl<'a> Painter<'a> {
         if is_back {
             normal = normal.map(|c| -c);
         }
-        let in_region = corners
-            .iter()
-            .any(|&v| self.view.region.get(v as usize) == Some(&true));
         match self.view.shading {
-            Shading::Flat => self.matte(normal, eye, is_back, in_region),
+            Shading::Flat => self.matte(normal, eye, is_back),
             Shading::ReflectionLines => self.mirror(normal, eye, is_back),
             Shading::Values(values, range) => {
                 let value = (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum();
@@ -70,11 +67,11 @@ impl<'a> Painter<'a> {
         0.10 + 0.82 * dot(normal, self.key).max(0.0) + 0.16 * dot(normal, self.fill).max(0.0)
     }
 
-    fn matte(&self, normal: V3, eye: V3, is_back: bool, in_region: bool) -> [f32; 3] {
-        let grey = match (is_back, in_region) {
-            (true, _) => [0.36, 0.31, 0.27],
-            (false, true) => [0.60, 0.60, 0.58],
-            (false, false) => [0.36, 0.47, 0.60],
+    fn matte(&self, normal: V3, eye: V3, is_back: bool) -> [f32; 3] {
+        let grey = if is_back {
+            [0.36, 0.31, 0.27]
+        } else {
+            [0.36, 0.47, 0.60]
         };
         let half = unit([0, 1, 2].map(|axis| self.key[axis] + eye[axis])).unwrap_or(eye);
         let gloss = 0.06 * dot(normal, half).max(0.0).powi(24);

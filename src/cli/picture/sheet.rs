@@ -1,11 +1,10 @@
 //! Tiles in rows with captions and a scale of colours, as one picture.
 
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ImageEncoder, ImageError, Rgb, RgbImage, imageops};
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
 use super::canvas::srgb;
 use super::paint::scale_colour;
+use super::pixels::{Pixels, Rgb};
 
 const FONT: (FontWeight, RasterHeight) = (FontWeight::Regular, RasterHeight::Size16);
 /// Width of a letter, height of a line of text, and room for a caption, in pixels.
@@ -16,7 +15,7 @@ const CAPTION: u32 = LINE + 8;
 const SCALE: u32 = 30 + 9 * LETTER;
 /// Numbers beside the bar.
 const MARKS: u32 = 5;
-const WHITE: Rgb<u8> = Rgb([255; 3]);
+const WHITE: Rgb = [255; 3];
 
 /// What is put around the tiles.
 #[derive(Debug, Clone, Copy, Default)]
@@ -29,32 +28,20 @@ pub struct Layout<'a> {
     pub scale: Option<(&'a str, [f64; 2])>,
 }
 
-/// The whole picture as PNG.
-pub fn encode(tiles: &[RgbImage], layout: &Layout<'_>) -> Result<Vec<u8>, ImageError> {
-    let sheet = arrange(tiles, layout);
-    let mut bytes = Vec::new();
-    PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive).write_image(
-        &sheet,
-        sheet.width(),
-        sheet.height(),
-        image::ExtendedColorType::Rgb8,
-    )?;
-    Ok(bytes)
-}
-
-fn arrange(tiles: &[RgbImage], layout: &Layout<'_>) -> RgbImage {
-    let (width, height) = tiles.first().map_or((0, 0), RgbImage::dimensions);
+/// The tiles in rows, with what is put around them.
+pub fn arrange(tiles: &[Pixels], layout: &Layout<'_>) -> Pixels {
+    let [width, height] = tiles.first().map_or([0, 0], |tile| tile.size);
     let columns = layout.columns.clamp(1, tiles.len().max(1));
     let rows = tiles.len().div_ceil(columns) as u32;
     let caption = if layout.captions.is_empty() { 0 } else { CAPTION };
     let scale = if layout.scale.is_some() { SCALE } else { 0 };
-    let mut sheet = RgbImage::from_pixel(width * columns as u32 + scale, (height + caption) * rows, WHITE);
+    let mut sheet = Pixels::filled([width * columns as u32 + scale, (height + caption) * rows], WHITE);
     for (number, tile) in tiles.iter().enumerate() {
         let (x, y) = (
             (number % columns) as u32 * width,
             (number / columns) as u32 * (height + caption),
         );
-        imageops::replace(&mut sheet, tile, i64::from(x), i64::from(y));
+        sheet.place(tile, x, y);
         if let Some(text) = layout.captions.get(number) {
             let letters = text.chars().count() as u32;
             let shown = letters.min((width / LETTER).max(1));
@@ -70,7 +57,7 @@ fn arrange(tiles: &[RgbImage], layout: &Layout<'_>) -> RgbImage {
 }
 
 /// A bar of all colours from the bottom up, with numbers.
-fn draw_scale(sheet: &mut RgbImage, left: u32, bottom: u32, title: &str, [low, high]: [f64; 2]) {
+fn draw_scale(sheet: &mut Pixels, left: u32, bottom: u32, title: &str, [low, high]: [f64; 2]) {
     write(sheet, [left, 4], title, 9);
     let (top, bottom) = (LINE + 16, bottom.saturating_sub(LINE));
     if bottom <= top + 1 {
@@ -79,8 +66,8 @@ fn draw_scale(sheet: &mut RgbImage, left: u32, bottom: u32, title: &str, [low, h
     let length = bottom - top - 1;
     for y in 0..=length {
         let share = 1.0 - f64::from(y) / f64::from(length);
-        let colour = Rgb(scale_colour(share, [0.0, 1.0]).map(srgb));
-        (0..14).for_each(|x| sheet.put_pixel(left + x, top + y, colour));
+        let colour = scale_colour(share, [0.0, 1.0]).map(srgb);
+        (0..14).for_each(|x| sheet.set(left + x, top + y, colour));
     }
     for mark in 0..MARKS {
         let share = f64::from(mark) / f64::from(MARKS - 1);
@@ -105,15 +92,13 @@ fn number(value: f64, extent: f64) -> String {
 }
 
 /// Writes up to `most` letters in black on white.
-fn write(sheet: &mut RgbImage, [left, top]: [u32; 2], text: &str, most: u32) {
+fn write(sheet: &mut Pixels, [left, top]: [u32; 2], text: &str, most: u32) {
     for (k, c) in (0..most).zip(text.chars()) {
         let glyph = get_raster(c, FONT.0, FONT.1).or_else(|| get_raster('?', FONT.0, FONT.1));
         let Some(glyph) = glyph else { continue };
         for (y, row) in (top..).zip(glyph.rows()) {
             for (x, &ink) in (left + k * LETTER..).zip(row.iter()) {
-                if x < sheet.width() && y < sheet.height() {
-                    sheet.put_pixel(x, y, Rgb([255 - ink; 3]));
-                }
+                sheet.set(x, y, [255 - ink; 3]);
             }
         }
     }

@@ -95,7 +95,7 @@ pub fn scan(
         threads: 1,
         ..Options::default()
     };
-    let solution = fair(&scan, &triangles, Selection::Mask(&free), options)?;
+    let solution = fair(&scan, &triangles, Selection::Mask(&free), &options)?;
     let figures = format!(
         "{} free vertices, {:.1} s for {done} iterations and {:.2} s ({}, {} iterations)",
         free.iter().filter(|f| **f).count(),

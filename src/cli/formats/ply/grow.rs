@@ -1,7 +1,7 @@
 //! New rows at the end of a PLY file's vertices and faces.
 
 use super::header::{Encoding, PropertyKind, Scalar};
-use super::rows::{Field, Rows};
+use super::rows::Field;
 use super::{Ply, Table, rows};
 use crate::formats::patches::Patches;
 use crate::formats::{Added, average};
@@ -72,11 +72,7 @@ impl Ply {
     /// The values of every property, weighted over three vertices; zero where that means nothing.
     fn averaged(&self, bytes: &[u8], vertices: [u32; 3], weights: [f64; 3]) -> Vec<f64> {
         let element = &self.vertex.element;
-        let rows = Rows {
-            bytes,
-            encoding: self.encoding,
-            element,
-        };
+        let rows = self.rows(bytes, &self.vertex);
         let mut values = vec![0.0; element.properties.len()];
         for (v, w) in vertices.into_iter().zip(weights).filter(|(_, w)| *w > 0.0) {
             // The same walk succeeded when the file was read.
@@ -107,14 +103,10 @@ impl Ply {
     /// several.
     fn wedges(&self, bytes: &[u8], vertices: usize) -> Vec<Option<[f64; 2]>> {
         let element = &self.face.element;
-        let (Some(texture), Some(wanted)) = (element.property("texcoord"), self.corners()) else {
+        let (Some(texture), Some(wanted)) = (element.property("texcoord"), element.vertex_indices()) else {
             return Vec::new();
         };
-        let rows = Rows {
-            bytes,
-            encoding: self.encoding,
-            element,
-        };
+        let rows = self.rows(bytes, &self.face);
         let mut wedges = vec![None; vertices];
         let (mut corners, mut coordinates) = (Vec::new(), Vec::new());
         for &row in &self.face.rows {
@@ -139,16 +131,9 @@ impl Ply {
         wedges
     }
 
-    fn corners(&self) -> Option<usize> {
-        let element = &self.face.element;
-        element
-            .property("vertex_indices")
-            .or_else(|| element.property("vertex_index"))
-    }
-
     fn push_face(&self, out: &mut Vec<u8>, corners: &[u32; 3], wedges: [Option<[f64; 2]>; 3]) {
         let element = &self.face.element;
-        let (wanted, texture) = (self.corners(), element.property("texcoord"));
+        let (wanted, texture) = (element.vertex_indices(), element.property("texcoord"));
         for (property, described) in element.properties.iter().enumerate() {
             match described.kind {
                 PropertyKind::Scalar(scalar) => self.push(out, scalar, 0.0),
@@ -196,12 +181,7 @@ impl Ply {
         if count == 0 {
             return;
         }
-        let rows = Rows {
-            bytes,
-            encoding: self.encoding,
-            element: &table.element,
-        };
-        let Ok(end) = rows.walk(last, &mut |_, _| Ok(())) else {
+        let Ok(end) = self.rows(bytes, table).walk(last, &mut |_, _| Ok(())) else {
             return;
         };
         if self.encoding == Encoding::Ascii && bytes.get(end - 1) != Some(&b'\n') {

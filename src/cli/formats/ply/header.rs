@@ -86,6 +86,12 @@ impl Element {
         self.properties.iter().position(|property| property.name == name)
     }
 
+    /// The number of a face's list of corners.
+    pub fn vertex_indices(&self) -> Option<usize> {
+        self.property("vertex_indices")
+            .or_else(|| self.property("vertex_index"))
+    }
+
     /// The fewest bytes that a row takes: in binary its fixed part, in text a digit and a gap per property.
     pub fn least_row(&self, encoding: Encoding) -> usize {
         if encoding == Encoding::Ascii {

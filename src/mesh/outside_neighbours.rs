@@ -2,43 +2,31 @@
 //! these triangles but that they name vertices that have a place.
 
 use super::region::Region;
+use super::rows::Rows;
 
 /// Neighbours of the vertices outside, boundary vertices included, along edges of triangles that are not of the region.
 #[derive(Debug, Clone)]
-pub(crate) struct Surroundings {
-    start: Vec<u32>,
-    neighbour: Vec<u32>,
+pub(crate) struct OutsideNeighbours {
+    neighbour: Rows<u32>,
 }
 
-/// So many rings are fitted where rounding is felt.
+/// Fits reach this many rings where single precision matters.
 pub(crate) const RINGS_WIDE: usize = 8;
 
-/// Which vertices were found already; room to work in.
+/// Which vertices were found already; scratch.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Marks(Vec<bool>);
 
-impl Surroundings {
-    /// Of a region, by local vertex number.
+impl OutsideNeighbours {
+    /// Those of a region, by local vertex number.
     pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
         let outside = &half_edges.triangles[half_edges.region_triangles..];
-        let triangles = || outside.iter().chain(&region.beyond);
-        let vertices = region.vertex_ids.len();
-        let mut start = vec![0u32; vertices + 1];
-        for tri in triangles() {
-            tri.iter().for_each(|&v| start[v as usize + 1] += 2);
+        let triangles = outside.iter().chain(&region.beyond);
+        let pairs = triangles.flat_map(|&[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
+        Self {
+            neighbour: Rows::collect(region.vertex_ids.len(), pairs),
         }
-        (0..vertices).for_each(|v| start[v + 1] += start[v]);
-        let mut next = start.clone();
-        let mut neighbour = vec![0; start[vertices] as usize];
-        for &[a, b, c] in triangles() {
-            for (v, others) in [(a, [b, c]), (b, [c, a]), (c, [a, b])] {
-                let at = next[v as usize] as usize;
-                neighbour[at..at + 2].copy_from_slice(&others);
-                next[v as usize] += 2;
-            }
-        }
-        Self { start, neighbour }
     }
 
     /// The vertices within `N` edges of `v`, without `v`: `ends[k]` of them, the first of the list, within `k + 1`.
@@ -50,8 +38,7 @@ impl Surroundings {
         for end in &mut ends {
             let last = found.len();
             for k in begin..last {
-                let row = self.start[found[k] as usize] as usize..self.start[found[k] as usize + 1] as usize;
-                for &j in &self.neighbour[row] {
+                for &j in self.neighbour.row(found[k] as usize) {
                     // A few dozen: looking through them is faster than a table.
                     if !found.contains(&j) {
                         found.push(j);
@@ -69,7 +56,7 @@ impl Surroundings {
     /// The vertices within so many edges of `v`, without `v`: hundreds.
     pub(crate) fn disc(&self, v: u32, rings: usize, found: &mut Vec<u32>, marks: &mut Marks) {
         let marks = &mut marks.0;
-        marks.resize(self.start.len(), false);
+        marks.resize(self.neighbour.len(), false);
         found.clear();
         found.push(v);
         marks[v as usize] = true;
@@ -77,8 +64,7 @@ impl Surroundings {
         for _ in 0..rings {
             let last = found.len();
             for k in begin..last {
-                let row = self.start[found[k] as usize] as usize..self.start[found[k] as usize + 1] as usize;
-                for &j in &self.neighbour[row] {
+                for &j in self.neighbour.row(found[k] as usize) {
                     if !std::mem::replace(&mut marks[j as usize], true) {
                         found.push(j);
                     }

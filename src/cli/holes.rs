@@ -1,0 +1,84 @@
+//! `fairmesh holes`: the boundary loops of a file.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use fairmesh::{BoundaryLoop, LoopKind, boundary_loops};
+use serde_json::{Value, json};
+
+use crate::explain;
+use crate::failure::Failure;
+use crate::formats::MeshFile;
+use crate::output::prepare_json;
+
+/// What `fairmesh holes` is asked.
+#[derive(Debug, Args)]
+pub struct HolesArgs {
+    /// The mesh: .ply, .obj, .off or .stl
+    input: PathBuf,
+    /// Writes the list as JSON, too
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
+    let mesh = MeshFile::read(&args.input)?;
+    let json = prepare_json(args.json.as_deref(), &[&args.input])?;
+    let geometry = &mesh.geometry;
+    let loops = boundary_loops(&geometry.positions, &geometry.triangles)
+        .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
+    let mut text = match loops.len() {
+        0 => "no boundary: the mesh is closed\n".to_owned(),
+        _ => "loop   edges      length        area  turn  kind\n".to_owned(),
+    };
+    for (i, boundary) in loops.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0}  {}{}",
+            boundary.vertices.len(),
+            boundary.length,
+            boundary.area,
+            boundary.turn,
+            kind(boundary),
+            touching(boundary)
+        );
+    }
+    crate::say(&text);
+    if let Some(json) = json {
+        let all: Vec<Value> = loops.iter().map(described).collect();
+        json.write_json(&Value::from(all))?;
+    }
+    Ok(true)
+}
+
+fn kind(boundary: &BoundaryLoop) -> String {
+    match boundary.kind {
+        LoopKind::Hole => "hole".into(),
+        LoopKind::OuterBoundary => "outer boundary".into(),
+        LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
+        _ => "unknown".into(),
+    }
+}
+
+fn touching(boundary: &BoundaryLoop) -> String {
+    match boundary.touching.len() {
+        0 => String::new(),
+        1 => format!(", touches another at vertex {}", boundary.touching[0]),
+        n => format!(", touches others at {n} vertices"),
+    }
+}
+
+fn described(boundary: &BoundaryLoop) -> Value {
+    let (name, edge) = match boundary.kind {
+        LoopKind::Hole => ("hole", Value::Null),
+        LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
+        LoopKind::NonManifold { a, b } => ("non_manifold", json!([a, b])),
+        _ => ("unknown", Value::Null),
+    };
+    json!({
+        "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
+        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "vertices": boundary.vertices,
+    })
+}

@@ -1,0 +1,66 @@
+//! Pixels of a picture, and the picture as PNG.
+
+use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Filter};
+
+/// Red, green and blue, sRGB.
+pub type Rgb = [u8; 3];
+
+/// Rows of pixels from the top, `size[0]` each.
+pub struct Pixels {
+    pub size: [u32; 2],
+    rgb: Vec<Rgb>,
+}
+
+impl Pixels {
+    /// One colour all over.
+    pub fn filled(size: [u32; 2], colour: Rgb) -> Self {
+        let count = size[0] as usize * size[1] as usize;
+        Self {
+            size,
+            rgb: vec![colour; count],
+        }
+    }
+
+    /// The colour of each pixel by its column and row.
+    pub fn from_fn(size: [u32; 2], colour: impl Fn(u32, u32) -> Rgb) -> Self {
+        let places = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
+        let rgb = places.map(|(x, y)| colour(x, y)).collect();
+        Self { size, rgb }
+    }
+
+    fn index(&self, x: u32, y: u32) -> usize {
+        y as usize * self.size[0] as usize + x as usize
+    }
+
+    /// Colours a pixel; nothing outside the picture.
+    pub fn set(&mut self, x: u32, y: u32, colour: Rgb) {
+        if x < self.size[0] && y < self.size[1] {
+            let at = self.index(x, y);
+            self.rgb[at] = colour;
+        }
+    }
+
+    /// Lays another picture over this one, which it has to fit in, with its upper left corner at this pixel.
+    pub fn place(&mut self, picture: &Self, left: u32, top: u32) {
+        let [width, height] = picture.size;
+        for y in 0..height {
+            let (from, to) = (picture.index(0, y), self.index(left, top + y));
+            let row = &picture.rgb[from..from + width as usize];
+            self.rgb[to..to + width as usize].copy_from_slice(row);
+        }
+    }
+
+    /// The picture as a PNG file.
+    pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, self.size[0], self.size[1]);
+        encoder.set_color(ColorType::Rgb);
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_compression(Compression::High);
+        encoder.set_filter(Filter::Adaptive);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.rgb.as_flattened())?;
+        writer.finish()?;
+        Ok(bytes)
+    }
+}

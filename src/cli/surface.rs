@@ -1,0 +1,106 @@
+//! The choice of the surface: its equation, and what it leaves open.
+
+use clap::{Args, ValueEnum};
+use fairmesh::{Discretization, InnerFairness, InteriorNormals, Target};
+
+/// How vertices are distributed within the surface.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum InnerFairnessKind {
+    /// A regular distribution
+    Uniform,
+    /// The least distortion of the input's triangles
+    Conformal,
+    /// Nearly that, by positive weights for any triangles
+    Convex,
+}
+
+/// Normals of fixed vertices inside the region.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum InteriorNormalsKind {
+    /// The surface passes them smoothly
+    Smooth,
+    /// From their triangles in the input
+    Input,
+}
+
+/// How normals and mean curvature are discretized.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum DiscretizationKind {
+    /// Second order on irregular meshes
+    SecondOrder,
+    /// As Schneider and Kobbelt 2001
+    Paper,
+}
+
+/// Flags of the surface.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Surface")]
+pub struct SurfaceArgs {
+    /// Normals of fixed vertices inside the region
+    #[arg(long, value_enum, value_name = "WHICH", default_value = "smooth")]
+    interior_normals: InteriorNormalsKind,
+    /// How vertices are distributed within the surface
+    #[arg(long, value_enum, value_name = "HOW", default_value = "uniform")]
+    inner_fairness: InnerFairnessKind,
+    /// What the Laplacian of the mean curvature H shall be: 'harmonic' (0),
+    /// 'constant=C' (C per cubic length, positive: pushes outward) or
+    /// 'minimal-energy' (-2 H (H^2 - K))
+    #[arg(
+        long,
+        value_name = "WHAT",
+        default_value = "harmonic",
+        value_parser = target,
+        verbatim_doc_comment
+    )]
+    pub target: Target,
+    /// How normals and mean curvature are discretized
+    #[arg(long, value_enum, value_name = "HOW", default_value = "second-order")]
+    discretization: DiscretizationKind,
+}
+
+impl SurfaceArgs {
+    pub fn interior_normals(&self) -> InteriorNormals {
+        match self.interior_normals {
+            InteriorNormalsKind::Smooth => InteriorNormals::Smooth,
+            InteriorNormalsKind::Input => InteriorNormals::Input,
+        }
+    }
+
+    pub fn inner_fairness(&self) -> InnerFairness {
+        match self.inner_fairness {
+            InnerFairnessKind::Uniform => InnerFairness::Uniform,
+            InnerFairnessKind::Conformal => InnerFairness::Conformal,
+            InnerFairnessKind::Convex => InnerFairness::Convex,
+        }
+    }
+
+    pub fn discretization(&self) -> Discretization {
+        match self.discretization {
+            DiscretizationKind::SecondOrder => Discretization::SecondOrder,
+            DiscretizationKind::Paper => Discretization::Paper,
+        }
+    }
+}
+
+/// Reads `--target`.
+fn target(text: &str) -> Result<Target, String> {
+    match text {
+        "harmonic" => Ok(Target::Harmonic),
+        "minimal-energy" => Ok(Target::MinimalEnergy),
+        _ => text
+            .strip_prefix("constant=")
+            .and_then(|c| c.parse::<f64>().ok())
+            .filter(|c| c.is_finite())
+            .map(Target::Constant)
+            .ok_or_else(|| "expected harmonic, constant=NUMBER or minimal-energy".to_owned()),
+    }
+}
+
+/// The same as text.
+pub fn target_name(target: Target) -> String {
+    match target {
+        Target::Harmonic => "harmonic".to_owned(),
+        Target::Constant(c) => format!("constant={c}"),
+        Target::MinimalEnergy => "minimal-energy".to_owned(),
+    }
+}

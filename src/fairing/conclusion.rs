@@ -1,0 +1,153 @@
+//! From the solver's surface back to the host's numbers and units, with all that is reported of it.
+
+use std::time::Instant;
+
+use super::prepared::Prepared;
+use super::report::{LooseReason, Outcome, Report, Seconds, Solution};
+use crate::discrete::equations::State;
+use crate::discrete::target::Target;
+use crate::paper::LevelReport;
+use crate::quality::{Quality, Surface};
+use crate::solve::problem::diagonal;
+use crate::solve::{SolveResult, SolveStatus};
+
+/// What was found, and what it is measured against.
+pub(super) struct Found<'a> {
+    /// The host's positions.
+    pub(super) positions: &'a [[f64; 3]],
+    pub(super) prepared: &'a Prepared,
+    pub(super) target: Target,
+    pub(super) result: &'a SolveResult,
+    /// Evaluated at the result.
+    pub(super) state: &'a State,
+    pub(super) levels: Vec<LevelReport>,
+    /// But for the figures themselves.
+    pub(super) seconds: Seconds,
+}
+
+impl Found<'_> {
+    /// Measures the surface, and takes it back.
+    pub(super) fn conclude(self) -> Solution {
+        let clock = Instant::now();
+        let surface = self.surface();
+        let quality = self.quality(&surface);
+        let domain = &self.prepared.domain;
+        let suspicious_normals = surface.suspicious_normals(&domain.rings, &domain.input);
+        let scale = self.prepared.normalization.scale;
+        Solution {
+            positions: self.positions(),
+            boundary_normals: self.boundary_normals(),
+            mean_curvature: self.at_free_vertices(&self.state.h, scale),
+            gaussian_curvature: self.at_free_vertices(&self.state.k, scale * scale),
+            report: self.report(quality, suspicious_normals, clock),
+        }
+    }
+
+    fn surface(&self) -> Surface<'_> {
+        let region = &self.prepared.domain.region;
+        Surface {
+            region,
+            x: &self.result.x,
+            normals: &self.state.corrected,
+            boundary_normals: &self.state.corrected[region.free..],
+            h: &self.state.h,
+        }
+    }
+
+    /// The figures, in the host's unit.
+    fn quality(&self, surface: &Surface<'_>) -> Quality {
+        let mut quality = surface.quality();
+        for h in quality.h_inside.iter_mut().chain(&mut quality.h_boundary) {
+            *h /= self.prepared.normalization.scale;
+        }
+        quality
+    }
+
+    /// All positions. What has not moved keeps its bits, without the rounding of the normalization.
+    fn positions(&self) -> Vec<[f64; 3]> {
+        let (domain, normalization) = (&self.prepared.domain, &self.prepared.normalization);
+        let region = &domain.region;
+        let mut positions = self.positions.to_vec();
+        let moved = self.result.x[..region.free].iter().zip(&domain.input);
+        for ((p, before), &v) in moved.zip(&region.vertex_ids) {
+            if p != before {
+                positions[v as usize] = normalization.leave(p);
+            }
+        }
+        positions
+    }
+
+    /// One for each boundary vertex: those of the sides of a curve are alike.
+    fn boundary_normals(&self) -> Vec<(u32, [f64; 3])> {
+        let region = &self.prepared.domain.region;
+        let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
+        let normals = &self.state.corrected[region.free..];
+        let mut list: Vec<_> = boundary.zip(normals).map(|(&v, n)| (v, (*n).into())).collect();
+        list.dedup_by_key(|(v, _)| *v);
+        list
+    }
+
+    fn at_free_vertices(&self, values: &[f64], unit: f64) -> Vec<(u32, f64)> {
+        let region = &self.prepared.domain.region;
+        let ids = region.vertex_ids[..region.free].iter();
+        ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
+    }
+
+    fn report(&self, quality: Quality, suspicious_normals: Vec<u32>, clock: Instant) -> Report {
+        let (prepared, result) = (self.prepared, self.result);
+        let free = prepared.domain.region.free;
+        let mut seconds = self.seconds;
+        seconds.quality = clock.elapsed().as_secs_f64();
+        seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
+        Report {
+            target: self.target,
+            outcome: self.outcome(&suspicious_normals),
+            iterations: result.iterations,
+            defect: result.defect,
+            step: result.step,
+            seconds,
+            quality,
+            levels: self.levels.clone(),
+            free_vertices: free,
+            diagonal: diagonal(&result.x) * prepared.normalization.scale,
+            linear_surface: result.status.is_linear(),
+            suspicious_normals,
+            fallback_weights: if result.uniform_weights {
+                free
+            } else {
+                prepared.weights.clamped
+            },
+        }
+    }
+
+    fn outcome(&self, suspicious_normals: &[u32]) -> Outcome {
+        let region = &self.prepared.domain.region;
+        let ids = |list: &[u32], of: &[u32]| list.iter().map(|&i| of[i as usize]).collect::<Vec<u32>>();
+        let poor = &self.result.poor;
+        let reason = match &self.result.status {
+            SolveStatus::Failed => return Outcome::NotConverged,
+            SolveStatus::IterationLimit => return Outcome::IterationLimit,
+            SolveStatus::Cancelled => return Outcome::Cancelled,
+            SolveStatus::TargetNotReached(reached) => {
+                return Outcome::TargetNotReachable { reached: *reached };
+            }
+            SolveStatus::NormalsNotReached { reached, farthest } => {
+                return Outcome::NormalsNotReachable {
+                    reached: *reached,
+                    vertices: ids(farthest, &region.vertex_ids[region.free..]),
+                };
+            }
+            _ if !poor.is_empty() => {
+                return Outcome::ConvergedPoorTriangles {
+                    triangles: ids(poor, &region.half_edges.triangle_ids),
+                };
+            }
+            SolveStatus::Bump => LooseReason::Bump,
+            _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
+            SolveStatus::ConvergedToRounding => LooseReason::Rounding,
+            SolveStatus::FirstOrder => LooseReason::FirstOrderCurvature,
+            SolveStatus::Converged => return Outcome::Converged,
+        };
+        Outcome::ConvergedLoosely { reason }
+    }
+}

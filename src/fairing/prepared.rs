@@ -1,0 +1,104 @@
+//! From the host's arrays to a problem in the region's own frame.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::normalization::Normalization;
+use super::normals::{BoundaryNormals, boundary_normals, given_vertices};
+use super::options::{Discretization, InnerFairness, Options, Solver};
+use crate::discrete::curvature::TILT_RIDGE;
+use crate::discrete::equations::FreeCurvature;
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::discrete::target::RightHandSide;
+use crate::error::Error;
+use crate::mesh::Region;
+use crate::mesh::region::Selection;
+use crate::solve::problem::Weigh;
+use crate::solve::{Domain, Problem};
+
+/// What both solvers begin with.
+pub(super) struct Prepared {
+    pub(super) domain: Arc<Domain>,
+    pub(super) normalization: Normalization,
+    /// Prescribed normals.
+    boundary_normals: Vec<Vector3<f64>>,
+    /// Where the surface passes smoothly instead; empty: nowhere.
+    smooth_interior: Vec<bool>,
+    pub(super) weights: Arc<FairnessWeights>,
+    weigh: Option<Weigh>,
+    curvature: FreeCurvature,
+    right_hand_side: RightHandSide,
+}
+
+/// The region, cut where given normals ask for it.
+pub(super) fn region(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    normals: &BoundaryNormals,
+) -> Result<Region, Error> {
+    let prescribed = given_vertices(normals);
+    Region::with_normals(positions, triangles, selection, |v| {
+        prescribed.binary_search(&v).is_ok()
+    })
+}
+
+impl Prepared {
+    /// Checks everything that can be wrong with the mesh, the selection and the normals.
+    pub(super) fn new(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        options: &Options,
+    ) -> Result<Self, Error> {
+        let region = region(positions, triangles, selection, &options.boundary_normals)?;
+        let mut x = region.positions(positions);
+        let normalization = Normalization::new(&region, &x);
+        normalization.enter(&mut x);
+        let domain = Domain::new(region, x);
+        let (boundary_normals, smooth_interior) =
+            boundary_normals(&domain, &options.boundary_normals, options.interior_normals)?;
+        let weigh: Option<Weigh> = match options.inner_fairness {
+            InnerFairness::Uniform => None,
+            InnerFairness::Conformal => Some(FairnessWeights::conformal),
+            InnerFairness::Convex => Some(FairnessWeights::convex),
+        };
+        let weights = match weigh {
+            None => FairnessWeights::uniform(),
+            Some(weigh) => weigh(&domain.batches, &domain.input),
+        };
+        Ok(Self {
+            right_hand_side: options.target.right_hand_side(normalization.scale),
+            domain: Arc::new(domain),
+            normalization,
+            boundary_normals,
+            smooth_interior,
+            weights: Arc::new(weights),
+            weigh,
+            curvature: curvature(options),
+        })
+    }
+
+    /// What is to be solved.
+    pub(super) fn problem(&self) -> Problem<'_> {
+        Problem {
+            domain: &self.domain,
+            boundary_normals: &self.boundary_normals,
+            smooth_interior: &self.smooth_interior,
+            weights: &self.weights,
+            weigh: self.weigh,
+            curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
+        }
+    }
+}
+
+fn curvature(options: &Options) -> FreeCurvature {
+    match (&options.solver, options.discretization) {
+        (Solver::Paper(_), _) | (_, Discretization::Paper) => FreeCurvature::Paper,
+        (Solver::Fast, Discretization::SecondOrder) => FreeCurvature::GradientCorrected {
+            tilt_ridge: TILT_RIDGE,
+        },
+    }
+}

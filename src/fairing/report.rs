@@ -1,0 +1,179 @@
+//! How far a run is, and what came of it.
+
+use std::ops::ControlFlow;
+
+use crate::discrete::target::Target;
+#[cfg(doc)]
+use crate::fairing::{Options, Solver};
+use crate::paper::LevelReport;
+use crate::quality::Quality;
+
+/// How far a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Between 0 and 1, never falling.
+    pub fraction: f64,
+    /// Nonlinear iterations so far.
+    pub iterations: usize,
+    /// The last step norm, in diagonals.
+    pub step: f64,
+    /// What is being done, in a word or two.
+    pub stage: &'static str,
+}
+
+/// What is told how far a run is; `Break` stops it.
+pub type ProgressCallback<'a> = dyn FnMut(&Progress) -> ControlFlow<()> + Send + 'a;
+
+/// How the run ended. The positions are usable in every case.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// Tolerance met and the surface is sound.
+    Converged,
+    /// Tolerance met, but some triangles are flipped or have an angle below one degree.
+    ConvergedPoorTriangles {
+        /// Those triangles.
+        triangles: Vec<u32>,
+    },
+    /// Tolerance met and no triangle is poor, but something else is to be said of the surface.
+    ConvergedLoosely {
+        /// What.
+        reason: LooseReason,
+    },
+    /// No surface with the prescribed boundary normals was found; the linear surface is returned.
+    NormalsNotReachable {
+        /// How much of the way from the membrane's normals to the prescribed ones was found, 0 to 1.
+        reached: f64,
+        /// The boundary vertices whose normals stood farthest away, worst first.
+        vertices: Vec<u32>,
+    },
+    /// A surface was found only for a part of the right-hand side of [`Options::target`]; the linear surface is returned.
+    TargetNotReachable {
+        /// The part, 0 to 1: a constant `c` was too large by the inverse.
+        reached: f64,
+    },
+    /// No sound nonlinear surface was found; the linear surface is returned.
+    NotConverged,
+    /// The iteration limit was reached; the best surface so far is returned.
+    IterationLimit,
+    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
+    Cancelled,
+}
+
+/// What is to be said of a surface that [`Outcome::ConvergedLoosely`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LooseReason {
+    /// Boundary normals point against the surface beside them: [`Report::suspicious_normals`].
+    SuspiciousNormals,
+    /// `max |Delta_B H|` is as small as the rounding of the positions allows, but above its limit.
+    Rounding,
+    /// The surface holds with the first-order curvature alone.
+    FirstOrderCurvature,
+    /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+    Bump,
+}
+
+impl LooseReason {
+    /// In a few words.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::SuspiciousNormals => {
+                "boundary normals point against the surface beside them: probably flipped"
+            }
+            Self::Rounding => {
+                "max |Delta_B H| is as small as the rounding of positions allows, but above its limit"
+            }
+            Self::FirstOrderCurvature => "the surface holds with the first-order curvature alone",
+            Self::Bump => {
+                "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals"
+            }
+        }
+    }
+}
+
+impl Outcome {
+    /// Tolerance met and the surface is sound: the only case without reservation.
+    pub fn is_success(&self) -> bool {
+        matches!(self, Outcome::Converged)
+    }
+
+    /// A stable lower-case name: `converged`, `converged_poor_triangles`, `converged_loosely`,
+    /// `normals_not_reachable`, `target_not_reachable`, `not_converged`, `iteration_limit`, `cancelled`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Outcome::Converged => "converged",
+            Outcome::ConvergedPoorTriangles { .. } => "converged_poor_triangles",
+            Outcome::ConvergedLoosely { .. } => "converged_loosely",
+            Outcome::NormalsNotReachable { .. } => "normals_not_reachable",
+            Outcome::TargetNotReachable { .. } => "target_not_reachable",
+            Outcome::NotConverged => "not_converged",
+            Outcome::IterationLimit => "iteration_limit",
+            Outcome::Cancelled => "cancelled",
+        }
+    }
+}
+
+/// Wall seconds per stage.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Seconds {
+    /// Half-edges, rings, boundary normals.
+    pub setup: f64,
+    /// Symbolic analysis, membrane and linear start.
+    pub start: f64,
+    /// Nonlinear iterations.
+    pub iterate: f64,
+    /// Soundness figures.
+    pub quality: f64,
+    /// All of it.
+    pub total: f64,
+}
+
+/// What came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// What `Delta_B H` was to be.
+    pub target: Target,
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// Nonlinear iterations.
+    pub iterations: usize,
+    /// Defect `max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij| x L` of the equation `Delta_B H = rhs`,
+    /// `A_i` the area of the 1-disk, `L` the region's diagonal.
+    pub defect: f64,
+    /// The last step norm, in diagonals.
+    pub step: f64,
+    /// Seconds per stage.
+    pub seconds: Seconds,
+    /// Soundness of the result.
+    pub quality: Quality,
+    /// The levels of [`Solver::Paper`] from the base to the given mesh; empty for the fast solver.
+    pub levels: Vec<LevelReport>,
+    /// Number of free vertices.
+    pub free_vertices: usize,
+    /// The region's bounding-box diagonal, in the unit of the positions.
+    pub diagonal: f64,
+    /// The returned surface is the linear one: no sound nonlinear surface was found.
+    pub linear_surface: bool,
+    /// Boundary vertices whose prescribed normal points against the surface beside it or contradicts its
+    /// neighbours': probably flipped or wrong.
+    pub suspicious_normals: Vec<u32>,
+    /// Free vertices that took fallback weights, because their input triangles allow no conformal or
+    /// convex ones; all of them where no surface was found with those, and the vertices are spread evenly.
+    pub fallback_weights: usize,
+}
+
+/// The result: all vertices of the mesh, and the report.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// All positions; fixed vertices keep their bits.
+    pub positions: Vec<[f64; 3]>,
+    /// The boundary vertices and the unit normals that were used there.
+    pub boundary_normals: Vec<(u32, [f64; 3])>,
+    /// Free vertices and the mean curvature of the result there; negative on a sphere with outward normals.
+    pub mean_curvature: Vec<(u32, f64)>,
+    /// Free vertices and the Gaussian curvature of the result there; positive on a sphere.
+    pub gaussian_curvature: Vec<(u32, f64)>,
+    /// How it went.
+    pub report: Report,
+}

@@ -1,0 +1,198 @@
+//! Where a [`Session`](super::Session) stands: the solve that [`fair`](crate::fair) runs through, held up between two
+//! iterations.
+
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use super::Input;
+use crate::discrete::target::Target;
+use crate::error::Error;
+use crate::fairing::conclusion::Found;
+use crate::fairing::normals::boundary_normals;
+use crate::fairing::prepared::Prepared;
+use crate::fairing::{Seconds, Solution};
+use crate::mesh::Region;
+use crate::quality::NEEDLE;
+use crate::solve::control::{Callback, Tally};
+use crate::solve::ladder::{Ladder, Step};
+use crate::solve::system::Collapsed;
+use crate::solve::{Control, SolveResult, SolveStatus, System};
+
+/// A solve under way.
+pub(super) struct Cursor {
+    prepared: Prepared,
+    system: System,
+    ladder: Ladder,
+    tally: Tally,
+    /// Nothing is left to be done, until something is changed.
+    is_over: bool,
+    seconds: Seconds,
+}
+
+impl Cursor {
+    /// Checks the input, orders and analyses the matrices, and measures the given surface.
+    pub(super) fn new(input: &Input) -> Result<(Self, Solution), Error> {
+        let clock = Instant::now();
+        let prepared = input.prepared()?;
+        let problem = prepared.problem();
+        let (result, state) = problem.unmoved();
+        let system = System::new(&problem);
+        let seconds = Seconds {
+            setup: clock.elapsed().as_secs_f64(),
+            ..Seconds::default()
+        };
+        let found = Found {
+            positions: &input.positions,
+            prepared: &prepared,
+            target: input.options.target,
+            result: &SolveResult {
+                status: SolveStatus::IterationLimit,
+                ..result
+            },
+            state: &state,
+            levels: Vec::new(),
+            seconds,
+        };
+        let solution = found.conclude();
+        let cursor = Self {
+            prepared,
+            system,
+            ladder: Ladder::default(),
+            tally: Tally::default(),
+            is_over: false,
+            seconds,
+        };
+        Ok((cursor, solution))
+    }
+
+    /// Nothing is left to be done, until something is changed.
+    pub(super) fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    /// Whether the matrices are those of this region.
+    pub(super) fn is_of(&self, region: &Region) -> bool {
+        let own = &self.prepared.domain.region;
+        own.vertex_ids == region.vertex_ids && own.half_edges.triangles == region.half_edges.triangles
+    }
+
+    /// At most this many iterations, or one if the callback asks to stop.
+    pub(super) fn run<'a>(
+        &mut self,
+        input: &Input,
+        iterations: usize,
+        told: Option<&'a mut Callback<'a>>,
+    ) -> Result<Solution, Error> {
+        let clock = Instant::now();
+        let result = self.advance(input, iterations, told);
+        let result = result.map_err(|Collapsed| Error::NothingFixed { vertex: 0 })?;
+        self.seconds.start += result.start_seconds;
+        self.seconds.iterate += clock.elapsed().as_secs_f64() - result.start_seconds;
+        let found = Found {
+            positions: &input.positions,
+            prepared: &self.prepared,
+            target: input.options.target,
+            result: &result,
+            state: self.system.state(),
+            levels: Vec::new(),
+            seconds: self.seconds,
+        };
+        Ok(found.conclude())
+    }
+
+    fn advance<'a>(
+        &mut self,
+        input: &Input,
+        iterations: usize,
+        mut told: Option<&'a mut Callback<'a>>,
+    ) -> Result<SolveResult, Collapsed> {
+        let is_held = Cell::new(false);
+        // The solve itself is never stopped by the callback, but held up after the next iteration.
+        let mut tell = |fraction, iterations, step, phase| {
+            if let (false, Some(told)) = (is_held.get(), &mut told) {
+                is_held.set(told(fraction, iterations, step, phase).is_break());
+            }
+            ControlFlow::Continue(())
+        };
+        let options = &input.options;
+        let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
+        control.tally = self.tally;
+        let before = self.tally.iterations;
+        loop {
+            let step = self.ladder.advance(&mut self.system, &mut control)?;
+            self.tally = control.tally;
+            let done = self.tally.iterations - before;
+            match step {
+                Step::Ended(result) => {
+                    self.end(&result);
+                    return Ok(result);
+                }
+                Step::Iterated | Step::Unmoved if done == 0 => {}
+                Step::Iterated | Step::Unmoved => {
+                    if is_held.get() {
+                        return Ok(self.at_hand(SolveStatus::Cancelled));
+                    }
+                    if done >= iterations {
+                        return Ok(self.at_hand(SolveStatus::IterationLimit));
+                    }
+                }
+            }
+        }
+    }
+
+    /// After the end: the next solve begins at its surface, if that is not the linear one. The limit of iterations of the
+    /// options may be hit again from there.
+    fn end(&mut self, result: &SolveResult) {
+        self.is_over = result.status != SolveStatus::IterationLimit;
+        self.tally = Tally::default();
+        self.ladder = if result.status.is_linear() {
+            Ladder::default()
+        } else {
+            Ladder::resume(result.x.clone(), result.uniform_weights)
+        };
+    }
+
+    /// The surface of the last iteration.
+    fn at_hand(&self, status: SolveStatus) -> SolveResult {
+        let x = self.ladder.x().unwrap_or_default().to_vec();
+        SolveResult {
+            poor: self.system.poor(&x, NEEDLE),
+            x,
+            status,
+            step: self.tally.step,
+            defect: self.system.defect(),
+            iterations: self.tally.iterations,
+            uniform_weights: self.ladder.has_uniform_weights(),
+            start_seconds: 0.0,
+        }
+    }
+
+    /// Takes the boundary normals of the options, on the same region.
+    pub(super) fn set_boundary_normals(&mut self, input: &Input) -> Result<(), Error> {
+        let options = &input.options;
+        let (normals, smooth_interior) = boundary_normals(
+            &self.prepared.domain,
+            &options.boundary_normals,
+            options.interior_normals,
+        )?;
+        self.change();
+        self.system.prescribe(normals, smooth_interior);
+        Ok(())
+    }
+
+    /// Takes another right-hand side.
+    pub(super) fn set_target(&mut self, target: Target) {
+        self.change();
+        let scale = self.prepared.normalization.scale;
+        self.system.ask_right_hand_side(target.right_hand_side(scale));
+    }
+
+    /// From here on it is another problem, close to the last.
+    fn change(&mut self) {
+        self.system.reset();
+        self.ladder = std::mem::take(&mut self.ladder).renewed();
+        self.tally = Tally::default();
+        self.is_over = false;
+    }
+}

@@ -1,0 +1,340 @@
+//! What is tried, in which order, until a sound surface is found: [`LADDER`].
+
+use super::control::Control;
+use super::procedure::Procedure;
+use super::quasi_newton::IterateOptions;
+use super::system::System;
+use crate::discrete::equations::FreeCurvature;
+
+/// One attempt at a surface.
+#[derive(Debug)]
+pub(crate) struct Attempt {
+    /// What it is called.
+    #[cfg_attr(not(test), expect(dead_code, reason = "for the readers of the table"))]
+    pub name: &'static str,
+    /// When it is tried.
+    pub condition: Condition,
+    /// The inner fairness that it begins with.
+    pub weights: Weights,
+    /// The curvature at free vertices.
+    pub curvature: Curvature,
+    /// Where it begins.
+    pub start: Start,
+    /// How it goes on from there.
+    pub procedure: Procedure,
+    /// How it iterates.
+    pub options: IterateOptions,
+    /// What becomes of a surface that meets the tolerance. A sound one of an attempt at the solution ends the search.
+    pub kept: Kept,
+}
+
+/// When an attempt is tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Condition {
+    /// Wherever there is its start.
+    Always,
+    /// With a right-hand side that is not zero.
+    Target,
+    /// With the second-order curvature.
+    SecondOrder,
+    /// With other inner fairness than uniform, while iterations are left.
+    NotUniform,
+}
+
+impl Condition {
+    /// Whether it is met.
+    pub(crate) fn holds(self, system: &System, control: &Control<'_>) -> bool {
+        match self {
+            Self::Always => true,
+            Self::Target => system.asks_for_target(),
+            Self::SecondOrder => {
+                matches!(system.asked_curvature(), FreeCurvature::GradientCorrected { .. })
+            }
+            Self::NotUniform => system.asks_for_weights() && !control.exhausted(),
+        }
+    }
+}
+
+/// Inner fairness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Weights {
+    /// As asked.
+    Asked,
+    /// As the attempts before have left it, repaired.
+    AsLeft,
+    /// Uniform.
+    Uniform,
+}
+
+/// Curvature at free vertices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Curvature {
+    /// As asked.
+    Asked,
+    /// Plain Moreton-Sequin: first order, but with a larger basin of convergence.
+    Plain,
+}
+
+/// Where an attempt begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Start {
+    /// The surface of a problem close to this one, in a session.
+    AtHand,
+    /// The linear surface (7.4) with the inner fairness that is asked for.
+    Linear,
+    /// The linear surface on the metric of a membrane.
+    MembraneMetric,
+    /// The surface with plain curvature.
+    PlainSolution,
+    /// The linear surface with the inner fairness of the attempt.
+    LinearAnew,
+}
+
+/// What is kept of an attempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kept {
+    /// A surface that meets the tolerance but is not sound is a result, if there is none better.
+    Result,
+    /// The same, as one of first order.
+    FirstOrder,
+    /// Only a sound surface.
+    Sound,
+    /// It is where other attempts begin.
+    Start,
+}
+
+/// Quasi-Newton steps to the tolerance.
+const DIRECT: IterateOptions = IterateOptions {
+    tolerance_floor: 0.0,
+    // Every change of matrix makes the step norm jump.
+    divergence_factor: 10.0,
+    stop_on_folds: false,
+    measured_response: true,
+    reuse_factor: false,
+    phase: "fairing",
+};
+
+/// With plain curvature the step norm falls more steadily.
+const PLAIN: IterateOptions = IterateOptions {
+    divergence_factor: 5.0,
+    phase: "plain curvature",
+    ..DIRECT
+};
+
+/// Step norm of surfaces that others begin with.
+const COARSE: f64 = 1e-4;
+
+/// The attempts, in their order.
+pub(crate) const LADDER: &[Attempt] = &[
+    Attempt {
+        name: "goes on",
+        condition: Condition::Always,
+        weights: Weights::AsLeft,
+        curvature: Curvature::Asked,
+        start: Start::AtHand,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            reuse_factor: true,
+            ..DIRECT
+        },
+        kept: Kept::Sound,
+    },
+    Attempt {
+        name: "direct",
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::WeightRepair,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "target continuation",
+        condition: Condition::Target,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::TargetContinuation,
+        options: IterateOptions {
+            tolerance_floor: COARSE,
+            phase: "target continuation",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "membrane metric",
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::MembraneMetric,
+        procedure: Procedure::WeightRepair,
+        options: IterateOptions {
+            measured_response: false,
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "plain curvature",
+        condition: Condition::SecondOrder,
+        weights: Weights::Asked,
+        curvature: Curvature::Plain,
+        start: Start::Linear,
+        procedure: Procedure::WeightRepair,
+        options: IterateOptions {
+            tolerance_floor: COARSE,
+            ..PLAIN
+        },
+        kept: Kept::Start,
+    },
+    Attempt {
+        name: "jump to second order",
+        condition: Condition::Always,
+        weights: Weights::AsLeft,
+        curvature: Curvature::Asked,
+        start: Start::PlainSolution,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            phase: "second order",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "pseudo-time to second order",
+        condition: Condition::Always,
+        weights: Weights::AsLeft,
+        curvature: Curvature::Asked,
+        start: Start::PlainSolution,
+        procedure: Procedure::PseudoTime,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "plain curvature to the end",
+        condition: Condition::Always,
+        weights: Weights::AsLeft,
+        curvature: Curvature::Plain,
+        start: Start::PlainSolution,
+        procedure: Procedure::Iteration,
+        options: PLAIN,
+        kept: Kept::FirstOrder,
+    },
+    Attempt {
+        name: "pseudo-time",
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::PseudoTime,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "uniform inner fairness",
+        condition: Condition::NotUniform,
+        weights: Weights::Uniform,
+        curvature: Curvature::Asked,
+        start: Start::LinearAnew,
+        procedure: Procedure::WeightRepair,
+        options: DIRECT,
+        kept: Kept::Sound,
+    },
+    Attempt {
+        name: "normal continuation",
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::NormalContinuation,
+        options: IterateOptions {
+            tolerance_floor: COARSE,
+            // Each step is short.
+            divergence_factor: 3.0,
+            phase: "turning the normals",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A line of the table in ARCHITECTURE.md.
+    fn line(attempt: &Attempt) -> String {
+        let condition = match attempt.condition {
+            Condition::Always => "",
+            Condition::Target => "right-hand side not zero",
+            Condition::SecondOrder => "second-order curvature asked",
+            Condition::NotUniform => "weights asked, iterations left",
+        };
+        let weights = match attempt.weights {
+            Weights::Asked => "asked",
+            Weights::AsLeft => "as left",
+            Weights::Uniform => "uniform",
+        };
+        let curvature = match attempt.curvature {
+            Curvature::Asked => "asked",
+            Curvature::Plain => "plain",
+        };
+        let start = match attempt.start {
+            Start::AtHand => "surface at hand",
+            Start::Linear => "linear",
+            Start::MembraneMetric => "linear, membrane's metric",
+            Start::PlainSolution => "plain solution",
+            Start::LinearAnew => "linear, these weights",
+        };
+        let procedure = match attempt.procedure {
+            Procedure::Iteration => "iteration",
+            Procedure::WeightRepair => "iteration, weight repair",
+            Procedure::PseudoTime => "pseudo-time, iteration",
+            Procedure::TargetContinuation => "parts of the right-hand side",
+            Procedure::NormalContinuation => "normals turned from the membrane's",
+        };
+        let IterateOptions {
+            tolerance_floor,
+            divergence_factor,
+            measured_response,
+            reuse_factor,
+            ..
+        } = attempt.options;
+        let tolerance = if tolerance_floor > 0.0 {
+            format!("{tolerance_floor:e}")
+        } else {
+            "asked".to_owned()
+        };
+        let matrix = match (reuse_factor, measured_response) {
+            (true, _) => "kept",
+            (false, true) => "measured",
+            (false, false) => "ring's own",
+        };
+        let kept = match attempt.kept {
+            Kept::Result => "result",
+            Kept::FirstOrder => "first-order result",
+            Kept::Sound => "if sound",
+            Kept::Start => "as start",
+        };
+        let name = attempt.name;
+        format!(
+            "| {name} | {condition} | {weights} | {curvature} | {start} | {procedure} | {tolerance} | {divergence_factor} | {matrix} | {kept} |"
+        )
+    }
+
+    #[test]
+    fn the_documents_quote_the_ladder() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/ARCHITECTURE.md");
+        let text = std::fs::read_to_string(path).unwrap();
+        let wanted: Vec<String> = LADDER.iter().map(line).collect();
+        let quoted: Vec<&str> = text
+            .lines()
+            .skip_while(|l| !l.starts_with("| attempt |"))
+            .skip(2)
+            .take_while(|l| l.starts_with('|'))
+            .collect();
+        assert_eq!(quoted, wanted, "\n{}", wanted.join("\n"));
+    }
+}

@@ -1,0 +1,279 @@
+//! The loop over [`LADDER`]: attempt after attempt, until a sound surface is found or none is left. It can be held up after
+//! every iteration, and goes on as if nothing had been.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use nalgebra::Vector3;
+
+use super::attempt::{Attempt, Curvature, Kept, LADDER, Start, Weights};
+use super::candidate::Candidate;
+use super::control::Control;
+use super::initial::PHASE;
+use super::procedure::{Next, Run, Underway};
+use super::result::{SolveResult, SolveStatus};
+use super::system::{Collapsed, System};
+use crate::discrete::curvature::NO_TILT;
+use crate::discrete::equations::FreeCurvature;
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::quality::NEEDLE;
+
+/// What a call of [`Ladder::advance`] has led to.
+#[derive(Debug)]
+pub(crate) enum Step {
+    /// One iteration further, or ready for the first one: to be called again.
+    Iterated,
+    /// The end. The system stands evaluated at the surface.
+    Ended(SolveResult),
+    /// Stopped by the caller before there was a surface.
+    Unmoved,
+}
+
+/// A solve under way.
+#[derive(Debug, Default)]
+pub(crate) struct Ladder {
+    /// A surface to go on from.
+    at_hand: Option<Vec<Vector3<f64>>>,
+    /// The linear surface, once it is needed.
+    linear: Option<Vec<Vector3<f64>>>,
+    /// The solution with plain curvature, if there is one.
+    plain: Option<Vec<Vector3<f64>>>,
+    /// Attempts begun or passed over.
+    attempts: usize,
+    underway: Option<Underway>,
+    run: Option<Run>,
+    /// The best of what has met the tolerance without being sound.
+    fallback: Option<(Candidate, SolveStatus)>,
+    /// How far the first continuation came that came anywhere.
+    shortfall: Option<SolveStatus>,
+    /// Uniform weights have taken the place of those that are asked for.
+    uniform_weights: bool,
+    start_seconds: f64,
+}
+
+impl Ladder {
+    /// A solve that goes on from a surface that solved a problem close to this one, with the matrices and weights that are
+    /// there; where that leads to no sound surface, it begins at the beginning.
+    pub(crate) fn resume(x: Vec<Vector3<f64>>, uniform_weights: bool) -> Self {
+        Self {
+            at_hand: Some(x),
+            uniform_weights,
+            ..Self::default()
+        }
+    }
+
+    /// A solve of another problem close to this one, from where this one stands.
+    pub(crate) fn renewed(self) -> Self {
+        let x = self.run.map(Run::into_x).or(self.at_hand);
+        match x {
+            Some(x) => Self::resume(x, self.uniform_weights),
+            None => Self::default(),
+        }
+    }
+
+    /// The surface at hand, at which the system stands evaluated; none before the first iteration.
+    pub(crate) fn x(&self) -> Option<&[Vector3<f64>]> {
+        self.run.as_ref().map(Run::x)
+    }
+
+    /// Whether uniform weights have taken the place of those that are asked for.
+    pub(crate) fn has_uniform_weights(&self) -> bool {
+        self.uniform_weights
+    }
+
+    /// One iteration, and everything up to the next one.
+    ///
+    /// # Errors
+    /// [`Collapsed`] where not even the linear surface exists.
+    pub(crate) fn advance(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Result<Step, Collapsed> {
+        let mut ended = None;
+        if let Some(run) = &mut self.run {
+            ended = run.advance(system, control);
+            if ended.is_none() {
+                return Ok(Step::Iterated);
+            }
+        }
+        // The next run: of this attempt, or of another.
+        loop {
+            let next = match (ended.take(), &mut self.underway) {
+                (Some(candidate), Some(underway)) => underway.next(candidate, system, control),
+                _ => match self.next_attempt(system, control)? {
+                    Some(next) => next,
+                    None if self.linear.is_none() => return Ok(Step::Unmoved),
+                    None => return Ok(Step::Ended(self.give_up(system, control))),
+                },
+            };
+            match next {
+                Next::Run(mut run) => {
+                    ended = run.begin(system, control);
+                    if ended.is_none() {
+                        self.run = Some(run);
+                        return Ok(Step::Iterated);
+                    }
+                }
+                Next::Done(candidate) => {
+                    if let Some((candidate, status)) = self.consider(candidate) {
+                        return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
+                    }
+                }
+                Next::Short(SolveStatus::Failed) => {}
+                Next::Short(status) => {
+                    self.shortfall.get_or_insert(status);
+                }
+            }
+        }
+    }
+
+    /// Begins the next attempt whose condition holds and that has a start. `None`: there is none, or the run was stopped
+    /// while the linear surface was made.
+    fn next_attempt(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Result<Option<Next>, Collapsed> {
+        self.underway = None;
+        while let Some(attempt) = LADDER.get(self.attempts) {
+            self.attempts += 1;
+            if !attempt.condition.holds(system, control) {
+                continue;
+            }
+            system.reset();
+            if attempt.start == Start::Linear && !self.make_linear(system, control)? {
+                return Ok(None);
+            }
+            if let Some(x) = self.set_up(attempt, system, control) {
+                let (underway, next) = attempt.procedure.begin(x, attempt.options, system, control);
+                self.underway = Some(underway);
+                return Ok(Some(next));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Makes the linear surface, if it is not there yet. Returns whether it is; if not, the run was stopped.
+    fn make_linear(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<bool, Collapsed> {
+        if self.linear.is_some() {
+            return Ok(true);
+        }
+        let clock = Instant::now();
+        system.use_asked_weights();
+        control.phase(0.05, PHASE);
+        let linear = system.start(control);
+        if !control.checkpoint(PHASE) {
+            return Ok(false);
+        }
+        self.linear = Some(linear?);
+        control.phase(0.3, PHASE);
+        self.start_seconds = clock.elapsed().as_secs_f64();
+        Ok(true)
+    }
+
+    /// Weights, curvature and start of an attempt; `None` where there is no such start.
+    fn set_up(
+        &mut self,
+        attempt: &Attempt,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<Vec<Vector3<f64>>> {
+        match attempt.weights {
+            Weights::Asked => system.use_asked_weights(),
+            Weights::AsLeft => {}
+            Weights::Uniform => {
+                let uniform = Arc::new(FairnessWeights::uniform());
+                system.use_weights(uniform).ok()?;
+            }
+        }
+        if attempt.curvature == Curvature::Plain {
+            system.use_curvature(FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT });
+        }
+        let start = match attempt.start {
+            Start::AtHand => self.at_hand.take(),
+            Start::Linear => self.linear.clone(),
+            Start::PlainSolution => self.plain.clone(),
+            Start::LinearAnew => system.start(control).ok(),
+            Start::MembraneMetric => {
+                let membrane = system.membrane();
+                let mut x = system.linear_surface_on(&membrane, control).ok()?;
+                system.tangential_steps(&mut x, control);
+                Some(x)
+            }
+        };
+        if start.is_some() && attempt.weights != Weights::AsLeft {
+            self.uniform_weights = attempt.weights == Weights::Uniform;
+        }
+        start
+    }
+
+    /// What becomes of an attempt's surface. Returns it if nothing else is to be tried.
+    fn consider(&mut self, candidate: Candidate) -> Option<(Candidate, SolveStatus)> {
+        let kept = LADDER[self.attempts - 1].kept;
+        let status = match kept {
+            Kept::FirstOrder => SolveStatus::FirstOrder,
+            _ => SolveStatus::Converged,
+        };
+        if kept == Kept::Start && !candidate.is_stopped() {
+            self.plain = candidate.is_converged().then_some(candidate.x);
+        } else if candidate.is_settled() {
+            return Some((candidate, status));
+        } else if kept != Kept::Sound && candidate.is_converged() {
+            // Of equals the first.
+            let best = self.fallback.as_ref().map(|(best, _)| best.rank());
+            if best.is_none_or(|best| candidate.rank() < best) {
+                self.fallback = Some((candidate, status));
+            }
+        }
+        None
+    }
+
+    /// After the last attempt: the best of what there is.
+    fn give_up(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
+        system.reset();
+        self.uniform_weights = false;
+        let (candidate, status) = match self.fallback.take() {
+            Some((candidate, SolveStatus::Converged)) if candidate.has_bump() => {
+                (Some(candidate), SolveStatus::Bump)
+            }
+            Some((candidate, status)) => (Some(candidate), status),
+            None => (None, self.shortfall.take().unwrap_or(SolveStatus::Failed)),
+        };
+        self.result(candidate, status, system, control)
+    }
+
+    fn result(
+        &mut self,
+        candidate: Option<Candidate>,
+        status: SolveStatus,
+        system: &mut System,
+        control: &Control<'_>,
+    ) -> SolveResult {
+        let is_settled = candidate.as_ref().is_some_and(Candidate::is_settled);
+        let is_stopped = candidate.as_ref().is_some_and(Candidate::is_stopped);
+        let status = match status {
+            _ if control.cancelled && (is_stopped || !is_settled) => SolveStatus::Cancelled,
+            _ if is_stopped => SolveStatus::IterationLimit,
+            status => status,
+        };
+        let linear = self.linear.take();
+        let (x, step, poor) = match (candidate, linear) {
+            // Stopped on the way over poor triangles: the linear surface is the better one.
+            (Some(c), Some(linear)) if c.is_stopped() && !c.poor.is_empty() => (linear, f64::NAN, None),
+            (Some(c), _) => (c.x, c.step, Some(c.poor)),
+            (None, linear) => (linear.unwrap_or_default(), f64::NAN, None),
+        };
+        system.evaluate(&x);
+        SolveResult {
+            status,
+            step,
+            defect: system.defect(),
+            iterations: control.tally.iterations,
+            poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
+            uniform_weights: self.uniform_weights,
+            start_seconds: self.start_seconds,
+            x,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What a solve ends with.
+
+use nalgebra::Vector3;
+
+/// How a solve ended.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum SolveStatus {
+    /// Tolerance met.
+    Converged,
+    /// Met as far as the rounding of positions shows: the limit set on `Delta_B H` lies below that.
+    ConvergedToRounding,
+    /// Tolerance met with plain (first-order) curvature only.
+    FirstOrder,
+    /// Tolerance met by a surface that has a bump, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).
+    Bump,
+    /// No sound nonlinear surface; the linear one.
+    Failed,
+    /// Boundary normals reached only to a fraction of the way; the linear surface.
+    NormalsNotReached {
+        /// The fraction.
+        reached: f64,
+        /// Boundary vertices (numbered from the first boundary vertex), those whose normals turn most first.
+        farthest: Vec<u32>,
+    },
+    /// A surface was found for this part of the right-hand side only; the linear surface.
+    TargetNotReached(f64),
+    /// The limit of iterations: the best surface so far.
+    IterationLimit,
+    /// Stopped by the caller: the best surface so far.
+    Cancelled,
+}
+
+impl SolveStatus {
+    /// Whether the surface is the linear one, for want of a better.
+    pub(crate) fn is_linear(&self) -> bool {
+        matches!(
+            self,
+            Self::Failed | Self::NormalsNotReached { .. } | Self::TargetNotReached(_)
+        )
+    }
+}
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub(crate) struct SolveResult {
+    /// The surface: free and boundary vertices.
+    pub x: Vec<Vector3<f64>>,
+    /// How it ended.
+    pub status: SolveStatus,
+    /// The last step norm.
+    pub step: f64,
+    /// Of the outer equation, without unit.
+    pub defect: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// Triangles of the region (local numbers) that are folded or needles.
+    pub poor: Vec<u32>,
+    /// The vertices are distributed evenly, because no surface was found with the inner fairness that was asked for.
+    pub uniform_weights: bool,
+    /// Seconds until the first iteration.
+    pub start_seconds: f64,
+}

@@ -1,0 +1,91 @@
+//! Continuation in the right-hand side, from the harmonic surface to the asked one. Where it stalls short of the end, no
+//! surface with this right-hand side was found on this branch.
+
+use nalgebra::Vector3;
+
+use super::candidate::Candidate;
+use super::control::Control;
+use super::procedure::{Next, Run};
+use super::quasi_newton::IterateOptions;
+use super::result::SolveStatus;
+use super::system::System;
+
+/// The first part of the right-hand side after none.
+const FIRST_STEP: f64 = 0.25;
+/// A step shorter than this fraction of the way is not tried.
+const SHORTEST: f64 = 1.0 / 64.0;
+
+/// The way to the whole right-hand side.
+#[derive(Debug)]
+pub(crate) struct TargetContinuation {
+    /// On the way; the whole is iterated to the asked tolerance.
+    options: IterateOptions,
+    /// The last surface reached; `None`: the harmonic one is not there yet.
+    x: Option<Vec<Vector3<f64>>>,
+    /// The part of the right-hand side reached.
+    reached: f64,
+    /// The part that is tried.
+    tried: f64,
+    step: f64,
+}
+
+impl TargetContinuation {
+    /// Begins with the harmonic surface.
+    pub(crate) fn begin(
+        x: Vec<Vector3<f64>>,
+        options: IterateOptions,
+        system: &mut System,
+        control: &Control<'_>,
+    ) -> (Self, Next) {
+        system.use_part_of_target(0.0);
+        let continuation = Self {
+            options,
+            x: None,
+            reached: 0.0,
+            tried: 0.0,
+            step: FIRST_STEP,
+        };
+        (continuation, Next::Run(Run::iterate(system, x, options, control)))
+    }
+
+    /// After the iteration with the part that was tried.
+    pub(crate) fn next(&mut self, last: Candidate, system: &mut System, control: &Control<'_>) -> Next {
+        if self.tried >= 1.0 && (last.is_converged() && !last.has_bump() || last.is_stopped()) {
+            return Next::Done(last);
+        }
+        match &mut self.x {
+            None => {
+                if !last.is_converged() {
+                    self.step = 0.0;
+                }
+                self.x = Some(last.x);
+            }
+            Some(x) if last.is_converged() && !last.has_bump() => {
+                *x = last.x;
+                self.reached = self.tried;
+                self.step *= 2.0;
+            }
+            Some(_) => self.step *= 0.5,
+        }
+        match &self.x {
+            Some(x) if self.step >= SHORTEST && !control.exhausted() => {
+                let x = x.clone();
+                Next::Run(self.run(x, system, control))
+            }
+            _ if self.reached > 0.0 => Next::Short(SolveStatus::TargetNotReached(self.reached)),
+            _ => Next::Short(SolveStatus::Failed),
+        }
+    }
+
+    /// One step further from `x`.
+    fn run(&mut self, x: Vec<Vector3<f64>>, system: &mut System, control: &Control<'_>) -> Run {
+        self.tried = (self.reached + self.step).min(1.0);
+        system.use_part_of_target(self.tried);
+        let options = if self.tried >= 1.0 {
+            self.options.to_the_end()
+        } else {
+            self.options
+        };
+        Run::iterate(system, x, options, control)
+    }
+}
