@@ -28,8 +28,8 @@ fn sources() -> Vec<(String, Vec<String>)> {
         } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests.rs") {
             let name = path.strip_prefix(root()).unwrap().to_str().unwrap();
             let text = read(name);
-            let lines = text.lines().take_while(|line| !line.starts_with("mod tests {"));
-            let lines = lines.map(str::to_owned).collect();
+            let code = text.split("\n\n#[cfg(test)]\nmod tests {").next().unwrap();
+            let lines = code.lines().map(str::to_owned).collect();
             sources.push((name.replace('\\', "/"), lines));
         }
     }
