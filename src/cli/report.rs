@@ -61,7 +61,7 @@ impl Summary<'_> {
     /// Lines for people.
     pub fn readable(&self) -> String {
         let mut table = Table(format!("{}\n", explain::outcome(self.report)));
-        let advice = explain::advice(self.report);
+        let advice = self.report.outcome.remedy();
         if !advice.is_empty() {
             table.row("what to do", advice);
         }
@@ -155,7 +155,7 @@ impl Summary<'_> {
     pub fn json(&self) -> Value {
         let report = self.report;
         let reason = (report.outcome != Outcome::Converged).then(|| explain::outcome(report));
-        let advice = Some(explain::advice(report)).filter(|advice| !advice.is_empty());
+        let advice = Some(report.outcome.remedy()).filter(|advice| !advice.is_empty());
         let reached = match report.outcome {
             Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => {
                 Some(reached)
@@ -338,6 +338,6 @@ mod tests {
             };
             assert!(summary.readable().contains("\n  what to do:"));
         }
-        assert_eq!(explain::advice(&report(Outcome::Converged)), "");
+        assert_eq!(Outcome::Converged.remedy(), "");
     }
 }

@@ -236,9 +236,9 @@ def test_a_selection_of_faces_out_of_range():
 def test_a_normal_that_is_no_unit_vector(vector):
     boundary = int(fair().boundary_vertices[5])
     message = f"the normal given for vertex {boundary} is not a finite unit vector"
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=([boundary], [vector]))
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=([boundary], [vector]))
     rows = changed(np.zeros_like(VERTICES), boundary, vector)
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=rows)
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=rows)
 
 
 def test_a_normal_of_no_vertex():
@@ -247,7 +247,7 @@ def test_a_normal_of_no_vertex():
         "a normal is given for vertex 441, but there are only 441",
         ElementKind.VERTEX,
         441,
-        normals=([441], [[0, 0, 1]]),
+        boundary_normals=([441], [[0, 0, 1]]),
     )
 
 
@@ -364,7 +364,7 @@ def test_other_functions_check_the_same():
 
 
 def test_every_status_has_an_exception():
-    assert [(m.name, m.value) for m in Status] == [(m.name, m.value) for m in _abi.fairmesh_status]
+    assert [(m.name, int(m)) for m in Status] == [(m.name, int(m)) for m in _abi.fairmesh_status]
     for status in set(Status) - {Status.OK}:
         struct = _abi.fairmesh_error(status, 0, _abi.NO_ELEMENT, _abi.NO_ELEMENT, b"why")
         error = error_of("fairmesh_fair", status, struct)
