@@ -75,11 +75,11 @@ impl Golden {
     }
 }
 
-fn sharp<'a>() -> Options<'a> {
+fn sharp() -> Options {
     options(1e-12)
 }
 
-fn given(name: &str, shape: &Shape, options: Options<'_>) -> (String, Golden) {
+fn given(name: &str, shape: &Shape, options: Options) -> (String, Golden) {
     let solution = solve(shape, &flat(shape), options);
     (name.to_owned(), Golden::of(shape, &solution))
 }
@@ -120,7 +120,10 @@ fn surfaces() -> Vec<(String, Golden)> {
 fn choices() -> Vec<(String, Golden)> {
     let (blend, tetra) = (cylinder_blend(), tetra_thing_coarse());
     let cylinder = cylinder_band(1_000, irregular(7), OUTSIDE);
-    let inner = |inner| Options { inner, ..sharp() };
+    let inner = |inner_fairness| Options {
+        inner_fairness,
+        ..sharp()
+    };
     let target = |target| Options { target, ..sharp() };
     let discretization = Discretization::Paper;
     let max_iterations = 5;
@@ -152,16 +155,31 @@ fn choices() -> Vec<(String, Golden)> {
 fn normals() -> Vec<(String, Golden)> {
     let (cylinder, blend) = (cylinder_band(1_000, irregular(8), OUTSIDE), cylinder_blend());
     let fitted = solve_as_asked(&cylinder, &flat(&cylinder), sharp());
-    let normals = BoundaryNormals::Averaged;
-    let averaged = solve_as_asked(&cylinder, &flat(&cylinder), Options { normals, ..sharp() });
+    let boundary_normals = BoundaryNormals::Averaged;
+    let averaged = solve_as_asked(
+        &cylinder,
+        &flat(&cylinder),
+        Options {
+            boundary_normals,
+            ..sharp()
+        },
+    );
     let mut points = sphere_cap(60.0, 1_000, irregular(9), OUTSIDE);
     let outer = points.boundary_normals();
     (points.free.iter_mut())
         .step_by(97)
         .for_each(|free| *free = false);
     let smooth = solve_given(&points, &flat(&points), &outer, sharp());
-    let interior = InteriorNormals::Input;
-    let input = solve_given(&points, &flat(&points), &outer, Options { interior, ..sharp() });
+    let interior_normals = InteriorNormals::Input;
+    let input = solve_given(
+        &points,
+        &flat(&points),
+        &outer,
+        Options {
+            interior_normals,
+            ..sharp()
+        },
+    );
     let paper = Solver::Paper(PaperOptions {
         estimate: Estimate::Alternating { iterations: 10 },
         levels: 0,
@@ -197,7 +215,7 @@ fn holes() -> Vec<(String, Golden)> {
         loops: Loops::UpTo(usize::MAX),
         ..FillOptions::default()
     };
-    let filled = fill_holes(&shape.positions, &around, asked).unwrap();
+    let filled = fill_holes(&shape.positions, &around, &asked).unwrap();
     let report = filled.loops.iter().min_by_key(|l| l.edges).unwrap();
     let fairing = report.fairing.as_ref().unwrap();
     let new = &filled.positions[report.vertices.start as usize..report.vertices.end as usize];
