@@ -26,6 +26,11 @@
 
 
 /**
+ * In place of an index: there is none.
+ */
+#define FAIRMESH_NO_ELEMENT UINT64_MAX
+
+/**
  * Major version of the interface: it changes when something does that programs rely on.
  */
 #define FAIRMESH_VERSION_MAJOR 0

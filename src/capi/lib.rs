@@ -46,6 +46,6 @@ pub use about::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;
-pub use status::fairmesh_error;
+pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
 pub use types::*;

@@ -3,7 +3,7 @@
 use core::ffi::c_char;
 
 use super::about::told;
-use super::statuses::STATUSES;
+use super::statuses::{NONE, STATUSES};
 use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
@@ -342,19 +342,19 @@ pub extern "C" fn fairmesh_outcome_remedy(outcome: u32) -> *const c_char {
 /// The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_loose_reason_name(loose_reason: u32) -> *const c_char {
-    told(&[LooseReason::TABLE], loose_reason, Entry::c_name)
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_name)
 }
 
 /// What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_loose_reason_text(loose_reason: u32) -> *const c_char {
-    told(&[LooseReason::TABLE], loose_reason, Entry::c_text)
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_text)
 }
 
 /// What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_loose_reason_remedy(loose_reason: u32) -> *const c_char {
-    told(&[LooseReason::TABLE], loose_reason, Entry::c_remedy)
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_remedy)
 }
 
 /// The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
@@ -378,17 +378,17 @@ pub extern "C" fn fairmesh_fill_outcome_remedy(fill_outcome: u32) -> *const c_ch
 /// The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_fill_reason_name(fill_reason: u32) -> *const c_char {
-    told(&[OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_name)
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_name)
 }
 
 /// What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_fill_reason_text(fill_reason: u32) -> *const c_char {
-    told(&[OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_text)
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_text)
 }
 
 /// What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_fill_reason_remedy(fill_reason: u32) -> *const c_char {
-    told(&[OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_remedy)
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_remedy)
 }

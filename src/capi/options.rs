@@ -245,8 +245,8 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         place,
     )?;
     if view.threads > MOST_THREADS {
-        let place = argument.field(offset_of!(fairmesh_options, threads), "threads");
-        return Err(place.refuse(Status::BadOption, format_args!("at most {MOST_THREADS}")));
+        let (name, value, range) = ("threads", f64::from(view.threads), "at most 1024");
+        return Err(refused(Error::BadOption { name, value, range }, argument, place_of));
     }
     let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {

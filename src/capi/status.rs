@@ -31,7 +31,7 @@ pub(crate) enum fairmesh_element {
 }
 
 /// In place of an index: there is none.
-pub(crate) const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
+pub const FAIRMESH_NO_ELEMENT: u64 = u64::MAX;
 
 /// What went wrong. 256 bytes for ever; the caller's. A parameter of this type may be NULL. Every call writes it (unless it
 /// overlaps something else), with

@@ -1,4 +1,4 @@
-//! The statuses that only the C interface has; the others are those of [`fairmesh::Error`].
+//! What only the C interface has of the tables: the statuses beside those of [`fairmesh::Error`], and the reason that is none.
 
 use fairmesh::{Entry, table_entry};
 
@@ -79,3 +79,6 @@ pub(crate) const STATUSES: &[Entry] = &[
         "free the handle, and report the bug"
     ),
 ];
+
+/// In place of a reason: there is none.
+pub(crate) const NONE: Entry = table_entry!(0, "none", "there is nothing to say", "");

@@ -10,7 +10,7 @@ const HEAD: &str = "\
 use core::ffi::c_char;
 
 use super::about::told;
-use super::statuses::STATUSES;
+use super::statuses::{NONE, STATUSES};
 use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
 ";
 
@@ -123,9 +123,9 @@ fn texts(made: &mut String, table: &Table) {
     let tables = match short {
         "status" => "&[STATUSES, Error::TABLE]",
         "outcome" => "&[Outcome::TABLE]",
-        "loose_reason" => "&[LooseReason::TABLE]",
+        "loose_reason" => "&[&[NONE], LooseReason::TABLE]",
         "fill_outcome" => "&[FillOutcome::TABLE]",
-        _ => "&[OpenReason::TABLE, FlatReason::TABLE]",
+        _ => "&[&[NONE], OpenReason::TABLE, FlatReason::TABLE]",
     };
     let example = table.entries[1].name();
     for (what, doc) in [

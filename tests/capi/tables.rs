@@ -20,9 +20,6 @@ pub struct Table {
     pub has_texts: bool,
 }
 
-/// In place of a reason: there is none.
-const NONE: Entry = fairmesh::table_entry!(0, "none", "there is nothing to say", "");
-
 /// All of them.
 pub fn all() -> Vec<Table> {
     let table = |name, doc, parts: &[&[Entry]], has_texts| {
@@ -52,7 +49,7 @@ pub fn all() -> Vec<Table> {
         table(
             "fairmesh_loose_reason",
             "What is to be said of a surface that converged loosely.",
-            &[&[NONE], LooseReason::TABLE],
+            &[&[statuses::NONE], LooseReason::TABLE],
             true,
         ),
         table(
@@ -64,7 +61,7 @@ pub fn all() -> Vec<Table> {
         table(
             "fairmesh_fill_reason",
             "Why a loop was left open (numbers below 32) or a patch is flat.",
-            &[&[NONE], OpenReason::TABLE, FlatReason::TABLE],
+            &[&[statuses::NONE], OpenReason::TABLE, FlatReason::TABLE],
             true,
         ),
         table(

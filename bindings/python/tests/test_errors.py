@@ -270,12 +270,13 @@ OPTIONS = {
 def test_options_out_of_range(option, range_):
     name, value = option
     solver = {"solver": "paper"} if name.startswith("paper") else {}
-    message = f"{name}: has to be {range_}"
+    number = "NaN" if value != value else f"{value:g}"
+    message = f"option {name} is {number}: it must be {range_}"
     refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument=name, **{name: value}, **solver)
 
 
 def test_a_target_that_is_not_finite():
-    message = "target: the constant has to be finite"
+    message = "option target is inf: it must be a finite constant"
     refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument="target", target=float("inf"))
 
 
@@ -334,10 +335,10 @@ WRONG_VALUES = {
     "free_faces: a mask has to have the shape (800,), not (441,)": {"free": None, "free_faces": FREE},
     "only one of free and fixed can be given": {"fixed": ~FREE},
     "only one of free and fixed and free_faces can be given": {"fixed": ~FREE, "free_faces": [0]},
-    "normals: 440 rows, but 441 are needed": {"normals": EXACT[1:]},
-    "normals: 1 rows, but 2 are needed": {"normals": ([1, 2], [[0, 0, 1]])},
-    "normals: the shape has to be (n, 3), not (3,)": {"normals": [0, 0, 1]},
-    "normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"normals": "flat"},
+    "boundary_normals: 440 rows, but 441 are needed": {"boundary_normals": EXACT[1:]},
+    "boundary_normals: 1 rows, but 2 are needed": {"boundary_normals": ([1, 2], [[0, 0, 1]])},
+    "boundary_normals: the shape has to be (n, 3), not (3,)": {"boundary_normals": [0, 0, 1]},
+    "boundary_normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"boundary_normals": "flat"},
     "target: 'flat' is neither 'harmonic' nor 'minimal_energy' nor a number": {"target": "flat"},
     "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
     "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},

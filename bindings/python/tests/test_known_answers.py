@@ -44,7 +44,7 @@ def test_a_cylinder_with_given_normals():
 
 @pytest.mark.parametrize("angle", [20.0, 45.0])
 def test_given_normals_turn_a_disc_into_a_cap(angle):
-    # The unit circle with normals tilted outward by an angle is the boundary of a sphere's cap of radius 1 / sin(angle).
+    # The unit circle with normals tilted outward by an angle is the boundary of a cap of radius 1 / sin(angle).
     vertices, faces, free, _ = disc()
     boundary = np.flatnonzero(~free)
     tilt = np.radians(angle)
@@ -90,8 +90,12 @@ def test_a_positive_target_pushes_along_the_normals():
     assert out.outcome.is_success
     assert abs(out.vertices[0, 2]) == pytest.approx(2 / 64, rel=0.05)
     assert out.vertices[0, 2] > 0
-    assert np.array_equal(fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target=0.0).vertices, flat.vertices)
-    assert np.array_equal(fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target="harmonic").vertices, flat.vertices)
+    assert np.array_equal(
+        fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target=0.0).vertices, flat.vertices
+    )
+    assert np.array_equal(
+        fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target="harmonic").vertices, flat.vertices
+    )
 
 
 def test_spheres_have_minimal_energy():

@@ -39,8 +39,7 @@ class FairmeshError(Exception):
 
     ``status`` says why (`Status`). ``element_kind`` and ``element`` say which vertex, triangle, edge or loop is to
     blame, ``other`` is a second index where the status has one (the vertex that a triangle names wrongly, the other end
-    of an edge); both are None where there is none. ``argument`` is the name of the parameter to blame, or None; if that is
-    an option, ``option`` is the same. ``remedy`` says what can be done about it, or is empty.
+    of an edge); both are None where there is none. ``argument`` is the name of the parameter to blame, or None.
     """
 
     def __init__(

@@ -137,8 +137,8 @@ def fair(
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
             run before the next iteration, with the outcome CANCELLED.
-        **options: How fairing is done: boundary_normals, target, tolerance, threads, ..., see `FairingOptions`. None is the
-            default.
+        **options: How fairing is done: boundary_normals, target, tolerance, threads, ..., see `FairingOptions`. None is
+            the default.
 
     Returns:
         `Result`: the vertices in the type given, the report, curvatures and lists.
@@ -244,7 +244,7 @@ class Solver:
         return report_of(report)
 
     def set_boundary_normals(self, normals: Normals) -> None:
-        """Asks for other boundary normals from now on, given as in `fair`. The next run starts at the surface at hand."""
+        """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
         self._call("fairmesh_solver_set_boundary_normals", ctypes.byref(view.struct))
 

@@ -87,7 +87,7 @@ class LoopReport:
         #: Why it is flat or open.
         self.reason: FillReason = FillReason.of(struct.reason)
         #: The status that the fairing was refused with, or None.
-        self.refused: Status | None = Status(struct.refused_status) if struct.refused_status else None
+        self.refused: Status | None = Status.of(struct.refused_status) if struct.refused_status else None
         #: The loop, as `boundary_loops` numbers it.
         self.loop_index: int = struct.loop_index
         self.edge_count: int = struct.edge_count

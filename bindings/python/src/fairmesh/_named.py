@@ -22,6 +22,11 @@ class Numbered(enum.IntEnum):
         made.remedy = remedy
         return made
 
+    @classmethod
+    def of(cls, number: int) -> Any:
+        """The member with the library's number; None if this package does not know it."""
+        return next((member for member in cls if member == number), None)
+
 
 class Named(str, enum.Enum):
     """Members are strings: their names in lower case."""

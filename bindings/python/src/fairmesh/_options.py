@@ -32,10 +32,10 @@ class FairingOptions(TypedDict, total=False):
     """How fairing is done: the keywords that `fair`, `fill_holes` and `Solver` have in common. None is the default.
 
     Keywords:
-        boundary_normals: Unit normals at the boundary of the region, pointing to the side that faces are counter-clockwise
-            seen from: "fitted" (default) to second order to the surface outside; "averaged" over the faces outside;
-            an array (n, 3), one row per vertex, zeros or NaN where none is given; or a pair (indices (k,), vectors
-            (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
+        boundary_normals: Unit normals at the boundary of the region, pointing to the side that faces are
+            counter-clockwise seen from: "fitted" (default) to second or third order to the surface outside;
+            "averaged" over the faces outside; an array (n, 3), one row per vertex, zeros or NaN where none is given; or
+            a pair (indices (k,), vectors (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
         target: The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3, a
             positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
         inner_fairness: How vertices are distributed within the surface: "uniform" (default), evenly; "conformal",
