@@ -62,12 +62,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     to.stride = sized.mesh.positions.stride;
     to.count = sized.mesh.positions.count;
     options.inner_fairness = head[14] % 4;
-    options.normals.kind = head[15] % 3;
+    options.boundary_normals.kind = head[15] % 3;
     options.target.kind = head[16] % 4;
     memcpy(&options.target.constant, head + 24, 8);
     memcpy(&options.tolerance, head + 32, 8);
     if (head[17] & 1) options.tolerance = 1e-3;
-    options.normals.vectors = sized.mesh.positions;
+    options.boundary_normals.vectors = sized.mesh.positions;
     options.interior_normals = head[18] % 3;
     options.discretization = head[19] % 3;
     options.threads = 1;

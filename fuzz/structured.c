@@ -77,7 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     what = next(&bytes);
     options.target.kind = what % 4u;
     options.target.constant = 20.0 * unit(&bytes);
-    options.normals.kind = what / 4u % 2u;
+    options.boundary_normals.kind = what / 4u % 2u;
     options.interior_normals = what / 8u % 2u;
     mesh.struct_size = sizeof mesh;
     mesh.positions.data = positions;

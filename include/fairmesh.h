@@ -46,8 +46,7 @@
 #define FAIRMESH_VERSION_PATCH 0
 
 /**
- * Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. Numbers are never
- * reused. After any status but OK no output was written, except for the `fairmesh_error`.
+ * Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
  */
 enum fairmesh_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -59,44 +58,43 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_OK = 0,
     /**
-     * A pointer is NULL that may not be. Element: the argument.
+     * A pointer is NULL that may not be.
      */
     FAIRMESH_STATUS_NULL_POINTER = 1,
     /**
-     * A pointer or a stride does not have the alignment of what it points to. Element: the argument.
+     * A pointer or a stride does not have the alignment of what it points to.
      */
     FAIRMESH_STATUS_MISALIGNED = 2,
     /**
-     * `struct_size` is not one that this library knows. Element: the argument.
+     * Struct_size is not one that this library knows.
      */
     FAIRMESH_STATUS_BAD_STRUCT_SIZE = 3,
     /**
-     * A number in the options is out of its range. Element: the argument and the field.
+     * An option is out of its range.
      */
     FAIRMESH_STATUS_BAD_OPTION = 4,
     /**
-     * A number is not one of the enumeration that is meant. Element: the argument and the field.
+     * A number is not one of the enumeration that is meant.
      */
     FAIRMESH_STATUS_BAD_ENUM = 5,
     /**
-     * A stride is smaller than what it steps over. Element: the argument and the field.
+     * A stride is smaller than what it steps over.
      */
     FAIRMESH_STATUS_BAD_STRIDE = 6,
     /**
-     * A count times its stride exceeds the address space. Element: the argument and the field.
+     * A count times its stride exceeds the address space.
      */
     FAIRMESH_STATUS_COUNT_OVERFLOW = 7,
     /**
-     * Two counts differ that have to be the same. Element: the argument and the field.
+     * Two counts differ that have to be the same.
      */
     FAIRMESH_STATUS_COUNT_MISMATCH = 8,
     /**
-     * An output overlaps an input or another output. Only positions may be written over those that were read, with
-     * the same address, stride and scalar. Element: the argument of the output.
+     * An output overlaps an input or another output.
      */
     FAIRMESH_STATUS_ALIASING = 9,
     /**
-     * Not a living handle of the kind that is meant: never made, or freed before. Element: the argument.
+     * Not a living handle of the kind that is meant: never made, or freed before.
      */
     FAIRMESH_STATUS_BAD_HANDLE = 10,
     /**
@@ -104,7 +102,7 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BUSY = 11,
     /**
-     * Memory ran out. Everything that the call had allocated is free again; a solver stays usable.
+     * Memory ran out; everything that the call had allocated is free again, and a solver stays usable.
      */
     FAIRMESH_STATUS_OUT_OF_MEMORY = 12,
     /**
@@ -116,43 +114,43 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_TOO_LARGE = 14,
     /**
-     * A coordinate that is needed is NaN or infinite (or does not fit a float on its way out). Element: the vertex.
+     * A coordinate that is needed is NaN or infinite, or does not fit a float on its way out.
      */
     FAIRMESH_STATUS_NOT_FINITE = 15,
     /**
-     * A triangle names a vertex that does not exist. Element: the triangle; other: the index.
+     * A triangle names a vertex that does not exist.
      */
     FAIRMESH_STATUS_INDEX_OUT_OF_RANGE = 16,
     /**
-     * A triangle names a vertex twice. Element: the triangle; other: the vertex.
+     * A triangle names a vertex twice.
      */
     FAIRMESH_STATUS_REPEATED_INDEX = 17,
     /**
-     * Two triangles have the same vertices. Element: the later triangle; other: the earlier one.
+     * Two triangles have the same vertices.
      */
     FAIRMESH_STATUS_DUPLICATE_TRIANGLE = 18,
     /**
-     * More than two triangles share an edge. Element: the edge.
+     * More than two triangles share an edge.
      */
     FAIRMESH_STATUS_NON_MANIFOLD_EDGE = 19,
     /**
-     * The triangles around a vertex are not one fan. Element: the vertex.
+     * The triangles around a vertex are not one fan.
      */
     FAIRMESH_STATUS_NON_MANIFOLD_VERTEX = 20,
     /**
-     * Two triangles run through an edge in the same direction. Element: the edge.
+     * Two triangles run through an edge in the same direction.
      */
     FAIRMESH_STATUS_INCONSISTENT_ORIENTATION = 21,
     /**
-     * A free vertex is on the boundary of the mesh. Element: the vertex.
+     * A free vertex is on the boundary of the mesh.
      */
     FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY = 22,
     /**
-     * A free vertex has no triangle. Element: the vertex.
+     * A free vertex has no triangle.
      */
     FAIRMESH_STATUS_FREE_VERTEX_WITHOUT_TRIANGLE = 23,
     /**
-     * A component of the region has no fixed vertex. Element: the free vertex with the smallest index in it.
+     * A component of the region has no fixed vertex.
      */
     FAIRMESH_STATUS_NOTHING_FIXED = 24,
     /**
@@ -160,15 +158,15 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_EMPTY_REGION = 25,
     /**
-     * The selection names what does not exist. Element: what it names, a vertex, triangle or loop.
+     * The selection names what does not exist.
      */
     FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE = 26,
     /**
-     * A normal is not a finite vector of length one (to 0.001). Element: the vertex.
+     * A normal is not a finite vector of length one (to 0.001).
      */
     FAIRMESH_STATUS_BAD_NORMAL = 27,
     /**
-     * No normal can be found for a boundary vertex: give one. Element: the vertex.
+     * No normal can be found for a boundary vertex.
      */
     FAIRMESH_STATUS_NO_NORMAL = 28,
     /**
@@ -180,11 +178,11 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BUFFER_TOO_SMALL = 30,
     /**
-     * A number is not what this version asks for: reserved fields have to be zero. Element: the argument and the field.
+     * A number is not what this version asks for: reserved fields have to be zero.
      */
     FAIRMESH_STATUS_BAD_RESERVED = 31,
     /**
-     * A bug of fairmesh, caught. The handle, if there was one, answers INTERNAL from now on; free it.
+     * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
 };
@@ -259,36 +257,36 @@ typedef uint32_t fairmesh_selection_kind;
 #endif // __cplusplus
 
 /**
- * Where the normals at the boundary of the region come from.
+ * Where the normals at the boundary of the region come from. Numbers are never reused.
  */
-enum fairmesh_normals_kind
+enum fairmesh_boundary_normals_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Fitted to second order to the surface outside the region; where there is no outside, the region's average.
+     * Fitted to the surface outside the region, to second or third order; where there is no outside, averaged.
      */
-    FAIRMESH_NORMALS_KIND_FITTED = 0,
+    FAIRMESH_BOUNDARY_NORMALS_KIND_FITTED = 0,
     /**
      * The average of the triangles outside the region.
      */
-    FAIRMESH_NORMALS_KIND_AVERAGED = 1,
+    FAIRMESH_BOUNDARY_NORMALS_KIND_AVERAGED = 1,
     /**
      * Given, for some or all boundary vertices; fitted for the others.
      */
-    FAIRMESH_NORMALS_KIND_GIVEN = 2,
+    FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN = 2,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
-typedef enum fairmesh_normals_kind fairmesh_normals_kind;
+typedef enum fairmesh_boundary_normals_kind fairmesh_boundary_normals_kind;
 #else
-typedef uint32_t fairmesh_normals_kind;
+typedef uint32_t fairmesh_boundary_normals_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
 /**
- * Normals of fixed vertices inside the region that have none given.
+ * Normals of fixed vertices inside the region that have none given. Numbers are never reused.
  */
 enum fairmesh_interior_normals
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -296,11 +294,11 @@ enum fairmesh_interior_normals
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Those of the surface itself: it passes the vertices smoothly.
+     * Those of the surface itself, found with it: it passes the vertices smoothly; only their positions are prescribed.
      */
     FAIRMESH_INTERIOR_NORMALS_SMOOTH = 0,
     /**
-     * The average of their triangles in the input.
+     * The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
      */
     FAIRMESH_INTERIOR_NORMALS_INPUT = 1,
 };
@@ -313,7 +311,7 @@ typedef uint32_t fairmesh_interior_normals;
 #endif // __cplusplus
 
 /**
- * What the Laplacian of the mean curvature H has to be.
+ * What the Laplacian of the mean curvature H has to be. Numbers are never reused.
  */
 enum fairmesh_target_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -342,7 +340,7 @@ typedef uint32_t fairmesh_target_kind;
 #endif // __cplusplus
 
 /**
- * How vertices are distributed within the surface.
+ * How vertices are distributed within the surface. Numbers are never reused.
  */
 enum fairmesh_inner_fairness
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -354,11 +352,11 @@ enum fairmesh_inner_fairness
      */
     FAIRMESH_INNER_FAIRNESS_UNIFORM = 0,
     /**
-     * Cotangents of the input: least distortion of the input's triangles.
+     * Cotangents of the input mesh: least distortion of the input triangles.
      */
     FAIRMESH_INNER_FAIRNESS_CONFORMAL = 1,
     /**
-     * Mean-value weights of the input: near conformal, and positive for any input.
+     * Mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane.
      */
     FAIRMESH_INNER_FAIRNESS_CONVEX = 2,
 };
@@ -371,7 +369,7 @@ typedef uint32_t fairmesh_inner_fairness;
 #endif // __cplusplus
 
 /**
- * How normals and mean curvature are discretized.
+ * How normals and mean curvature are discretized. Numbers are never reused.
  */
 enum fairmesh_discretization
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -379,11 +377,11 @@ enum fairmesh_discretization
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Second order on irregular meshes.
+     * Max's normals and the gradient-corrected curvature: second order on irregular meshes.
      */
     FAIRMESH_DISCRETIZATION_SECOND_ORDER = 0,
     /**
-     * That of Schneider and Kobbelt (2001).
+     * The paper's: normals from summed cross products, plain Moreton-Sequin curvature.
      */
     FAIRMESH_DISCRETIZATION_PAPER = 1,
 };
@@ -396,7 +394,7 @@ typedef uint32_t fairmesh_discretization;
 #endif // __cplusplus
 
 /**
- * How the equations are solved.
+ * How the equations are solved. Numbers are never reused.
  */
 enum fairmesh_solver_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -408,7 +406,7 @@ enum fairmesh_solver_kind
      */
     FAIRMESH_SOLVER_KIND_FAST = 0,
     /**
-     * The scheme of Schneider and Kobbelt (2001): slow, a yardstick. Not for `fairmesh_solver_new`.
+     * The paper's own scheme: slow, a yardstick; not for fairing in steps.
      */
     FAIRMESH_SOLVER_KIND_PAPER = 1,
 };
@@ -421,7 +419,7 @@ typedef uint32_t fairmesh_solver_kind;
 #endif // __cplusplus
 
 /**
- * How the paper's scheme estimates the mean curvature before the vertices are updated.
+ * How the paper's scheme estimates the mean curvature before the vertices are updated. Numbers are never reused.
  */
 enum fairmesh_estimate
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -433,11 +431,11 @@ enum fairmesh_estimate
      */
     FAIRMESH_ESTIMATE_ALTERNATING = 0,
     /**
-     * Gauss-Seidel.
+     * Gauss-Seidel iterations.
      */
     FAIRMESH_ESTIMATE_GAUSS_SEIDEL = 1,
     /**
-     * Conjugate gradients.
+     * Conjugate gradient iterations.
      */
     FAIRMESH_ESTIMATE_CONJUGATE_GRADIENTS = 2,
 };
@@ -450,7 +448,7 @@ typedef uint32_t fairmesh_estimate;
 #endif // __cplusplus
 
 /**
- * How a run ended that did what it was asked. Numbers are never reused. The positions are usable in every case.
+ * How a run ended that did what it was asked. The positions are usable in every case. Numbers are never reused.
  */
 enum fairmesh_outcome
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -458,24 +456,23 @@ enum fairmesh_outcome
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /**
-     * Tolerance met, and the surface is sound: the only case without reservation.
+     * Tolerance met, and the surface is sound.
      */
     FAIRMESH_OUTCOME_CONVERGED = 0,
     /**
-     * Tolerance met, but triangles are flipped or have an angle below one degree (list POOR_TRIANGLES).
+     * Tolerance met, but triangles are flipped or have an angle below one degree.
      */
     FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES = 1,
     /**
-     * A sound surface with a reservation, told in `reason`.
+     * Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names.
      */
     FAIRMESH_OUTCOME_CONVERGED_LOOSELY = 2,
     /**
-     * No surface with these boundary normals was found; the surface of the linear problem is returned. `reached` of the
-     * way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
+     * No surface with these boundary normals was found; that of the linear problem is returned.
      */
     FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE = 3,
     /**
-     * A surface was found for the part `reached` of the target only; that of the linear problem is returned.
+     * A surface was found for a part of the target only; that of the linear problem is returned.
      */
     FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE = 4,
     /**
@@ -487,13 +484,9 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_ITERATION_LIMIT = 6,
     /**
-     * The callback stopped the run; the best surface so far is returned, before there is one the input.
+     * The progress callback stopped the run; the best surface so far is returned, before there is one the input.
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
-    /**
-     * An outcome that this version of the header does not know.
-     */
-    FAIRMESH_OUTCOME_OTHER = 255,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -504,7 +497,44 @@ typedef uint32_t fairmesh_outcome;
 #endif // __cplusplus
 
 /**
- * What kind of gap a boundary loop is.
+ * What is to be said of a surface that converged loosely. Numbers are never reused.
+ */
+enum fairmesh_loose_reason
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * There is nothing to say.
+     */
+    FAIRMESH_LOOSE_REASON_NONE = 0,
+    /**
+     * Boundary normals point against the surface beside them: probably flipped.
+     */
+    FAIRMESH_LOOSE_REASON_SUSPICIOUS_NORMALS = 1,
+    /**
+     * Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
+     */
+    FAIRMESH_LOOSE_REASON_ROUNDING = 2,
+    /**
+     * The surface holds with the first-order curvature alone.
+     */
+    FAIRMESH_LOOSE_REASON_FIRST_ORDER_CURVATURE = 3,
+    /**
+     * The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+     */
+    FAIRMESH_LOOSE_REASON_BUMP = 4,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_loose_reason fairmesh_loose_reason;
+#else
+typedef uint32_t fairmesh_loose_reason;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What kind of gap a boundary loop is. Numbers are never reused.
  */
 enum fairmesh_loop_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -516,17 +546,13 @@ enum fairmesh_loop_kind
      */
     FAIRMESH_LOOP_KIND_HOLE = 0,
     /**
-     * The outer boundary of an open surface. Filled only if it is named.
+     * The outer boundary of an open surface: filled only if it is named.
      */
     FAIRMESH_LOOP_KIND_OUTER_BOUNDARY = 1,
     /**
-     * It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
+     * It meets a bad edge, which is told: never filled.
      */
     FAIRMESH_LOOP_KIND_NON_MANIFOLD = 2,
-    /**
-     * A kind that this version of the header does not know.
-     */
-    FAIRMESH_LOOP_KIND_OTHER = 255,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -553,17 +579,13 @@ enum fairmesh_fill_outcome
      */
     FAIRMESH_FILL_OUTCOME_LINEAR = 1,
     /**
-     * Filled with the triangulation, refined, but not faired; `reason` says why.
+     * Filled with the triangulation, refined, but not faired; the reason says why.
      */
     FAIRMESH_FILL_OUTCOME_FLAT = 2,
     /**
-     * Left as it was; `reason` says why.
+     * Left as it was; the reason says why.
      */
     FAIRMESH_FILL_OUTCOME_LEFT_OPEN = 3,
-    /**
-     * An outcome that this version of the header does not know.
-     */
-    FAIRMESH_FILL_OUTCOME_OTHER = 255,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -574,7 +596,7 @@ typedef uint32_t fairmesh_fill_outcome;
 #endif // __cplusplus
 
 /**
- * Why a patch is flat or a loop open. Numbers are never reused.
+ * Why a loop was left open (numbers below 32) or a patch is flat. Numbers are never reused.
  */
 enum fairmesh_fill_reason
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -586,49 +608,45 @@ enum fairmesh_fill_reason
      */
     FAIRMESH_FILL_REASON_NONE = 0,
     /**
-     * Open: the loop runs into a bad edge.
+     * The boundary runs into an edge with more than two triangles, or with inconsistent ones.
      */
     FAIRMESH_FILL_REASON_NON_MANIFOLD = 1,
     /**
-     * Open: the loop encloses the mesh and was not named.
+     * It is the outer boundary of an open surface, and was not named.
      */
     FAIRMESH_FILL_REASON_OUTER_BOUNDARY = 2,
     /**
-     * Open: the loop has more than `max_edges`.
+     * It has more edges than asked for.
      */
     FAIRMESH_FILL_REASON_TOO_MANY_EDGES = 3,
     /**
-     * Open: every triangulation has an edge or triangle that the mesh has already.
+     * Every triangulation has an edge or a triangle that the mesh has already.
      */
     FAIRMESH_FILL_REASON_NO_TRIANGULATION = 4,
     /**
-     * Open: a vertex is NaN or infinite, or all are the same point.
+     * A vertex of the boundary is NaN or infinite, or all of them are the same point.
      */
     FAIRMESH_FILL_REASON_NOT_FINITE = 5,
     /**
-     * Open: the callback stopped the run before.
+     * The run was stopped before this loop was done.
      */
     FAIRMESH_FILL_REASON_CANCELLED = 6,
     /**
-     * Flat: `fair` was 0.
+     * Fairing was not asked for.
      */
     FAIRMESH_FILL_REASON_NOT_ASKED = 32,
     /**
-     * Flat: the patch has no inner vertex.
+     * The patch has no inner vertex: nothing can move.
      */
     FAIRMESH_FILL_REASON_NO_INNER_VERTEX = 33,
     /**
-     * Flat: the fairing was refused with `refused_status`.
+     * The fairing was refused, because the mesh around the hole is defective.
      */
     FAIRMESH_FILL_REASON_REFUSED = 34,
     /**
-     * Flat: the fairing found no sound surface; the report says how.
+     * The fairing found no sound surface; its report says how it ended.
      */
     FAIRMESH_FILL_REASON_UNSOUND = 35,
-    /**
-     * A reason that this version of the header does not know.
-     */
-    FAIRMESH_FILL_REASON_OTHER = 255,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -889,9 +907,9 @@ typedef struct fairmesh_indices {
 /**
  * Unit normals at the boundary vertices. All zero: fitted.
  */
-typedef struct fairmesh_normals {
+typedef struct fairmesh_boundary_normals {
     /**
-     * A `fairmesh_normals_kind`.
+     * A `fairmesh_boundary_normals_kind`.
      */
     uint32_t kind;
     /**
@@ -907,7 +925,7 @@ typedef struct fairmesh_normals {
      * none is given. Vectors at vertices that are not on the boundary are ignored.
      */
     struct fairmesh_indices vertices;
-} fairmesh_normals;
+} fairmesh_boundary_normals;
 
 /**
  * The right-hand side of the equation. All zero: harmonic.
@@ -978,7 +996,7 @@ typedef struct fairmesh_options {
     /**
      * Boundary normals. Default: fitted.
      */
-    struct fairmesh_normals normals;
+    struct fairmesh_boundary_normals boundary_normals;
     /**
      * What Delta_B H has to be. Default: 0.
      */
@@ -1192,6 +1210,14 @@ typedef struct fairmesh_report {
      */
     uint32_t outcome;
     /**
+     * A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
+     */
+    uint32_t loose_reason;
+    /**
+     * Not 0: the surface is that of the linear problem.
+     */
+    uint32_t linear_surface;
+    /**
      * Nonlinear iterations.
      */
     uint64_t iterations;
@@ -1216,13 +1242,9 @@ typedef struct fairmesh_report {
      */
     uint64_t free_vertices;
     /**
-     * Not 0: the surface is that of the linear problem.
-     */
-    uint32_t linear_surface;
-    /**
      * Levels of the paper's scheme; 0 for the fast solver.
      */
-    uint32_t level_count;
+    uint64_t level_count;
     /**
      * Free vertices that took fallback weights of inner fairness.
      */
@@ -1295,10 +1317,6 @@ typedef struct fairmesh_report {
      * All of it.
      */
     double seconds_total;
-    /**
-     * What `FAIRMESH_OUTCOME_CONVERGED_LOOSELY` is about; otherwise empty. English, UTF-8.
-     */
-    char reason[160];
 } fairmesh_report;
 
 /**
@@ -1320,7 +1338,8 @@ typedef struct fairmesh_error {
      */
     uint64_t element;
     /**
-     * A second one where the status says so, or FAIRMESH_NO_ELEMENT.
+     * A second one, or FAIRMESH_NO_ELEMENT: of a triangle the index or the vertex that it names wrongly, or the earlier
+     * triangle; of an edge its other end; of an argument the offset of the field.
      */
     uint64_t other;
     /**
@@ -1555,6 +1574,94 @@ extern "C" {
 #endif // __cplusplus
 
 /**
+ * The name of a `fairmesh_status`, such as "null_pointer"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_status_name(int32_t status);
+
+/**
+ * What a `fairmesh_status` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_status_text(int32_t status);
+
+/**
+ * What can be done about a `fairmesh_status`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_status_remedy(int32_t status);
+
+/**
+ * The name of a `fairmesh_outcome`, such as "converged_poor_triangles"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_name(uint32_t outcome);
+
+/**
+ * What a `fairmesh_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_text(uint32_t outcome);
+
+/**
+ * What can be done about a `fairmesh_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_remedy(uint32_t outcome);
+
+/**
+ * The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_name(uint32_t loose_reason);
+
+/**
+ * What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_text(uint32_t loose_reason);
+
+/**
+ * What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_remedy(uint32_t loose_reason);
+
+/**
+ * The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_fill_outcome_name(uint32_t fill_outcome);
+
+/**
+ * What a `fairmesh_fill_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_outcome_text(uint32_t fill_outcome);
+
+/**
+ * What can be done about a `fairmesh_fill_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_outcome_remedy(uint32_t fill_outcome);
+
+/**
+ * The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_name(uint32_t fill_reason);
+
+/**
+ * What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_text(uint32_t fill_reason);
+
+/**
+ * What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_remedy(uint32_t fill_reason);
+
+/**
  * The version of the library that runs: 65536 major + 256 minor + patch. Compare it with `FAIRMESH_VERSION_MAJOR` and so on,
  * which are those of the header.
  */
@@ -1565,16 +1672,6 @@ uint32_t fairmesh_version(void);
  * The same as text, such as "0.1.0". Static; never NULL.
  */
 FAIRMESH_API const char *fairmesh_version_string(void);
-
-/**
- * The name of a `fairmesh_status`, in English; of any number. Static; never NULL.
- */
-FAIRMESH_API const char *fairmesh_status_name(int32_t status);
-
-/**
- * The name of a `fairmesh_outcome`, such as "converged"; of any number. Static; never NULL.
- */
-FAIRMESH_API const char *fairmesh_outcome_name(uint32_t outcome);
 
 /**
  * Fills options with the defaults. `struct_size` is `sizeof(fairmesh_options)`.
@@ -1651,9 +1748,9 @@ fairmesh_status fairmesh_solver_run(struct fairmesh_solver *solver,
  * Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
  */
 FAIRMESH_API
-fairmesh_status fairmesh_solver_set_normals(struct fairmesh_solver *solver,
-                                            const struct fairmesh_normals *normals,
-                                            struct fairmesh_error *error);
+fairmesh_status fairmesh_solver_set_boundary_normals(struct fairmesh_solver *solver,
+                                                     const struct fairmesh_boundary_normals *normals,
+                                                     struct fairmesh_error *error);
 
 /**
  * Asks for another target from now on. The next run starts at the surface at hand, with the matrices at hand.
@@ -1707,8 +1804,8 @@ fairmesh_status fairmesh_solver_free(struct fairmesh_solver *solver);
  */
 FAIRMESH_API
 fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
-                                      struct fairmesh_result **result,
-                                      struct fairmesh_error *error);
+                                        struct fairmesh_result **result,
+                                        struct fairmesh_error *error);
 
 /**
  * Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new

@@ -315,7 +315,7 @@ public:
         relay_->rethrow();
         return report;
     }
-    void set_normals(const fairmesh_normals &normals) { detail::call(fairmesh_solver_set_normals, handle_, &normals); }
+    void set_boundary_normals(const fairmesh_boundary_normals &normals) { detail::call(fairmesh_solver_set_boundary_normals, handle_, &normals); }
     void set_target(const fairmesh_target &target) { detail::call(fairmesh_solver_set_target, handle_, &target); }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_solver_positions, handle_, &out); }
     void mean_curvature(const fairmesh_scalars_out &out) const {

@@ -32,15 +32,15 @@ enum class openmesh_region {
     everything
 };
 
-/** What is asked: fairmesh::options, and what concerns OpenMesh. Vertices have OpenMesh's numbers in `normals`, too. */
+/** What is asked: fairmesh::options, and what concerns OpenMesh. Vertices have OpenMesh's numbers in `boundary_normals`, too. */
 struct openmesh_options : options {
     openmesh_region region = openmesh_region::selected_vertices;
     /** Vertices stay that are features, or corners of feature edges or feature faces. The surface passes feature edges
      *  inside the region as `interior_normals` says. Without it features are not looked at. */
     bool features = true;
     /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the boundary of the region,
-     *  0 0 0 where none is given. Empty: `normals` says where they come from. */
-    std::string boundary_normals;
+     *  0 0 0 where none is given. Empty: `boundary_normals` says where they come from. */
+    std::string boundary_normals_property;
     /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices
      *  that are not free. It is made, of doubles, if there is none. Empty: not wanted. */
     std::string mean_curvature;
@@ -290,11 +290,11 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
 
     options plain = asked;
     std::vector<scalar> normals;
-    if (!asked.boundary_normals.empty()) {
-        normals = detail::openmesh_normals(mesh, view, asked.boundary_normals);
-        plain.normals = fairmesh_normals{};
-        plain.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-        plain.normals.vectors = points(normals.data(), normals.size() / 3);
+    if (!asked.boundary_normals_property.empty()) {
+        normals = detail::openmesh_normals(mesh, view, asked.boundary_normals_property);
+        plain.boundary_normals = fairmesh_boundary_normals{};
+        plain.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+        plain.boundary_normals.vectors = points(normals.data(), normals.size() / 3);
     }
 
     try {

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::table::table;
+
 /// Why a fairing problem was refused. Every number is an index into the caller's own arrays.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -142,6 +144,39 @@ pub enum Error {
         why: String,
     },
 }
+
+// The numbers are those of the C interface's statuses, which has more of its own.
+table!(Error {
+    4 "bad_option" Error::BadOption { .. } => "an option is out of its range", "";
+    8 "count_mismatch" Error::MaskLength { .. } => "two counts differ that have to be the same", "";
+    13 "threads" Error::Threads { .. } => "the system gave no more threads", "ask for fewer, or close other programs";
+    14 "too_large" Error::TooLarge { .. } => "more vertices or triangles than 32-bit indices can name", "";
+    15 "not_finite" Error::NotFinite { .. } =>
+        "a coordinate that is needed is NaN or infinite, or does not fit a float on its way out",
+        "repair the vertex, or choose a region away from it";
+    16 "index_out_of_range" Error::IndexOutOfRange { .. } =>
+        "a triangle names a vertex that does not exist", "repair the mesh";
+    17 "repeated_index" Error::RepeatedIndex { .. } => "a triangle names a vertex twice", "remove the degenerate triangles first";
+    18 "duplicate_triangle" Error::DuplicateTriangle { .. } =>
+        "two triangles have the same vertices", "remove the duplicate triangles first";
+    19 "non_manifold_edge" Error::NonManifoldEdge { .. } =>
+        "more than two triangles share an edge", "repair the mesh there, or choose a region away from it";
+    20 "non_manifold_vertex" Error::NonManifoldVertex { .. } =>
+        "the triangles around a vertex are not one fan", "repair the mesh there, or choose a region away from it";
+    21 "inconsistent_orientation" Error::InconsistentOrientation { .. } =>
+        "two triangles run through an edge in the same direction", "orient all triangles coherently first";
+    22 "free_vertex_on_boundary" Error::FreeVertexOnBoundary { .. } =>
+        "a free vertex is on the boundary of the mesh", "leave it out of the selection";
+    23 "free_vertex_without_triangle" Error::FreeVertexWithoutTriangle { .. } =>
+        "a free vertex has no triangle", "leave it out of the selection";
+    24 "nothing_fixed" Error::NothingFixed { .. } =>
+        "a component of the region has no fixed vertex", "leave some of its vertices out of the selection";
+    25 "empty_region" Error::EmptyRegion =>
+        "no vertex is free", "select more faces: a vertex is free if all faces around it are selected";
+    26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
+    27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
+    28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
+});
 
 impl Error {
     /// Refuses an option that is not `allowed`.

@@ -18,6 +18,7 @@ mod mesh;
 mod paper;
 mod quality;
 mod solve;
+mod table;
 
 pub use curvature::mean_curvature;
 pub use error::Error;
@@ -32,6 +33,7 @@ pub use holes::{
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
+pub use table::Entry;
 
 /// The example of README.md, run as a test.
 #[cfg(doctest)]

@@ -59,7 +59,15 @@ def build_portable(*, hooks: bool = False) -> Path:
     path = f"{tools / 'bin'}{os.pathsep}{Path(cargo()).parent}{os.pathsep}{os.environ['PATH']}"
     target = f"{TRIPLE}.{GLIBC[0]}.{GLIBC[1]}"
     settings = ["--config", "profile.release.strip=true", "--config", "profile.release.debug=false"]
-    command = ["cargo-zigbuild", "zigbuild", *BUILD, *(["--features", "hooks"] if hooks else []), "--target", target, *settings]
+    command = [
+        "cargo-zigbuild",
+        "zigbuild",
+        *BUILD,
+        *(["--features", "hooks"] if hooks else []),
+        "--target",
+        target,
+        *settings,
+    ]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr, env={**os.environ, "PATH": path})
     library = _copied(TARGET / TRIPLE / "release" / "libfairmesh.so", "hooks" if hooks else "portable", strip=False)
     check_portable(library)

@@ -19,14 +19,14 @@ namespace {
 
 /** Sets the boundary normals of the options; `given` keeps the vectors. */
 void choose_normals(CMeshO &mesh, FairParameters &asked, Vectors &given) {
-    auto &normals = asked.options.normals;
+    auto &normals = asked.options.boundary_normals;
     switch (asked.normals) {
-    case BoundaryNormals::Fitted: normals.kind = FAIRMESH_NORMALS_KIND_FITTED; return;
-    case BoundaryNormals::Averaged: normals.kind = FAIRMESH_NORMALS_KIND_AVERAGED; return;
+    case BoundaryNormals::Fitted: normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_FITTED; return;
+    case BoundaryNormals::Averaged: normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_AVERAGED; return;
     case BoundaryNormals::VertexNormals: given = vertex_normals(mesh); break;
     case BoundaryNormals::Attribute: given = attribute_normals(mesh, asked.attribute); break;
     }
-    normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     normals.vectors = fairmesh::points(given.front().data(), given.size());
 }
 

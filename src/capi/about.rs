@@ -1,16 +1,13 @@
 //! Versions, names and defaults.
 
-use core::ffi::c_char;
+use core::ffi::{CStr, c_char};
 
+use super::fill_options::{default_fill_options, default_remesh_options};
 use super::guard::guarded;
 use super::options::default_options;
-use super::report;
-use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{FillOptions, RemeshOptions};
-
-use fairmesh_status as Status;
+use fairmesh::{Entry, table_entry};
 
 /// Major version of the interface: it changes when something does that programs rely on.
 pub const FAIRMESH_VERSION_MAJOR: u32 = 0;
@@ -31,18 +28,6 @@ pub extern "C" fn fairmesh_version() -> u32 {
 pub extern "C" fn fairmesh_version_string() -> *const c_char {
     const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");
     VERSION.as_ptr().cast()
-}
-
-/// The name of a `fairmesh_status`, in English; of any number. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_status_name(status: i32) -> *const c_char {
-    Status::name(status).as_ptr()
-}
-
-/// The name of a `fairmesh_outcome`, such as "converged"; of any number. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_outcome_name(outcome: u32) -> *const c_char {
-    report::outcome_name(outcome).as_ptr()
 }
 
 /// Fills options with the defaults. `struct_size` is `sizeof(fairmesh_options)`.
@@ -78,28 +63,9 @@ pub extern "C" fn fairmesh_remesh_options_init(
     })
 }
 
-pub fn default_fill_options() -> fairmesh_fill_options {
-    let options = FillOptions::default();
-    fairmesh_fill_options {
-        struct_size: size_of::<fairmesh_fill_options>() as u32,
-        fair: u32::from(options.fair),
-        max_edges: u64::MAX,
-        loops: fairmesh_indices {
-            data: core::ptr::null(),
-            count: 0,
-            stride: 0,
-        },
-        density: options.density,
-        max_new_vertices: options.max_new_vertices as u64,
-    }
-}
-
-pub fn default_remesh_options() -> fairmesh_remesh_options {
-    let options = RemeshOptions::default();
-    fairmesh_remesh_options {
-        struct_size: size_of::<fairmesh_remesh_options>() as u32,
-        reserved: 0,
-        density: options.density,
-        max_vertices: options.max_vertices as u64,
-    }
+/// What the tables say of a number.
+pub(crate) fn told(tables: &[&[Entry]], number: u32, what: fn(&Entry) -> &'static CStr) -> *const c_char {
+    const UNKNOWN: Entry = table_entry!(0, "unknown", "", "");
+    let mut entries = tables.iter().copied().flatten();
+    what(entries.find(|entry| entry.number() == number).unwrap_or(&UNKNOWN)).as_ptr()
 }

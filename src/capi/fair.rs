@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::callback::HostCallback;
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{HostCallback, OptionsIn};
+use super::options::OptionsIn;
 use super::outputs::*;
 use super::report;
 use super::results::Content;
@@ -62,7 +63,7 @@ pub extern "C" fn fairmesh_fair(
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, asked.threads)?)?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, asked.threads())?)?;
         let callback = asked.callback.fresh();
         point();
         let solution = {

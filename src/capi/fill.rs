@@ -1,13 +1,13 @@
 //! Boundary loops, hole filling, remeshing.
 
-use core::mem::offset_of;
 use std::sync::Arc;
 
-use super::about::{default_fill_options, default_remesh_options};
+use super::callback::HostCallback;
+use super::fill_options::{FillOptionsIn, read_remesh_options};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{HostCallback, OptionsIn};
+use super::options::OptionsIn;
 use super::outputs::*;
 use super::results::Content;
 use super::status::*;
@@ -15,8 +15,7 @@ use super::types::*;
 use super::views::*;
 use fairmesh::Progress;
 use fairmesh::{
-    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops, fill_holes_with_progress,
-    remesh_region,
+    BoundaryLoop, FillOptions, LoopKind, Loops, boundary_loops, fill_holes_with_progress, remesh_region,
 };
 
 use fairmesh_status as Status;
@@ -59,25 +58,7 @@ pub extern "C" fn fairmesh_fill_holes(
     guarded(error, || {
         let mut aliases = AliasCheck::new();
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        let fill_view = if fill.is_null() {
-            default_fill_options()
-        } else {
-            read_struct(fill, Argument(2))?
-        };
-        check_density(
-            fill_view.density,
-            Argument(2).field(offset_of!(fairmesh_fill_options, density)),
-        )?;
-        let named = indices_in(
-            &fill_view.loops,
-            1,
-            Argument(2).field(offset_of!(fairmesh_fill_options, loops)),
-        )?;
-        aliases.input(
-            fill,
-            size_of::<fairmesh_fill_options>() * usize::from(!fill.is_null()),
-        );
-        aliases.input(named.data, named.bytes);
+        let fill = FillOptionsIn::new(fill, Argument(2), &mut aliases)?;
         let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
         check_slot(result, Argument(4), &mut aliases)?;
         aliases.error(error, Argument(5))?;
@@ -85,35 +66,20 @@ pub extern "C" fn fairmesh_fill_holes(
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let mut numbers: Vec<usize> = try_with_capacity(named.count)?;
-        numbers.extend((0..named.count).map(|k| named.index::<1>(k)[0] as usize));
-        let most = count(fill_view.max_new_vertices);
+        let fill = fill.read(asked.options(normals))?;
         let callback = asked.callback.fresh();
         let (new_vertices, longest) = {
             let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
             let loops = boundary_loops(&positions, &triangles)?;
             callback.memory()?;
-            size_of_patches(&loops, &numbers, &fill_view)?
+            size_of_patches(&loops, &fill)?
         };
-        let new_vertices = new_vertices.min(most).saturating_add(1000);
-        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, asked.threads);
+        let new_vertices = new_vertices.min(fill.max_new_vertices).saturating_add(1000);
+        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, asked.threads());
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
-        let filled = {
-            let mut tell = |progress: &Progress| callback.tell(progress);
-            let asked = FillOptions {
-                loops: if named.count > 0 {
-                    Loops::Chosen(numbers)
-                } else {
-                    Loops::UpTo(count(fill_view.max_edges))
-                },
-                density: fill_view.density,
-                max_new_vertices: most,
-                fair: fill_view.fair != 0,
-                fairing: asked.options(normals),
-            };
-            fill_holes_with_progress(&positions, &triangles, &asked, &mut tell)?
-        };
+        let mut tell = |progress: &Progress| callback.tell(progress);
+        let filled = fill_holes_with_progress(&positions, &triangles, &fill, &mut tell)?;
         callback.memory()?;
         let content = Content::Filled {
             filled,
@@ -124,25 +90,18 @@ pub extern "C" fn fairmesh_fill_holes(
     })
 }
 
-fn count(n: u64) -> usize {
-    usize::try_from(n).unwrap_or(usize::MAX)
-}
-
 /// About how many vertices the patches will have that are asked for, and how many edges the longest loop.
-fn size_of_patches(
-    loops: &[BoundaryLoop],
-    named: &[usize],
-    asked: &fairmesh_fill_options,
-) -> CallResult<(usize, usize)> {
-    if let Some(&missing) = named.iter().find(|&&l| l >= loops.len()) {
+fn size_of_patches(loops: &[BoundaryLoop], asked: &FillOptions) -> CallResult<(usize, usize)> {
+    if let Loops::Chosen(named) = &asked.loops
+        && let Some(&missing) = named.iter().find(|&&l| l >= loops.len())
+    {
         let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
         let failure = Failure::new(Status::SelectionOutOfRange, why);
         return Err(failure.at(fairmesh_element::Loop, missing));
     }
-    let up_to = count(asked.max_edges);
-    let chosen = |l: usize| match named.is_empty() {
-        true => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= up_to,
-        false => named.contains(&l),
+    let chosen = |l: usize| match &asked.loops {
+        Loops::UpTo(most) => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= *most,
+        Loops::Chosen(named) => named.contains(&l),
     };
     let edges = (0..loops.len())
         .filter(|&l| chosen(l))
@@ -151,13 +110,6 @@ fn size_of_patches(
     let area = |n: usize| (n * n) as f64 * (asked.density * asked.density).max(0.5) / 4.0;
     let new = edges.clone().map(area).sum::<f64>();
     Ok((new as usize, edges.max().unwrap_or(0)))
-}
-
-fn check_density(density: f64, place: FieldPath) -> CallResult {
-    if (0.1..=10.0).contains(&density) {
-        return Ok(());
-    }
-    Err(place.refuse(Status::BadOption, format_args!("has to be between 0.1 and 10")))
 }
 
 /// Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
@@ -174,36 +126,16 @@ pub extern "C" fn fairmesh_remesh(
         let mut aliases = AliasCheck::new();
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
-        let view = if options.is_null() {
-            default_remesh_options()
-        } else {
-            read_struct(options, Argument(3))?
-        };
-        check_reserved(
-            view.reserved,
-            Argument(3).field(offset_of!(fairmesh_remesh_options, reserved)),
-        )?;
-        check_density(
-            view.density,
-            Argument(3).field(offset_of!(fairmesh_remesh_options, density)),
-        )?;
-        aliases.input(
-            options,
-            size_of::<fairmesh_remesh_options>() * usize::from(!options.is_null()),
-        );
+        let asked = read_remesh_options(options, Argument(3), &mut aliases)?;
         check_slot(result, Argument(4), &mut aliases)?;
         aliases.error(error, Argument(5))?;
         let selected = selection.read(&mesh)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let most = count(view.max_vertices);
-        let _reserve = memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, most)?)?;
+        let _reserve =
+            memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?)?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let asked = RemeshOptions {
-            density: view.density,
-            max_vertices: most,
-        };
         let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
         publish(Arc::new(Content::Remeshed(remeshed)), result, &callback)
     })

@@ -24,15 +24,18 @@ impl MeshIn {
         aliases: &mut AliasCheck,
     ) -> CallResult<Self> {
         let view = read_struct(mesh, argument)?;
-        check_reserved(view.reserved, argument.field(offset_of!(fairmesh_mesh, reserved)))?;
+        check_reserved(
+            view.reserved,
+            argument.field(offset_of!(fairmesh_mesh, reserved), "reserved"),
+        )?;
         let positions = PointsIn::new(
             &view.positions,
-            argument.field(offset_of!(fairmesh_mesh, positions)),
+            argument.field(offset_of!(fairmesh_mesh, positions), "positions"),
         )?;
         let triangles = indices_in(
             &view.triangles,
             3,
-            argument.field(offset_of!(fairmesh_mesh, triangles)),
+            argument.field(offset_of!(fairmesh_mesh, triangles), "triangles"),
         )?;
         for (count, what) in [
             (positions.array.count, "vertices"),
@@ -95,14 +98,14 @@ impl SelectionIn {
             3 => Kind::FreeVertices,
             4 => Kind::Faces,
             other => {
-                let place = argument.field(offset_of!(fairmesh_selection, kind));
+                let place = argument.field(offset_of!(fairmesh_selection, kind), "kind");
                 return Err(place.refuse(
                     Status::BadEnum,
                     format_args!("{other} is no fairmesh_selection_kind"),
                 ));
             }
         };
-        let place = argument.field(offset_of!(fairmesh_selection, count));
+        let place = argument.field(offset_of!(fairmesh_selection, count), "count");
         let array = match kind {
             Kind::Interior => {
                 check_count(view.count, 0, place)?;
@@ -193,36 +196,39 @@ impl Selected {
 
 /// Boundary normals, checked but not read.
 pub(crate) struct NormalsIn {
-    kind: fairmesh_normals_kind,
+    kind: fairmesh_boundary_normals_kind,
     vectors: Option<PointsIn>,
     vertices: Array,
 }
 
 impl NormalsIn {
     pub(crate) fn new(
-        view: &fairmesh_normals,
+        view: &fairmesh_boundary_normals,
         base: FieldPath,
         vertices: usize,
         aliases: &mut AliasCheck,
     ) -> CallResult<Self> {
-        use fairmesh_normals_kind as Kind;
-        check_reserved(view.reserved, base.plus(offset_of!(fairmesh_normals, reserved)))?;
+        use fairmesh_boundary_normals_kind as Kind;
+        check_reserved(
+            view.reserved,
+            base.field(offset_of!(fairmesh_boundary_normals, reserved), "reserved"),
+        )?;
         let kind = match view.kind {
             0 => Kind::Fitted,
             1 => Kind::Averaged,
             2 => Kind::Given,
             other => {
-                let place = base.plus(offset_of!(fairmesh_normals, kind));
+                let place = base.field(offset_of!(fairmesh_boundary_normals, kind), "kind");
                 return Err(place.refuse(
                     Status::BadEnum,
-                    format_args!("{other} is no fairmesh_normals_kind"),
+                    format_args!("{other} is no fairmesh_boundary_normals_kind"),
                 ));
             }
         };
         let list = indices_in(
             &view.vertices,
             1,
-            base.plus(offset_of!(fairmesh_normals, vertices)),
+            base.field(offset_of!(fairmesh_boundary_normals, vertices), "vertices"),
         )?;
         if kind != Kind::Given {
             return Ok(Self {
@@ -231,8 +237,8 @@ impl NormalsIn {
                 vertices: list,
             });
         }
-        let at = offset_of!(fairmesh_normals, vectors);
-        let vectors = PointsIn::new(&view.vectors, base.plus(at))?;
+        let place = base.field(offset_of!(fairmesh_boundary_normals, vectors), "vectors");
+        let vectors = PointsIn::new(&view.vectors, place)?;
         let wanted = if view.vertices.data.is_null() {
             vertices
         } else {
@@ -241,7 +247,7 @@ impl NormalsIn {
         check_count(
             vectors.array.count,
             wanted,
-            base.plus(at + offset_of!(fairmesh_points, count)),
+            place.field(offset_of!(fairmesh_points, count), "count"),
         )?;
         aliases.input(vectors.array.data, vectors.array.bytes);
         aliases.input(list.data, list.bytes);
@@ -255,7 +261,7 @@ impl NormalsIn {
     pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryNormals> {
         let Some(vectors) = &self.vectors else {
             return Ok(match self.kind {
-                fairmesh_normals_kind::Averaged => BoundaryNormals::Averaged,
+                fairmesh_boundary_normals_kind::Averaged => BoundaryNormals::Averaged,
                 _ => BoundaryNormals::Fitted,
             });
         };

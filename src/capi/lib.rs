@@ -14,8 +14,10 @@
 #![warn(clippy::undocumented_unsafe_blocks)]
 
 mod about;
+mod callback;
 mod fair;
 mod fill;
+mod fill_options;
 mod guard;
 mod handles;
 #[cfg(feature = "hooks")]
@@ -23,6 +25,8 @@ mod hooks;
 mod input;
 mod memory;
 mod memory_bounds;
+#[rustfmt::skip]
+mod numbers;
 mod options;
 mod outputs;
 mod reading;
@@ -31,6 +35,7 @@ mod report;
 mod results;
 mod solvers;
 mod status;
+mod statuses;
 mod steps;
 mod structs;
 mod types;
@@ -41,6 +46,6 @@ pub use about::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;
-pub use status::{fairmesh_error, fairmesh_status};
+pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
 pub use types::*;

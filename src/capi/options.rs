@@ -1,94 +1,98 @@
-//! Options as the library takes them, and the callback.
+//! Options of the fairing: the struct, its defaults, and how it becomes the library's.
 
 use core::ffi::c_void;
 use core::mem::offset_of;
-use std::ops::ControlFlow;
 
+use super::callback::{HostCallback, fairmesh_progress_fn};
 use super::input::NormalsIn;
-use super::memory;
-use super::status::{CallResult, Failure, Text, fairmesh_status as Status};
+use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
-use fairmesh::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Progress, Solver, Target,
-};
-use fairmesh::{Estimate, PaperOptions};
+use fairmesh::{BoundaryNormals, Discretization, Error, Estimate, InnerFairness, InteriorNormals};
+use fairmesh::{Options, PaperOptions, Solver, Target};
 
-pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
-    check_reserved(view.reserved, base.plus(offset_of!(fairmesh_target, reserved)))?;
-    match view.kind {
-        0 => Ok(Target::Harmonic),
-        1 if view.constant.is_finite() => Ok(Target::Constant(view.constant)),
-        1 => {
-            let place = base.plus(offset_of!(fairmesh_target, constant));
-            Err(place.refuse(Status::BadOption, format_args!("the constant has to be finite")))
-        }
-        2 => Ok(Target::MinimalEnergy),
-        other => {
-            let place = base.plus(offset_of!(fairmesh_target, kind));
-            Err(place.refuse(
-                Status::BadEnum,
-                format_args!("{other} is no fairmesh_target_kind"),
-            ))
-        }
-    }
-}
-
-/// Options, checked; arrays in them not read.
-pub(crate) struct OptionsIn {
-    pub normals: NormalsIn,
-    pub callback: HostCallback,
-    target: Target,
-    interior: InteriorNormals,
-    inner: InnerFairness,
-    discretization: Discretization,
-    pub solver: Solver,
+/// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_options {
+    /// `sizeof(fairmesh_options)`.
+    pub struct_size: u32,
+    /// A `fairmesh_inner_fairness`. Default: uniform.
+    pub inner_fairness: u32,
+    /// Boundary normals. Default: fitted.
+    pub boundary_normals: fairmesh_boundary_normals,
+    /// What Delta_B H has to be. Default: 0.
+    pub target: fairmesh_target,
+    /// A `fairmesh_interior_normals`. Default: smooth.
+    pub interior_normals: u32,
+    /// A `fairmesh_discretization`. Default: second order.
+    pub discretization: u32,
+    /// A `fairmesh_solver_kind`. Default: fast.
+    pub solver: u32,
+    /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
+    pub threads: u32,
+    /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's bounding
+    /// box) is below this. Default 1e-8; 1e-6 is enough for interactive use. Greater than 0, less than 1.
     pub tolerance: f64,
-    pub max_iterations: usize,
-    pub threads: usize,
+    /// At most this many nonlinear iterations. Default 500. At least 1.
+    pub max_iterations: u64,
+    /// Told of the progress; may be NULL, the default.
+    pub progress: fairmesh_progress_fn,
+    /// Handed to `progress`.
+    pub user_data: *mut c_void,
+    /// A `fairmesh_estimate`. This and what follows: for `FAIRMESH_SOLVER_KIND_PAPER` only. Default: alternating.
+    pub paper_estimate: u32,
+    /// Iterations of the estimate. Default 10. At least 1.
+    pub paper_estimate_iterations: u32,
+    /// The part of each normal step that is taken. Default 0.9. Greater than 0, at most 1.
+    pub paper_damping: f64,
+    /// Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
+    pub paper_levels: u64,
+    /// Vertices of the base mesh; 0 (default): two and a half times the boundary.
+    pub paper_base: u64,
+    /// Stop when `defect` of the report is at most this. Default 1e-6. Greater than 0.
+    pub paper_defect: f64,
+    /// And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite. Greater than 0.
+    pub paper_laplacian: f64,
+    /// At most this many updates on all levels. Default 20000. At least 1.
+    pub paper_max_updates: u64,
 }
 
 /// The library's defaults, which are the C interface's.
 pub(crate) fn default_options() -> fairmesh_options {
     let (options, paper) = (Options::default(), PaperOptions::default());
-    let no_points = fairmesh_points {
-        data: core::ptr::null(),
-        count: 0,
-        stride: 0,
-        scalar: 2,
-        reserved: 0,
-    };
-    let no_indices = fairmesh_indices {
-        data: core::ptr::null(),
-        count: 0,
-        stride: 0,
-    };
     let Estimate::Alternating { iterations } = paper.estimate else {
         unreachable!("the default is known")
     };
     fairmesh_options {
         struct_size: size_of::<fairmesh_options>() as u32,
-        inner_fairness: fairmesh_inner_fairness::Uniform as u32,
-        normals: fairmesh_normals {
-            kind: 0,
+        inner_fairness: options.inner_fairness.entry().number(),
+        boundary_normals: fairmesh_boundary_normals {
+            kind: options.boundary_normals.entry().number(),
             reserved: 0,
-            vectors: no_points,
-            vertices: no_indices,
+            vectors: fairmesh_points {
+                data: core::ptr::null(),
+                count: 0,
+                stride: 0,
+                scalar: fairmesh_scalar::Float64 as u32,
+                reserved: 0,
+            },
+            vertices: NO_INDICES,
         },
         target: fairmesh_target {
-            kind: 0,
+            kind: options.target.entry().number(),
             reserved: 0,
             constant: 0.0,
         },
-        interior_normals: fairmesh_interior_normals::Smooth as u32,
-        discretization: fairmesh_discretization::SecondOrder as u32,
-        solver: fairmesh_solver_kind::Fast as u32,
+        interior_normals: options.interior_normals.entry().number(),
+        discretization: options.discretization.entry().number(),
+        solver: options.solver.entry().number(),
         threads: options.threads as u32,
         tolerance: options.tolerance,
         max_iterations: options.max_iterations as u64,
         progress: None,
         user_data: core::ptr::null_mut(),
-        paper_estimate: fairmesh_estimate::Alternating as u32,
+        paper_estimate: paper.estimate.entry().number(),
         paper_estimate_iterations: iterations as u32,
         paper_damping: paper.damping,
         paper_levels: paper.levels as u64,
@@ -99,19 +103,67 @@ pub(crate) fn default_options() -> fairmesh_options {
     }
 }
 
+/// No list.
+pub(crate) const NO_INDICES: fairmesh_indices = fairmesh_indices {
+    data: core::ptr::null(),
+    count: 0,
+    stride: 0,
+};
+
 /// More threads than anybody has.
 const MOST_THREADS: u32 = 1024;
 
-macro_rules! choose {
-    ($view:expr, $field:ident, $argument:expr, $name:literal, $($number:pat => $value:expr),*) => {
-        match $view.$field {
-            $($number => $value,)*
-            other => {
-                let place = $argument.field(offset_of!(fairmesh_options, $field));
-                return Err(place.refuse(Status::BadEnum, format_args!("{other} is no {}", $name)));
-            }
+/// The field of an option, by the name that the library's errors give it.
+macro_rules! fields {
+    ($struct:ident: $($name:ident)*) => {
+        |argument: Argument, option: &str| match option {
+            $(stringify!($name) => Some(argument.field(offset_of!($struct, $name), stringify!($name))),)*
+            _ => None,
         }
     };
+}
+pub(crate) use fields;
+
+/// Where the options are that the library's errors name.
+fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
+    let place = FIELDS(argument, option)?;
+    Some(match option {
+        "target" => place.field(offset_of!(fairmesh_target, constant), "constant"),
+        _ => place,
+    })
+}
+
+const FIELDS: fn(Argument, &str) -> Option<FieldPath> = fields!(fairmesh_options:
+    inner_fairness boundary_normals target interior_normals discretization solver threads tolerance max_iterations
+    paper_estimate paper_estimate_iterations paper_damping paper_levels paper_base paper_defect paper_laplacian
+    paper_max_updates
+);
+
+/// What the library refuses, at its place in the argument.
+pub(crate) fn refused(
+    error: Error,
+    argument: Argument,
+    fields: fn(Argument, &str) -> Option<FieldPath>,
+) -> Failure {
+    let place = match &error {
+        Error::BadOption { name, .. } => fields(argument, name),
+        _ => None,
+    };
+    let failure = Failure::from(error);
+    place.map_or(failure, |place| place.blame(failure))
+}
+
+/// A choice by its number.
+fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallResult<T> {
+    value.ok_or_else(|| place.refuse(Status::BadEnum, format_args!("{number} is no {of}")))
+}
+
+/// Options, checked; arrays in them not read.
+pub(crate) struct OptionsIn {
+    pub normals: NormalsIn,
+    pub callback: HostCallback,
+    /// Boundary normals are not read yet.
+    options: Options,
 }
 
 impl OptionsIn {
@@ -126,40 +178,12 @@ impl OptionsIn {
         } else {
             read_struct(options, argument)?
         };
-        let at = |offset| argument.field(offset);
-        let inner = choose!(view, inner_fairness, argument, "fairmesh_inner_fairness",
-            0 => InnerFairness::Uniform, 1 => InnerFairness::Conformal, 2 => InnerFairness::Convex);
-        let normals = NormalsIn::new(
-            &view.normals,
-            at(offset_of!(fairmesh_options, normals)),
-            vertices,
-            aliases,
-        )?;
-        let target = target(&view.target, at(offset_of!(fairmesh_options, target)))?;
-        let interior = choose!(view, interior_normals, argument, "fairmesh_interior_normals",
-            0 => InteriorNormals::Smooth, 1 => InteriorNormals::Input);
-        let discretization = choose!(view, discretization, argument, "fairmesh_discretization",
-            0 => Discretization::SecondOrder, 1 => Discretization::Paper);
-        let paper = choose!(view, solver, argument, "fairmesh_solver_kind", 0 => false, 1 => true);
-        let refuse =
-            |offset, what: &str| Err(at(offset).refuse(Status::BadOption, format_args!("has to be {what}")));
-        if view.threads > MOST_THREADS {
-            return refuse(offset_of!(fairmesh_options, threads), "at most 1024");
-        }
-        if !(view.tolerance > 0.0 && view.tolerance < 1.0) {
-            return refuse(
-                offset_of!(fairmesh_options, tolerance),
-                "greater than 0 and less than 1",
-            );
-        }
-        if view.max_iterations == 0 {
-            return refuse(offset_of!(fairmesh_options, max_iterations), "at least 1");
-        }
-        let solver = if paper {
-            Solver::Paper(Self::paper(&view, argument)?)
-        } else {
-            Solver::Fast
-        };
+        let place = argument.field(offset_of!(fairmesh_options, boundary_normals), "boundary_normals");
+        let normals = NormalsIn::new(&view.boundary_normals, place, vertices, aliases)?;
+        let asked = read_options(&view, argument)?;
+        asked
+            .validate()
+            .map_err(|error| refused(error, argument, place_of))?;
         aliases.input(
             options,
             size_of::<fairmesh_options>() * usize::from(!options.is_null()),
@@ -167,134 +191,127 @@ impl OptionsIn {
         Ok(Self {
             normals,
             callback: HostCallback::new(view.progress, view.user_data),
-            target,
-            interior,
-            inner,
-            discretization,
-            solver,
-            tolerance: view.tolerance,
-            max_iterations: usize::try_from(view.max_iterations).unwrap_or(usize::MAX),
-            threads: view.threads as usize,
+            options: asked,
         })
     }
 
-    fn paper(view: &fairmesh_options, argument: Argument) -> CallResult<PaperOptions> {
-        let refuse = |offset, what: &str| {
-            let place = argument.field(offset);
-            Err(place.refuse(Status::BadOption, format_args!("has to be {what}")))
-        };
-        let iterations = view.paper_estimate_iterations as usize;
-        let estimate = choose!(view, paper_estimate, argument, "fairmesh_estimate",
-            0 => Estimate::Alternating { iterations },
-            1 => Estimate::GaussSeidel { sweeps: iterations },
-            2 => Estimate::ConjugateGradients { iterations });
-        if iterations == 0 {
-            return refuse(
-                offset_of!(fairmesh_options, paper_estimate_iterations),
-                "at least 1",
-            );
+    pub(crate) fn threads(&self) -> usize {
+        self.options.threads
+    }
+
+    /// For `fairmesh_solver_new`.
+    pub(crate) fn check_fast(&self, argument: Argument) -> CallResult {
+        if self.options.solver == Solver::Fast {
+            return Ok(());
         }
-        if !(view.paper_damping > 0.0 && view.paper_damping <= 1.0) {
-            return refuse(
-                offset_of!(fairmesh_options, paper_damping),
-                "greater than 0 and at most 1",
-            );
+        let place = argument.field(offset_of!(fairmesh_options, solver), "solver");
+        Err(place.refuse(
+            Status::BadOption,
+            format_args!("only the fast solver runs in steps"),
+        ))
+    }
+
+    pub(crate) fn options(&self, boundary_normals: BoundaryNormals) -> Options {
+        Options {
+            boundary_normals,
+            ..self.options.clone()
         }
-        if view.paper_defect.is_nan() || view.paper_defect <= 0.0 {
-            return refuse(offset_of!(fairmesh_options, paper_defect), "greater than 0");
-        }
-        if view.paper_laplacian.is_nan() || view.paper_laplacian <= 0.0 {
-            return refuse(offset_of!(fairmesh_options, paper_laplacian), "greater than 0");
-        }
-        if view.paper_max_updates == 0 {
-            return refuse(offset_of!(fairmesh_options, paper_max_updates), "at least 1");
-        }
-        let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
-        Ok(PaperOptions {
-            estimate,
+    }
+}
+
+fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Options> {
+    let number = view.inner_fairness;
+    let place = argument.field(offset_of!(fairmesh_options, inner_fairness), "inner_fairness");
+    let inner_fairness = chosen(
+        InnerFairness::from_number(number),
+        number,
+        "fairmesh_inner_fairness",
+        place,
+    )?;
+    let number = view.interior_normals;
+    let place = argument.field(offset_of!(fairmesh_options, interior_normals), "interior_normals");
+    let interior_normals = chosen(
+        InteriorNormals::from_number(number),
+        number,
+        "fairmesh_interior_normals",
+        place,
+    )?;
+    let number = view.discretization;
+    let place = argument.field(offset_of!(fairmesh_options, discretization), "discretization");
+    let discretization = chosen(
+        Discretization::from_number(number),
+        number,
+        "fairmesh_discretization",
+        place,
+    )?;
+    if view.threads > MOST_THREADS {
+        let (name, value, range) = ("threads", f64::from(view.threads), "at most 1024");
+        return Err(refused(Error::BadOption { name, value, range }, argument, place_of));
+    }
+    let place = argument.field(offset_of!(fairmesh_options, target), "target");
+    Ok(Options {
+        boundary_normals: BoundaryNormals::default(),
+        interior_normals,
+        target: target(&view.target, place)?,
+        inner_fairness,
+        discretization,
+        solver: solver(view, argument)?,
+        tolerance: view.tolerance,
+        max_iterations: count(view.max_iterations),
+        threads: view.threads as usize,
+    })
+}
+
+pub(crate) fn target(view: &fairmesh_target, base: FieldPath) -> CallResult<Target> {
+    check_reserved(
+        view.reserved,
+        base.field(offset_of!(fairmesh_target, reserved), "reserved"),
+    )?;
+    let target = [
+        Target::Harmonic,
+        Target::Constant(view.constant),
+        Target::MinimalEnergy,
+    ]
+    .into_iter()
+    .find(|target| target.entry().number() == view.kind);
+    let place = base.field(offset_of!(fairmesh_target, kind), "kind");
+    chosen(target, view.kind, "fairmesh_target_kind", place)
+}
+
+fn solver(view: &fairmesh_options, argument: Argument) -> CallResult<Solver> {
+    let kinds = [Solver::Fast, Solver::Paper(PaperOptions::default())];
+    let kind = kinds
+        .into_iter()
+        .find(|kind| kind.entry().number() == view.solver);
+    let place = argument.field(offset_of!(fairmesh_options, solver), "solver");
+    match chosen(kind, view.solver, "fairmesh_solver_kind", place)? {
+        Solver::Fast => Ok(Solver::Fast),
+        Solver::Paper(_) => Ok(Solver::Paper(PaperOptions {
+            estimate: estimate(view, argument)?,
             damping: view.paper_damping,
             levels: count(view.paper_levels),
             base: count(view.paper_base),
             defect: view.paper_defect,
             laplacian: view.paper_laplacian,
             max_updates: count(view.paper_max_updates),
-        })
-    }
-
-    pub(crate) fn options(&self, boundary_normals: BoundaryNormals) -> Options {
-        Options {
-            boundary_normals,
-            interior_normals: self.interior,
-            target: self.target,
-            inner_fairness: self.inner,
-            discretization: self.discretization,
-            solver: self.solver,
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            threads: self.threads,
-        }
+        })),
     }
 }
 
-/// The callback, and the watch on the memory.
-#[derive(Clone, Copy)]
-pub(crate) struct HostCallback {
-    progress: fairmesh_progress_fn,
-    user_data: *mut c_void,
-    failures: usize,
+fn estimate(view: &fairmesh_options, argument: Argument) -> CallResult<Estimate> {
+    let iterations = view.paper_estimate_iterations as usize;
+    let estimate = [
+        Estimate::Alternating { iterations },
+        Estimate::GaussSeidel { sweeps: iterations },
+        Estimate::ConjugateGradients { iterations },
+    ]
+    .into_iter()
+    .find(|estimate| estimate.entry().number() == view.paper_estimate);
+    let place = argument.field(offset_of!(fairmesh_options, paper_estimate), "paper_estimate");
+    chosen(estimate, view.paper_estimate, "fairmesh_estimate", place)
 }
 
-// SAFETY: the pointer is only handed back to the caller's function, on the thread that makes the call.
-unsafe impl Send for HostCallback {}
-// SAFETY: as above.
-unsafe impl Sync for HostCallback {}
-
-impl HostCallback {
-    pub(crate) fn new(progress: fairmesh_progress_fn, user_data: *mut c_void) -> Self {
-        Self {
-            progress,
-            user_data,
-            failures: memory::failures(),
-        }
-    }
-
-    /// The watch begins now.
-    pub(crate) fn fresh(&self) -> Self {
-        Self::new(self.progress, self.user_data)
-    }
-
-    /// Passes a message on; stops when memory has run out.
-    pub(crate) fn tell(&self, progress: &Progress) -> ControlFlow<()> {
-        if memory::failures() != self.failures {
-            return ControlFlow::Break(());
-        }
-        let Some(function) = self.progress else {
-            return ControlFlow::Continue(());
-        };
-        let stage = Text::<48>::new(format_args!("{}", progress.stage)).characters();
-        let told = fairmesh_progress {
-            struct_size: size_of::<fairmesh_progress>() as u32,
-            reserved: 0,
-            fraction: progress.fraction,
-            iterations: progress.iterations as u64,
-            step: progress.step,
-            stage: stage.as_ptr(),
-        };
-        // SAFETY: the caller's function, with what its documentation says.
-        let answer = unsafe { function(&raw const told, self.user_data) };
-        if answer == 0 {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    }
-
-    /// An error if memory has run out since this was made.
-    pub(crate) fn memory(&self) -> CallResult {
-        if memory::failures() == self.failures {
-            Ok(())
-        } else {
-            Err(Failure::out_of_memory())
-        }
-    }
+/// A number that may exceed what this machine counts.
+pub(crate) fn count(n: u64) -> usize {
+    usize::try_from(n).unwrap_or(usize::MAX)
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use super::callback::HostCallback;
 use super::handles;
-use super::options::HostCallback;
 use super::results::Content;
 use super::status::CallResult;
 use super::types::fairmesh_result;

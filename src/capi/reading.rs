@@ -121,7 +121,7 @@ pub extern "C" fn fairmesh_result_triangles(
         check_count(
             out.0.count,
             triangles.len(),
-            Argument(2).field(size_of::<usize>()),
+            Argument(2).field(size_of::<usize>(), "count"),
         )?;
         triangles.iter().enumerate().for_each(|(k, t)| out.set(k, *t));
         Ok(())

@@ -1,32 +1,5 @@
 //! The structs of the header that results are told in.
 
-use core::ffi::c_char;
-
-/// How a run ended that did what it was asked. Numbers are never reused. The positions are usable in every case.
-#[repr(u32)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_outcome {
-    /// Tolerance met, and the surface is sound: the only case without reservation.
-    Converged = 0,
-    /// Tolerance met, but triangles are flipped or have an angle below one degree (list POOR_TRIANGLES).
-    ConvergedPoorTriangles = 1,
-    /// A sound surface with a reservation, told in `reason`.
-    ConvergedLoosely = 2,
-    /// No surface with these boundary normals was found; the surface of the linear problem is returned. `reached` of the
-    /// way was possible; the normals farthest away are in the list UNREACHED_VERTICES.
-    NormalsNotReachable = 3,
-    /// A surface was found for the part `reached` of the target only; that of the linear problem is returned.
-    TargetNotReachable = 4,
-    /// No sound surface was found; that of the linear problem is returned.
-    NotConverged = 5,
-    /// The iterations ran out; the best surface so far is returned.
-    IterationLimit = 6,
-    /// The callback stopped the run; the best surface so far is returned, before there is one the input.
-    Cancelled = 7,
-    /// An outcome that this version of the header does not know.
-    Other = 255,
-}
-
 /// How it went. Set `struct_size` before the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -35,6 +8,10 @@ pub struct fairmesh_report {
     pub struct_size: u32,
     /// A `fairmesh_outcome`.
     pub outcome: u32,
+    /// A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
+    pub loose_reason: u32,
+    /// Not 0: the surface is that of the linear problem.
+    pub linear_surface: u32,
     /// Nonlinear iterations.
     pub iterations: u64,
     /// Defect of the equation: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
@@ -47,10 +24,8 @@ pub struct fairmesh_report {
     pub reached: f64,
     /// Free vertices.
     pub free_vertices: u64,
-    /// Not 0: the surface is that of the linear problem.
-    pub linear_surface: u32,
     /// Levels of the paper's scheme; 0 for the fast solver.
-    pub level_count: u32,
+    pub level_count: u64,
     /// Free vertices that took fallback weights of inner fairness.
     pub fallback_weights: u64,
     /// Sizes of the lists POOR_TRIANGLES, FLIPPED_TRIANGLES, NEEDLES, SUSPICIOUS_NORMALS, UNREACHED_VERTICES.
@@ -87,8 +62,6 @@ pub struct fairmesh_report {
     pub seconds_quality: f64,
     /// All of it.
     pub seconds_total: f64,
-    /// What `FAIRMESH_OUTCOME_CONVERGED_LOOSELY` is about; otherwise empty. English, UTF-8.
-    pub reason: [c_char; 160],
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -107,20 +80,6 @@ pub struct fairmesh_level {
     pub updates: u64,
     /// The defect at the end.
     pub defect: f64,
-}
-
-/// What kind of gap a boundary loop is.
-#[repr(u32)]
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_loop_kind {
-    /// A gap in the surface.
-    Hole = 0,
-    /// The outer boundary of an open surface. Filled only if it is named.
-    OuterBoundary = 1,
-    /// It meets a bad edge, (`edge_a`, `edge_b`). Never filled.
-    NonManifold = 2,
-    /// A kind that this version of the header does not know.
-    Other = 255,
 }
 
 /// A boundary loop. Set `struct_size` before the call.
@@ -146,52 +105,6 @@ pub struct fairmesh_loop {
     pub edge_a: u32,
     /// Its other end.
     pub edge_b: u32,
-}
-
-/// How the filling of a loop ended. Numbers are never reused.
-#[repr(u32)]
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_fill_outcome {
-    /// Filled with a faired surface; its report says with which reservations.
-    Faired = 0,
-    /// Filled with the surface of the linear problem, or the best one when the iterations ran out.
-    Linear = 1,
-    /// Filled with the triangulation, refined, but not faired; `reason` says why.
-    Flat = 2,
-    /// Left as it was; `reason` says why.
-    LeftOpen = 3,
-    /// An outcome that this version of the header does not know.
-    Other = 255,
-}
-
-/// Why a patch is flat or a loop open. Numbers are never reused.
-#[repr(u32)]
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum fairmesh_fill_reason {
-    /// There is nothing to say.
-    None = 0,
-    /// Open: the loop runs into a bad edge.
-    NonManifold = 1,
-    /// Open: the loop encloses the mesh and was not named.
-    OuterBoundary = 2,
-    /// Open: the loop has more than `max_edges`.
-    TooManyEdges = 3,
-    /// Open: every triangulation has an edge or triangle that the mesh has already.
-    NoTriangulation = 4,
-    /// Open: a vertex is NaN or infinite, or all are the same point.
-    NotFinite = 5,
-    /// Open: the callback stopped the run before.
-    Cancelled = 6,
-    /// Flat: `fair` was 0.
-    NotAsked = 32,
-    /// Flat: the patch has no inner vertex.
-    NoInnerVertex = 33,
-    /// Flat: the fairing was refused with `refused_status`.
-    Refused = 34,
-    /// Flat: the fairing found no sound surface; the report says how.
-    Unsound = 35,
-    /// A reason that this version of the header does not know.
-    Other = 255,
 }
 
 /// What became of a loop. Set `struct_size` before the call.

@@ -1,28 +1,26 @@
 //! Reports as structs of the header.
 
-use core::ffi::c_char;
-
-use super::status::{Failure, Text, fairmesh_status};
+use super::status::{Failure, fairmesh_status};
 use super::types::*;
 use fairmesh::LevelReport;
-use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
+use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport};
 use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
 pub(crate) fn report(of: &Report) -> fairmesh_report {
-    let (outcome, reached, reason) = outcome(&of.outcome);
     let quality = &of.quality;
     fairmesh_report {
         struct_size: size_of::<fairmesh_report>() as u32,
-        outcome: outcome as u32,
+        outcome: of.outcome.entry().number(),
+        loose_reason: loose_reason(&of.outcome),
+        linear_surface: u32::from(of.linear_surface),
         iterations: of.iterations as u64,
         defect: of.defect,
         step: of.step,
         diagonal: of.diagonal,
-        reached,
+        reached: reached(&of.outcome),
         free_vertices: of.free_vertices as u64,
-        linear_surface: u32::from(of.linear_surface),
-        level_count: of.levels.len() as u32,
+        level_count: of.levels.len() as u64,
         fallback_weights: of.fallback_weights as u64,
         poor_triangle_count: poor(of).len() as u64,
         flipped_count: quality.flipped.len() as u64,
@@ -41,7 +39,6 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         seconds_iterate: of.seconds.iterate,
         seconds_quality: of.seconds.quality,
         seconds_total: of.seconds.total,
-        reason,
     }
 }
 
@@ -59,38 +56,20 @@ pub(crate) fn unreached(of: &Report) -> &[u32] {
     }
 }
 
-fn outcome(of: &Outcome) -> (fairmesh_outcome, f64, [c_char; 160]) {
-    use fairmesh_outcome as C;
-    let nothing = [0; 160];
+/// How much of the boundary normals or the target was reached.
+fn reached(of: &Outcome) -> f64 {
     match of {
-        Outcome::Converged => (C::Converged, 1.0, nothing),
-        Outcome::ConvergedPoorTriangles { .. } => (C::ConvergedPoorTriangles, 1.0, nothing),
-        Outcome::ConvergedLoosely { reason } => (
-            C::ConvergedLoosely,
-            1.0,
-            Text::new(format_args!("{}", reason.text())).characters(),
-        ),
-        Outcome::NormalsNotReachable { reached, .. } => (C::NormalsNotReachable, *reached, nothing),
-        Outcome::TargetNotReachable { reached } => (C::TargetNotReachable, *reached, nothing),
-        Outcome::NotConverged => (C::NotConverged, 0.0, nothing),
-        Outcome::IterationLimit => (C::IterationLimit, 1.0, nothing),
-        Outcome::Cancelled => (C::Cancelled, 1.0, nothing),
-        _ => (C::Other, 0.0, nothing),
+        Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => *reached,
+        Outcome::NotConverged => 0.0,
+        _ => 1.0,
     }
 }
 
-/// The name of any outcome number.
-pub(crate) fn outcome_name(number: u32) -> &'static core::ffi::CStr {
-    match number {
-        0 => c"converged",
-        1 => c"converged_poor_triangles",
-        2 => c"converged_loosely",
-        3 => c"normals_not_reachable",
-        4 => c"target_not_reachable",
-        5 => c"not_converged",
-        6 => c"iteration_limit",
-        7 => c"cancelled",
-        _ => c"unknown_outcome",
+/// The number of a `fairmesh_loose_reason`.
+fn loose_reason(of: &Outcome) -> u32 {
+    match of {
+        Outcome::ConvergedLoosely { reason } => reason.entry().number(),
+        _ => fairmesh_loose_reason::None as u32,
     }
 }
 
@@ -107,15 +86,13 @@ pub(crate) fn level(of: &LevelReport) -> fairmesh_level {
 }
 
 pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
-    let (kind, edge_a, edge_b) = match of.kind {
-        LoopKind::Hole => (fairmesh_loop_kind::Hole, u32::MAX, u32::MAX),
-        LoopKind::OuterBoundary => (fairmesh_loop_kind::OuterBoundary, u32::MAX, u32::MAX),
-        LoopKind::NonManifold { a, b } => (fairmesh_loop_kind::NonManifold, a, b),
-        _ => (fairmesh_loop_kind::Other, u32::MAX, u32::MAX),
+    let (edge_a, edge_b) = match of.kind {
+        LoopKind::NonManifold { a, b } => (a, b),
+        _ => (u32::MAX, u32::MAX),
     };
     fairmesh_loop {
         struct_size: size_of::<fairmesh_loop>() as u32,
-        kind: kind as u32,
+        kind: of.kind.entry().number(),
         vertex_count: of.vertices.len() as u64,
         touching_count: of.touching.len() as u64,
         length: of.length,
@@ -127,43 +104,21 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
 }
 
 pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
-    use fairmesh_fill_outcome as C;
-    use fairmesh_fill_reason as Why;
     let mut refused = fairmesh_status::Ok;
-    let (outcome, reason) = match &of.outcome {
-        FillOutcome::Faired => (C::Faired, Why::None),
-        FillOutcome::Linear => (C::Linear, Why::None),
+    let reason = match &of.outcome {
         FillOutcome::Flat { reason } => {
-            let why = match reason {
-                FlatReason::NotAsked => Why::NotAsked,
-                FlatReason::NoInnerVertex => Why::NoInnerVertex,
-                FlatReason::Refused(error) => {
-                    refused = Failure::from(error.clone()).status;
-                    Why::Refused
-                }
-                FlatReason::Unsound => Why::Unsound,
-                _ => Why::Other,
-            };
-            (C::Flat, why)
+            if let FlatReason::Refused(error) = reason {
+                refused = Failure::from(error.clone()).status;
+            }
+            reason.entry().number()
         }
-        FillOutcome::LeftOpen(reason) => {
-            let why = match reason {
-                OpenReason::NonManifold { .. } => Why::NonManifold,
-                OpenReason::OuterBoundary => Why::OuterBoundary,
-                OpenReason::TooManyEdges => Why::TooManyEdges,
-                OpenReason::NoTriangulation => Why::NoTriangulation,
-                OpenReason::NotFinite { .. } => Why::NotFinite,
-                OpenReason::Cancelled => Why::Cancelled,
-                _ => Why::Other,
-            };
-            (C::LeftOpen, why)
-        }
-        _ => (C::Other, Why::Other),
+        FillOutcome::LeftOpen(reason) => reason.entry().number(),
+        _ => fairmesh_fill_reason::None as u32,
     };
     fairmesh_fill_report {
         struct_size: size_of::<fairmesh_fill_report>() as u32,
-        outcome: outcome as u32,
-        reason: reason as u32,
+        outcome: of.outcome.entry().number(),
+        reason,
         refused_status: refused as i32,
         loop_index: of.index as u64,
         edge_count: of.edges as u64,

@@ -2,8 +2,8 @@
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
+use super::callback::HostCallback;
 use super::memory::Reserve;
-use super::options::HostCallback;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use fairmesh::Session;
 

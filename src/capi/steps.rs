@@ -7,7 +7,7 @@ use super::guard::{guarded, point};
 use super::handles;
 use super::input::{MeshIn, NormalsIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, target};
+use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
 use super::results::Content;
@@ -35,13 +35,7 @@ pub extern "C" fn fairmesh_solver_new(
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let selection = SelectionIn::new(selection, Argument(2), &mesh, &mut aliases)?;
         let asked = OptionsIn::new(options, Argument(3), mesh.vertices(), &mut aliases)?;
-        if asked.solver != fairmesh::Solver::Fast {
-            let place = Argument(3).field(offset_of!(fairmesh_options, solver));
-            return Err(place.refuse(
-                Status::BadOption,
-                format_args!("only the fast solver runs in steps"),
-            ));
-        }
+        asked.check_fast(Argument(3))?;
         check_slot(solver, Argument(4), &mut aliases)?;
         aliases.error(error, Argument(5))?;
 
@@ -49,7 +43,7 @@ pub extern "C" fn fairmesh_solver_new(
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let need = memory_bounds::of_fairing(&mesh, &selected, asked.threads)?;
+        let need = memory_bounds::of_fairing(&mesh, &selected, asked.threads())?;
         let _reserve = memory_bounds::reserve(need)?;
         let standing = memory_bounds::reserve(memory_bounds::STANDING)?;
         let callback = asked.callback.fresh();
@@ -114,9 +108,9 @@ pub extern "C" fn fairmesh_solver_run(
 
 /// Asks for other boundary normals from now on. The next run starts at the surface at hand, with the matrices at hand.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_solver_set_normals(
+pub extern "C" fn fairmesh_solver_set_boundary_normals(
     solver: *mut fairmesh_solver,
-    normals: *const fairmesh_normals,
+    normals: *const fairmesh_boundary_normals,
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
@@ -124,13 +118,8 @@ pub extern "C" fn fairmesh_solver_set_normals(
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         check_pointer(normals, Argument(2))?;
         let mut solver = shared.take()?;
-        aliases.input(normals, size_of::<fairmesh_normals>());
-        let asked = NormalsIn::new(
-            &read(normals),
-            Argument(2).field(0),
-            solver.vertices,
-            &mut aliases,
-        )?;
+        aliases.input(normals, size_of::<fairmesh_boundary_normals>());
+        let asked = NormalsIn::new(&read(normals), Argument(2).start(), solver.vertices, &mut aliases)?;
         aliases.error(error, Argument(3))?;
         let asked = asked.read(solver.vertices)?;
         let _reserve = memory_bounds::reserve(solver.need)?;
@@ -152,14 +141,19 @@ pub extern "C" fn fairmesh_solver_set_target(
         let mut aliases = AliasCheck::new();
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         check_pointer(new_target, Argument(2))?;
-        let asked = target(&read(new_target), Argument(2).field(0))?;
+        let asked = target(&read(new_target), Argument(2).start())?;
         aliases.input(new_target, size_of::<fairmesh_target>());
         aliases.error(error, Argument(3))?;
         let mut solver = shared.take()?;
         let _reserve = memory_bounds::reserve(solver.need)?;
         let callback = solver.callback.fresh();
         point();
-        solver.session.set_target(asked)?;
+        let refused = |error| {
+            refused(error, Argument(2), |argument, _| {
+                Some(argument.field(offset_of!(fairmesh_target, constant), "constant"))
+            })
+        };
+        solver.session.set_target(asked).map_err(refused)?;
         callback.memory()
     })
 }

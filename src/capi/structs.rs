@@ -10,37 +10,69 @@ use super::types::Versioned;
 pub(crate) struct Argument(pub usize);
 
 impl Argument {
-    /// The field at this offset of the struct that the argument points to.
-    pub(crate) fn field(self, offset: usize) -> FieldPath {
-        FieldPath(self.0, offset as u64)
+    /// A field of the struct that the argument points to.
+    pub(crate) fn field(self, offset: usize, name: &'static str) -> FieldPath {
+        self.start().field(offset, name)
+    }
+
+    /// The struct that the argument points to.
+    pub(crate) fn start(self) -> FieldPath {
+        FieldPath {
+            argument: self.0,
+            offset: 0,
+            names: [""; 3],
+        }
     }
 
     pub(crate) fn itself(self) -> FieldPath {
-        FieldPath(self.0, FAIRMESH_NO_ELEMENT)
+        FieldPath {
+            offset: FAIRMESH_NO_ELEMENT,
+            ..self.start()
+        }
     }
 }
 
 /// An argument, or a field in it.
 #[derive(Clone, Copy)]
-pub(crate) struct FieldPath(usize, u64);
+pub(crate) struct FieldPath {
+    argument: usize,
+    offset: u64,
+    /// From the outermost struct's field to the innermost one's.
+    names: [&'static str; 3],
+}
 
 impl FieldPath {
-    /// A field of a struct that is a field itself.
-    pub(crate) fn plus(self, offset: usize) -> Self {
-        Self(self.0, self.1.wrapping_add(offset as u64))
+    /// A field of this struct.
+    pub(crate) fn field(mut self, offset: usize, name: &'static str) -> Self {
+        self.offset = self.offset.wrapping_add(offset as u64);
+        if let Some(free) = self.names.iter_mut().find(|name| name.is_empty()) {
+            *free = name;
+        }
+        self
     }
 
     pub(crate) fn refuse(self, status: Status, why: std::fmt::Arguments<'_>) -> Failure {
-        let mut failure = if self.1 == FAIRMESH_NO_ELEMENT {
-            Failure::new(status, format_args!("argument {}: {why}", self.0))
-        } else {
-            Failure::new(
-                status,
-                format_args!("argument {}, field at offset {}: {why}", self.0, self.1),
-            )
-        };
-        failure.other = self.1;
-        failure.at(fairmesh_element::Argument, self.0)
+        self.blame(Failure::new(
+            status,
+            format_args!("argument {}{self}: {why}", self.argument),
+        ))
+    }
+
+    /// Says that the failure is this argument's or field's.
+    pub(crate) fn blame(self, failure: Failure) -> Failure {
+        let other = self.offset;
+        Failure { other, ..failure }.at(fairmesh_element::Argument, self.argument)
+    }
+}
+
+/// The field: `, target.kind`.
+impl std::fmt::Display for FieldPath {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let names = self.names.iter().take_while(|name| !name.is_empty());
+        for (k, name) in names.enumerate() {
+            write!(f, "{}{name}", if k == 0 { ", " } else { "." })?;
+        }
+        Ok(())
     }
 }
 
@@ -70,7 +102,7 @@ fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallRe
     check_pointer(pointer, argument)?;
     // SAFETY: not NULL and aligned; by contract it is a struct that begins with its size.
     let size = unsafe { pointer.cast::<u32>().read() } as usize;
-    check_size::<T>(size, argument.field(0))
+    check_size::<T>(size, argument.field(0, "struct_size"))
 }
 
 pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
@@ -97,7 +129,7 @@ pub(crate) fn read_struct<T: Versioned>(pointer: *const T, argument: Argument) -
             .copy_to_nonoverlapping(value.as_mut_ptr().cast(), known);
         for k in known..size {
             if pointer.cast::<u8>().add(k).read() != 0 {
-                let place = argument.field(k);
+                let place = argument.start().field(k, "a field");
                 return Err(place.refuse(
                     Status::BadReserved,
                     format_args!("unknown to this library, and not zero"),
@@ -232,4 +264,72 @@ pub(crate) fn read<T: Copy>(from: *const T) -> T {
 pub(crate) fn write<T>(to: *mut T, value: T) {
     // SAFETY: every caller has checked it for NULL and alignment; by contract it is ours to write.
     unsafe { to.write(value) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A struct that has grown: its first version ended before `added`.
+    #[repr(C)]
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    struct Grown {
+        struct_size: u32,
+        reserved: u32,
+        old: u64,
+        added: u64,
+    }
+
+    // SAFETY: integers; the first is the size.
+    unsafe impl Versioned for Grown {
+        const FIRST: usize = 16;
+    }
+
+    const ARGUMENT: Argument = Argument(1);
+
+    /// A program of the first version.
+    #[test]
+    fn a_shorter_struct_reads_as_zeros_and_is_not_written_behind_its_end() {
+        let mut memory = [16, 7, u64::MAX];
+        let pointer = memory.as_mut_ptr().cast::<Grown>();
+        let read = read_struct(pointer, ARGUMENT).ok().unwrap();
+        assert_eq!((read.old, read.added), (7, 0));
+        let out = StructOut::new(pointer, ARGUMENT, &mut AliasCheck::new())
+            .ok()
+            .unwrap();
+        out.write(&Grown {
+            struct_size: 24,
+            reserved: 0,
+            old: 8,
+            added: 9,
+        });
+        assert_eq!(memory, [16, 8, u64::MAX]);
+    }
+
+    /// A program of a version to come.
+    #[test]
+    fn a_longer_struct_is_read_if_its_end_is_zero_and_its_end_is_cleared() {
+        let mut memory = [32, 7, 6, 0, u64::MAX];
+        let pointer = memory.as_mut_ptr().cast::<Grown>();
+        let read = read_struct(pointer, ARGUMENT).ok().unwrap();
+        assert_eq!((read.old, read.added), (7, 6));
+        memory[3] = 1;
+        let pointer = memory.as_mut_ptr().cast::<Grown>();
+        let refused = read_struct(pointer, ARGUMENT).err().unwrap();
+        assert_eq!((refused.status, refused.other), (Status::BadReserved, 24));
+        let out = StructOut::new(pointer, ARGUMENT, &mut AliasCheck::new())
+            .ok()
+            .unwrap();
+        out.write(&read);
+        assert_eq!(memory, [32, 7, 6, 0, u64::MAX]);
+    }
+
+    #[test]
+    fn a_struct_shorter_than_the_first_version_is_refused() {
+        let mut memory = [8, 7, 6];
+        let refused = read_struct(memory.as_mut_ptr().cast::<Grown>(), ARGUMENT)
+            .err()
+            .unwrap();
+        assert_eq!(refused.status, Status::BadStructSize);
+    }
 }

@@ -91,9 +91,9 @@ pub(crate) fn check_reserved(reserved: u32, place: FieldPath) -> CallResult {
 macro_rules! places {
     ($type:ident, $base:expr) => {
         [
-            $base.plus(core::mem::offset_of!($type, data)),
-            $base.plus(core::mem::offset_of!($type, count)),
-            $base.plus(core::mem::offset_of!($type, stride)),
+            $base.field(core::mem::offset_of!($type, data), "data"),
+            $base.field(core::mem::offset_of!($type, count), "count"),
+            $base.field(core::mem::offset_of!($type, stride), "stride"),
         ]
     };
 }
@@ -109,11 +109,11 @@ impl PointsIn {
     pub(crate) fn new(view: &fairmesh_points, base: FieldPath) -> CallResult<Self> {
         check_reserved(
             view.reserved,
-            base.plus(core::mem::offset_of!(fairmesh_points, reserved)),
+            base.field(core::mem::offset_of!(fairmesh_points, reserved), "reserved"),
         )?;
         let size = numbers_size(
             view.scalar,
-            base.plus(core::mem::offset_of!(fairmesh_points, scalar)),
+            base.field(core::mem::offset_of!(fairmesh_points, scalar), "scalar"),
         )?;
         let array = array(
             view.data,
@@ -212,7 +212,7 @@ impl Array {
 
 /// The entries of a selection: bytes or indices.
 pub(crate) fn entries(selection: &fairmesh_selection, size: usize, argument: Argument) -> CallResult<Array> {
-    let at = places!(fairmesh_selection, argument.field(0));
+    let at = places!(fairmesh_selection, argument.start());
     array(selection.data, selection.count, selection.stride, 1, size, at)
 }
 
@@ -230,10 +230,13 @@ macro_rules! numbers_out {
                 check_pointer(view, argument)?;
                 // SAFETY: not NULL, aligned.
                 let view = unsafe { view.read() };
-                let base = argument.field(0);
-                let reserved = base.plus(core::mem::offset_of!($view, reserved));
+                let base = argument.start();
+                let reserved = base.field(core::mem::offset_of!($view, reserved), "reserved");
                 check_reserved(view.reserved, reserved)?;
-                let size = numbers_size(view.scalar, base.plus(core::mem::offset_of!($view, scalar)))?;
+                let size = numbers_size(
+                    view.scalar,
+                    base.field(core::mem::offset_of!($view, scalar), "scalar"),
+                )?;
                 let at = places!($view, base);
                 let array = array(view.data, view.count, view.stride, $width, size, at)?;
                 let double = size == 8;
@@ -249,7 +252,11 @@ numbers_out!(scalars, fairmesh_scalars_out, 1);
 impl<const N: usize> NumbersOut<N> {
     /// Exactly so many rows.
     pub(crate) fn check_count(&self, count: usize, argument: Argument) -> CallResult {
-        check_count(self.array.count, count, argument.field(size_of::<usize>()))
+        check_count(
+            self.array.count,
+            count,
+            argument.field(size_of::<usize>(), "count"),
+        )
     }
 
     /// Whether all of these can be written. Infinity is no number, except where the library says so itself.
@@ -296,7 +303,7 @@ impl TrianglesOut {
         check_pointer(view, argument)?;
         // SAFETY: not NULL, aligned.
         let view = unsafe { view.read() };
-        let at = places!(fairmesh_indices_out, argument.field(0));
+        let at = places!(fairmesh_indices_out, argument.start());
         Ok(Self(array(view.data.cast(), view.count, view.stride, 3, 4, at)?))
     }
 

@@ -13,9 +13,9 @@ pub fn refusal(error: &Error, mesh: &MeshFile) -> String {
         .map_or(String::new(), |(v, [x, y, z])| {
             format!(" (vertex {v} is at {x} {y} {z})")
         });
-    match remedy(error) {
-        Some(remedy) => format!("{message}{place}; {remedy}"),
-        None => format!("{message}{place}"),
+    match error.entry().remedy() {
+        "" => format!("{message}{place}"),
+        remedy => format!("{message}{place}; {remedy}"),
     }
 }
 
@@ -52,75 +52,21 @@ fn vertex_of(error: &Error) -> Option<usize> {
     }
 }
 
-/// What to do, where the message does not say it itself.
-fn remedy(error: &Error) -> Option<&'static str> {
-    match error {
-        Error::RepeatedIndex { .. } | Error::DuplicateTriangle { .. } => {
-            Some("remove the degenerate faces first")
-        }
-        Error::NonManifoldEdge { .. } | Error::NonManifoldVertex { .. } => {
-            Some("repair the mesh there or choose a region away from it")
-        }
-        Error::InconsistentOrientation { .. } => Some("re-orient all faces coherently first"),
-        Error::NotFinite { .. } => Some("repair the vertex or choose a region away from it"),
-        Error::FreeVertexWithoutTriangle { .. } => Some("leave it out of the selection"),
-        Error::NothingFixed { .. } => Some("leave some of its vertices out of the selection"),
-        Error::EmptyRegion => Some("select more faces: a vertex is free if all faces around it are selected"),
-        _ => None,
-    }
-}
-
 /// The outcome in one sentence.
 pub fn outcome(report: &Report) -> String {
-    match &report.outcome {
-        Outcome::Converged => "converged: the surface is fair and sound".into(),
-        Outcome::ConvergedPoorTriangles { triangles } => {
-            format!(
-                "converged, but {} triangles are flipped or have an angle below one degree",
-                triangles.len()
-            )
-        }
-        Outcome::ConvergedLoosely { reason } => format!("converged loosely: {}", reason.text()),
+    let name = report.outcome.name().replace('_', " ");
+    let text = report.outcome.text();
+    let figures = match &report.outcome {
+        Outcome::ConvergedPoorTriangles { triangles } => format!(" ({} triangles)", triangles.len()),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
-            "no surface with the boundary normals was found: {:.0} % of the way was reached, and the normals of {} \
-             vertices stand farthest off",
+            " ({:.0} % of the way was reached, and the normals of {} vertices stand farthest off)",
             100.0 * reached,
             vertices.len()
         ),
-        Outcome::TargetNotReachable { reached } => format!(
-            "no surface with this --target was found, only one with {:.0} % of its right-hand side",
-            100.0 * reached
-        ),
-        Outcome::NotConverged => "no sound surface was found".into(),
-        Outcome::IterationLimit => "stopped at the iteration limit".into(),
-        Outcome::Cancelled => "stopped on request".into(),
-        other => other.name().replace('_', " "),
-    }
-}
-
-/// What the user can do about the outcome; empty if there is nothing to do.
-pub fn advice(report: &Report) -> String {
-    let advice = match &report.outcome {
-        Outcome::Converged => "",
-        Outcome::ConvergedPoorTriangles { .. } => {
-            "look at these triangles; remeshing the region, or --inner uniform, usually cures them"
-        }
-        Outcome::ConvergedLoosely { .. } => {
-            "the surface is usable; a better mesh of the region, or a larger --tolerance, usually cures it"
-        }
-        Outcome::NormalsNotReachable { .. } => {
-            "check the normals of the vertices named (flipped? noise?); try --average-normals or select more"
-        }
-        Outcome::TargetNotReachable { .. } => {
-            "the file holds the linear surface; ask for a smaller constant, or a smaller region"
-        }
-        Outcome::NotConverged => {
-            "the file holds the linear surface; select more, or remesh the region and try again"
-        }
-        Outcome::IterationLimit => "run again with a larger --max-iterations, or fair the result once more",
-        _ => "the file holds the best surface so far",
+        Outcome::TargetNotReachable { reached } => format!(" ({:.0} % of it)", 100.0 * reached),
+        _ => String::new(),
     };
-    advice.to_owned()
+    format!("{name}: {text}{figures}")
 }
 
 #[cfg(test)]
@@ -138,7 +84,7 @@ mod tests {
                 triangle: 3,
                 vertex: 5
             }),
-            "triangle 1 names vertex 5 twice (vertex 5 is at 2 1.5 0); remove the degenerate faces first"
+            "triangle 1 names vertex 5 twice (vertex 5 is at 2 1.5 0); remove the degenerate triangles first"
         );
         assert!(
             told(Error::DuplicateTriangle {

@@ -55,7 +55,7 @@ impl Summary<'_> {
         let Report { quality, .. } = self.report;
         let report = self.report;
         let mut text = format!("{}\n", explain::outcome(report));
-        let advice = explain::advice(report);
+        let advice = report.outcome.remedy();
         if !advice.is_empty() {
             let _ = writeln!(text, "  what to do:          {advice}");
         }
@@ -161,7 +161,7 @@ impl Summary<'_> {
         add("reason", reason);
         add(
             "advice",
-            Some(explain::advice(report))
+            Some(report.outcome.remedy())
                 .filter(|advice| !advice.is_empty())
                 .into(),
         );
@@ -380,6 +380,6 @@ mod tests {
             };
             assert!(summary.readable().contains("\n  what to do:"));
         }
-        assert_eq!(explain::advice(&report(Outcome::Converged)), "");
+        assert_eq!(Outcome::Converged.remedy(), "");
     }
 }

@@ -5,6 +5,7 @@
 //! twice the weights of the Dirichlet form.
 
 use super::simd::Simd;
+use crate::table::table;
 
 /// What the Laplacian of the mean curvature has to be: `Delta_B H = rhs` in the interior.
 ///
@@ -24,6 +25,13 @@ pub enum Target {
     /// minimal energy. Reproduces spheres and minimal surfaces, but not cylinders.
     MinimalEnergy,
 }
+
+table!(Target {
+    0 "harmonic" Target::Harmonic => "zero: spheres, cylinders and all surfaces of constant mean curvature are kept", "";
+    1 "constant" Target::Constant(_) =>
+        "the constant, in 1 / length^3: a positive one pushes the surface out along its normals", "";
+    2 "minimal_energy" Target::MinimalEnergy => "-2 H (H^2 - K): minimal total curvature", "";
+});
 
 impl Target {
     /// The right-hand side in a frame whose unit of length is `scale` of the input's: lengths are divided by it.

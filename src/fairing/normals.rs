@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
 use crate::solve::Domain;
+use crate::table::{choices, table};
 
 /// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,19 +23,25 @@ pub enum BoundaryNormals {
     Given(Vec<(u32, [f64; 3])>),
 }
 
-/// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
-/// and curves. Where [`BoundaryNormals::Given`] has a normal for such a vertex, that one holds in any case. Along a curve of
-/// such vertices the surface is cut: each side meets the curve with the given normals, and has a curvature of its own. At
-/// single vertices the normal acts on the mean curvature, which is taken from all sides at once, and bends the surface
-/// little.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum InteriorNormals {
-    /// Those of the surface itself, found with it: it passes the vertices smoothly. Nothing but their position is
-    /// prescribed.
-    #[default]
-    Smooth,
-    /// The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
-    Input,
+table!(BoundaryNormals {
+    0 "fitted" BoundaryNormals::Fitted =>
+        "fitted to the surface outside the region, to second or third order; where there is no outside, averaged", "";
+    1 "averaged" BoundaryNormals::Averaged => "the average of the triangles outside the region", "";
+    2 "given" BoundaryNormals::Given(_) => "given, for some or all boundary vertices; fitted for the others", "";
+});
+
+choices! {
+    /// The normals of fixed vertices inside the region, all of whose triangles are the region's own: interpolated points
+    /// and curves. Where [`BoundaryNormals::Given`] has a normal for such a vertex, that one holds in any case. Along a curve of
+    /// such vertices the surface is cut: each side meets the curve with the given normals, and has a curvature of its own. At
+    /// single vertices the normal acts on the mean curvature, which is taken from all sides at once, and bends the surface
+    /// little.
+    #[derive(Default)]
+    InteriorNormals {
+        #[default] 0 "smooth" Smooth =>
+            "those of the surface itself, found with it: it passes the vertices smoothly; only their positions are prescribed", "";
+        1 "input" Input => "the average of their triangles in the input, or of the surroundings where they are near (paper 7.5)", "";
+    }
 }
 
 /// The vertices whose normals are given, ascending.

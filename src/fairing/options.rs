@@ -4,27 +4,27 @@ use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
 use crate::error::Error;
 use crate::paper::PaperOptions;
+use crate::table::{choices, table};
 
-/// How vertices are distributed within the surface (paper 7.3).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum InnerFairness {
-    /// Equal weights: a regular distribution.
-    #[default]
-    Uniform,
-    /// Cotangents of the input mesh: least distortion of the input triangles.
-    Conformal,
-    /// Mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane.
-    Convex,
+choices! {
+    /// How vertices are distributed within the surface (paper 7.3).
+    #[derive(Default)]
+    InnerFairness {
+        #[default] 0 "uniform" Uniform => "equal weights: a regular distribution", "";
+        1 "conformal" Conformal => "cotangents of the input mesh: least distortion of the input triangles", "";
+        2 "convex" Convex =>
+            "mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane", "";
+    }
 }
 
-/// How normals and mean curvature are discretized (paper 5, 6).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Discretization {
-    /// Max's normals and the gradient-corrected curvature: second order on irregular meshes.
-    #[default]
-    SecondOrder,
-    /// The paper's: normals from summed cross products, plain Moreton-Sequin curvature.
-    Paper,
+choices! {
+    /// How normals and mean curvature are discretized (paper 5, 6).
+    #[derive(Default)]
+    Discretization {
+        #[default] 0 "second_order" SecondOrder =>
+            "Max's normals and the gradient-corrected curvature: second order on irregular meshes", "";
+        1 "paper" Paper => "the paper's: normals from summed cross products, plain Moreton-Sequin curvature", "";
+    }
 }
 
 /// How the equations are solved.
@@ -37,6 +37,11 @@ pub enum Solver {
     /// `max_iterations` of [`Options`] have no part in it.
     Paper(PaperOptions),
 }
+
+table!(Solver {
+    0 "fast" Solver::Fast => "quasi-Newton steps on both equations together", "";
+    1 "paper" Solver::Paper(_) => "the paper's own scheme: slow, a yardstick; not for fairing in steps", "";
+});
 
 /// What is asked. `Options::default()` is right for most uses.
 #[derive(Debug, Clone, PartialEq)]

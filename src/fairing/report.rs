@@ -7,6 +7,7 @@ use crate::discrete::target::Target;
 use crate::fairing::{Options, Solver};
 use crate::paper::LevelReport;
 use crate::quality::Quality;
+use crate::table::{Entry, choices, table};
 
 /// How far a run is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,37 +61,49 @@ pub enum Outcome {
     Cancelled,
 }
 
-/// What is to be said of a surface that [`Outcome::ConvergedLoosely`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LooseReason {
-    /// Boundary normals point against the surface beside them: [`Report::suspicious_normals`].
-    SuspiciousNormals,
-    /// `max |Delta_B H|` is as small as the rounding of the positions allows, but above its limit.
-    Rounding,
-    /// The surface holds with the first-order curvature alone.
-    FirstOrderCurvature,
-    /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
-    Bump,
-}
-
-impl LooseReason {
-    /// In a few words.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::SuspiciousNormals => {
-                "boundary normals point against the surface beside them: probably flipped"
-            }
-            Self::Rounding => {
-                "max |Delta_B H| is as small as the rounding of positions allows, but above its limit"
-            }
-            Self::FirstOrderCurvature => "the surface holds with the first-order curvature alone",
-            Self::Bump => {
-                "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals"
-            }
-        }
+choices! {
+    /// What is to be said of a surface that [`Outcome::ConvergedLoosely`].
+    #[non_exhaustive]
+    LooseReason {
+        1 "suspicious_normals" SuspiciousNormals =>
+            "boundary normals point against the surface beside them: probably flipped",
+            "check the suspicious normals that the report names: turn them around, or give none there";
+        2 "rounding" Rounding =>
+            "max |Delta_B H| is as small as the rounding of the positions allows, but above its limit",
+            "set a larger limit, or move the mesh near to the origin and give it in double precision";
+        3 "first_order_curvature" FirstOrderCurvature =>
+            "the surface holds with the first-order curvature alone",
+            "the surface is usable; a better mesh of the region usually cures it";
+        4 "bump" Bump =>
+            "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
+            "look at it; a larger region, or one with a smoother boundary, usually cures it";
     }
 }
+
+table!(Outcome {
+    0 "converged" Outcome::Converged => "tolerance met, and the surface is sound", "";
+    1 "converged_poor_triangles" Outcome::ConvergedPoorTriangles { .. } =>
+        "tolerance met, but triangles are flipped or have an angle below one degree",
+        "look at these triangles; remeshing the region, or uniform inner fairness, usually cures them";
+    2 "converged_loosely" Outcome::ConvergedLoosely { .. } =>
+        "tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names",
+        "see the remedy of the reason";
+    3 "normals_not_reachable" Outcome::NormalsNotReachable { .. } =>
+        "no surface with these boundary normals was found; that of the linear problem is returned",
+        "check the normals of the vertices named (flipped? noise?); try averaged normals, or select more";
+    4 "target_not_reachable" Outcome::TargetNotReachable { .. } =>
+        "a surface was found for a part of the target only; that of the linear problem is returned",
+        "ask for a smaller constant, or select a smaller region";
+    5 "not_converged" Outcome::NotConverged =>
+        "no sound surface was found; that of the linear problem is returned",
+        "select more, or remesh the region and try again";
+    6 "iteration_limit" Outcome::IterationLimit =>
+        "the iterations ran out; the best surface so far is returned",
+        "allow more iterations, or fair the result once more";
+    7 "cancelled" Outcome::Cancelled =>
+        "the progress callback stopped the run; the best surface so far is returned, before there is one the input",
+        "run it again, to its end";
+});
 
 impl Outcome {
     /// Tolerance met and the surface is sound: the only case without reservation.
@@ -98,18 +111,20 @@ impl Outcome {
         matches!(self, Outcome::Converged)
     }
 
-    /// A stable lower-case name: `converged`, `converged_poor_triangles`, `converged_loosely`,
-    /// `normals_not_reachable`, `target_not_reachable`, `not_converged`, `iteration_limit`, `cancelled`.
-    pub fn name(&self) -> &'static str {
+    /// What the outcome means: its text in the table, or that of its reason.
+    pub fn text(&self) -> &'static str {
+        self.most_telling().text()
+    }
+
+    /// What the user can do about it; empty if there is nothing to do.
+    pub fn remedy(&self) -> &'static str {
+        self.most_telling().remedy()
+    }
+
+    fn most_telling(&self) -> &'static Entry {
         match self {
-            Outcome::Converged => "converged",
-            Outcome::ConvergedPoorTriangles { .. } => "converged_poor_triangles",
-            Outcome::ConvergedLoosely { .. } => "converged_loosely",
-            Outcome::NormalsNotReachable { .. } => "normals_not_reachable",
-            Outcome::TargetNotReachable { .. } => "target_not_reachable",
-            Outcome::NotConverged => "not_converged",
-            Outcome::IterationLimit => "iteration_limit",
-            Outcome::Cancelled => "cancelled",
+            Outcome::ConvergedLoosely { reason } => reason.entry(),
+            outcome => outcome.entry(),
         }
     }
 }

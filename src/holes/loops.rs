@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 
 use crate::error::Error;
 use crate::mesh::halfedge::{next, previous};
+use crate::table::table;
 
 /// No half-edge on the other side: the boundary.
 pub(super) const BOUNDARY: u32 = u32::MAX;
@@ -36,6 +37,12 @@ pub enum LoopKind {
         b: u32,
     },
 }
+
+table!(LoopKind {
+    0 "hole" LoopKind::Hole => "a gap in the surface", "";
+    1 "outer_boundary" LoopKind::OuterBoundary => "the outer boundary of an open surface: filled only if it is named", "";
+    2 "non_manifold" LoopKind::NonManifold { .. } => "it meets a bad edge, which is told: never filled", "";
+});
 
 /// A closed run of boundary edges that visits no vertex twice.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::fairing::{Outcome, Report};
+use crate::table::table;
 
 /// Why a loop was left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,17 +64,38 @@ pub enum FillOutcome {
     LeftOpen(OpenReason),
 }
 
-impl FillOutcome {
-    /// A stable lower-case name: `faired`, `linear`, `flat`, `left_open`.
-    pub fn name(&self) -> &'static str {
-        match self {
-            FillOutcome::Faired => "faired",
-            FillOutcome::Linear => "linear",
-            FillOutcome::Flat { .. } => "flat",
-            FillOutcome::LeftOpen(_) => "left_open",
-        }
-    }
-}
+table!(FillOutcome {
+    0 "faired" FillOutcome::Faired => "filled with a faired surface; its report says with which reservations", "";
+    1 "linear" FillOutcome::Linear =>
+        "filled with the surface of the linear problem, or the best one when the iterations ran out",
+        "see the remedy of the fairing's outcome";
+    2 "flat" FillOutcome::Flat { .. } =>
+        "filled with the triangulation, refined, but not faired; the reason says why", "see the remedy of the reason";
+    3 "left_open" FillOutcome::LeftOpen(_) => "left as it was; the reason says why", "see the remedy of the reason";
+});
+
+// Reasons of both kinds share their numbers.
+table!(OpenReason {
+    1 "non_manifold" OpenReason::NonManifold { .. } =>
+        "the boundary runs into an edge with more than two triangles, or with inconsistent ones", "repair the mesh there";
+    2 "outer_boundary" OpenReason::OuterBoundary =>
+        "it is the outer boundary of an open surface, and was not named", "name the loop to have it filled all the same";
+    3 "too_many_edges" OpenReason::TooManyEdges => "it has more edges than asked for", "allow more edges, or name the loop";
+    4 "no_triangulation" OpenReason::NoTriangulation =>
+        "every triangulation has an edge or a triangle that the mesh has already", "remove the triangles that span the hole";
+    5 "not_finite" OpenReason::NotFinite { .. } =>
+        "a vertex of the boundary is NaN or infinite, or all of them are the same point", "repair or remove these vertices";
+    6 "cancelled" OpenReason::Cancelled => "the run was stopped before this loop was done", "run it again, to its end";
+});
+
+table!(FlatReason {
+    32 "not_asked" FlatReason::NotAsked => "fairing was not asked for", "";
+    33 "no_inner_vertex" FlatReason::NoInnerVertex => "the patch has no inner vertex: nothing can move", "";
+    34 "refused" FlatReason::Refused(_) =>
+        "the fairing was refused, because the mesh around the hole is defective", "repair the mesh there";
+    35 "unsound" FlatReason::Unsound =>
+        "the fairing found no sound surface; its report says how it ended", "see the remedy of the fairing's outcome";
+});
 
 /// What became of a loop.
 #[derive(Debug, Clone, PartialEq)]

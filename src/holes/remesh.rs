@@ -20,6 +20,16 @@ pub struct RemeshOptions {
     pub max_vertices: usize,
 }
 
+impl RemeshOptions {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], which names the option.
+    pub fn validate(&self) -> Result<(), Error> {
+        super::fill::check_density(self.density)
+    }
+}
+
 impl Default for RemeshOptions {
     fn default() -> Self {
         Self {
@@ -59,7 +69,7 @@ pub fn remesh_region(
     selection: Selection<'_>,
     options: &RemeshOptions,
 ) -> Result<Remeshed, Error> {
-    super::fill::check_density(options.density)?;
+    options.validate()?;
     let region = Region::new(positions, triangles, selection)?;
     let ids = ids(&region);
     let coarse = patch(&region, positions, &ids);

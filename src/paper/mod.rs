@@ -11,6 +11,7 @@ pub(crate) mod prolongation;
 pub(crate) mod vertex;
 
 use crate::error::Error;
+use crate::table::table;
 pub(crate) use multigrid::{PaperResult, solve};
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
@@ -32,6 +33,12 @@ pub enum Estimate {
         iterations: usize,
     },
 }
+
+table!(Estimate {
+    0 "alternating" Estimate::Alternating { .. } => "by turns one Gauss-Seidel iteration and some of conjugate gradients", "";
+    1 "gauss_seidel" Estimate::GaussSeidel { .. } => "Gauss-Seidel iterations", "";
+    2 "conjugate_gradients" Estimate::ConjugateGradients { .. } => "conjugate gradient iterations", "";
+});
 
 impl Default for Estimate {
     fn default() -> Self {

@@ -157,10 +157,10 @@ static Expected null_numbers(Call *c, int f, int k) {
 }
 static Expected null_normals(Call *c, int f, int k) {
     (void)k;
-    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-    c->options.normals.vectors = points_of(NULL, SIDE * SIDE);
+    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    c->options.boundary_normals.vectors = points_of(NULL, SIDE * SIDE);
     return argument(FAIRMESH_STATUS_NULL_POINTER, options_argument(f),
-                    OFFSET2(fairmesh_options, normals, fairmesh_normals, vectors));
+                    OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors));
 }
 
 static Expected misaligned_struct(Call *c, int f, int k) {
@@ -265,15 +265,15 @@ static Expected count_mismatch_out(Call *c, int f, int k) {
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, count));
 }
 static Expected count_mismatch_normals(Call *c, int f, int k) {
-    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-    c->options.normals.vectors = points_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
+    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    c->options.boundary_normals.vectors = points_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
     if (k > 2) {
-        c->options.normals.vertices.data = c->list;
-        c->options.normals.vertices.count = 2;
-        c->options.normals.vectors.count = (size_t)k;
+        c->options.boundary_normals.vertices.data = c->list;
+        c->options.boundary_normals.vertices.count = 2;
+        c->options.boundary_normals.vectors.count = (size_t)k;
     }
     return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
-                    OFFSET2(fairmesh_options, normals, fairmesh_normals, vectors) + offsetof(fairmesh_points, count));
+                    OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors) + offsetof(fairmesh_points, count));
 }
 
 static Expected index_out_of_range(Call *c, int f, int k) {
@@ -307,10 +307,10 @@ static Expected normal_out_of_range(Call *c, int f, int k) {
     (void)f;
     c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
     c->normals[2] = 1.0;
-    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-    c->options.normals.vectors = points_of(c->normals, 1);
-    c->options.normals.vertices.data = c->list;
-    c->options.normals.vertices.count = 1;
+    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    c->options.boundary_normals.vectors = points_of(c->normals, 1);
+    c->options.boundary_normals.vertices.data = c->list;
+    c->options.boundary_normals.vertices.count = 1;
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
@@ -329,10 +329,10 @@ static Expected bad_normal(Call *c, int f, int k) {
     (void)f;
     c->list[0] = v;
     c->normals[2] = wrong[k];
-    c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-    c->options.normals.vectors = points_of(c->normals, 1);
-    c->options.normals.vertices.data = c->list;
-    c->options.normals.vertices.count = 1;
+    c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+    c->options.boundary_normals.vectors = points_of(c->normals, 1);
+    c->options.boundary_normals.vertices.data = c->list;
+    c->options.boundary_normals.vertices.count = 1;
     return expect(FAIRMESH_STATUS_BAD_NORMAL, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
 
@@ -466,7 +466,7 @@ static Expected option_enums(Call *c, int f, int k) {
     uint64_t at = 0;
     switch (k / 5) {
     case 0: c->options.inner_fairness = n, at = OFFSET(fairmesh_options, inner_fairness); break;
-    case 1: c->options.normals.kind = n, at = OFFSET(fairmesh_options, normals); break;
+    case 1: c->options.boundary_normals.kind = n, at = OFFSET(fairmesh_options, boundary_normals); break;
     case 2: c->options.target.kind = n, at = OFFSET(fairmesh_options, target); break;
     case 3: c->options.interior_normals = n, at = OFFSET(fairmesh_options, interior_normals); break;
     case 4: c->options.discretization = n, at = OFFSET(fairmesh_options, discretization); break;
@@ -555,8 +555,8 @@ static Expected aliasing(Call *c, int f, int k) {
     case 4: c->out.data = (void *)&c->mesh; break;
     case 5: c->out.data = (void *)&c->options; break;
     case 6:
-        c->options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-        c->options.normals.vectors = points_of(c->normals, SIDE * SIDE);
+        c->options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+        c->options.boundary_normals.vectors = points_of(c->normals, SIDE * SIDE);
         c->out.data = c->normals;
         break;
     default: c->out.data = (void *)&c->selection;
@@ -735,7 +735,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_loop boundary;
     fairmesh_fill_report filled;
     fairmesh_error e;
-    fairmesh_normals normals;
+    fairmesh_boundary_normals normals;
     fairmesh_target target;
     fairmesh_result *result = NULL;
     memset(&normals, 0, sizeof normals);
@@ -749,7 +749,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     filled.struct_size = sizeof filled;
     if (is_solver) {
         expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
-        expect_handle(fairmesh_solver_set_normals(s, &normals, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);

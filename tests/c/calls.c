@@ -9,9 +9,24 @@ static void versions(void) {
     sprintf(text, "%d.%d.%d", FAIRMESH_VERSION_MAJOR, FAIRMESH_VERSION_MINOR, FAIRMESH_VERSION_PATCH);
     CHECK(strcmp(text, fairmesh_version_string()) == 0);
     CHECK(strcmp(fairmesh_status_name(FAIRMESH_STATUS_BUSY), "busy") == 0);
-    CHECK(strcmp(fairmesh_status_name(-7), "unknown status") == 0);
+    CHECK(strcmp(fairmesh_status_name(-7), "unknown") == 0);
     CHECK(strcmp(fairmesh_outcome_name(FAIRMESH_OUTCOME_CONVERGED), "converged") == 0);
-    CHECK(strcmp(fairmesh_outcome_name(999), "unknown_outcome") == 0);
+    CHECK(strcmp(fairmesh_outcome_name(999), "unknown") == 0);
+    CHECK(strcmp(fairmesh_outcome_text(FAIRMESH_OUTCOME_CONVERGED), "tolerance met, and the surface is sound") == 0);
+    CHECK(fairmesh_outcome_remedy(FAIRMESH_OUTCOME_CONVERGED)[0] == 0 && fairmesh_outcome_text(999)[0] == 0);
+    CHECK(fairmesh_outcome_remedy(FAIRMESH_OUTCOME_ITERATION_LIMIT)[0] != 0);
+    CHECK(strcmp(fairmesh_status_text(FAIRMESH_STATUS_OK), "done") == 0);
+    CHECK(fairmesh_status_remedy(FAIRMESH_STATUS_NOTHING_FIXED)[0] != 0);
+    CHECK(strcmp(fairmesh_loose_reason_name(FAIRMESH_LOOSE_REASON_BUMP), "bump") == 0);
+    CHECK(fairmesh_loose_reason_text(FAIRMESH_LOOSE_REASON_BUMP)[0] != 0);
+    CHECK(strcmp(fairmesh_loose_reason_remedy(FAIRMESH_LOOSE_REASON_BUMP),
+                 fairmesh_loose_reason_remedy(FAIRMESH_LOOSE_REASON_SUSPICIOUS_NORMALS)) != 0);
+    CHECK(strcmp(fairmesh_fill_outcome_name(FAIRMESH_FILL_OUTCOME_LEFT_OPEN), "left_open") == 0);
+    CHECK(fairmesh_fill_outcome_text(FAIRMESH_FILL_OUTCOME_FAIRED)[0] != 0);
+    CHECK(fairmesh_fill_outcome_remedy(FAIRMESH_FILL_OUTCOME_FAIRED)[0] == 0);
+    CHECK(strcmp(fairmesh_fill_reason_name(FAIRMESH_FILL_REASON_UNSOUND), "unsound") == 0);
+    CHECK(fairmesh_fill_reason_text(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
+    CHECK(fairmesh_fill_reason_remedy(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
 }
 
 typedef struct {
@@ -57,7 +72,7 @@ static void one_shot(void) {
     options.user_data = &w;
     OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &to, &report, &result, &error));
     CHECK(error.status == 0 && error.element == FAIRMESH_NO_ELEMENT && error.message[0] == 0);
-    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.reached == 1.0 && report.reason[0] == 0);
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && report.reached == 1.0 && report.loose_reason == FAIRMESH_LOOSE_REASON_NONE);
     CHECK(report.iterations > 2 && w.last == report.iterations && w.calls >= w.last);
     CHECK(off_sphere(out, cap.vertices) < 2e-3);
     for (v = 0; v < cap.vertices; v++) {
@@ -120,10 +135,10 @@ static void one_shot(void) {
         double *again = (double *)must(malloc(bytes));
         fairmesh_points_out into = points_out_of(again, cap.vertices);
         options = quick();
-        options.normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
-        options.normals.vectors = points_of(normals, (size_t)info.boundary_vertex_count);
-        options.normals.vertices.data = boundary;
-        options.normals.vertices.count = (size_t)info.boundary_vertex_count;
+        options.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
+        options.boundary_normals.vectors = points_of(normals, (size_t)info.boundary_vertex_count);
+        options.boundary_normals.vertices.data = boundary;
+        options.boundary_normals.vertices.count = (size_t)info.boundary_vertex_count;
         OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, NULL));
         for (v = 0; v < 3 * cap.vertices; v++) CHECK(fabs(again[v] - out[v]) < 1e-7);
         free(again);
@@ -242,7 +257,7 @@ static void in_steps(void) {
     fairmesh_report report;
     fairmesh_error error;
     fairmesh_target target;
-    fairmesh_normals normals;
+    fairmesh_boundary_normals normals;
     size_t bytes = 3 * cap.vertices * sizeof(double), v;
     double *whole = (double *)must(malloc(bytes)), *steps = (double *)must(malloc(bytes));
     double *h = (double *)must(malloc(cap.vertices * sizeof(double)));
@@ -277,7 +292,7 @@ static void in_steps(void) {
     target.kind = FAIRMESH_TARGET_KIND_HARMONIC;
     OK(fairmesh_solver_set_target(solver, &target, &error));
     memset(&normals, 0, sizeof normals);
-    normals.kind = FAIRMESH_NORMALS_KIND_GIVEN;
+    normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
     /* One vector per vertex: those of the sphere. */
     normals.vectors = points_of(cap.positions, cap.vertices);
     {
@@ -287,7 +302,7 @@ static void in_steps(void) {
             if (cap.free_mask[v]) memset(unit + 3 * v, 0, 24);
         }
         normals.vectors.data = unit;
-        OK(fairmesh_solver_set_normals(solver, &normals, &error));
+        OK(fairmesh_solver_set_boundary_normals(solver, &normals, &error));
         free(unit);
     }
     OK(fairmesh_solver_run(solver, 1000, &report, &error));

@@ -2,6 +2,10 @@
 
 #[path = "../common/command.rs"]
 mod command;
+mod committed;
 mod header;
+mod numbers;
 #[cfg(unix)]
 mod programs;
+mod python;
+mod tables;

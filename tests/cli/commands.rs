@@ -224,7 +224,7 @@ fn the_report_is_told_and_written() {
     ];
     let (out, err) = expect(&directory, &args, 0);
     assert!(
-        out.starts_with("converged: the surface is fair and sound\n"),
+        out.starts_with("converged: tolerance met, and the surface is sound\n"),
         "{out}"
     );
     assert_eq!(err, "", "no progress bar without a terminal");
@@ -270,7 +270,9 @@ fn too_few_iterations_exit_with_3_and_write() {
     ];
     let (out, _) = expect(&directory, &args, 3);
     assert!(
-        out.starts_with("stopped at the iteration limit\n  what to do:"),
+        out.starts_with(
+            "iteration limit: the iterations ran out; the best surface so far is returned\n  what to do:"
+        ),
         "{out}"
     );
     let json = fs::read_to_string(directory.join("report.json")).unwrap();

@@ -121,7 +121,7 @@ void stepping() {
     CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
     solver.set_target(fairmesh_target{FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0});
     CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
-    solver.set_normals(fairmesh_normals{FAIRMESH_NORMALS_KIND_AVERAGED, 0, {}, {}});
+    solver.set_boundary_normals(fairmesh_boundary_normals{FAIRMESH_BOUNDARY_NORMALS_KIND_AVERAGED, 0, {}, {}});
     CHECK(solver.run().outcome != FAIRMESH_OUTCOME_CANCELLED);
     std::vector<float> x(3 * s.positions.size()), h(s.positions.size());
     solver.positions(fairmesh::points_out(x.data(), h.size()));

@@ -6,18 +6,14 @@ from contextlib import contextmanager
 from . import found
 from .fairmesh import ElementKind, FairmeshError, FillOutcome, FillReason, Outcome, Status
 
+# What to do in Blender's own words, where it has a command that helps; otherwise the library's remedy is told.
 _ADVICE = {
-    Status.NON_MANIFOLD_EDGE: "An edge must not have more than two faces here: delete the extra faces",
     Status.NON_MANIFOLD_VERTEX: "Faces that meet in this vertex only: split it (Mesh > Split, Rip) or deselect it",
     Status.INCONSISTENT_ORIENTATION: "Make the normals consistent: Mesh > Normals > Recalculate Outside",
     Status.DUPLICATE_TRIANGLE: "Delete the doubled face: Mesh > Clean Up > Merge by Distance",
     Status.REPEATED_INDEX: "Delete the broken face: Mesh > Clean Up > Degenerate Dissolve",
     Status.INDEX_OUT_OF_RANGE: "The mesh is corrupt: leave Edit mode and call Mesh.validate()",
-    Status.NOT_FINITE: "The vertex has no valid position: delete it",
-    Status.NOTHING_FIXED: "A whole piece of the mesh is selected: leave the part unselected that has to stay",
     Status.NO_NORMAL: "The faces around this vertex have no area: merge or dissolve them, or select them, too",
-    Status.OUT_OF_MEMORY: "Select a smaller region, or close other programs",
-    Status.THREADS: "Close other programs",
 }
 
 
@@ -42,7 +38,7 @@ def refused(why, subject):
             numbers = " and ".join(str(i) for i in vertices or faces)
             where = f" ({kind} {numbers} of {subject.object.name})"
             found.remember(found.Found(subject.object, subject.counts, f"{kind} {numbers}", vertices, faces))
-    advice = _ADVICE.get(why.status, "")
+    advice = _ADVICE.get(why.status) or _sentence(why.remedy)
     ending = f". {advice}" if advice else ""
     return f"{why.message}{where}. The mesh is unchanged{ending}"
 
@@ -60,50 +56,21 @@ def _named(why, subject):
     return [], []
 
 
+def _sentence(text):
+    return text[:1].upper() + text[1:]
+
+
 def faired(report):
     """How a fairing went: ("INFO" or "WARNING", text)."""
     vertices = f"{report.free_vertices} vertices faired in {report.iterations} iterations"
-    reached = f"{100 * report.reached:.0f} %"
-    texts = {
-        Outcome.CONVERGED: ("INFO", f"{vertices}"),
-        Outcome.CONVERGED_POOR_TRIANGLES: (
-            "WARNING",
-            f"{vertices}, but {report.poor_triangle_count} triangles are folded or thinner than 1 degree. "
-            "Try another Distribution, or improve the mesh there",
-        ),
-        Outcome.CONVERGED_LOOSELY: ("WARNING", f"{vertices}, with a reservation: {report.reason}"),
-        Outcome.NORMALS_NOT_REACHABLE: (
-            "WARNING",
-            f"No fair surface meets the surroundings with their tangent planes ({reached} of the way); a rough one was "
-            "made. Select a larger region, or choose Averaged boundary normals",
-        ),
-        Outcome.TARGET_NOT_REACHABLE: (
-            "WARNING",
-            f"No surface is bulged that much ({reached} of the way); a rough one was made. Lower Bulge",
-        ),
-        Outcome.NOT_CONVERGED: (
-            "WARNING",
-            "No fair surface was found; a rough one was made. Select a larger or a smoother region",
-        ),
-        Outcome.ITERATION_LIMIT: (
-            "WARNING",
-            f"Not at its end after {report.iterations} iterations: raise Iterations, or lower Accuracy",
-        ),
-    }
-    return texts.get(report.outcome, ("WARNING", f"{vertices}: {report.outcome}"))
-
-
-_OPEN = {
-    FillReason.NON_MANIFOLD: "its boundary runs into an edge with more than two faces",
-    FillReason.OUTER_BOUNDARY: "it is the outer boundary of an open surface",
-    FillReason.TOO_MANY_EDGES: "it has more edges than Largest Hole",
-    FillReason.NO_TRIANGULATION: "every way to close it uses an edge that the mesh has already",
-    FillReason.NOT_FINITE: "a vertex of its boundary has no valid position, or all are the same point",
-    FillReason.CANCELLED: "it was cancelled",
-    FillReason.NO_INNER_VERTEX: "it is too small to have vertices inside",
-    FillReason.UNSOUND: "no fair surface was found",
-    FillReason.REFUSED: "the mesh around it is defective",
-}
+    if report.outcome is Outcome.CONVERGED:
+        return "INFO", vertices
+    figures = {
+        Outcome.CONVERGED_POOR_TRIANGLES: f" ({report.poor_triangle_count} triangles)",
+        Outcome.NORMALS_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of the way)",
+        Outcome.TARGET_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of it)",
+    }.get(report.outcome, "")
+    return "WARNING", f"{vertices}: {report.text}{figures}. {_sentence(report.remedy)}"
 
 
 def filled(loops):
@@ -129,8 +96,6 @@ def _is_rough(loop):
 
 
 def _reason(loop):
-    if loop.reason in _OPEN:
-        return f"{_OPEN[loop.reason]} ({loop.edge_count} edges)"
-    if loop.report is not None:
+    if loop.reason is FillReason.NONE and loop.report is not None:
         return faired(loop.report)[1]
-    return str(loop.reason)
+    return f"{loop.reason.text} ({loop.edge_count} edges)"

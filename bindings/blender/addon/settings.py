@@ -18,7 +18,7 @@ class FairingOptions:
         ),
         default="UNIFORM",
     )
-    normals: EnumProperty(
+    boundary_normals: EnumProperty(
         name="Boundary Normals",
         description="The tangent planes in which the surface meets the faces around it",
         items=(
@@ -70,7 +70,7 @@ class FairingOptions:
     def draw_fairing(self, layout):
         """All options, the constant only where it counts."""
         layout.prop(self, "inner_fairness")
-        layout.prop(self, "normals")
+        layout.prop(self, "boundary_normals")
         layout.prop(self, "target")
         if self.target == "CONSTANT":
             layout.prop(self, "constant")
@@ -85,7 +85,7 @@ class FairingOptions:
             target = self.target.lower()
         return {
             "inner_fairness": self.inner_fairness.lower(),
-            "normals": self.normals.lower(),
+            "boundary_normals": self.boundary_normals.lower(),
             "target": target,
             "tolerance": 10.0**-self.digits,
             "max_iterations": self.max_iterations,

@@ -330,7 +330,7 @@ def suzanne(cuts, quads):
     report = part("fair_operator").last_reports[0]
     assert report.outcome.is_success, report
     print(
-        f"        {report.outcome} {report.reason}, {report.free_vertices} free vertices, {report.worst_angle:.1f} degrees"
+        f"        {report.outcome} {report.text}, {report.free_vertices} free vertices, {report.worst_angle:.1f} degrees"
     )
     assert report.flipped_count == 0 and report.worst_angle > 5
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -415,7 +415,7 @@ def test_options_reach_the_library():
         {},
         {"inner_fairness": "CONFORMAL"},
         {"inner_fairness": "CONVEX"},
-        {"normals": "AVERAGED"},
+        {"boundary_normals": "AVERAGED"},
         {"target": "MINIMAL_ENERGY"},
         {"digits": 3},
         {"max_iterations": 2},

@@ -109,7 +109,7 @@ def test_read_only_arrays():
     for array in (vertices, faces, free, normals):
         array.flags.writeable = False
     same(vertices, faces, free=free)
-    result = fairmesh.fair(vertices, faces, free=free, normals=normals)
+    result = fairmesh.fair(vertices, faces, free=free, boundary_normals=normals)
     assert np.array_equal(result.vertices, WHOLE.vertices) and result.vertices.flags.writeable
     assert len(fairmesh.fill_holes(vertices, faces).vertices) >= len(vertices)
 
@@ -148,11 +148,11 @@ def test_without_a_selection_everything_inside_is_free():
 def test_normals_of_any_layout():
     boundary = WHOLE.boundary_vertices
     vectors = EXACT[boundary]
-    expected = fairmesh.fair(VERTICES, FACES, free=FREE, normals=(boundary, vectors)).vertices
+    expected = fairmesh.fair(VERTICES, FACES, free=FREE, boundary_normals=(boundary, vectors)).vertices
     for given in ((boundary.astype(np.int32), np.asfortranarray(vectors)), (boundary.tolist(), vectors.tolist())):
-        assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, normals=given).vertices, expected)
-    assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, normals=EXACT).vertices, expected)
-    single = fairmesh.fair(VERTICES, FACES, free=FREE, normals=EXACT.astype(np.float32)).vertices
+        assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, boundary_normals=given).vertices, expected)
+    assert np.array_equal(fairmesh.fair(VERTICES, FACES, free=FREE, boundary_normals=EXACT).vertices, expected)
+    single = fairmesh.fair(VERTICES, FACES, free=FREE, boundary_normals=EXACT.astype(np.float32)).vertices
     assert np.abs(single - expected).max() < 1e-6
 
 

@@ -236,9 +236,9 @@ def test_a_selection_of_faces_out_of_range():
 def test_a_normal_that_is_no_unit_vector(vector):
     boundary = int(fair().boundary_vertices[5])
     message = f"the normal given for vertex {boundary} is not a finite unit vector"
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=([boundary], [vector]))
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=([boundary], [vector]))
     rows = changed(np.zeros_like(VERTICES), boundary, vector)
-    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, normals=rows)
+    refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=rows)
 
 
 def test_a_normal_of_no_vertex():
@@ -247,7 +247,7 @@ def test_a_normal_of_no_vertex():
         "a normal is given for vertex 441, but there are only 441",
         ElementKind.VERTEX,
         441,
-        normals=([441], [[0, 0, 1]]),
+        boundary_normals=([441], [[0, 0, 1]]),
     )
 
 
@@ -270,12 +270,13 @@ OPTIONS = {
 def test_options_out_of_range(option, range_):
     name, value = option
     solver = {"solver": "paper"} if name.startswith("paper") else {}
-    message = f"{name}: has to be {range_}"
+    number = "NaN" if value != value else f"{value:g}"
+    message = f"option {name} is {number}: it must be {range_}"
     refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument=name, **{name: value}, **solver)
 
 
 def test_a_target_that_is_not_finite():
-    message = "target: the constant has to be finite"
+    message = "option target is inf: it must be a finite constant"
     refused(Status.BAD_OPTION, message, ElementKind.ARGUMENT, argument="target", target=float("inf"))
 
 
@@ -334,10 +335,10 @@ WRONG_VALUES = {
     "free_faces: a mask has to have the shape (800,), not (441,)": {"free": None, "free_faces": FREE},
     "only one of free and fixed can be given": {"fixed": ~FREE},
     "only one of free and fixed and free_faces can be given": {"fixed": ~FREE, "free_faces": [0]},
-    "normals: 440 rows, but 441 are needed": {"normals": EXACT[1:]},
-    "normals: 1 rows, but 2 are needed": {"normals": ([1, 2], [[0, 0, 1]])},
-    "normals: the shape has to be (n, 3), not (3,)": {"normals": [0, 0, 1]},
-    "normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"normals": "flat"},
+    "boundary_normals: 440 rows, but 441 are needed": {"boundary_normals": EXACT[1:]},
+    "boundary_normals: 1 rows, but 2 are needed": {"boundary_normals": ([1, 2], [[0, 0, 1]])},
+    "boundary_normals: the shape has to be (n, 3), not (3,)": {"boundary_normals": [0, 0, 1]},
+    "boundary_normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"boundary_normals": "flat"},
     "target: 'flat' is neither 'harmonic' nor 'minimal_energy' nor a number": {"target": "flat"},
     "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
     "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},
@@ -364,7 +365,7 @@ def test_other_functions_check_the_same():
 
 
 def test_every_status_has_an_exception():
-    assert [(m.name, m.value) for m in Status] == [(m.name, m.value) for m in _abi.fairmesh_status]
+    assert [(m.name, int(m)) for m in Status] == [(m.name, int(m)) for m in _abi.fairmesh_status]
     for status in set(Status) - {Status.OK}:
         struct = _abi.fairmesh_error(status, 0, _abi.NO_ELEMENT, _abi.NO_ELEMENT, b"why")
         error = error_of("fairmesh_fair", status, struct)

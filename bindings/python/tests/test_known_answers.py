@@ -35,7 +35,7 @@ def test_float32_is_as_good_as_its_rounding():
 def test_a_cylinder_with_given_normals():
     vertices, faces, free, exact = dented_cylinder()
     normals = exact * [1, 0, 1] / 0.5
-    result = fairmesh.fair(vertices, faces, free=free, normals=normals)
+    result = fairmesh.fair(vertices, faces, free=free, boundary_normals=normals)
     assert result.outcome.is_success
     error = np.abs(np.hypot(result.vertices[:, 0], result.vertices[:, 2]) - 0.5).max()
     assert error < 1e-4 * result.report.diagonal
@@ -44,12 +44,12 @@ def test_a_cylinder_with_given_normals():
 
 @pytest.mark.parametrize("angle", [20.0, 45.0])
 def test_given_normals_turn_a_disc_into_a_cap(angle):
-    # The unit circle with normals tilted outward by an angle is the boundary of a sphere's cap of radius 1 / sin(angle).
+    # The unit circle with normals tilted outward by an angle is the boundary of a cap of radius 1 / sin(angle).
     vertices, faces, free, _ = disc()
     boundary = np.flatnonzero(~free)
     tilt = np.radians(angle)
     vectors = vertices[boundary] * np.sin(tilt) + [0, 0, np.cos(tilt)]
-    result = fairmesh.fair(vertices, faces, normals=(boundary, vectors))
+    result = fairmesh.fair(vertices, faces, boundary_normals=(boundary, vectors))
     assert result.outcome.is_success
     centre = [0, 0, -1 / np.tan(tilt)]
     assert off_sphere(result.vertices - centre, 1 / np.sin(tilt)) < 1e-7
@@ -57,7 +57,7 @@ def test_given_normals_turn_a_disc_into_a_cap(angle):
     for nothing in (np.nan, 0.0):
         rows = np.full(vertices.shape, nothing)
         rows[boundary] = vectors
-        assert np.array_equal(fairmesh.fair(vertices, faces, normals=rows).vertices, result.vertices)
+        assert np.array_equal(fairmesh.fair(vertices, faces, boundary_normals=rows).vertices, result.vertices)
         assert np.isnan(rows).any() == np.isnan(nothing)
     assert np.array_equal(result.boundary_vertices, boundary)
     assert np.abs(result.boundary_normals - vectors).max() < 1e-12
@@ -66,15 +66,15 @@ def test_given_normals_turn_a_disc_into_a_cap(angle):
 def test_some_normals_given_the_others_fitted():
     vertices, faces, free, exact = dented_sphere()
     boundary = fairmesh.fair(vertices, faces, free=free).boundary_vertices
-    result = fairmesh.fair(vertices, faces, free=free, normals=(boundary[::2], exact[boundary[::2]]))
+    result = fairmesh.fair(vertices, faces, free=free, boundary_normals=(boundary[::2], exact[boundary[::2]]))
     assert off_sphere(result.vertices) < 1e-8
     assert np.abs(result.boundary_normals[::2] - exact[boundary[::2]]).max() < 1e-15
 
 
 def test_averaged_normals_are_worse_than_fitted_ones():
     vertices, faces, free, _ = dented_sphere()
-    averaged = fairmesh.fair(vertices, faces, free=free, normals="averaged")
-    fitted = fairmesh.fair(vertices, faces, free=free, normals="fitted")
+    averaged = fairmesh.fair(vertices, faces, free=free, boundary_normals="averaged")
+    fitted = fairmesh.fair(vertices, faces, free=free, boundary_normals="fitted")
     assert off_sphere(fitted.vertices) < 1e-8 < 1e-5 < off_sphere(averaged.vertices) < 0.05
 
 
@@ -82,16 +82,20 @@ def test_a_positive_target_pushes_along_the_normals():
     vertices, faces, free, _ = disc()
     boundary = np.flatnonzero(~free)
     up = np.tile([0.0, 0.0, 1.0], (len(boundary), 1))
-    flat = fairmesh.fair(vertices, faces, normals=(boundary, up))
+    flat = fairmesh.fair(vertices, faces, boundary_normals=(boundary, up))
     assert np.abs(flat.vertices[:, 2]).max() < 1e-12
-    out = fairmesh.fair(vertices, faces, normals=(boundary, up), target=1.0)
+    out = fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target=1.0)
     # Small heights: the clamped plate, Delta^2 z = 2 c, so that z = 2 c (1 - r^2)^2 / 64 with Delta_B H = c and
     # H = Delta z / 2.
     assert out.outcome.is_success
     assert abs(out.vertices[0, 2]) == pytest.approx(2 / 64, rel=0.05)
     assert out.vertices[0, 2] > 0
-    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(boundary, up), target=0.0).vertices, flat.vertices)
-    assert np.array_equal(fairmesh.fair(vertices, faces, normals=(boundary, up), target="harmonic").vertices, flat.vertices)
+    assert np.array_equal(
+        fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target=0.0).vertices, flat.vertices
+    )
+    assert np.array_equal(
+        fairmesh.fair(vertices, faces, boundary_normals=(boundary, up), target="harmonic").vertices, flat.vertices
+    )
 
 
 def test_spheres_have_minimal_energy():

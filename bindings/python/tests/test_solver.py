@@ -37,17 +37,17 @@ def test_steps_find_what_one_call_finds(dtype):
 
 def test_changes_in_between():
     vertices, faces, free, exact = dented_sphere()
-    with fairmesh.Solver(vertices, faces, free=free, normals="averaged", threads=1) as solver:
+    with fairmesh.Solver(vertices, faces, free=free, boundary_normals="averaged", threads=1) as solver:
         solver.run()
         assert off_sphere(solver.vertices) > 1e-5
-        solver.set_normals(exact)
+        solver.set_boundary_normals(exact)
         assert solver.run().outcome.is_success
         assert off_sphere(solver.vertices) < 1e-7
         solver.set_target(-20.0)
         assert solver.run().outcome.is_success
         assert np.linalg.norm(solver.vertices[free], axis=1).min() < 1 - 1e-4
         solver.set_target("harmonic")
-        solver.set_normals("fitted")
+        solver.set_boundary_normals("fitted")
         assert solver.run().outcome.is_success
         assert off_sphere(solver.vertices) < 1e-7
 
@@ -56,12 +56,12 @@ def test_errors_of_a_solver():
     vertices, faces, free, exact = dented_sphere()
     with fairmesh.Solver(vertices, faces, free=free) as solver:
         with pytest.raises(ValueError, match="normals: 440 rows, but 441 are needed"):
-            solver.set_normals(exact[1:])
+            solver.set_boundary_normals(exact[1:])
         wrong = exact.copy()
         boundary = int(solver.result().boundary_vertices[3])
         wrong[boundary] *= 2
         with pytest.raises(fairmesh.InputError) as error:
-            solver.set_normals(wrong)
+            solver.set_boundary_normals(wrong)
         assert (error.value.status, error.value.element) == (fairmesh.Status.BAD_NORMAL, boundary)
         with pytest.raises(ValueError, match="target: 'flat' is neither"):
             solver.set_target("flat")

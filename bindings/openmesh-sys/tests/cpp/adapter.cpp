@@ -333,7 +333,7 @@ void normals() {
             for (std::size_t k = 0; k < 3; k++) mesh.property(property, v)[k] = static_cast<typename Vector::value_type>(p[k]);
         }
         fairmesh::openmesh_options options;
-        options.boundary_normals = name;
+        options.boundary_normals_property = name;
         auto report = fairmesh::fair(mesh, options);
         CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
         return off_sphere(mesh);
@@ -347,7 +347,7 @@ void normals() {
     zero.add_property(property, "mine");
     for (auto v : zero.vertices()) zero.property(property, v) = OpenMesh::Vec3d(0, 0, 0);
     fairmesh::openmesh_options options;
-    options.boundary_normals = "mine";
+    options.boundary_normals_property = "mine";
     auto fitted = selected_cap<Doubles>();
     fairmesh::fair(fitted);
     fairmesh::fair(zero, options);
@@ -362,7 +362,7 @@ void normals() {
     } catch (const fairmesh::error &e) {
         CHECK(e.status() == FAIRMESH_STATUS_BAD_NORMAL && e.detail().element == std::uint64_t(bad.idx()));
     }
-    options.boundary_normals = "nowhere";
+    options.boundary_normals_property = "nowhere";
     try {
         fairmesh::fair(zero, options);
         CHECK(false);

@@ -4,24 +4,14 @@ from __future__ import annotations
 
 from . import _abi
 from ._curvature import mean_curvature
-from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError, Status
+from ._enums import FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
+from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
-from ._holes import (
-    Filled,
-    FillOutcome,
-    FillReason,
-    Loop,
-    LoopKind,
-    LoopReport,
-    Remeshed,
-    boundary_loops,
-    fill_holes,
-    remesh,
-)
+from ._holes import Filled, Loop, LoopReport, Remeshed, boundary_loops, fill_holes, remesh
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Level, Outcome, Report
+from ._reports import Level, Report
 
 __all__ = [
     "ElementKind",
@@ -36,6 +26,7 @@ __all__ = [
     "Loop",
     "LoopKind",
     "LoopReport",
+    "LooseReason",
     "Monitor",
     "OutOfMemoryError",
     "Outcome",

@@ -1,6 +1,6 @@
 """The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
 
-``tests/test_abi.py`` compares this file with the header, and the layouts with what a C compiler makes of it.
+Made of src/capi by tests/capi/python.rs: do not edit.
 """
 
 from __future__ import annotations
@@ -21,30 +21,95 @@ from ctypes import (
 )
 from typing import Any
 
-from ._status import Status
-
 NO_ELEMENT = 2**64 - 1
 VERSION_MAJOR = 0
 VERSION_MINOR = 1
 VERSION_PATCH = 0
 
-fairmesh_status = Status
+
+class fairmesh_status(enum.IntEnum):
+    OK = 0
+    NULL_POINTER = 1
+    MISALIGNED = 2
+    BAD_STRUCT_SIZE = 3
+    BAD_OPTION = 4
+    BAD_ENUM = 5
+    BAD_STRIDE = 6
+    COUNT_OVERFLOW = 7
+    COUNT_MISMATCH = 8
+    ALIASING = 9
+    BAD_HANDLE = 10
+    BUSY = 11
+    OUT_OF_MEMORY = 12
+    THREADS = 13
+    TOO_LARGE = 14
+    NOT_FINITE = 15
+    INDEX_OUT_OF_RANGE = 16
+    REPEATED_INDEX = 17
+    DUPLICATE_TRIANGLE = 18
+    NON_MANIFOLD_EDGE = 19
+    NON_MANIFOLD_VERTEX = 20
+    INCONSISTENT_ORIENTATION = 21
+    FREE_VERTEX_ON_BOUNDARY = 22
+    FREE_VERTEX_WITHOUT_TRIANGLE = 23
+    NOTHING_FIXED = 24
+    EMPTY_REGION = 25
+    SELECTION_OUT_OF_RANGE = 26
+    BAD_NORMAL = 27
+    NO_NORMAL = 28
+    NOT_AVAILABLE = 29
+    BUFFER_TOO_SMALL = 30
+    BAD_RESERVED = 31
+    INTERNAL = 99
 
 
-class fairmesh_scalar(enum.IntEnum):
-    FLOAT32 = 1
-    FLOAT64 = 2
+class fairmesh_outcome(enum.IntEnum):
+    CONVERGED = 0
+    CONVERGED_POOR_TRIANGLES = 1
+    CONVERGED_LOOSELY = 2
+    NORMALS_NOT_REACHABLE = 3
+    TARGET_NOT_REACHABLE = 4
+    NOT_CONVERGED = 5
+    ITERATION_LIMIT = 6
+    CANCELLED = 7
 
 
-class fairmesh_selection_kind(enum.IntEnum):
-    INTERIOR = 0
-    FREE_MASK = 1
-    FIXED_MASK = 2
-    FREE_VERTICES = 3
-    FACES = 4
+class fairmesh_loose_reason(enum.IntEnum):
+    NONE = 0
+    SUSPICIOUS_NORMALS = 1
+    ROUNDING = 2
+    FIRST_ORDER_CURVATURE = 3
+    BUMP = 4
 
 
-class fairmesh_normals_kind(enum.IntEnum):
+class fairmesh_fill_outcome(enum.IntEnum):
+    FAIRED = 0
+    LINEAR = 1
+    FLAT = 2
+    LEFT_OPEN = 3
+
+
+class fairmesh_fill_reason(enum.IntEnum):
+    NONE = 0
+    NON_MANIFOLD = 1
+    OUTER_BOUNDARY = 2
+    TOO_MANY_EDGES = 3
+    NO_TRIANGULATION = 4
+    NOT_FINITE = 5
+    CANCELLED = 6
+    NOT_ASKED = 32
+    NO_INNER_VERTEX = 33
+    REFUSED = 34
+    UNSOUND = 35
+
+
+class fairmesh_loop_kind(enum.IntEnum):
+    HOLE = 0
+    OUTER_BOUNDARY = 1
+    NON_MANIFOLD = 2
+
+
+class fairmesh_boundary_normals_kind(enum.IntEnum):
     FITTED = 0
     AVERAGED = 1
     GIVEN = 2
@@ -83,46 +148,26 @@ class fairmesh_estimate(enum.IntEnum):
     CONJUGATE_GRADIENTS = 2
 
 
-class fairmesh_outcome(enum.IntEnum):
-    CONVERGED = 0
-    CONVERGED_POOR_TRIANGLES = 1
-    CONVERGED_LOOSELY = 2
-    NORMALS_NOT_REACHABLE = 3
-    TARGET_NOT_REACHABLE = 4
-    NOT_CONVERGED = 5
-    ITERATION_LIMIT = 6
-    CANCELLED = 7
-    OTHER = 255
-
-
-class fairmesh_loop_kind(enum.IntEnum):
-    HOLE = 0
-    OUTER_BOUNDARY = 1
-    NON_MANIFOLD = 2
-    OTHER = 255
-
-
-class fairmesh_fill_outcome(enum.IntEnum):
-    FAIRED = 0
-    LINEAR = 1
-    FLAT = 2
-    LEFT_OPEN = 3
-    OTHER = 255
-
-
-class fairmesh_fill_reason(enum.IntEnum):
+class fairmesh_element(enum.IntEnum):
     NONE = 0
-    NON_MANIFOLD = 1
-    OUTER_BOUNDARY = 2
-    TOO_MANY_EDGES = 3
-    NO_TRIANGULATION = 4
-    NOT_FINITE = 5
-    CANCELLED = 6
-    NOT_ASKED = 32
-    NO_INNER_VERTEX = 33
-    REFUSED = 34
-    UNSOUND = 35
-    OTHER = 255
+    VERTEX = 1
+    TRIANGLE = 2
+    EDGE = 3
+    ARGUMENT = 4
+    LOOP = 5
+
+
+class fairmesh_scalar(enum.IntEnum):
+    FLOAT32 = 1
+    FLOAT64 = 2
+
+
+class fairmesh_selection_kind(enum.IntEnum):
+    INTERIOR = 0
+    FREE_MASK = 1
+    FIXED_MASK = 2
+    FREE_VERTICES = 3
+    FACES = 4
 
 
 class fairmesh_result_kind(enum.IntEnum):
@@ -158,16 +203,37 @@ class fairmesh_scalars(enum.IntEnum):
     GAUSSIAN_CURVATURE = 1
 
 
-class fairmesh_element(enum.IntEnum):
-    NONE = 0
-    VERTEX = 1
-    TRIANGLE = 2
-    EDGE = 3
-    ARGUMENT = 4
-    LOOP = 5
+class fairmesh_error(Structure):
+    _fields_ = (
+        ("status", c_int32),
+        ("element_kind", c_uint32),
+        ("element", c_uint64),
+        ("other", c_uint64),
+        ("message", c_char * 232),
+    )
 
 
 class fairmesh_points(Structure):
+    _fields_ = (
+        ("data", c_void_p),
+        ("count", c_size_t),
+        ("stride", c_size_t),
+        ("scalar", c_uint32),
+        ("reserved", c_uint32),
+    )
+
+
+class fairmesh_points_out(Structure):
+    _fields_ = (
+        ("data", c_void_p),
+        ("count", c_size_t),
+        ("stride", c_size_t),
+        ("scalar", c_uint32),
+        ("reserved", c_uint32),
+    )
+
+
+class fairmesh_scalars_out(Structure):
     _fields_ = (
         ("data", c_void_p),
         ("count", c_size_t),
@@ -185,79 +251,11 @@ class fairmesh_indices(Structure):
     )
 
 
-class fairmesh_normals(Structure):
+class fairmesh_indices_out(Structure):
     _fields_ = (
-        ("kind", c_uint32),
-        ("reserved", c_uint32),
-        ("vectors", fairmesh_points),
-        ("vertices", fairmesh_indices),
-    )
-
-
-class fairmesh_target(Structure):
-    _fields_ = (
-        ("kind", c_uint32),
-        ("reserved", c_uint32),
-        ("constant", c_double),
-    )
-
-
-class fairmesh_progress(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("fraction", c_double),
-        ("iterations", c_uint64),
-        ("step", c_double),
-        ("stage", c_char_p),
-    )
-
-
-fairmesh_progress_fn = CFUNCTYPE(c_int32, POINTER(fairmesh_progress), c_void_p)
-
-
-class fairmesh_options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("inner_fairness", c_uint32),
-        ("normals", fairmesh_normals),
-        ("target", fairmesh_target),
-        ("interior_normals", c_uint32),
-        ("discretization", c_uint32),
-        ("solver", c_uint32),
-        ("threads", c_uint32),
-        ("tolerance", c_double),
-        ("max_iterations", c_uint64),
-        ("progress", fairmesh_progress_fn),
-        ("user_data", c_void_p),
-        ("paper_estimate", c_uint32),
-        ("paper_estimate_iterations", c_uint32),
-        ("paper_damping", c_double),
-        ("paper_levels", c_uint64),
-        ("paper_base", c_uint64),
-        ("paper_defect", c_double),
-        ("paper_laplacian", c_double),
-        ("paper_max_updates", c_uint64),
-    )
-
-
-class fairmesh_fill_options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("fair", c_uint32),
-        ("max_edges", c_uint64),
-        ("loops", fairmesh_indices),
-        ("density", c_double),
-        ("max_new_vertices", c_uint64),
-    )
-
-
-class fairmesh_remesh_options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("density", c_double),
-        ("max_vertices", c_uint64),
+        ("data", c_void_p),
+        ("count", c_size_t),
+        ("stride", c_size_t),
     )
 
 
@@ -280,13 +278,20 @@ class fairmesh_selection(Structure):
     )
 
 
-class fairmesh_points_out(Structure):
+class fairmesh_boundary_normals(Structure):
     _fields_ = (
-        ("data", c_void_p),
-        ("count", c_size_t),
-        ("stride", c_size_t),
-        ("scalar", c_uint32),
+        ("kind", c_uint32),
         ("reserved", c_uint32),
+        ("vectors", fairmesh_points),
+        ("vertices", fairmesh_indices),
+    )
+
+
+class fairmesh_target(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("reserved", c_uint32),
+        ("constant", c_double),
     )
 
 
@@ -294,14 +299,15 @@ class fairmesh_report(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
         ("outcome", c_uint32),
+        ("loose_reason", c_uint32),
+        ("linear_surface", c_uint32),
         ("iterations", c_uint64),
         ("defect", c_double),
         ("step", c_double),
         ("diagonal", c_double),
         ("reached", c_double),
         ("free_vertices", c_uint64),
-        ("linear_surface", c_uint32),
-        ("level_count", c_uint32),
+        ("level_count", c_uint64),
         ("fallback_weights", c_uint64),
         ("poor_triangle_count", c_uint64),
         ("flipped_count", c_uint64),
@@ -320,40 +326,6 @@ class fairmesh_report(Structure):
         ("seconds_iterate", c_double),
         ("seconds_quality", c_double),
         ("seconds_total", c_double),
-        ("reason", c_char * 160),
-    )
-
-
-class fairmesh_error(Structure):
-    _fields_ = (
-        ("status", c_int32),
-        ("element_kind", c_uint32),
-        ("element", c_uint64),
-        ("other", c_uint64),
-        ("message", c_char * 232),
-    )
-
-
-class fairmesh_scalars_out(Structure):
-    _fields_ = (
-        ("data", c_void_p),
-        ("count", c_size_t),
-        ("stride", c_size_t),
-        ("scalar", c_uint32),
-        ("reserved", c_uint32),
-    )
-
-
-class fairmesh_info(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("kind", c_uint32),
-        ("vertex_count", c_uint64),
-        ("triangle_count", c_uint64),
-        ("new_vertex_count", c_uint64),
-        ("new_triangle_count", c_uint64),
-        ("loop_count", c_uint64),
-        ("boundary_vertex_count", c_uint64),
     )
 
 
@@ -402,23 +374,118 @@ class fairmesh_fill_report(Structure):
     )
 
 
-class fairmesh_indices_out(Structure):
+class fairmesh_info(Structure):
     _fields_ = (
-        ("data", c_void_p),
-        ("count", c_size_t),
-        ("stride", c_size_t),
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("vertex_count", c_uint64),
+        ("triangle_count", c_uint64),
+        ("new_vertex_count", c_uint64),
+        ("new_triangle_count", c_uint64),
+        ("loop_count", c_uint64),
+        ("boundary_vertex_count", c_uint64),
+    )
+
+
+class fairmesh_progress(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("fraction", c_double),
+        ("iterations", c_uint64),
+        ("step", c_double),
+        ("stage", c_char_p),
+    )
+
+
+fairmesh_progress_fn = CFUNCTYPE(c_int32, POINTER(fairmesh_progress), c_void_p)
+
+
+class fairmesh_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("inner_fairness", c_uint32),
+        ("boundary_normals", fairmesh_boundary_normals),
+        ("target", fairmesh_target),
+        ("interior_normals", c_uint32),
+        ("discretization", c_uint32),
+        ("solver", c_uint32),
+        ("threads", c_uint32),
+        ("tolerance", c_double),
+        ("max_iterations", c_uint64),
+        ("progress", fairmesh_progress_fn),
+        ("user_data", c_void_p),
+        ("paper_estimate", c_uint32),
+        ("paper_estimate_iterations", c_uint32),
+        ("paper_damping", c_double),
+        ("paper_levels", c_uint64),
+        ("paper_base", c_uint64),
+        ("paper_defect", c_double),
+        ("paper_laplacian", c_double),
+        ("paper_max_updates", c_uint64),
+    )
+
+
+class fairmesh_fill_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("fair", c_uint32),
+        ("max_edges", c_uint64),
+        ("loops", fairmesh_indices),
+        ("density", c_double),
+        ("max_new_vertices", c_uint64),
+    )
+
+
+class fairmesh_remesh_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("density", c_double),
+        ("max_vertices", c_uint64),
     )
 
 
 # A function's name: what it returns, and its parameters. Handles, and arrays in parameters, are plain addresses.
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "fairmesh_status_name": (c_char_p, (c_int32,)),
+    "fairmesh_status_text": (c_char_p, (c_int32,)),
+    "fairmesh_status_remedy": (c_char_p, (c_int32,)),
+    "fairmesh_outcome_name": (c_char_p, (c_uint32,)),
+    "fairmesh_outcome_text": (c_char_p, (c_uint32,)),
+    "fairmesh_outcome_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_name": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_text": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_name": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_text": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_name": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_text": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_remedy": (c_char_p, (c_uint32,)),
     "fairmesh_version": (c_uint32, ()),
     "fairmesh_version_string": (c_char_p, ()),
-    "fairmesh_status_name": (c_char_p, (c_int32,)),
-    "fairmesh_outcome_name": (c_char_p, (c_uint32,)),
-    "fairmesh_options_init": (c_int32, (POINTER(fairmesh_options), c_size_t)),
-    "fairmesh_fill_options_init": (c_int32, (POINTER(fairmesh_fill_options), c_size_t)),
-    "fairmesh_remesh_options_init": (c_int32, (POINTER(fairmesh_remesh_options), c_size_t)),
+    "fairmesh_options_init": (
+        c_int32,
+        (
+            POINTER(fairmesh_options),
+            c_size_t,
+        ),
+    ),
+    "fairmesh_fill_options_init": (
+        c_int32,
+        (
+            POINTER(fairmesh_fill_options),
+            c_size_t,
+        ),
+    ),
+    "fairmesh_remesh_options_init": (
+        c_int32,
+        (
+            POINTER(fairmesh_remesh_options),
+            c_size_t,
+        ),
+    ),
     "fairmesh_fair": (
         c_int32,
         (
@@ -433,7 +500,11 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     ),
     "fairmesh_mean_curvature": (
         c_int32,
-        (POINTER(fairmesh_mesh), POINTER(fairmesh_scalars_out), POINTER(fairmesh_error)),
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_scalars_out),
+            POINTER(fairmesh_error),
+        ),
     ),
     "fairmesh_solver_new": (
         c_int32,
@@ -445,15 +516,72 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
-    "fairmesh_solver_run": (c_int32, (c_void_p, c_uint64, POINTER(fairmesh_report), POINTER(fairmesh_error))),
-    "fairmesh_solver_set_normals": (c_int32, (c_void_p, POINTER(fairmesh_normals), POINTER(fairmesh_error))),
-    "fairmesh_solver_set_target": (c_int32, (c_void_p, POINTER(fairmesh_target), POINTER(fairmesh_error))),
-    "fairmesh_solver_positions": (c_int32, (c_void_p, POINTER(fairmesh_points_out), POINTER(fairmesh_error))),
-    "fairmesh_solver_mean_curvature": (c_int32, (c_void_p, POINTER(fairmesh_scalars_out), POINTER(fairmesh_error))),
-    "fairmesh_solver_report": (c_int32, (c_void_p, POINTER(fairmesh_report), POINTER(fairmesh_error))),
-    "fairmesh_solver_result": (c_int32, (c_void_p, POINTER(c_void_p), POINTER(fairmesh_error))),
+    "fairmesh_solver_run": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_set_boundary_normals": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_boundary_normals),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_set_target": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_target),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_positions": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_points_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_mean_curvature": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_scalars_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_report": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_result": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_solver_free": (c_int32, (c_void_p,)),
-    "fairmesh_boundary_loops": (c_int32, (POINTER(fairmesh_mesh), POINTER(c_void_p), POINTER(fairmesh_error))),
+    "fairmesh_boundary_loops": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_fill_holes": (
         c_int32,
         (
@@ -474,21 +602,95 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
-    "fairmesh_result_info": (c_int32, (c_void_p, POINTER(fairmesh_info), POINTER(fairmesh_error))),
-    "fairmesh_result_report": (c_int32, (c_void_p, c_uint64, POINTER(fairmesh_report), POINTER(fairmesh_error))),
-    "fairmesh_result_level": (c_int32, (c_void_p, c_uint64, POINTER(fairmesh_level), POINTER(fairmesh_error))),
-    "fairmesh_result_loop": (c_int32, (c_void_p, c_uint64, POINTER(fairmesh_loop), POINTER(fairmesh_error))),
+    "fairmesh_result_info": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_info),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_report": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_level": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_level),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_loop": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_loop),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_result_fill_report": (
         c_int32,
-        (c_void_p, c_uint64, POINTER(fairmesh_fill_report), POINTER(fairmesh_error)),
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_fill_report),
+            POINTER(fairmesh_error),
+        ),
     ),
-    "fairmesh_result_positions": (c_int32, (c_void_p, POINTER(fairmesh_points_out), POINTER(fairmesh_error))),
-    "fairmesh_result_triangles": (c_int32, (c_void_p, POINTER(fairmesh_indices_out), POINTER(fairmesh_error))),
-    "fairmesh_result_scalars": (c_int32, (c_void_p, c_uint32, POINTER(fairmesh_scalars_out), POINTER(fairmesh_error))),
-    "fairmesh_result_vectors": (c_int32, (c_void_p, c_uint32, POINTER(fairmesh_points_out), POINTER(fairmesh_error))),
+    "fairmesh_result_positions": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_points_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_triangles": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_indices_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_scalars": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint32,
+            POINTER(fairmesh_scalars_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_vectors": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint32,
+            POINTER(fairmesh_points_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_result_list": (
         c_int32,
-        (c_void_p, c_uint32, c_uint64, c_void_p, c_size_t, POINTER(c_size_t), POINTER(fairmesh_error)),
+        (
+            c_void_p,
+            c_uint32,
+            c_uint64,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(fairmesh_error),
+        ),
     ),
     "fairmesh_result_free": (c_int32, (c_void_p,)),
 }

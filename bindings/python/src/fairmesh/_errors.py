@@ -8,8 +8,8 @@ import re
 from typing import Any, NoReturn
 
 from . import _abi
+from ._enums import Status
 from ._library import Library
-from ._status import Status
 
 __all__ = [
     "ElementKind",
@@ -60,6 +60,16 @@ class FairmeshError(Exception):
         self.other = other
         self.argument = argument
 
+    @property
+    def option(self) -> str | None:
+        """The name of the option that is out of its range, or None."""
+        return self.argument if self.status in (Status.BAD_OPTION, Status.BAD_ENUM) else None
+
+    @property
+    def remedy(self) -> str:
+        """What can be done about it: English, begins in lower case; empty if there is nothing to do."""
+        return self.status.remedy
+
 
 class InputError(FairmeshError, ValueError):
     """The mesh, the selection, a normal or an option is wrong."""
@@ -93,7 +103,7 @@ _INPUT = {
 _KNOWN = {int(member): member for member in Status}
 _KINDS = {int(member): ElementKind[member.name] for member in _abi.fairmesh_element}
 # C structs and fields that are called otherwise in Python.
-_C_ARGUMENT = re.compile(r"^argument \d+(, field at offset \d+)?: ")
+_C_ARGUMENT = re.compile(r"^argument \d+(, [\w.]+)?: ")
 _NAMES = {"positions": "vertices", "triangles": "faces"}
 
 
@@ -113,7 +123,7 @@ def error_of(name: str, status: int, why: _abi.fairmesh_error) -> FairmeshError:
     other = None if why.other == _abi.NO_ELEMENT else why.other
     message = why.message.decode("utf-8", "replace")
     if not message:
-        message = f"unknown status {status}" if status not in _KNOWN else known.name.replace("_", " ").lower()
+        message = f"unknown status {status}" if status not in _KNOWN else known.text
     argument = None
     if kind is ElementKind.ARGUMENT and element is not None:
         # Numbers of C arguments and offsets of fields say nothing to Python programs.

@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import FairmeshError, Status, call
+from ._enums import Outcome, Status
+from ._errors import FairmeshError, call
 from ._handles import ResultHandle, sized
 from ._library import Library, load
 from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
-from ._reports import Level, Outcome, Report, report_of
+from ._reports import Level, Report, report_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -136,8 +137,8 @@ def fair(
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
             run before the next iteration, with the outcome CANCELLED.
-        **options: How fairing is done: normals, target, tolerance, threads, ..., see `FairingOptions`. None is the
-            default.
+        **options: How fairing is done: boundary_normals, target, tolerance, threads, ..., see `FairingOptions`. None is
+            the default.
 
     Returns:
         `Result`: the vertices in the type given, the report, curvatures and lists.
@@ -242,10 +243,10 @@ class Solver:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
         return report_of(report)
 
-    def set_normals(self, normals: Normals) -> None:
-        """Asks for other boundary normals from now on, given as in `fair`. The next run starts at the surface at hand."""
+    def set_boundary_normals(self, normals: Normals) -> None:
+        """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
-        self._call("fairmesh_solver_set_normals", ctypes.byref(view.struct))
+        self._call("fairmesh_solver_set_boundary_normals", ctypes.byref(view.struct))
 
     def set_target(self, target: Target) -> None:
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""

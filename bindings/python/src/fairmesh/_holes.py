@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import Status, call
+from ._enums import FillOutcome, FillReason, LoopKind, Status
+from ._errors import call
 from ._handles import ResultHandle, sized
 from ._library import load
 from ._options import Options, initial, real, whole, with_options
@@ -25,73 +25,6 @@ if TYPE_CHECKING:
     from ._options import FairingOptions
 
 _lists = _abi.fairmesh_list
-
-
-class LoopKind(str, Enum):
-    """What kind of gap a boundary loop is."""
-
-    #: A gap in the surface.
-    HOLE = "hole"
-    #: The outer boundary of an open surface. Filled only if it is named.
-    OUTER_BOUNDARY = "outer_boundary"
-    #: It meets a bad edge. Never filled.
-    NON_MANIFOLD = "non_manifold"
-    OTHER = "other"
-
-    def __str__(self) -> str:
-        return self.value
-
-
-class FillOutcome(str, Enum):
-    """How the filling of a loop ended."""
-
-    #: Filled with a faired surface; its report says with which reservations.
-    FAIRED = "faired"
-    #: Filled with the surface of the linear problem, or the best one when the iterations ran out.
-    LINEAR = "linear"
-    #: Filled with the triangulation, refined, but not faired; ``reason`` says why.
-    FLAT = "flat"
-    #: Left as it was; ``reason`` says why.
-    LEFT_OPEN = "left_open"
-    OTHER = "other"
-
-    def __str__(self) -> str:
-        return self.value
-
-
-class FillReason(str, Enum):
-    """Why a patch is flat or a loop open."""
-
-    NONE = "none"
-    #: Open: the loop runs into a bad edge.
-    NON_MANIFOLD = "non_manifold"
-    #: Open: the loop encloses the mesh and was not named.
-    OUTER_BOUNDARY = "outer_boundary"
-    #: Open: the loop has more than ``max_edges``.
-    TOO_MANY_EDGES = "too_many_edges"
-    #: Open: every triangulation has an edge or triangle that the mesh has already.
-    NO_TRIANGULATION = "no_triangulation"
-    #: Open: a vertex is NaN or infinite, or all are the same point.
-    NOT_FINITE = "not_finite"
-    #: Open: it was cancelled before.
-    CANCELLED = "cancelled"
-    #: Flat: ``fair`` was False.
-    NOT_ASKED = "not_asked"
-    #: Flat: the patch has no inner vertex.
-    NO_INNER_VERTEX = "no_inner_vertex"
-    #: Flat: the fairing was refused with ``refused``.
-    REFUSED = "refused"
-    #: Flat: the fairing found no sound surface; the report says how.
-    UNSOUND = "unsound"
-    OTHER = "other"
-
-    def __str__(self) -> str:
-        return self.value
-
-
-def _named(numbers: Any, names: Any, number: int) -> Any:
-    known = {member.value: names[member.name] for member in numbers}
-    return known.get(number, names.OTHER)
 
 
 @dataclass(frozen=True)
@@ -130,7 +63,7 @@ def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
 def _loop(handle: ResultHandle, index: int) -> Loop:
     loop = sized(_abi.fairmesh_loop)
     handle.read("fairmesh_result_loop", index, ctypes.byref(loop))
-    kind = _named(_abi.fairmesh_loop_kind, LoopKind, loop.kind)
+    kind = LoopKind.of(loop.kind)
     return Loop(
         kind,
         handle.list(_lists.LOOP_VERTICES, index),
@@ -150,11 +83,11 @@ class LoopReport:
         handle.read("fairmesh_result_fill_report", index, ctypes.byref(struct))
         self._handle = handle
         self._index = index
-        self.outcome: FillOutcome = _named(_abi.fairmesh_fill_outcome, FillOutcome, struct.outcome)
+        self.outcome: FillOutcome = FillOutcome.of(struct.outcome)
         #: Why it is flat or open.
-        self.reason: FillReason = _named(_abi.fairmesh_fill_reason, FillReason, struct.reason)
+        self.reason: FillReason = FillReason.of(struct.reason)
         #: The status that the fairing was refused with, or None.
-        self.refused: Status | None = Status(struct.refused_status) if struct.refused_status else None
+        self.refused: Status | None = Status.of(struct.refused_status) if struct.refused_status else None
         #: The loop, as `boundary_loops` numbers it.
         self.loop_index: int = struct.loop_index
         self.edge_count: int = struct.edge_count

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import Status, error_of
+from ._enums import Status
+from ._errors import error_of
 from ._library import Library, load
 
 if TYPE_CHECKING:
@@ -31,10 +32,10 @@ class FairingOptions(TypedDict, total=False):
     """How fairing is done: the keywords that `fair`, `fill_holes` and `Solver` have in common. None is the default.
 
     Keywords:
-        normals: Unit normals at the boundary of the region, pointing to the side that faces are counter-clockwise
-            seen from: "fitted" (default) to second order to the surface outside; "averaged" over the faces outside;
-            an array (n, 3), one row per vertex, zeros or NaN where none is given; or a pair (indices (k,), vectors
-            (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
+        boundary_normals: Unit normals at the boundary of the region, pointing to the side that faces are
+            counter-clockwise seen from: "fitted" (default) to second or third order to the surface outside;
+            "averaged" over the faces outside; an array (n, 3), one row per vertex, zeros or NaN where none is given; or
+            a pair (indices (k,), vectors (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
         target: The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3, a
             positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
         inner_fairness: How vertices are distributed within the surface: "uniform" (default), evenly; "conformal",
@@ -61,7 +62,7 @@ class FairingOptions(TypedDict, total=False):
         paper_max_updates: At most this many updates on all levels. Default 20000.
     """
 
-    normals: Normals | None
+    boundary_normals: Normals | None
     target: Target | None
     inner_fairness: InnerFairness | None
     interior_normals: InteriorNormals | None
@@ -170,9 +171,9 @@ class Options:
                 self._set(name, value, vertex_count)
 
     def _set(self, name: str, value: Any, vertex_count: int) -> None:
-        if name == "normals":
+        if name == "boundary_normals":
             self.alive = NormalsView(value, vertex_count)
-            self.struct.normals = self.alive.struct
+            self.struct.boundary_normals = self.alive.struct
         elif name == "target":
             self.struct.target = target_struct(value)
         elif name in _NAMED:
@@ -206,20 +207,20 @@ class NormalsView:
     """Boundary normals, as the library reads them. Keeps the arrays alive."""
 
     def __init__(self, given: Normals, vertex_count: int) -> None:
-        kinds = _abi.fairmesh_normals_kind
+        kinds = _abi.fairmesh_boundary_normals_kind
         self.vectors: NDArray[Any] | None = None
         self.indices: NDArray[np.uint32] | None = None
         if isinstance(given, str):
             if given not in ("fitted", "averaged"):
-                raise ValueError(f"normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
-            self.struct = _abi.fairmesh_normals(kinds[given.upper()], 0)
+                raise ValueError(f"boundary_normals: {given!r} is neither 'fitted' nor 'averaged' nor an array")
+            self.struct = _abi.fairmesh_boundary_normals(kinds[given.upper()], 0)
             return
         if isinstance(given, tuple) and len(given) == 2:
-            self.indices = _arrays.indices(given[0], "normals")
-            self.vectors = _arrays.points(given[1], "normals", rows=len(self.indices))
+            self.indices = _arrays.indices(given[0], "boundary_normals")
+            self.vectors = _arrays.points(given[1], "boundary_normals", rows=len(self.indices))
         else:
-            self.vectors = _none_as_zero(_arrays.points(given, "normals", rows=vertex_count))
-        self.struct = _abi.fairmesh_normals(kinds.GIVEN, 0, _arrays.points_view(self.vectors))
+            self.vectors = _none_as_zero(_arrays.points(given, "boundary_normals", rows=vertex_count))
+        self.struct = _abi.fairmesh_boundary_normals(kinds.GIVEN, 0, _arrays.points_view(self.vectors))
         if self.indices is not None:
             self.struct.vertices = _arrays.indices_view(self.indices)
 
@@ -240,7 +241,7 @@ def default_options() -> FairingOptions:
     """
     struct = initial(load(), "fairmesh_options_init", _abi.fairmesh_options)
     options: dict[str, Any] = {
-        "normals": _abi.fairmesh_normals_kind(struct.normals.kind).name.lower(),
+        "boundary_normals": _abi.fairmesh_boundary_normals_kind(struct.boundary_normals.kind).name.lower(),
         "target": _abi.fairmesh_target_kind(struct.target.kind).name.lower(),
     }
     for name in FairingOptions.__annotations__:

@@ -3,46 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 from . import _abi
-
-
-class Outcome(str, Enum):
-    """How a fairing ended. The positions are usable in every case."""
-
-    #: Tolerance met, and the surface is sound: the only case without reservation.
-    CONVERGED = "converged"
-    #: Tolerance met, but triangles are flipped or have an angle below one degree (``poor_triangles``).
-    CONVERGED_POOR_TRIANGLES = "converged_poor_triangles"
-    #: A sound surface with a reservation, told in ``reason``.
-    CONVERGED_LOOSELY = "converged_loosely"
-    #: No surface with these boundary normals was found; the surface of the linear problem is returned.
-    NORMALS_NOT_REACHABLE = "normals_not_reachable"
-    #: A surface was found for the part ``reached`` of the target only; that of the linear problem is returned.
-    TARGET_NOT_REACHABLE = "target_not_reachable"
-    #: No sound surface was found; that of the linear problem is returned.
-    NOT_CONVERGED = "not_converged"
-    #: The iterations ran out; the best surface so far is returned.
-    ITERATION_LIMIT = "iteration_limit"
-    #: It was cancelled; the best surface so far is returned, before there is one the input.
-    CANCELLED = "cancelled"
-    #: An outcome that this version of the package does not know.
-    OTHER = "other"
-
-    @property
-    def is_success(self) -> bool:
-        """Converged, with or without reservation."""
-        return self in (Outcome.CONVERGED, Outcome.CONVERGED_POOR_TRIANGLES, Outcome.CONVERGED_LOOSELY)
-
-    def __str__(self) -> str:
-        return self.value
-
-
-def outcome_of(number: int) -> Outcome:
-    """The outcome with the library's number."""
-    known = {member.value: Outcome[member.name] for member in _abi.fairmesh_outcome}
-    return known.get(number, Outcome.OTHER)
+from ._enums import LooseReason, Outcome
 
 
 @dataclass(frozen=True)
@@ -93,21 +56,35 @@ class Report:
     #: The figures of this report.
     seconds_quality: float
     seconds_total: float
-    #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise empty. English.
-    reason: str
+    #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
+    loose_reason: LooseReason
+
+    @property
+    def text(self) -> str:
+        """What the outcome means, or its reason: English, begins in lower case, ends without a full stop."""
+        return self._telling.text
+
+    @property
+    def remedy(self) -> str:
+        """What can be done about it, written like the text; empty if there is nothing to do."""
+        return self._telling.remedy
+
+    @property
+    def _telling(self) -> Outcome | LooseReason:
+        return self.loose_reason if self.outcome is Outcome.CONVERGED_LOOSELY else self.outcome
 
 
 def report_of(struct: _abi.fairmesh_report) -> Report:
     """The library's report."""
     fields = {name: getattr(struct, name) for name in Report.__dataclass_fields__}
     fields.update(
-        outcome=outcome_of(struct.outcome),
+        outcome=Outcome.of(struct.outcome),
         linear_surface=bool(struct.linear_surface),
         worst_triangle=element_or_none(struct.worst_triangle),
         normal_deviation_vertex=element_or_none(struct.normal_deviation_vertex),
         h_inside=tuple(struct.h_inside),
         h_boundary=tuple(struct.h_boundary),
-        reason=struct.reason.decode("utf-8", "replace"),
+        loose_reason=LooseReason.of(struct.loose_reason),
     )
     return Report(**fields)
 

@@ -1,0 +1,486 @@
+"""What the library answers with. Made of the library's tables by tests/capi/python.rs: do not edit."""
+
+# ruff: noqa: E501
+from __future__ import annotations
+
+from ._named import Named, NamedOutcome, Numbered
+
+
+class Status(Numbered):
+    """Whether a call did what it was asked. How a solve ended is another matter, see `Outcome`. After any status but OK no output was written, except for the error."""
+
+    #: Done.
+    OK = (
+        0,
+        "done",
+        "",
+    )
+    #: A pointer is NULL that may not be.
+    NULL_POINTER = (
+        1,
+        "a pointer is NULL that may not be",
+        "",
+    )
+    #: A pointer or a stride does not have the alignment of what it points to.
+    MISALIGNED = (
+        2,
+        "a pointer or a stride does not have the alignment of what it points to",
+        "",
+    )
+    #: Struct_size is not one that this library knows.
+    BAD_STRUCT_SIZE = (
+        3,
+        "struct_size is not one that this library knows",
+        "set it to the size of the struct, or use a library as new as the header",
+    )
+    #: An option is out of its range.
+    BAD_OPTION = (
+        4,
+        "an option is out of its range",
+        "",
+    )
+    #: A number is not one of the enumeration that is meant.
+    BAD_ENUM = (
+        5,
+        "a number is not one of the enumeration that is meant",
+        "",
+    )
+    #: A stride is smaller than what it steps over.
+    BAD_STRIDE = (
+        6,
+        "a stride is smaller than what it steps over",
+        "",
+    )
+    #: A count times its stride exceeds the address space.
+    COUNT_OVERFLOW = (
+        7,
+        "a count times its stride exceeds the address space",
+        "",
+    )
+    #: Two counts differ that have to be the same.
+    COUNT_MISMATCH = (
+        8,
+        "two counts differ that have to be the same",
+        "",
+    )
+    #: An output overlaps an input or another output.
+    ALIASING = (
+        9,
+        "an output overlaps an input or another output",
+        "only positions may be written over those that were read, with the same address, stride and scalar",
+    )
+    #: Not a living handle of the kind that is meant: never made, or freed before.
+    BAD_HANDLE = (
+        10,
+        "not a living handle of the kind that is meant: never made, or freed before",
+        "",
+    )
+    #: The handle is in use: by another thread, or by the call whose callback this call comes from.
+    BUSY = (
+        11,
+        "the handle is in use: by another thread, or by the call whose callback this call comes from",
+        "wait until that call has returned",
+    )
+    #: Memory ran out; everything that the call had allocated is free again, and a solver stays usable.
+    OUT_OF_MEMORY = (
+        12,
+        "memory ran out; everything that the call had allocated is free again, and a solver stays usable",
+        "select a smaller region, or close other programs",
+    )
+    #: The system gave no more threads.
+    THREADS = (
+        13,
+        "the system gave no more threads",
+        "ask for fewer, or close other programs",
+    )
+    #: More vertices or triangles than 32-bit indices can name.
+    TOO_LARGE = (
+        14,
+        "more vertices or triangles than 32-bit indices can name",
+        "",
+    )
+    #: A coordinate that is needed is NaN or infinite, or does not fit a float on its way out.
+    NOT_FINITE = (
+        15,
+        "a coordinate that is needed is NaN or infinite, or does not fit a float on its way out",
+        "repair the vertex, or choose a region away from it",
+    )
+    #: A triangle names a vertex that does not exist.
+    INDEX_OUT_OF_RANGE = (
+        16,
+        "a triangle names a vertex that does not exist",
+        "repair the mesh",
+    )
+    #: A triangle names a vertex twice.
+    REPEATED_INDEX = (
+        17,
+        "a triangle names a vertex twice",
+        "remove the degenerate triangles first",
+    )
+    #: Two triangles have the same vertices.
+    DUPLICATE_TRIANGLE = (
+        18,
+        "two triangles have the same vertices",
+        "remove the duplicate triangles first",
+    )
+    #: More than two triangles share an edge.
+    NON_MANIFOLD_EDGE = (
+        19,
+        "more than two triangles share an edge",
+        "repair the mesh there, or choose a region away from it",
+    )
+    #: The triangles around a vertex are not one fan.
+    NON_MANIFOLD_VERTEX = (
+        20,
+        "the triangles around a vertex are not one fan",
+        "repair the mesh there, or choose a region away from it",
+    )
+    #: Two triangles run through an edge in the same direction.
+    INCONSISTENT_ORIENTATION = (
+        21,
+        "two triangles run through an edge in the same direction",
+        "orient all triangles coherently first",
+    )
+    #: A free vertex is on the boundary of the mesh.
+    FREE_VERTEX_ON_BOUNDARY = (
+        22,
+        "a free vertex is on the boundary of the mesh",
+        "leave it out of the selection",
+    )
+    #: A free vertex has no triangle.
+    FREE_VERTEX_WITHOUT_TRIANGLE = (
+        23,
+        "a free vertex has no triangle",
+        "leave it out of the selection",
+    )
+    #: A component of the region has no fixed vertex.
+    NOTHING_FIXED = (
+        24,
+        "a component of the region has no fixed vertex",
+        "leave some of its vertices out of the selection",
+    )
+    #: No vertex is free.
+    EMPTY_REGION = (
+        25,
+        "no vertex is free",
+        "select more faces: a vertex is free if all faces around it are selected",
+    )
+    #: The selection names what does not exist.
+    SELECTION_OUT_OF_RANGE = (
+        26,
+        "the selection names what does not exist",
+        "",
+    )
+    #: A normal is not a finite vector of length one (to 0.001).
+    BAD_NORMAL = (
+        27,
+        "a normal is not a finite vector of length one (to 0.001)",
+        "",
+    )
+    #: No normal can be found for a boundary vertex.
+    NO_NORMAL = (
+        28,
+        "no normal can be found for a boundary vertex",
+        "give one",
+    )
+    #: The result has nothing of this kind, or nothing with this index.
+    NOT_AVAILABLE = (
+        29,
+        "the result has nothing of this kind, or nothing with this index",
+        "",
+    )
+    #: The buffer is too small; the size needed has been told.
+    BUFFER_TOO_SMALL = (
+        30,
+        "the buffer is too small; the size needed has been told",
+        "",
+    )
+    #: A number is not what this version asks for: reserved fields have to be zero.
+    BAD_RESERVED = (
+        31,
+        "a number is not what this version asks for: reserved fields have to be zero",
+        "",
+    )
+    #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
+    INTERNAL = (
+        99,
+        "a bug of fairmesh, caught; the handle, if there was one, answers so from now on",
+        "free the handle, and report the bug",
+    )
+
+
+class Outcome(NamedOutcome):
+    """How a run ended that did what it was asked. The positions are usable in every case."""
+
+    #: Tolerance met, and the surface is sound.
+    CONVERGED = (
+        0,
+        "converged",
+        "tolerance met, and the surface is sound",
+        "",
+    )
+    #: Tolerance met, but triangles are flipped or have an angle below one degree.
+    CONVERGED_POOR_TRIANGLES = (
+        1,
+        "converged_poor_triangles",
+        "tolerance met, but triangles are flipped or have an angle below one degree",
+        "look at these triangles; remeshing the region, or uniform inner fairness, usually cures them",
+    )
+    #: Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names.
+    CONVERGED_LOOSELY = (
+        2,
+        "converged_loosely",
+        "tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names",
+        "see the remedy of the reason",
+    )
+    #: No surface with these boundary normals was found; that of the linear problem is returned.
+    NORMALS_NOT_REACHABLE = (
+        3,
+        "normals_not_reachable",
+        "no surface with these boundary normals was found; that of the linear problem is returned",
+        "check the normals of the vertices named (flipped? noise?); try averaged normals, or select more",
+    )
+    #: A surface was found for a part of the target only; that of the linear problem is returned.
+    TARGET_NOT_REACHABLE = (
+        4,
+        "target_not_reachable",
+        "a surface was found for a part of the target only; that of the linear problem is returned",
+        "ask for a smaller constant, or select a smaller region",
+    )
+    #: No sound surface was found; that of the linear problem is returned.
+    NOT_CONVERGED = (
+        5,
+        "not_converged",
+        "no sound surface was found; that of the linear problem is returned",
+        "select more, or remesh the region and try again",
+    )
+    #: The iterations ran out; the best surface so far is returned.
+    ITERATION_LIMIT = (
+        6,
+        "iteration_limit",
+        "the iterations ran out; the best surface so far is returned",
+        "allow more iterations, or fair the result once more",
+    )
+    #: The progress callback stopped the run; the best surface so far is returned, before there is one the input.
+    CANCELLED = (
+        7,
+        "cancelled",
+        "the progress callback stopped the run; the best surface so far is returned, before there is one the input",
+        "run it again, to its end",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )
+
+
+class LooseReason(Named):
+    """What is to be said of a surface that converged loosely."""
+
+    #: There is nothing to say.
+    NONE = (
+        0,
+        "none",
+        "there is nothing to say",
+        "",
+    )
+    #: Boundary normals point against the surface beside them: probably flipped.
+    SUSPICIOUS_NORMALS = (
+        1,
+        "suspicious_normals",
+        "boundary normals point against the surface beside them: probably flipped",
+        "check the suspicious normals that the report names: turn them around, or give none there",
+    )
+    #: Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
+    ROUNDING = (
+        2,
+        "rounding",
+        "max |Delta_B H| is as small as the rounding of the positions allows, but above its limit",
+        "set a larger limit, or move the mesh near to the origin and give it in double precision",
+    )
+    #: The surface holds with the first-order curvature alone.
+    FIRST_ORDER_CURVATURE = (
+        3,
+        "first_order_curvature",
+        "the surface holds with the first-order curvature alone",
+        "the surface is usable; a better mesh of the region usually cures it",
+    )
+    #: The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+    BUMP = (
+        4,
+        "bump",
+        "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
+        "look at it; a larger region, or one with a smoother boundary, usually cures it",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )
+
+
+class FillOutcome(Named):
+    """How the filling of a loop ended."""
+
+    #: Filled with a faired surface; its report says with which reservations.
+    FAIRED = (
+        0,
+        "faired",
+        "filled with a faired surface; its report says with which reservations",
+        "",
+    )
+    #: Filled with the surface of the linear problem, or the best one when the iterations ran out.
+    LINEAR = (
+        1,
+        "linear",
+        "filled with the surface of the linear problem, or the best one when the iterations ran out",
+        "see the remedy of the fairing's outcome",
+    )
+    #: Filled with the triangulation, refined, but not faired; the reason says why.
+    FLAT = (
+        2,
+        "flat",
+        "filled with the triangulation, refined, but not faired; the reason says why",
+        "see the remedy of the reason",
+    )
+    #: Left as it was; the reason says why.
+    LEFT_OPEN = (
+        3,
+        "left_open",
+        "left as it was; the reason says why",
+        "see the remedy of the reason",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )
+
+
+class FillReason(Named):
+    """Why a loop was left open (numbers below 32) or a patch is flat."""
+
+    #: There is nothing to say.
+    NONE = (
+        0,
+        "none",
+        "there is nothing to say",
+        "",
+    )
+    #: The boundary runs into an edge with more than two triangles, or with inconsistent ones.
+    NON_MANIFOLD = (
+        1,
+        "non_manifold",
+        "the boundary runs into an edge with more than two triangles, or with inconsistent ones",
+        "repair the mesh there",
+    )
+    #: It is the outer boundary of an open surface, and was not named.
+    OUTER_BOUNDARY = (
+        2,
+        "outer_boundary",
+        "it is the outer boundary of an open surface, and was not named",
+        "name the loop to have it filled all the same",
+    )
+    #: It has more edges than asked for.
+    TOO_MANY_EDGES = (
+        3,
+        "too_many_edges",
+        "it has more edges than asked for",
+        "allow more edges, or name the loop",
+    )
+    #: Every triangulation has an edge or a triangle that the mesh has already.
+    NO_TRIANGULATION = (
+        4,
+        "no_triangulation",
+        "every triangulation has an edge or a triangle that the mesh has already",
+        "remove the triangles that span the hole",
+    )
+    #: A vertex of the boundary is NaN or infinite, or all of them are the same point.
+    NOT_FINITE = (
+        5,
+        "not_finite",
+        "a vertex of the boundary is NaN or infinite, or all of them are the same point",
+        "repair or remove these vertices",
+    )
+    #: The run was stopped before this loop was done.
+    CANCELLED = (
+        6,
+        "cancelled",
+        "the run was stopped before this loop was done",
+        "run it again, to its end",
+    )
+    #: Fairing was not asked for.
+    NOT_ASKED = (
+        32,
+        "not_asked",
+        "fairing was not asked for",
+        "",
+    )
+    #: The patch has no inner vertex: nothing can move.
+    NO_INNER_VERTEX = (
+        33,
+        "no_inner_vertex",
+        "the patch has no inner vertex: nothing can move",
+        "",
+    )
+    #: The fairing was refused, because the mesh around the hole is defective.
+    REFUSED = (
+        34,
+        "refused",
+        "the fairing was refused, because the mesh around the hole is defective",
+        "repair the mesh there",
+    )
+    #: The fairing found no sound surface; its report says how it ended.
+    UNSOUND = (
+        35,
+        "unsound",
+        "the fairing found no sound surface; its report says how it ended",
+        "see the remedy of the fairing's outcome",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )
+
+
+class LoopKind(Named):
+    """What kind of gap a boundary loop is."""
+
+    #: A gap in the surface.
+    HOLE = (
+        0,
+        "hole",
+        "a gap in the surface",
+        "",
+    )
+    #: The outer boundary of an open surface: filled only if it is named.
+    OUTER_BOUNDARY = (
+        1,
+        "outer_boundary",
+        "the outer boundary of an open surface: filled only if it is named",
+        "",
+    )
+    #: It meets a bad edge, which is told: never filled.
+    NON_MANIFOLD = (
+        2,
+        "non_manifold",
+        "it meets a bad edge, which is told: never filled",
+        "",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )

@@ -1,0 +1,394 @@
+//! The enumerations of the C interface, and their texts. Made of the library's tables by tests/capi/numbers.rs: do not edit.
+
+use core::ffi::c_char;
+
+use super::about::told;
+use super::statuses::{NONE, STATUSES};
+use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+
+/// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
+#[repr(i32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_status {
+    /// Done.
+    Ok = 0,
+    /// A pointer is NULL that may not be.
+    NullPointer = 1,
+    /// A pointer or a stride does not have the alignment of what it points to.
+    Misaligned = 2,
+    /// Struct_size is not one that this library knows.
+    BadStructSize = 3,
+    /// An option is out of its range.
+    BadOption = 4,
+    /// A number is not one of the enumeration that is meant.
+    BadEnum = 5,
+    /// A stride is smaller than what it steps over.
+    BadStride = 6,
+    /// A count times its stride exceeds the address space.
+    CountOverflow = 7,
+    /// Two counts differ that have to be the same.
+    CountMismatch = 8,
+    /// An output overlaps an input or another output.
+    Aliasing = 9,
+    /// Not a living handle of the kind that is meant: never made, or freed before.
+    BadHandle = 10,
+    /// The handle is in use: by another thread, or by the call whose callback this call comes from.
+    Busy = 11,
+    /// Memory ran out; everything that the call had allocated is free again, and a solver stays usable.
+    OutOfMemory = 12,
+    /// The system gave no more threads.
+    Threads = 13,
+    /// More vertices or triangles than 32-bit indices can name.
+    TooLarge = 14,
+    /// A coordinate that is needed is NaN or infinite, or does not fit a float on its way out.
+    NotFinite = 15,
+    /// A triangle names a vertex that does not exist.
+    IndexOutOfRange = 16,
+    /// A triangle names a vertex twice.
+    RepeatedIndex = 17,
+    /// Two triangles have the same vertices.
+    DuplicateTriangle = 18,
+    /// More than two triangles share an edge.
+    NonManifoldEdge = 19,
+    /// The triangles around a vertex are not one fan.
+    NonManifoldVertex = 20,
+    /// Two triangles run through an edge in the same direction.
+    InconsistentOrientation = 21,
+    /// A free vertex is on the boundary of the mesh.
+    FreeVertexOnBoundary = 22,
+    /// A free vertex has no triangle.
+    FreeVertexWithoutTriangle = 23,
+    /// A component of the region has no fixed vertex.
+    NothingFixed = 24,
+    /// No vertex is free.
+    EmptyRegion = 25,
+    /// The selection names what does not exist.
+    SelectionOutOfRange = 26,
+    /// A normal is not a finite vector of length one (to 0.001).
+    BadNormal = 27,
+    /// No normal can be found for a boundary vertex.
+    NoNormal = 28,
+    /// The result has nothing of this kind, or nothing with this index.
+    NotAvailable = 29,
+    /// The buffer is too small; the size needed has been told.
+    BufferTooSmall = 30,
+    /// A number is not what this version asks for: reserved fields have to be zero.
+    BadReserved = 31,
+    /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
+    Internal = 99,
+}
+
+/// How a run ended that did what it was asked. The positions are usable in every case. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_outcome {
+    /// Tolerance met, and the surface is sound.
+    Converged = 0,
+    /// Tolerance met, but triangles are flipped or have an angle below one degree.
+    ConvergedPoorTriangles = 1,
+    /// Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names.
+    ConvergedLoosely = 2,
+    /// No surface with these boundary normals was found; that of the linear problem is returned.
+    NormalsNotReachable = 3,
+    /// A surface was found for a part of the target only; that of the linear problem is returned.
+    TargetNotReachable = 4,
+    /// No sound surface was found; that of the linear problem is returned.
+    NotConverged = 5,
+    /// The iterations ran out; the best surface so far is returned.
+    IterationLimit = 6,
+    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
+    Cancelled = 7,
+}
+
+/// What is to be said of a surface that converged loosely. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_loose_reason {
+    /// There is nothing to say.
+    None = 0,
+    /// Boundary normals point against the surface beside them: probably flipped.
+    SuspiciousNormals = 1,
+    /// Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
+    Rounding = 2,
+    /// The surface holds with the first-order curvature alone.
+    FirstOrderCurvature = 3,
+    /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
+    Bump = 4,
+}
+
+/// How the filling of a loop ended. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_fill_outcome {
+    /// Filled with a faired surface; its report says with which reservations.
+    Faired = 0,
+    /// Filled with the surface of the linear problem, or the best one when the iterations ran out.
+    Linear = 1,
+    /// Filled with the triangulation, refined, but not faired; the reason says why.
+    Flat = 2,
+    /// Left as it was; the reason says why.
+    LeftOpen = 3,
+}
+
+/// Why a loop was left open (numbers below 32) or a patch is flat. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_fill_reason {
+    /// There is nothing to say.
+    None = 0,
+    /// The boundary runs into an edge with more than two triangles, or with inconsistent ones.
+    NonManifold = 1,
+    /// It is the outer boundary of an open surface, and was not named.
+    OuterBoundary = 2,
+    /// It has more edges than asked for.
+    TooManyEdges = 3,
+    /// Every triangulation has an edge or a triangle that the mesh has already.
+    NoTriangulation = 4,
+    /// A vertex of the boundary is NaN or infinite, or all of them are the same point.
+    NotFinite = 5,
+    /// The run was stopped before this loop was done.
+    Cancelled = 6,
+    /// Fairing was not asked for.
+    NotAsked = 32,
+    /// The patch has no inner vertex: nothing can move.
+    NoInnerVertex = 33,
+    /// The fairing was refused, because the mesh around the hole is defective.
+    Refused = 34,
+    /// The fairing found no sound surface; its report says how it ended.
+    Unsound = 35,
+}
+
+/// What kind of gap a boundary loop is. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_loop_kind {
+    /// A gap in the surface.
+    Hole = 0,
+    /// The outer boundary of an open surface: filled only if it is named.
+    OuterBoundary = 1,
+    /// It meets a bad edge, which is told: never filled.
+    NonManifold = 2,
+}
+
+/// Where the normals at the boundary of the region come from. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_boundary_normals_kind {
+    /// Fitted to the surface outside the region, to second or third order; where there is no outside, averaged.
+    Fitted = 0,
+    /// The average of the triangles outside the region.
+    Averaged = 1,
+    /// Given, for some or all boundary vertices; fitted for the others.
+    Given = 2,
+}
+
+/// Normals of fixed vertices inside the region that have none given. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_interior_normals {
+    /// Those of the surface itself, found with it: it passes the vertices smoothly; only their positions are prescribed.
+    Smooth = 0,
+    /// The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
+    Input = 1,
+}
+
+/// What the Laplacian of the mean curvature H has to be. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_target_kind {
+    /// Zero: spheres, cylinders and all surfaces of constant mean curvature are kept.
+    Harmonic = 0,
+    /// The constant, in 1 / length^3: a positive one pushes the surface out along its normals.
+    Constant = 1,
+    /// -2 H (H^2 - K): minimal total curvature.
+    MinimalEnergy = 2,
+}
+
+/// How vertices are distributed within the surface. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_inner_fairness {
+    /// Equal weights: a regular distribution.
+    Uniform = 0,
+    /// Cotangents of the input mesh: least distortion of the input triangles.
+    Conformal = 1,
+    /// Mean-value weights of the input mesh (Floater): near conformal, but positive for any input, and exact on a plane.
+    Convex = 2,
+}
+
+/// How normals and mean curvature are discretized. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_discretization {
+    /// Max's normals and the gradient-corrected curvature: second order on irregular meshes.
+    SecondOrder = 0,
+    /// The paper's: normals from summed cross products, plain Moreton-Sequin curvature.
+    Paper = 1,
+}
+
+/// How the equations are solved. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_solver_kind {
+    /// Quasi-Newton steps on both equations together.
+    Fast = 0,
+    /// The paper's own scheme: slow, a yardstick; not for fairing in steps.
+    Paper = 1,
+}
+
+/// How the paper's scheme estimates the mean curvature before the vertices are updated. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_estimate {
+    /// By turns one Gauss-Seidel iteration and some of conjugate gradients.
+    Alternating = 0,
+    /// Gauss-Seidel iterations.
+    GaussSeidel = 1,
+    /// Conjugate gradient iterations.
+    ConjugateGradients = 2,
+}
+
+impl fairmesh_status {
+    /// The status with this number.
+    pub(crate) const fn from_number(number: u32) -> Self {
+        match number {
+            0 => Self::Ok,
+            1 => Self::NullPointer,
+            2 => Self::Misaligned,
+            3 => Self::BadStructSize,
+            4 => Self::BadOption,
+            5 => Self::BadEnum,
+            6 => Self::BadStride,
+            7 => Self::CountOverflow,
+            8 => Self::CountMismatch,
+            9 => Self::Aliasing,
+            10 => Self::BadHandle,
+            11 => Self::Busy,
+            12 => Self::OutOfMemory,
+            13 => Self::Threads,
+            14 => Self::TooLarge,
+            15 => Self::NotFinite,
+            16 => Self::IndexOutOfRange,
+            17 => Self::RepeatedIndex,
+            18 => Self::DuplicateTriangle,
+            19 => Self::NonManifoldEdge,
+            20 => Self::NonManifoldVertex,
+            21 => Self::InconsistentOrientation,
+            22 => Self::FreeVertexOnBoundary,
+            23 => Self::FreeVertexWithoutTriangle,
+            24 => Self::NothingFixed,
+            25 => Self::EmptyRegion,
+            26 => Self::SelectionOutOfRange,
+            27 => Self::BadNormal,
+            28 => Self::NoNormal,
+            29 => Self::NotAvailable,
+            30 => Self::BufferTooSmall,
+            31 => Self::BadReserved,
+            99 => Self::Internal,
+            _ => Self::Internal,
+        }
+    }
+}
+
+/// The name of a `fairmesh_status`, such as "null_pointer"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_status_name(status: i32) -> *const c_char {
+    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_name)
+}
+
+/// What a `fairmesh_status` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_status_text(status: i32) -> *const c_char {
+    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_status`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_status_remedy(status: i32) -> *const c_char {
+    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_remedy)
+}
+
+/// The name of a `fairmesh_outcome`, such as "converged_poor_triangles"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_outcome_name(outcome: u32) -> *const c_char {
+    told(&[Outcome::TABLE], outcome, Entry::c_name)
+}
+
+/// What a `fairmesh_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_outcome_text(outcome: u32) -> *const c_char {
+    told(&[Outcome::TABLE], outcome, Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_outcome_remedy(outcome: u32) -> *const c_char {
+    told(&[Outcome::TABLE], outcome, Entry::c_remedy)
+}
+
+/// The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_loose_reason_name(loose_reason: u32) -> *const c_char {
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_name)
+}
+
+/// What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_loose_reason_text(loose_reason: u32) -> *const c_char {
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_loose_reason_remedy(loose_reason: u32) -> *const c_char {
+    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_remedy)
+}
+
+/// The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_outcome_name(fill_outcome: u32) -> *const c_char {
+    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_name)
+}
+
+/// What a `fairmesh_fill_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_outcome_text(fill_outcome: u32) -> *const c_char {
+    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_fill_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_outcome_remedy(fill_outcome: u32) -> *const c_char {
+    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_remedy)
+}
+
+/// The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_reason_name(fill_reason: u32) -> *const c_char {
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_name)
+}
+
+/// What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_reason_text(fill_reason: u32) -> *const c_char {
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_fill_reason_remedy(fill_reason: u32) -> *const c_char {
+    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_remedy)
+}

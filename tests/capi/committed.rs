@@ -1,0 +1,21 @@
+//! Files that are made of others and committed: this compares them, or writes them with `FAIRMESH_WRITE=1`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A file of the repository.
+pub fn path(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file)
+}
+
+/// Fails if the file is not what it would be made anew.
+pub fn check(file: &str, made: &str) {
+    if std::env::var_os("FAIRMESH_WRITE").is_some() {
+        fs::write(path(file), made).unwrap();
+    }
+    let committed = fs::read_to_string(path(file)).unwrap_or_default();
+    assert!(
+        committed == made,
+        "{file} is old: run FAIRMESH_WRITE=1 cargo test --release -p fairmesh-capi --test capi generated"
+    );
+}

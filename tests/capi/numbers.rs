@@ -1,0 +1,154 @@
+//! `src/capi/numbers.rs` is made of the library's tables: the enumerations of the C interface, and what tells their texts.
+
+use std::fmt::Write;
+
+use crate::tables::{self, Table, sentence};
+
+const HEAD: &str = "\
+//! The enumerations of the C interface, and their texts. Made of the library's tables by tests/capi/numbers.rs: do not edit.
+
+use core::ffi::c_char;
+
+use super::about::told;
+use super::statuses::{NONE, STATUSES};
+use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+";
+
+#[test]
+fn generated_numbers_are_those_of_the_tables() {
+    let mut made = HEAD.to_owned();
+    let tables = tables::all();
+    tables.iter().for_each(|table| enumeration(&mut made, table));
+    status_from_number(&mut made, &tables[0]);
+    tables
+        .iter()
+        .filter(|t| t.has_texts)
+        .for_each(|table| texts(&mut made, table));
+    crate::committed::check("src/capi/numbers.rs", &made);
+}
+
+#[test]
+fn generated_documentation_is_that_of_the_tables() {
+    let mut made =
+        "# What the library answers\n\nMade of the library's tables by tests/capi/numbers.rs: do not edit.\n"
+            .to_owned();
+    for table in tables::all().iter().filter(|t| t.has_texts) {
+        let _ = write!(made, "\n## {}\n\n{}\n\n", table.name, table.doc);
+        made.push_str("| number | name | meaning | what to do |\n|---|---|---|---|\n");
+        for entry in &table.entries {
+            let cells = [entry.name(), entry.text(), entry.remedy()].map(|text| text.replace('|', "\\|"));
+            let [name, text, remedy] = cells;
+            let _ = writeln!(made, "| {} | `{name}` | {text} | {remedy} |", entry.number());
+        }
+    }
+    crate::committed::check("docs/outcomes.md", &made);
+}
+
+#[test]
+fn numbers_and_names_are_used_once() {
+    for table in tables::all() {
+        let entries = &table.entries;
+        assert!(
+            entries.windows(2).all(|w| w[0].number() < w[1].number()),
+            "{}",
+            table.name
+        );
+        for (k, entry) in entries.iter().enumerate() {
+            let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
+            assert!(entry.name().chars().all(is_name), "{}", entry.name());
+            assert!(
+                entries[..k].iter().all(|e| e.name() != entry.name()),
+                "{}",
+                entry.name()
+            );
+            let text = entry.text();
+            assert!(!text.is_empty() && !text.ends_with('.'), "{text}");
+            assert!(!entry.remedy().ends_with('.'), "{}", entry.remedy());
+        }
+    }
+}
+
+fn enumeration(made: &mut String, table: &Table) {
+    let repr = if table.name == "fairmesh_status" {
+        "i32"
+    } else {
+        "u32"
+    };
+    let _ = write!(
+        made,
+        "\n/// {} Numbers are never reused.\n#[repr({repr})]\n#[derive(Debug, Clone, Copy, PartialEq, Eq)]\n#[allow(dead_code, reason = \"numbers for C\")]\npub enum {} {{\n",
+        table.doc, table.name
+    );
+    for entry in &table.entries {
+        let doc = sentence(entry.text());
+        let _ = writeln!(
+            made,
+            "    /// {doc}\n    {} = {},",
+            variant(entry.name()),
+            entry.number()
+        );
+    }
+    made.push_str("}\n");
+}
+
+fn variant(name: &str) -> String {
+    name.split('_')
+        .map(|word| word[..1].to_uppercase() + &word[1..])
+        .collect()
+}
+
+fn status_from_number(made: &mut String, statuses: &Table) {
+    made.push_str(
+        "\nimpl fairmesh_status {\n    /// The status with this number.\n    pub(crate) const fn from_number(number: u32) -> Self {\n        match number {\n",
+    );
+    for entry in &statuses.entries {
+        let _ = writeln!(
+            made,
+            "            {} => Self::{},",
+            entry.number(),
+            variant(entry.name())
+        );
+    }
+    made.push_str("            _ => Self::Internal,\n        }\n    }\n}\n");
+}
+
+/// The three functions of an enumeration.
+fn texts(made: &mut String, table: &Table) {
+    let name = table.name;
+    let short = name.trim_start_matches("fairmesh_");
+    let (parameter, number) = match short {
+        "status" => ("i32", "status.cast_unsigned()".to_owned()),
+        _ => ("u32", short.to_owned()),
+    };
+    let tables = match short {
+        "status" => "&[STATUSES, Error::TABLE]",
+        "outcome" => "&[Outcome::TABLE]",
+        "loose_reason" => "&[&[NONE], LooseReason::TABLE]",
+        "fill_outcome" => "&[FillOutcome::TABLE]",
+        _ => "&[&[NONE], OpenReason::TABLE, FlatReason::TABLE]",
+    };
+    let example = table.entries[1].name();
+    for (what, doc) in [
+        (
+            "name",
+            format!("The name of a `{name}`, such as \"{example}\"; \"unknown\" for other numbers."),
+        ),
+        (
+            "text",
+            format!(
+                "What a `{name}` means: English, begins in lower case, ends without a full stop. Empty for other numbers."
+            ),
+        ),
+        (
+            "remedy",
+            format!(
+                "What can be done about a `{name}`, written like its text; empty if there is nothing to do."
+            ),
+        ),
+    ] {
+        let _ = write!(
+            made,
+            "\n/// {doc} Static; never NULL.\n#[unsafe(no_mangle)]\npub extern \"C\" fn {name}_{what}({short}: {parameter}) -> *const c_char {{\n    told({tables}, {number}, Entry::c_{what})\n}}\n"
+        );
+    }
+}

@@ -1,0 +1,280 @@
+//! What the Python package repeats of the C interface is made here: `_abi.py` of `src/capi`, `_enums.py` of the tables.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::fs;
+
+use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type};
+
+use crate::tables::{self, sentence};
+
+const ABI_HEAD: &str = r#""""The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
+
+Made of src/capi by tests/capi/python.rs: do not edit.
+"""
+
+from __future__ import annotations
+
+import enum
+from ctypes import (
+    CFUNCTYPE,
+    POINTER,
+    Structure,
+    c_char,
+    c_char_p,
+    c_double,
+    c_int32,
+    c_size_t,
+    c_uint32,
+    c_uint64,
+    c_void_p,
+)
+from typing import Any
+
+NO_ELEMENT = 2**64 - 1
+"#;
+
+const ENUMS_HEAD: &str = r#""""What the library answers with. Made of the library's tables by tests/capi/python.rs: do not edit."""
+
+# ruff: noqa: E501
+from __future__ import annotations
+
+from ._named import Named, NamedOutcome, Numbered
+"#;
+
+#[test]
+fn generated_python_declarations_are_those_of_the_source() {
+    let items: Vec<Item> = crate::header::SOURCES
+        .iter()
+        .flat_map(|file| {
+            let text = fs::read_to_string(crate::committed::path(&format!("src/capi/{file}.rs"))).unwrap();
+            syn::parse_file(&text).unwrap().items
+        })
+        .collect();
+    let mut made = ABI_HEAD.to_owned();
+    versions(&mut made, &items);
+    items.iter().for_each(|item| enumeration(&mut made, item));
+    let mut known = BTreeSet::new();
+    items
+        .iter()
+        .for_each(|item| structure(&mut made, item, &items, &mut known));
+    made.push_str("\n\n# A function's name: what it returns, and its parameters. Handles, and arrays in parameters, are plain addresses.\nFUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {\n");
+    items.iter().for_each(|item| function(&mut made, item));
+    made.push_str("}\n");
+    crate::committed::check("bindings/python/src/fairmesh/_abi.py", &made);
+}
+
+#[test]
+fn generated_python_enumerations_are_those_of_the_tables() {
+    let mut made = ENUMS_HEAD.to_owned();
+    for table in tables::all()
+        .iter()
+        .filter(|t| t.has_texts || t.name == "fairmesh_loop_kind")
+    {
+        let (class, base) = match table.name {
+            "fairmesh_status" => ("Status", "Numbered"),
+            "fairmesh_outcome" => ("Outcome", "NamedOutcome"),
+            "fairmesh_loose_reason" => ("LooseReason", "Named"),
+            "fairmesh_fill_outcome" => ("FillOutcome", "Named"),
+            "fairmesh_fill_reason" => ("FillReason", "Named"),
+            _ => ("LoopKind", "Named"),
+        };
+        let doc = table.doc.replace("`fairmesh_outcome`", "`Outcome`");
+        let doc = doc.replace("`fairmesh_error`", "error");
+        let _ = write!(made, "\n\nclass {class}({base}):\n    \"\"\"{doc}\"\"\"\n\n");
+        for entry in &table.entries {
+            member(
+                &mut made,
+                entry.number(),
+                entry.name(),
+                entry.text(),
+                entry.remedy(),
+                base,
+            );
+        }
+        if base != "Numbered" {
+            let text = "a value that this version of the package does not know";
+            member(&mut made, u32::MAX, "other", text, "", base);
+        }
+    }
+    crate::committed::check("bindings/python/src/fairmesh/_enums.py", &made);
+}
+
+fn member(made: &mut String, number: u32, name: &str, text: &str, remedy: &str, base: &str) {
+    let constant = name.to_uppercase();
+    let name = match base {
+        "Numbered" => String::new(),
+        _ => format!("        \"{name}\",\n"),
+    };
+    let doc = sentence(text);
+    let _ = write!(
+        made,
+        "    #: {doc}\n    {constant} = (\n        {number},\n{name}        {text:?},\n        {remedy:?},\n    )\n"
+    );
+}
+
+fn is_c_name(name: &str) -> bool {
+    name.starts_with("fairmesh_") && !name.starts_with("fairmesh_test_")
+}
+
+fn number(expression: &Expr) -> String {
+    match expression {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(number) => number.base10_digits().to_owned(),
+            _ => panic!("an integer is needed"),
+        },
+        _ => panic!("a literal is needed"),
+    }
+}
+
+fn versions(made: &mut String, items: &[Item]) {
+    for item in items {
+        if let Item::Const(item) = item
+            && let Some(part) = item.ident.to_string().strip_prefix("FAIRMESH_VERSION_")
+        {
+            let _ = writeln!(made, "VERSION_{part} = {}", number(&item.expr));
+        }
+    }
+}
+
+fn enumeration(made: &mut String, item: &Item) {
+    let Item::Enum(item) = item else { return };
+    let name = item.ident.to_string();
+    if !is_c_name(&name) {
+        return;
+    }
+    let _ = write!(made, "\n\nclass {name}(enum.IntEnum):\n");
+    for variant in &item.variants {
+        let (_, value) = variant.discriminant.as_ref().expect("numbers are written out");
+        let _ = writeln!(
+            made,
+            "    {} = {}",
+            constant(&variant.ident.to_string()),
+            number(value)
+        );
+    }
+}
+
+/// `FreeMask`: `FREE_MASK`; `Float32`: `FLOAT32`.
+fn constant(variant: &str) -> String {
+    let mut made = String::new();
+    for c in variant.chars() {
+        if c.is_ascii_uppercase() && !made.is_empty() {
+            made.push('_');
+        }
+        made.push(c.to_ascii_uppercase());
+    }
+    made
+}
+
+/// A struct, and before it those that it is made of.
+fn structure(made: &mut String, item: &Item, items: &[Item], known: &mut BTreeSet<String>) {
+    let Item::Struct(item) = item else { return };
+    let name = item.ident.to_string();
+    let Fields::Named(fields) = &item.fields else {
+        return;
+    };
+    if !is_c_name(&name) || known.contains(&name) || is_opaque(&name) {
+        return;
+    }
+    for field in &fields.named {
+        let of = last_name(&field.ty);
+        let needed = items
+            .iter()
+            .find(|i| matches!(i, Item::Struct(s) if s.ident == of));
+        if let Some(needed) = needed {
+            structure(made, needed, items, known);
+        }
+    }
+    let _ = write!(made, "\n\nclass {name}(Structure):\n    _fields_ = (\n");
+    for field in &fields.named {
+        let field_name = field.ident.as_ref().expect("named");
+        let _ = writeln!(made, "        (\"{field_name}\", {}),", field_type(&field.ty));
+    }
+    made.push_str("    )\n");
+    if name == "fairmesh_progress" {
+        made.push_str(
+            "\n\nfairmesh_progress_fn = CFUNCTYPE(c_int32, POINTER(fairmesh_progress), c_void_p)\n",
+        );
+    }
+    known.insert(name);
+}
+
+fn is_opaque(name: &str) -> bool {
+    matches!(name, "fairmesh_solver" | "fairmesh_result")
+}
+
+fn last_name(of: &Type) -> String {
+    match of {
+        Type::Path(path) => path.path.segments.last().expect("a name").ident.to_string(),
+        _ => String::new(),
+    }
+}
+
+fn plain(name: &str) -> String {
+    match name {
+        "u32" => "c_uint32",
+        "i32" | "fairmesh_status" => "c_int32",
+        "u64" => "c_uint64",
+        "usize" => "c_size_t",
+        "f64" => "c_double",
+        "c_char" => "c_char",
+        other => other,
+    }
+    .to_owned()
+}
+
+fn field_type(of: &Type) -> String {
+    match of {
+        Type::Ptr(pointer) if last_name(&pointer.elem) == "c_char" => "c_char_p".to_owned(),
+        Type::Ptr(_) => "c_void_p".to_owned(),
+        Type::Array(array) => format!("{} * {}", plain(&last_name(&array.elem)), number(&array.len)),
+        other => plain(&last_name(other)),
+    }
+}
+
+fn function(made: &mut String, item: &Item) {
+    let Item::Fn(item) = item else { return };
+    let name = item.sig.ident.to_string();
+    if !is_c_name(&name) || item.sig.abi.is_none() {
+        return;
+    }
+    let result = match &item.sig.output {
+        ReturnType::Type(_, of) => field_type(of),
+        ReturnType::Default => "None".to_owned(),
+    };
+    let parameters: Vec<String> = item
+        .sig
+        .inputs
+        .iter()
+        .map(|input| match input {
+            FnArg::Typed(input) => parameter_type(&input.ty),
+            FnArg::Receiver(_) => panic!("C has no receivers"),
+        })
+        .collect();
+    let _ = match parameters.as_slice() {
+        [] => writeln!(made, "    \"{name}\": ({result}, ()),"),
+        [one] => writeln!(made, "    \"{name}\": ({result}, ({one},)),"),
+        more => writeln!(
+            made,
+            "    \"{name}\": (\n        {result},\n        (\n            {},\n        ),\n    ),",
+            more.join(",\n            ")
+        ),
+    };
+}
+
+fn parameter_type(of: &Type) -> String {
+    let Type::Ptr(pointer) = of else {
+        return plain(&last_name(of));
+    };
+    if let Type::Ptr(inner) = &*pointer.elem {
+        assert!(is_opaque(&last_name(&inner.elem)));
+        return "POINTER(c_void_p)".to_owned();
+    }
+    match last_name(&pointer.elem).as_str() {
+        "c_char" => "c_char_p".to_owned(),
+        "c_void" | "u32" => "c_void_p".to_owned(),
+        name if is_opaque(name) => "c_void_p".to_owned(),
+        name => format!("POINTER({})", plain(name)),
+    }
+}

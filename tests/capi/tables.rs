@@ -1,0 +1,123 @@
+//! All tables of the library, under the names that the C interface gives their enumerations.
+
+use fairmesh::{
+    BoundaryNormals, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason, InnerFairness,
+    InteriorNormals, LoopKind, LooseReason, OpenReason, Outcome, Solver, Target,
+};
+
+#[path = "../../src/capi/statuses.rs"]
+mod statuses;
+
+/// One enumeration.
+pub struct Table {
+    /// Its name in C.
+    pub name: &'static str,
+    /// What it says.
+    pub doc: &'static str,
+    /// Its values, by their numbers.
+    pub entries: Vec<Entry>,
+    /// Whether programs can ask for the texts of a value.
+    pub has_texts: bool,
+}
+
+/// All of them.
+pub fn all() -> Vec<Table> {
+    let table = |name, doc, parts: &[&[Entry]], has_texts| {
+        let mut entries = parts.concat();
+        entries.sort_by_key(Entry::number);
+        Table {
+            name,
+            doc,
+            entries,
+            has_texts,
+        }
+    };
+    vec![
+        table(
+            "fairmesh_status",
+            "Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any \
+             status but OK no output was written, except for the `fairmesh_error`.",
+            &[statuses::STATUSES, Error::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_outcome",
+            "How a run ended that did what it was asked. The positions are usable in every case.",
+            &[Outcome::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_loose_reason",
+            "What is to be said of a surface that converged loosely.",
+            &[&[statuses::NONE], LooseReason::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_fill_outcome",
+            "How the filling of a loop ended.",
+            &[FillOutcome::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_fill_reason",
+            "Why a loop was left open (numbers below 32) or a patch is flat.",
+            &[&[statuses::NONE], OpenReason::TABLE, FlatReason::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_loop_kind",
+            "What kind of gap a boundary loop is.",
+            &[LoopKind::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_boundary_normals_kind",
+            "Where the normals at the boundary of the region come from.",
+            &[BoundaryNormals::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_interior_normals",
+            "Normals of fixed vertices inside the region that have none given.",
+            &[InteriorNormals::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_target_kind",
+            "What the Laplacian of the mean curvature H has to be.",
+            &[Target::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_inner_fairness",
+            "How vertices are distributed within the surface.",
+            &[InnerFairness::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_discretization",
+            "How normals and mean curvature are discretized.",
+            &[Discretization::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_solver_kind",
+            "How the equations are solved.",
+            &[Solver::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_estimate",
+            "How the paper's scheme estimates the mean curvature before the vertices are updated.",
+            &[Estimate::TABLE],
+            false,
+        ),
+    ]
+}
+
+/// A text of a table as a sentence.
+pub fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_ascii_uppercase());
+    first.into_iter().chain(letters).chain(['.']).collect()
+}
