@@ -16,7 +16,7 @@ use super::weight_repair::WeightRepair;
 #[derive(Debug)]
 pub(crate) enum Run {
     /// Quasi-Newton steps.
-    Iteration(Iteration),
+    Iteration(Box<Iteration>),
     /// Pseudo-time, and quasi-Newton steps from where it leads.
     Flow(PseudoTime, IterateOptions),
 }
@@ -29,7 +29,7 @@ impl Run {
         options: IterateOptions,
         control: &Control<'_>,
     ) -> Self {
-        Self::Iteration(Iteration::new(system, x, options, control))
+        Self::Iteration(Box::new(Iteration::new(system, x, options, control)))
     }
 
     /// The surface at which the system stands evaluated, once it is begun.
@@ -117,11 +117,11 @@ pub(crate) enum Underway {
     /// A single run.
     Single,
     /// See [`Procedure::WeightRepair`].
-    WeightRepair(WeightRepair),
+    WeightRepair(Box<WeightRepair>),
     /// See [`Procedure::TargetContinuation`].
-    TargetContinuation(TargetContinuation),
+    TargetContinuation(Box<TargetContinuation>),
     /// See [`Procedure::NormalContinuation`].
-    NormalContinuation(NormalContinuation),
+    NormalContinuation(Box<NormalContinuation>),
 }
 
 impl Procedure {
@@ -144,15 +144,15 @@ impl Procedure {
             }
             Self::WeightRepair => {
                 let (repair, next) = WeightRepair::begin(x, options, system, control);
-                (Underway::WeightRepair(repair), next)
+                (Underway::WeightRepair(Box::new(repair)), next)
             }
             Self::TargetContinuation => {
                 let (continuation, next) = TargetContinuation::begin(x, options, system, control);
-                (Underway::TargetContinuation(continuation), next)
+                (Underway::TargetContinuation(Box::new(continuation)), next)
             }
             Self::NormalContinuation => {
                 let (continuation, next) = NormalContinuation::begin(x, options, system, control);
-                (Underway::NormalContinuation(continuation), next)
+                (Underway::NormalContinuation(Box::new(continuation)), next)
             }
         }
     }
