@@ -137,16 +137,12 @@ impl<'a> Level<'a> {
             self.evaluate(x);
             self.dirichlet.refresh(&self.state);
             ended.residual = self.dirichlet.measure(x, &self.state, diagonal);
-            match goal.judge(&ended.residual) {
-                Some(LevelStatus::Diverged) => {
-                    ended.status = LevelStatus::Diverged;
+            if let Some(status) = goal.judge(&ended.residual) {
+                ended.status = status;
+                if status == LevelStatus::Diverged {
                     break;
                 }
-                Some(status) => {
-                    ended.status = status;
-                    return ended;
-                }
-                None => {}
+                return ended;
             }
             if ended.residual.defect < best.1.defect {
                 best.0.copy_from_slice(x);
