@@ -1,6 +1,16 @@
 //! What the C interface costs over the Rust call: fairing of a cap with 13,000 free vertices.
 
-use fairmesh::capi::*;
+#[allow(
+    dead_code,
+    unused_imports,
+    unreachable_pub,
+    missing_docs,
+    reason = "only one function is timed"
+)]
+#[path = "../src/capi/lib.rs"]
+mod capi;
+
+use capi::*;
 use fairmesh::{Options, Selection};
 use fairmesh_shapes::{OUTSIDE, Sampling, Shape, sphere_cap};
 

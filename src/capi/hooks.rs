@@ -17,18 +17,18 @@ static PANIC: AtomicI64 = AtomicI64::new(-1);
 static BLOCKS: AtomicIsize = AtomicIsize::new(0);
 
 /// Told by the allocator.
-pub fn count_block(by: isize) {
+pub(crate) fn count_block(by: isize) {
     BLOCKS.fetch_add(by, Ordering::SeqCst);
 }
 
 /// Blocks in use: what grows here leaks.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_test_blocks() -> i64 {
+pub(crate) extern "C" fn fairmesh_test_blocks() -> i64 {
     BLOCKS.load(Ordering::SeqCst) as i64
 }
 
 /// Asked by the allocator.
-pub fn refuse_allocation() -> bool {
+pub(crate) fn refuse_allocation() -> bool {
     COUNT.fetch_add(1, Ordering::SeqCst);
     if UNTIL.load(Ordering::SeqCst) < 0 {
         return false;
@@ -47,7 +47,7 @@ pub fn refuse_allocation() -> bool {
 }
 
 /// Asked by every guarded call.
-pub fn panic_if_asked() {
+pub(crate) fn panic_if_asked() {
     if PANIC.load(Ordering::SeqCst) >= 0 && PANIC.fetch_sub(1, Ordering::SeqCst) == 0 {
         panic!("a test asked for this");
     }
@@ -56,7 +56,7 @@ pub fn panic_if_asked() {
 /// Refuses `refusals` allocations after `after` more that are granted; a negative `after` ends it. Returns the number
 /// of allocations since the last call of this.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_test_refuse(after: i64, refusals: i64) -> u64 {
+pub(crate) extern "C" fn fairmesh_test_refuse(after: i64, refusals: i64) -> u64 {
     REFUSALS.store(refusals, Ordering::SeqCst);
     UNTIL.store(after, Ordering::SeqCst);
     COUNT.swap(0, Ordering::SeqCst) as u64
@@ -64,19 +64,19 @@ pub extern "C" fn fairmesh_test_refuse(after: i64, refusals: i64) -> u64 {
 
 /// Lets a guarded call panic after `after` that do not.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_test_panic(after: i64) {
+pub(crate) extern "C" fn fairmesh_test_panic(after: i64) {
     PANIC.store(after, Ordering::SeqCst);
 }
 
 /// Blocks that live in reserves.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_test_reserve_blocks() -> u64 {
+pub(crate) extern "C" fn fairmesh_test_reserve_blocks() -> u64 {
     memory::live_blocks() as u64
 }
 
 /// The largest number of bytes that was taken from reserves at once, and the bytes last set aside.
 #[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_test_reserve_peak(aside: &mut u64) -> u64 {
+pub(crate) extern "C" fn fairmesh_test_reserve_peak(aside: &mut u64) -> u64 {
     let (peak, last) = memory::peak();
     *aside = last as u64;
     peak as u64

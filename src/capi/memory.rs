@@ -119,7 +119,7 @@ impl Drop for Reserve {
 
 /// Blocks that live in reserves; for tests.
 #[cfg(feature = "hooks")]
-pub fn live_blocks() -> usize {
+pub(crate) fn live_blocks() -> usize {
     let list = lock();
     // SAFETY: under the lock.
     let kept = unsafe { list.1.as_ref() }.map_or(0, |nursery| nursery.live);
@@ -128,7 +128,7 @@ pub fn live_blocks() -> usize {
 
 /// Bytes in use at most since the last call, and the size of the largest reserve; for tests.
 #[cfg(feature = "hooks")]
-pub fn peak() -> (usize, usize) {
+pub(crate) fn peak() -> (usize, usize) {
     (PEAK.swap(0, Ordering::SeqCst), ASIDE.swap(0, Ordering::SeqCst))
 }
 

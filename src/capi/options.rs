@@ -246,7 +246,11 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
     )?;
     if view.threads > MOST_THREADS {
         let (name, value, range) = ("threads", f64::from(view.threads), "at most 1024");
-        return Err(refused(Error::BadOption { name, value, range }, argument, place_of));
+        return Err(refused(
+            Error::BadOption { name, value, range },
+            argument,
+            place_of,
+        ));
     }
     let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {

@@ -103,7 +103,7 @@ impl FairnessWeights {
         };
         let mean = (0..valence).map(|k| edge(k).norm()).sum::<f64>() / valence as f64;
         let (mut sum, mut clamped) = (0.0, false);
-        for k in 0..valence {
+        for (k, weight) in weights.iter_mut().enumerate() {
             let w = (half_tangent(k + valence - 1) + half_tangent(k)) * mean / edge(k).norm();
             let inside = if w.is_finite() {
                 w.clamp(bound.recip(), bound)
@@ -111,7 +111,7 @@ impl FairnessWeights {
                 1.0
             };
             clamped |= inside != w;
-            weights[k][lane] = inside;
+            weight[lane] = inside;
             sum += inside;
         }
         for w in weights {

@@ -4,12 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A file of the repository.
-pub fn path(file: &str) -> PathBuf {
+pub(crate) fn path(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file)
 }
 
 /// Fails if the file is not what it would be made anew.
-pub fn check(file: &str, made: &str) {
+pub(crate) fn check(file: &str, made: &str) {
     if std::env::var_os("FAIRMESH_WRITE").is_some() {
         fs::write(path(file), made).unwrap();
     }

@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub const SOURCES: [&str; 12] = [
+pub(crate) const SOURCES: [&str; 12] = [
     "numbers",
     "status",
     "types",
@@ -18,7 +18,7 @@ pub const SOURCES: [&str; 12] = [
     "reading",
 ];
 
-pub fn generated() -> String {
+pub(crate) fn generated() -> String {
     let mut builder =
         cbindgen::Builder::new().with_config(cbindgen::Config::from_file(path("cbindgen.toml")).unwrap());
     for file in SOURCES {

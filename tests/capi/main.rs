@@ -1,6 +1,7 @@
 //! The C interface: its header, and C and C++ programs against the installed libraries.
 
 #[path = "../common/command.rs"]
+#[allow(unreachable_pub, reason = "other packages include the file as well")]
 mod command;
 mod committed;
 mod header;

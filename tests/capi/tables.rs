@@ -9,7 +9,7 @@ use fairmesh::{
 mod statuses;
 
 /// One enumeration.
-pub struct Table {
+pub(crate) struct Table {
     /// Its name in C.
     pub name: &'static str,
     /// What it says.
@@ -21,7 +21,7 @@ pub struct Table {
 }
 
 /// All of them.
-pub fn all() -> Vec<Table> {
+pub(crate) fn all() -> Vec<Table> {
     let table = |name, doc, parts: &[&[Entry]], has_texts| {
         let mut entries = parts.concat();
         entries.sort_by_key(Entry::number);
@@ -116,7 +116,7 @@ pub fn all() -> Vec<Table> {
 }
 
 /// A text of a table as a sentence.
-pub fn sentence(text: &str) -> String {
+pub(crate) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|c| c.to_ascii_uppercase());
     first.into_iter().chain(letters).chain(['.']).collect()

@@ -4,7 +4,7 @@
 use std::process::Command;
 
 /// Runs it to a good end, and returns what it printed.
-pub fn run(command: &mut Command) -> String {
+pub(crate) fn run(command: &mut Command) -> String {
     let output = command
         .output()
         .unwrap_or_else(|why| panic!("{command:?}: {why}"));
