@@ -326,7 +326,7 @@ mod tests {
 
     #[test]
     fn a_struct_shorter_than_the_first_version_is_refused() {
-        let mut memory = [8, 7, 6];
+        let mut memory = [8_u64, 7, 6];
         let refused = read_struct(memory.as_mut_ptr().cast::<Grown>(), ARGUMENT)
             .err()
             .unwrap();
