@@ -77,13 +77,14 @@ fn against_the_papers_solver() {
     };
     let [paper, fast] = [Solver::Paper(paper), Solver::Fast].map(|solver| {
         let options = Options {
-            normals: BoundaryNormals::Given(&normals),
+            boundary_normals: BoundaryNormals::Given(normals.clone()),
             discretization: Discretization::Paper,
             solver,
             ..Options::default()
         };
         let selection = Selection::Mask(&shape.free);
-        let solution = fair(&shape.positions, &shape.triangles, selection, options).expect("a sound problem");
+        let solution =
+            fair(&shape.positions, &shape.triangles, selection, &options).expect("a sound problem");
         solution.report.seconds.total
     });
     println!(

@@ -4,7 +4,6 @@
     dead_code,
     unused_imports,
     unreachable_pub,
-    missing_docs,
     reason = "only one function is timed"
 )]
 #[path = "../src/capi/lib.rs"]

@@ -1,4 +1,5 @@
 //! The C interface: its header, and C and C++ programs against the installed libraries.
+#![allow(clippy::print_stdout, reason = "what the programs say, for --nocapture")]
 
 #[path = "../common/command.rs"]
 #[allow(unreachable_pub, reason = "other packages include the file as well")]
