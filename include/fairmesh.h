@@ -1250,31 +1250,31 @@ typedef struct fairmesh_report {
      */
     uint64_t fallback_weights;
     /**
-     * Sizes of the lists POOR_TRIANGLES, FLIPPED_TRIANGLES, NEEDLES, SUSPICIOUS_NORMALS, UNREACHED_VERTICES.
+     * Size of the list POOR_TRIANGLES.
      */
     uint64_t poor_triangle_count;
     /**
-     * See above.
+     * Size of the list FLIPPED_TRIANGLES.
      */
     uint64_t flipped_count;
     /**
-     * See above.
+     * Size of the list NEEDLES.
      */
     uint64_t needle_count;
     /**
-     * See above.
+     * Size of the list SUSPICIOUS_NORMALS.
      */
     uint64_t suspicious_normal_count;
     /**
-     * See above.
+     * Size of the list UNREACHED_VERTICES.
      */
     uint64_t unreached_vertex_count;
     /**
-     * The smallest angle of a triangle of the region, in degrees, and the triangle.
+     * The smallest angle of a triangle of the region, in degrees.
      */
     double worst_angle;
     /**
-     * See above.
+     * The triangle that has it.
      */
     uint64_t worst_triangle;
     /**
@@ -1286,11 +1286,11 @@ typedef struct fairmesh_report {
      */
     double h_boundary[2];
     /**
-     * The largest angle, in degrees, between a boundary normal and the triangles of the region there, and the vertex.
+     * The largest angle, in degrees, between a boundary normal and the triangles of the region there.
      */
     double normal_deviation;
     /**
-     * See above.
+     * The vertex that has it.
      */
     uint64_t normal_deviation_vertex;
     /**
@@ -1514,19 +1514,19 @@ typedef struct fairmesh_fill_report {
      */
     uint64_t edge_count;
     /**
-     * The first new vertex, and how many. Indices of the filled mesh.
+     * The first new vertex, as an index of the filled mesh.
      */
     uint64_t first_vertex;
     /**
-     * See above.
+     * New vertices.
      */
     uint64_t vertex_count;
     /**
-     * The first new triangle, and how many.
+     * The first new triangle, as an index of the filled mesh.
      */
     uint64_t first_triangle;
     /**
-     * See above.
+     * New triangles.
      */
     uint64_t triangle_count;
     /**

@@ -32,7 +32,8 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
         if (loop.kind == FAIRMESH_LOOP_KIND_NON_MANIFOLD)
             host.warn(text("Warning, the hole at vertex %u is left open: its boundary runs into the non-manifold edge (%u, %u).",
                            vertices.front(), loop.edge_a, loop.edge_b));
-        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outer_boundaries || loop.kind == FAIRMESH_LOOP_KIND_HOLE)) close.push_back(i);
+        else if (loop.vertex_count <= asked.fill.max_edges && (asked.outer_boundaries || loop.kind == FAIRMESH_LOOP_KIND_HOLE))
+            close.push_back(i);
     }
     return close;
 }
@@ -58,7 +59,8 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
         open += hole.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN;
         unfair += hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && !fair;
         const auto boundary = loops.list(FAIRMESH_LIST_LOOP_VERTICES, hole.loop_index);
-        const std::string which = text("hole of %llu edges at vertex %u", static_cast<unsigned long long>(hole.edge_count), boundary.front());
+        const std::string which =
+            text("hole of %llu edges at vertex %u", static_cast<unsigned long long>(hole.edge_count), boundary.front());
         if (!but.empty()) host.warn("Warning, " + which + ": " + but);
     }
     const int closed = static_cast<int>(info.loop_count) - open;

@@ -59,11 +59,12 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
 } // namespace
 
 void add_fair_parameters(RichParameterList &list) {
-    list.addParam(RichEnum(
-        "boundary_normals", static_cast<int>(BoundaryNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"}, "Boundary normals",
-        "The directions that the surface takes at the boundary of the selection. Fitted: to the unselected surroundings, to "
-        "second or third order. Averaged: of the unselected triangles. Vertex normals: those that the mesh has, for instance "
-        "from its file. Attribute: the custom per-vertex attribute named below. Where a given normal is 0 0 0, it is fitted."));
+    list.addParam(
+        RichEnum("boundary_normals", static_cast<int>(BoundaryNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"},
+                 "Boundary normals",
+                 "The directions that the surface takes at the boundary of the selection. Fitted: to the unselected surroundings, to "
+                 "second or third order. Averaged: of the unselected triangles. Vertex normals: those that the mesh has, for instance "
+                 "from its file. Attribute: the custom per-vertex attribute named below. Where a given normal is 0 0 0, it is fitted."));
     list.addParam(
         RichString("normal_attribute", "", "Attribute of normals",
                    "For boundary normals 'Attribute' only: the name of a per-vertex attribute of points. In its place three attributes of "
@@ -82,10 +83,10 @@ void add_close_parameters(RichParameterList &list) {
                            "Closes the holes that have a vertex of a selected face, or a selected vertex, on their boundary."));
     list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
                            "The outer boundary of an open sheet is no hole and stays open, unless this is checked."));
-    list.addParam(
-        RichFloat("density", static_cast<Scalar>(standard.density), "Density",
-                  "How dense new vertices are. At the square root of 2 edges are as long as those beside the boundary; at twice that, half as "
-                  "long. Between 0.1 and 10."));
+    list.addParam(RichFloat(
+        "density", static_cast<Scalar>(standard.density), "Density",
+        "How dense new vertices are. At the square root of 2 edges are as long as those beside the boundary; at twice that, half as "
+        "long. Between 0.1 and 10."));
     list.addParam(RichInt("max_new_vertices", as_int(standard.max_new_vertices), "New vertices, at most",
                           "Larger patches become coarser, and the log says so."));
     list.addParam(RichEnum("selection_after", static_cast<int>(SelectionAfter::OldAndNew), {"Old and new faces", "New faces", "As before"},

@@ -54,12 +54,12 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
     host.log(text("Fairing %s: %llu free vertices, %llu iterations, last step %.1e of the region's diagonal, harmonic defect %.1e",
                   fairmesh_outcome_name(report.outcome), static_cast<unsigned long long>(report.free_vertices),
                   static_cast<unsigned long long>(report.iterations), report.step, report.defect));
-    host.log(
-        text("Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the boundary "
-             "normals at most %.2f degrees (vertex %llu)",
-             report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
-             static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
-             static_cast<unsigned long long>(report.normal_deviation_vertex)));
+    host.log(text(
+        "Smallest angle %.2f degrees (face %lld), flipped %llu, needles %llu; mean curvature %.4g to %.4g; deviation from the boundary "
+        "normals at most %.2f degrees (vertex %llu)",
+        report.worst_angle, worst_face(report, view), static_cast<unsigned long long>(report.flipped_count),
+        static_cast<unsigned long long>(report.needle_count), report.h_inside[0], report.h_inside[1], report.normal_deviation,
+        static_cast<unsigned long long>(report.normal_deviation_vertex)));
     const std::string but = reservation(report);
     if (!but.empty()) host.warn("Warning, " + std::string(fairmesh_outcome_name(report.outcome)) + ": " + but);
 }
@@ -81,8 +81,7 @@ std::string reservation(const fairmesh_fill_report &report) {
     switch (report.reason) {
     case FAIRMESH_FILL_REASON_NONE: break;
     case FAIRMESH_FILL_REASON_NO_INNER_VERTEX: return ""; // A small hole: its triangulation is all that there can be.
-    case FAIRMESH_FILL_REASON_REFUSED:
-        return text("closed, but not faired: %s.", fairmesh_status_text(report.refused_status));
+    case FAIRMESH_FILL_REASON_REFUSED: return text("closed, but not faired: %s.", fairmesh_status_text(report.refused_status));
     default:
         return text("%s: %s.", report.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN ? "left open" : "closed, but not faired",
                     fairmesh_fill_reason_text(report.reason));

@@ -24,7 +24,8 @@ const char FAIR[] =
 const char CLOSE[] =
     "Closes holes with new triangles as large as those beside the boundary, whose vertices lie on a fair surface: the mean curvature is "
     "harmonic "
-    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the boundary are those of the surroundings (G<sup>1</sup>). A piece that was cut out "
+    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the boundary are those of the surroundings (G<sup>1</sup>). A piece that was cut "
+    "out "
     "of a "
     "sphere is put back.<br><br>"
     "New vertices get colours, quality, texture coordinates and attributes interpolated from the boundary. Old vertices and faces stay as "

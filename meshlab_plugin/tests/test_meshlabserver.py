@@ -237,7 +237,7 @@ class Refused(Case):
         self.refused(self.case(vertices, faces, none), FAIR, "No face is selected")
         one = none.copy()
         one[100] = True
-        self.refused(self.case(vertices, faces, one), FAIR, "No vertex may move")
+        self.refused(self.case(vertices, faces, one), FAIR, "No vertex is free")
         self.refused(self.case(vertices, faces, everything), FAIR, "Nothing is fixed in the component of vertex 0")
 
     def test_non_manifold(self):
@@ -266,7 +266,7 @@ class Refused(Case):
     def test_parameters(self):
         vertices, faces, selected, _ = dented_sphere()
         file = self.case(vertices, faces, selected)
-        self.refused(file, FAIR, "Parameter tolerance: has to be", tolerance=2)
+        self.refused(file, FAIR, "Option tolerance is", tolerance=2)
         self.refused(file, FAIR, "Parameter max_iterations is 0", max_iterations=0)
         self.refused(file, FAIR, "no per-vertex attribute 'there'", boundary_normals=3, normal_attribute="there")
         self.refused(file, CLOSE, "Parameter max_edges is 2", max_edges=2)

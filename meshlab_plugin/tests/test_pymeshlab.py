@@ -312,12 +312,12 @@ class Refused(Case):
         ms, _ = dented_sphere()
         ms.set_selection_none()
         ms.compute_selection_by_condition_per_face(condselect="fi == 100")
-        self.refused(ms, FAIR, "No vertex may move", "Select more faces")
+        self.refused(ms, FAIR, "No vertex is free", "select more faces")
 
     def test_everything_selected(self):
         ms, _ = dented_sphere()
         ms.set_selection_all()
-        self.refused(ms, FAIR, "Nothing is fixed in the component of vertex 0", "Leave a part of it unselected")
+        self.refused(ms, FAIR, "Nothing is fixed in the component of vertex 0", "leave some of its vertices out of the selection")
 
     def test_non_manifold(self):
         ms, inside = dented_sphere()
@@ -328,7 +328,7 @@ class Refused(Case):
         bad = mesh_set(np.vstack([vertices, [[0, 0, 3]]]), np.vstack([faces, fin]))
         bad.compute_selection_by_condition_per_face(condselect="(z0+z1+z2)/3 > 0.4")
         a, b = sorted((int(edge[0]), int(edge[1])))
-        self.refused(bad, FAIR, f"Edge ({a}, {b})", "more than two", "clean the mesh there")
+        self.refused(bad, FAIR, f"Edge ({a}, {b})", "more than two", "repair the mesh there")
 
     def test_orientation(self):
         ms, inside = dented_sphere()
@@ -379,16 +379,16 @@ class Refused(Case):
 
     def test_parameters(self):
         ms, _ = dented_sphere()
-        self.refused(ms, FAIR, "Parameter tolerance: has to be greater than 0 and less than 1", tolerance=2.0)
-        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=0.0)
-        self.refused(ms, FAIR, "Parameter tolerance: has to be", tolerance=float("nan"))
+        self.refused(ms, FAIR, "Option tolerance is 2: it must be greater than 0 and less than 1", tolerance=2.0)
+        self.refused(ms, FAIR, "Option tolerance is", tolerance=0.0)
+        self.refused(ms, FAIR, "Option tolerance is", tolerance=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
-        self.refused(ms, FAIR, "Parameter target_constant: ", target="Constant", target_constant=float("inf"))
+        self.refused(ms, FAIR, "Option target is", target="Constant", target_constant=float("inf"))
         self.refused(ms, FAIR, "its name is not given", boundary_normals="Attribute")
         self.refused(ms, FAIR, "no per-vertex attribute 'there'", boundary_normals="Attribute", normal_attribute="there")
         ms = mesh_set(*meshes.open_sphere(3))
-        self.refused(ms, CLOSE, "Parameter density: ", density=1000.0)
+        self.refused(ms, CLOSE, "Option density is", density=1000.0)
         self.refused(ms, CLOSE, "max_edges is 2", "at least 3", max_edges=2)
         self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
         ms, _ = dented_sphere()

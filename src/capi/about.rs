@@ -1,6 +1,8 @@
 //! Versions, names and defaults.
 
-use core::ffi::{CStr, c_char};
+use core::ffi::CStr;
+
+use libc::c_char;
 
 use super::fill_options::{default_fill_options, default_remesh_options};
 use super::guard::guarded;

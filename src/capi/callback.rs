@@ -1,6 +1,6 @@
 //! The callback, and the watch on the memory.
 
-use core::ffi::{c_char, c_void};
+use libc::{c_char, c_void};
 use std::ops::ControlFlow;
 
 use super::memory;

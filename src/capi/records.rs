@@ -28,27 +28,27 @@ pub struct fairmesh_report {
     pub level_count: u64,
     /// Free vertices that took fallback weights of inner fairness.
     pub fallback_weights: u64,
-    /// Sizes of the lists POOR_TRIANGLES, FLIPPED_TRIANGLES, NEEDLES, SUSPICIOUS_NORMALS, UNREACHED_VERTICES.
+    /// Size of the list POOR_TRIANGLES.
     pub poor_triangle_count: u64,
-    /// See above.
+    /// Size of the list FLIPPED_TRIANGLES.
     pub flipped_count: u64,
-    /// See above.
+    /// Size of the list NEEDLES.
     pub needle_count: u64,
-    /// See above.
+    /// Size of the list SUSPICIOUS_NORMALS.
     pub suspicious_normal_count: u64,
-    /// See above.
+    /// Size of the list UNREACHED_VERTICES.
     pub unreached_vertex_count: u64,
-    /// The smallest angle of a triangle of the region, in degrees, and the triangle.
+    /// The smallest angle of a triangle of the region, in degrees.
     pub worst_angle: f64,
-    /// See above.
+    /// The triangle that has it.
     pub worst_triangle: u64,
     /// The smallest and largest mean curvature at free vertices, in 1 / length; negative on a sphere.
     pub h_inside: [f64; 2],
     /// The same at boundary vertices.
     pub h_boundary: [f64; 2],
-    /// The largest angle, in degrees, between a boundary normal and the triangles of the region there, and the vertex.
+    /// The largest angle, in degrees, between a boundary normal and the triangles of the region there.
     pub normal_deviation: f64,
-    /// See above.
+    /// The vertex that has it.
     pub normal_deviation_vertex: u64,
     /// The root mean square of those angles.
     pub normal_deviation_rms: f64,
@@ -123,13 +123,13 @@ pub struct fairmesh_fill_report {
     pub loop_index: u64,
     /// Its edges.
     pub edge_count: u64,
-    /// The first new vertex, and how many. Indices of the filled mesh.
+    /// The first new vertex, as an index of the filled mesh.
     pub first_vertex: u64,
-    /// See above.
+    /// New vertices.
     pub vertex_count: u64,
-    /// The first new triangle, and how many.
+    /// The first new triangle, as an index of the filled mesh.
     pub first_triangle: u64,
-    /// See above.
+    /// New triangles.
     pub triangle_count: u64,
     /// The smallest angle of the new triangles, in degrees.
     pub worst_angle: f64,

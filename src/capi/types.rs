@@ -1,6 +1,6 @@
 //! The structs of the header. Fields of enumerations are plain integers: what comes in is checked.
 
-use core::ffi::c_void;
+use libc::c_void;
 
 pub use super::callback::{fairmesh_progress, fairmesh_progress_fn};
 pub use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};

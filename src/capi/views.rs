@@ -1,6 +1,6 @@
 //! Arrays of the caller: checked before they are read, and read or written element by element.
 
-use core::ffi::c_void;
+use libc::c_void;
 use std::borrow::Cow;
 
 use super::memory;

@@ -4,8 +4,8 @@
 //! group goes through the register tile. The blocking is that of Goto & van de Geijn (2008): the columns of a chunk at one
 //! group of rows stay in the first-level cache, those at a block of rows in the second.
 //!
-//! Every element of the result takes its products in the order of the columns, whatever the sizes of tile, block and chunk: the
-//! bits depend on nothing but whether the processor has a fused multiply-add.
+//! Every element of the result takes its products in the order of the columns, chunk by chunk, whatever the sizes of tile and block:
+//! the bits depend on nothing but whether the processor has a fused multiply-add.
 
 use std::ops::Range;
 

@@ -16,7 +16,9 @@ pub(crate) type Lanes<T> = [T; LANES];
 pub(crate) type Tile<T, const G: usize, const N: usize> = [[Lanes<T>; N]; G];
 
 /// `tile - A B^T`, where `a` has the packed groups of rows of A and `b` the packed group of rows of B, of which the
-/// `part`-th `N` are taken. Every element subtracts its products in the order of the columns, one rounding each if `FUSED`.
+/// `part`-th `N` are taken. The products are summed first, in the order of the columns, with one rounding each if `FUSED`:
+/// a sum of many small products would lose its last digits in the large numbers that it is taken from, one by one, and a 32-bit
+/// factor its lowest modes.
 #[inline(always)]
 pub(crate) fn subtract_products<T: Real, const FUSED: bool, const G: usize, const N: usize>(
     mut tile: Tile<T, G, N>,
@@ -26,15 +28,33 @@ pub(crate) fn subtract_products<T: Real, const FUSED: bool, const G: usize, cons
 ) -> Tile<T, G, N> {
     let columns = b.len();
     let a = a.map(|a| &a[..columns]);
+    let mut sum = [[[T::ZERO; LANES]; N]; G];
     for k in 0..columns {
         let b = &b[k].as_chunks::<N>().0[part];
         for n in 0..N {
             for g in 0..G {
-                tile[g][n] = minus_product::<T, FUSED>(tile[g][n], a[g][k], b[n]);
+                sum[g][n] = plus_product::<T, FUSED>(sum[g][n], a[g][k], b[n]);
             }
         }
     }
+    for n in 0..N {
+        for g in 0..G {
+            tile[g][n] = std::array::from_fn(|l| tile[g][n][l] - sum[g][n][l]);
+        }
+    }
     tile
+}
+
+/// `c + a f`.
+#[inline(always)]
+fn plus_product<T: Real, const FUSED: bool>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    std::array::from_fn(|l| {
+        if FUSED {
+            a[l].fused(f, c[l])
+        } else {
+            c[l] + a[l] * f
+        }
+    })
 }
 
 /// `c - a f`.
