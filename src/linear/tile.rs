@@ -15,13 +15,13 @@ pub(crate) type Lanes<T> = [T; LANES];
 /// `G` groups of rows times `N` columns.
 pub(crate) type Tile<T, const G: usize, const N: usize> = [[Lanes<T>; N]; G];
 
-/// `tile - A B^T`, where `a` has the packed groups of rows of A and `b` the packed group of rows of B, of which the
-/// `part`-th `N` are taken. The products are summed first, in the order of the columns, with one rounding each if `FUSED`:
-/// a sum of many small products would lose its last digits in the large numbers that it is taken from, one by one, and a 32-bit
-/// factor its lowest modes.
+/// `A B^T`, where `a` has the packed groups of rows of A and `b` the packed group of rows of B, of which the `part`-th `N` are
+/// taken. The products are added in the order of the columns, with one rounding each if `FUSED`.
+///
+/// They are taken from a front by [`minus`] as one sum: a sum of many small products would lose its last digits in the large
+/// numbers that it is taken from, one by one, and a 32-bit factor its lowest modes.
 #[inline(always)]
-pub(crate) fn subtract_products<T: Real, const FUSED: bool, const G: usize, const N: usize>(
-    mut tile: Tile<T, G, N>,
+pub(crate) fn products<T: Real, const FUSED: bool, const G: usize, const N: usize>(
     a: [&[Lanes<T>]; G],
     b: &[Lanes<T>],
     part: usize,
@@ -37,12 +37,16 @@ pub(crate) fn subtract_products<T: Real, const FUSED: bool, const G: usize, cons
             }
         }
     }
-    for n in 0..N {
-        for g in 0..G {
-            tile[g][n] = std::array::from_fn(|l| tile[g][n][l] - sum[g][n][l]);
-        }
-    }
-    tile
+    sum
+}
+
+/// `a - b`.
+#[inline(always)]
+pub(crate) fn minus<T: Real, const G: usize, const N: usize>(
+    a: Tile<T, G, N>,
+    b: &Tile<T, G, N>,
+) -> Tile<T, G, N> {
+    std::array::from_fn(|g| std::array::from_fn(|n| std::array::from_fn(|l| a[g][n][l] - b[g][n][l])))
 }
 
 /// `c + a f`.

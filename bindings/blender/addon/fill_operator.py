@@ -26,7 +26,7 @@ class Holes:
 class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator):
     """Close holes with new triangles as large as those around them, on a surface that goes on smoothly.
 
-    Selected are holes whose boundary edges are all selected; if there is none, holes with a selected boundary edge or vertex"""
+    Selected are holes all of whose edges are selected; if there is none, holes with a selected edge or vertex"""
 
     bl_idname = "mesh.fairmesh_fill_holes"
     bl_label = "Fill Hole and Fair"

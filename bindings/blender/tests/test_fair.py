@@ -329,9 +329,7 @@ def suzanne(cuts, quads):
     assert fair() == {"FINISHED"}
     report = part("fair_operator").last_reports[0]
     assert report.outcome.is_success, report
-    print(
-        f"        {report.outcome} {report.text}, {report.free_vertices} free vertices, {report.worst_angle:.1f} degrees"
-    )
+    print(f"        {report.outcome} {report.text}, {report.free_vertices} free vertices, {report.worst_angle:.1f} degrees")
     assert report.flipped_count == 0 and report.worst_angle > 5
     bpy.ops.object.mode_set(mode="OBJECT")
     after = stored(obj)
@@ -450,7 +448,7 @@ def test_nothing_selected():
 def test_nothing_fixed():
     obj, _ = dented()
     bpy.ops.mesh.select_all(action="SELECT")
-    refused(obj, obj.name, "vertex", "The mesh is unchanged", "leave the part unselected")
+    refused(obj, obj.name, "vertex", "The mesh is unchanged", "Leave some of its vertices out")
 
 
 def test_a_third_face_at_an_edge_is_named_and_can_be_selected():
@@ -462,7 +460,7 @@ def test_a_third_face_at_an_edge_is_named_and_can_be_selected():
     mesh.verts.index_update()
     ends = sorted(v.index for v in edge.verts)
     bmesh.update_edit_mesh(obj.data)
-    refused(obj, f"edge of vertices {ends[0]} and {ends[1]} of {obj.name}", "delete the extra faces")
+    refused(obj, f"edge of vertices {ends[0]} and {ends[1]} of {obj.name}", "Repair the mesh there")
     assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
     assert [v.index for v in bmesh.from_edit_mesh(obj.data).verts if v.select] == ends
     # After a change the numbers mean nothing any more.
@@ -487,7 +485,7 @@ def test_coordinates_that_are_no_numbers():
     mesh.verts.ensure_lookup_table()
     mesh.verts[int(free[5])].co.x = np.nan
     bmesh.update_edit_mesh(obj.data)
-    message = runner.raises(fair, f"vertex {free[5]} of {obj.name}", "delete it")
+    message = runner.raises(fair, f"vertex {free[5]} of {obj.name}", "Repair the vertex")
     assert message.count("vertex") >= 1
 
 
