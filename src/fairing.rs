@@ -32,6 +32,21 @@ pub use session::Session;
 ///
 /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to.
 ///
+/// ```
+/// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
+/// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
+/// # let positions: Vec<[f64; 3]> = (0..49).map(at).collect();
+/// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
+/// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
+/// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
+/// use fairmesh::{Options, Selection, fair};
+///
+/// let solution = fair(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
+/// assert!(solution.report.outcome.is_success());
+/// assert!(solution.positions[24][2].abs() < 1e-7); // the bump is gone
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
 /// # Errors
 /// Anything in the region or the ring of triangles around it that makes the problem meaningless; see [`Error`].
 pub fn fair(
@@ -47,6 +62,23 @@ pub fn fair(
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
 /// every 50 ms where nothing is new. `Break` stops the run with the best surface so far; before there is one, with the input.
+///
+/// ```
+/// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
+/// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
+/// # let positions: Vec<[f64; 3]> = (0..49).map(at).collect();
+/// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
+/// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
+/// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
+/// use fairmesh::{Options, Outcome, Progress, Selection, fair_with_progress};
+/// use std::ops::ControlFlow;
+///
+/// let mut stop = |_: &Progress| ControlFlow::Break(());
+/// let selection = Selection::Vertices(&free);
+/// let solution = fair_with_progress(&positions, &triangles, selection, &Options::default(), &mut stop)?;
+/// assert_eq!(solution.report.outcome, Outcome::Cancelled);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 ///
 /// # Errors
 /// Those of [`fair`].

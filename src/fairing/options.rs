@@ -86,6 +86,14 @@ impl Default for Options {
 impl Options {
     /// Checks the ranges of all options. Given normals are checked against the mesh, when it is faired.
     ///
+    /// ```
+    /// use fairmesh::{Error, Options};
+    ///
+    /// assert!(Options::default().validate().is_ok());
+    /// let wrong = Options { tolerance: 2.0, ..Options::default() };
+    /// assert!(matches!(wrong.validate(), Err(Error::BadOption { name: "tolerance", .. })));
+    /// ```
+    ///
     /// # Errors
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {

@@ -107,6 +107,15 @@ table!(Outcome {
 
 impl Outcome {
     /// Tolerance met and the surface is sound: the only case without reservation.
+    ///
+    /// ```
+    /// use fairmesh::Outcome;
+    ///
+    /// assert!(Outcome::Converged.is_success() && Outcome::Converged.remedy().is_empty());
+    /// let limit = Outcome::IterationLimit;
+    /// println!("{}: {}; {}", limit.name(), limit.text(), limit.remedy());
+    /// assert!(!limit.is_success() && !limit.remedy().is_empty());
+    /// ```
     pub fn is_success(&self) -> bool {
         matches!(self, Outcome::Converged)
     }

@@ -14,6 +14,29 @@ use cursor::Cursor;
 /// Without changes in between, any sequence of [`run`](Session::run)s finds the surface of [`fair`](super::fair) with the same
 /// options, to the last bit. After a change of the boundary normals or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
+///
+/// ```
+/// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
+/// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
+/// # let positions: Vec<[f64; 3]> = (0..49).map(at).collect();
+/// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
+/// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
+/// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
+/// use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Session, Target};
+///
+/// let mut session = Session::new(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
+/// let after_one = session.run(1, None)?;
+/// assert_eq!(after_one.report.outcome, Outcome::IterationLimit);
+/// let plane = session.run(100, None)?;
+/// assert!(plane.report.outcome.is_success() && plane.positions[24][2].abs() < 1e-7);
+///
+/// // Other conditions: the next run starts at the surface at hand.
+/// session.set_boundary_normals(BoundaryNormals::Averaged)?;
+/// session.set_target(Target::Constant(0.01))?;
+/// assert!(session.run(100, None)?.report.iterations > 0);
+/// assert!(session.solution().positions[24][2] > 1e-4); // pushed out along the normals
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 pub struct Session {
     input: Input,
     cursor: Cursor,
