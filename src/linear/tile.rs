@@ -43,10 +43,17 @@ pub(crate) fn products<T: Real, const FUSED: bool, const G: usize, const N: usiz
 /// `a - b`.
 #[inline(always)]
 pub(crate) fn minus<T: Real, const G: usize, const N: usize>(
-    a: Tile<T, G, N>,
+    mut a: Tile<T, G, N>,
     b: &Tile<T, G, N>,
 ) -> Tile<T, G, N> {
-    std::array::from_fn(|g| std::array::from_fn(|n| std::array::from_fn(|l| a[g][n][l] - b[g][n][l])))
+    for g in 0..G {
+        for n in 0..N {
+            for l in 0..LANES {
+                a[g][n][l] -= b[g][n][l];
+            }
+        }
+    }
+    a
 }
 
 /// `c + a f`.
