@@ -110,9 +110,6 @@ pub(crate) const NO_INDICES: fairmesh_indices = fairmesh_indices {
     stride: 0,
 };
 
-/// More threads than anybody has.
-const MOST_THREADS: u32 = 1024;
-
 /// The field of an option, by the name that the library's errors give it.
 macro_rules! fields {
     ($struct:ident: $($name:ident)*) => {
@@ -244,14 +241,6 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         "fairmesh_discretization",
         place,
     )?;
-    if view.threads > MOST_THREADS {
-        let (name, value, range) = ("threads", f64::from(view.threads), "at most 1024");
-        return Err(refused(
-            Error::BadOption { name, value, range },
-            argument,
-            place_of,
-        ));
-    }
     let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {
         boundary_normals: BoundaryNormals::default(),

@@ -43,6 +43,9 @@ table!(Solver {
     1 "paper" Solver::Paper(_) => "the paper's own scheme: slow, a yardstick; not for fairing in steps", "";
 });
 
+/// More threads than any machine of today makes use of: what is beyond is a mistake, which would cost a stack each.
+const MOST_THREADS: usize = 1024;
+
 /// What is asked. `Options::default()` is right for most uses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
@@ -63,7 +66,7 @@ pub struct Options {
     pub tolerance: f64,
     /// At most this many nonlinear iterations in all. Default 500. At least 1.
     pub max_iterations: usize,
-    /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
+    /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
 }
 
@@ -92,6 +95,8 @@ impl Options {
     /// assert!(Options::default().validate().is_ok());
     /// let wrong = Options { tolerance: 2.0, ..Options::default() };
     /// assert!(matches!(wrong.validate(), Err(Error::BadOption { name: "tolerance", .. })));
+    /// let wrong = Options { threads: 1025, ..Options::default() };
+    /// assert!(matches!(wrong.validate(), Err(Error::BadOption { name: "threads", .. })));
     /// ```
     ///
     /// # Errors
@@ -110,6 +115,8 @@ impl Options {
             t > 0.0 && t < 1.0,
             "greater than 0 and less than 1",
         )?;
-        Error::check_option("max_iterations", 0.0, self.max_iterations > 0, "at least 1")
+        Error::check_option("max_iterations", 0.0, self.max_iterations > 0, "at least 1")?;
+        let threads = self.threads;
+        Error::check_option("threads", threads as f64, threads <= MOST_THREADS, "at most 1024")
     }
 }
