@@ -1,7 +1,6 @@
 //! The progress bar.
 
 use std::ops::ControlFlow;
-use std::time::Duration;
 
 use fairmesh::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -24,7 +23,6 @@ impl Bar {
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed}  {wide_msg}") {
             bar.set_style(style);
         }
-        bar.enable_steady_tick(Duration::from_millis(200));
         Self(bar)
     }
 

@@ -8,8 +8,10 @@ use clap::Args;
 use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Solution};
 use fairmesh_shapes::Shape;
 
+use crate::answer::say;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry};
+use crate::generate::{free_list, normal_list};
 use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::report::{Summary, Times};
@@ -17,12 +19,15 @@ use crate::report::{Summary, Times};
 /// What `fairmesh demo` is asked.
 #[derive(Debug, Args)]
 pub struct DemoArgs {
-    /// Directory for start.ply, result.ply and blend.png; made if it does not exist
+    /// Directory for the meshes, lists and picture; made if it does not exist
     directory: PathBuf,
 }
 
 /// Noise on the start, in edge lengths: to be seen, and to show that the result does not depend on it.
 const ROUGHNESS: f64 = 0.15;
+
+/// What is written.
+const FILES: [&str; 5] = ["start.ply", "free.txt", "normals.txt", "result.ply", "blend.png"];
 
 const WHAT_TO_LOOK_AT: &str = "
 blend.png shows the start on the left and the result on the right: above as a matte surface, below as a mirror
@@ -30,9 +35,23 @@ with rings of light around it. The three circles at the ends are fixed, with the
 continue there; the surface between them follows from these circles and normals alone. The start was roughened on
 purpose, and its rings are torn; in the result they flow, up to the open ends.
 
-start.ply and result.ply are the two meshes, for any viewer. Next, fair a mesh of your own:
-  fairmesh fair part.ply -o fair.ply
+start.ply and result.ply are the two meshes, for any viewer. free.txt lists the vertices that may move, normals.txt the
+normals at the three circles. The result can be made again with
 ";
+
+/// The command that makes the result from the files.
+fn again(directory: &Path) -> String {
+    let quoted = |name: &str| {
+        let path = directory.join(name).display().to_string();
+        if path.contains(|c: char| !c.is_alphanumeric() && !"/._-".contains(c)) {
+            format!("'{path}'")
+        } else {
+            path
+        }
+    };
+    let [start, free, normals, result] = [FILES[0], FILES[1], FILES[2], FILES[3]].map(quoted);
+    format!("  fairmesh fair {start} -o {result} --free {free} --normals {normals}\n")
+}
 
 /// Runs the command; true if the surface converged and is sound.
 pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
@@ -49,10 +68,17 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
 
     let writing = Instant::now();
     let mesh = |positions: &[[f64; 3]]| formats::plain(Format::Ply, positions, &shape.triangles);
-    write(&directory.join("start.ply"), &mesh(&rough))?;
-    write(&directory.join("result.ply"), &mesh(&solution.positions))?;
     let picture = picture(&shape.triangles, &rough, &solution.positions)?;
-    write(&directory.join("blend.png"), &picture)?;
+    let contents = [
+        mesh(&rough),
+        free_list(&shape),
+        normal_list(&shape),
+        mesh(&solution.positions),
+        picture,
+    ];
+    for (file, bytes) in FILES.iter().zip(contents) {
+        Output::prepare(&directory.join(file))?.write(&bytes)?;
+    }
     let summary = Summary {
         report: &solution.report,
         geometry: &Geometry::default(),
@@ -64,33 +90,22 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
         },
         stale_normals: 0,
     };
-    crate::say(&format!(
-        "Written to {name}: start.ply, result.ply, blend.png\n{WHAT_TO_LOOK_AT}\n{}",
+    let text = format!(
+        "Written to {name}: {}\n{WHAT_TO_LOOK_AT}{}\n{}",
+        FILES.join(", "),
+        again(directory),
         summary.readable()
-    ));
+    );
+    say(&text, &[directory])?;
     Ok(solution.report.outcome == Outcome::Converged)
 }
 
 fn solve(shape: &Shape, start: &[[f64; 3]]) -> Result<Solution, fairmesh::Error> {
-    let normals = boundary_normals(shape);
     let options = Options {
-        boundary_normals: BoundaryNormals::Given(normals),
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
         ..Options::default()
     };
     fairmesh::fair(start, &shape.triangles, Selection::Mask(&shape.free), &options)
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    Output::prepare(path)?.write(bytes)
-}
-
-/// The fixed vertices and their normals.
-fn boundary_normals(shape: &Shape) -> Vec<(u32, [f64; 3])> {
-    let normals = shape.normals.iter().zip(&shape.free).enumerate();
-    normals
-        .filter(|(_, (_, free))| !**free)
-        .map(|(v, (&normal, _))| (v as u32, normal))
-        .collect()
 }
 
 /// Start and result side by side, matte and mirrored.

@@ -4,13 +4,18 @@ use std::path::Path;
 
 use fairmesh::{Error, Outcome, Report};
 
-use crate::failure::Failure;
+use crate::failure::{ExitCode, Failure};
 use crate::formats::{Geometry, MeshFile};
 
 /// The library's refusal with polygons instead of triangles, where it is, and what to do.
 pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
     let geometry = &mesh.geometry;
-    let message = in_polygons(error, geometry).to_string();
+    let message = match error {
+        Error::BadOption { name, value, range } => {
+            return Failure::new(format!("--{} {value}: it must be {range}", name.replace('_', "-")));
+        }
+        _ => in_polygons(error, geometry).to_string(),
+    };
     let place = vertex_of(error)
         .and_then(|v| Some((v, geometry.positions.get(v)?)))
         .map_or(String::new(), |(v, [x, y, z])| {
@@ -20,7 +25,11 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
         "" => String::new(),
         remedy => format!("; {remedy}"),
     };
-    Failure::new(format!("{}: {message}{place}{remedy}", path.display()))
+    let failure = Failure::new(format!("{}: {message}{place}{remedy}", path.display()));
+    match error {
+        Error::Threads { .. } => failure.with_code(ExitCode::Exhausted),
+        _ => failure,
+    }
 }
 
 /// Triangles of a file of polygons are numbered by polygon.

@@ -2,20 +2,59 @@
 
 use std::fmt;
 
-/// One line for the user: what, where, what to do.
+/// One line for the user: what, where, what to do; and the exit code.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Failure(String);
+pub struct Failure {
+    message: String,
+    code: ExitCode,
+}
+
+/// How the program ends. Documented in `help.rs` and docs/command-line.md.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExitCode {
+    /// All that was asked for was done.
+    Done = 0,
+    /// Usage, input or the place of the output is wrong: nothing was written.
+    Refused = 2,
+    /// The result was written, but it is not what was asked for.
+    Imperfect = 3,
+    /// Memory or threads ran out: nothing was written.
+    Exhausted = 4,
+    /// The files were written, but not the report about them.
+    Untold = 5,
+}
 
 impl Failure {
-    /// A failure with this message; line breaks (from odd file names or systems) become spaces.
+    /// A refusal with this message; line breaks (from odd file names or systems) become spaces.
     pub fn new(message: impl Into<String>) -> Self {
-        Self(message.into().replace(['\n', '\r'], " "))
+        Self {
+            message: message.into().replace(['\n', '\r'], " "),
+            code: ExitCode::Refused,
+        }
+    }
+
+    /// The same with another exit code.
+    pub fn with_code(self, code: ExitCode) -> Self {
+        Self { code, ..self }
+    }
+
+    /// The message, with more behind it.
+    pub fn and(self, more: &str) -> Self {
+        Self {
+            message: format!("{}; {more}", self.message),
+            ..self
+        }
+    }
+
+    /// The exit code that goes with it.
+    pub fn code(&self) -> ExitCode {
+        self.code
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.message)
     }
 }
 
@@ -52,8 +91,13 @@ impl Malformed {
     /// `name:line: what` or `name: byte offset: what`.
     pub fn locate(&self, name: &str, bytes: &[u8]) -> Failure {
         if self.by_line {
-            let before = &bytes[..self.at.min(bytes.len())];
-            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+            // LF, CRLF and CR end a line.
+            let mut before = bytes[..self.at.min(bytes.len())].iter().peekable();
+            let mut line = 1;
+            while let Some(byte) = before.next() {
+                let is_end = *byte == b'\n' || *byte == b'\r' && before.peek() != Some(&&b'\n');
+                line += usize::from(is_end);
+            }
             Failure::new(format!("{name}:{line}: {}", self.what))
         } else {
             Failure::new(format!("{name}: byte {}: {}", self.at, self.what))

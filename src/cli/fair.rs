@@ -7,11 +7,12 @@ use std::time::Instant;
 use clap::Args;
 use fairmesh::{BoundaryNormals, Options, Outcome, Progress, Solution, Solver};
 
+use crate::answer::Answer;
 use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry, MeshFile, Written};
-use crate::output::{Output, prepare_json};
+use crate::output::Output;
 use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs, Selected};
@@ -26,7 +27,7 @@ pub struct FairArgs {
     /// Where the result goes; may be the input itself. It is written whole or not at all
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Writes the report as JSON, too
+    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// No progress bar and no report; errors are still told
@@ -84,8 +85,11 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
     let input = input(args, &mesh)?;
     let solver = args.solver.solver()?;
+    if !args.remesh {
+        mesh.check_writable(&args.input, format)?;
+    }
     let output = Output::prepare(&args.output)?;
-    let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
+    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();
@@ -118,12 +122,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         },
         stale_normals: written.stale_normals,
     };
-    if let Some(json) = json {
-        json.write_json(&summary.json())?;
-    }
-    if !args.quiet {
-        crate::say(&summary.readable());
-    }
+    answer.tell(&[&args.output], || summary.json(), || summary.readable())?;
     Ok(solution.report.outcome == Outcome::Converged)
 }
 

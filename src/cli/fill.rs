@@ -11,11 +11,12 @@ use fairmesh::{
 };
 use serde_json::{Value, json};
 
+use crate::answer::Answer;
 use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
-use crate::output::{Output, prepare_json};
+use crate::output::Output;
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -51,7 +52,7 @@ pub struct FillArgs {
     /// the result is the same to the last bit
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
-    /// Writes the report as JSON, too
+    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// No progress bar and no report; errors are still told
@@ -64,10 +65,11 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let format = Format::of(&args.output)?;
     let mesh = MeshFile::read(&args.input)?;
+    mesh.check_writable(&args.input, format)?;
     let output = Output::prepare(&args.output)?;
-    let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
+    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
     let solving = Instant::now();
-    let filled = solve(args, &mesh).map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
+    let filled = solve(args, &mesh).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -76,17 +78,27 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     };
     output.write(&mesh.with_added(format, &added))?;
     let total = start.elapsed().as_secs_f64();
-    if let Some(json) = json {
-        let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, &mesh)).collect();
-        let value = json!({ "loops": loops, "new_vertices": filled.parents.len(),
+    let json = || {
+        let first = mesh.first_added_face(format);
+        let face = |t: u32| first + t as usize - mesh.geometry.triangles.len();
+        let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
+        json!({ "loops": loops, "new_vertices": filled.parents.len(),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
-            "seconds": { "solve": solve, "total": total } });
-        json.write_json(&value)?;
-    }
-    if !args.quiet {
-        crate::say(&readable(&filled));
-    }
+            "seconds": { "solve": solve, "total": total } })
+    };
+    answer.tell(&[&args.output], json, || readable(&filled))?;
     Ok(filled.loops.iter().all(is_clean))
+}
+
+/// The library's refusal; of a loop, by its flag.
+fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
+    match error {
+        fairmesh::Error::SelectionOutOfRange { index, count } => Failure::new(format!(
+            "--loop {index}: {} has {count} boundary loops, counted from 0; 'fairmesh holes' lists them",
+            args.input.display()
+        )),
+        _ => explain::refusal(&args.input, mesh, error),
+    }
 }
 
 fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
@@ -205,12 +217,10 @@ fn readable(filled: &Filled) -> String {
     text
 }
 
-/// A loop's report for programs; new faces are counted after the file's own.
-fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
-    let geometry = &mesh.geometry;
-    let face = |t: u32| t as usize - geometry.triangles.len() + geometry.polygon_count;
+/// A loop's report for programs; new faces have the numbers of the output, from `first` on.
+fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
     let faces = if report.triangles.is_empty() {
-        json!([geometry.polygon_count, geometry.polygon_count])
+        json!([first, first])
     } else {
         json!([face(report.triangles.start), face(report.triangles.end)])
     };

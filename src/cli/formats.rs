@@ -34,10 +34,28 @@ impl Format {
             Some("obj") => Ok(Format::Obj),
             Some("off" | "coff" | "noff") => Ok(Format::Off),
             Some("stl") => Ok(Format::Stl),
-            _ => Err(Failure::new(format!(
-                "{}: unknown file format; use a name ending in .ply, .obj, .off or .stl",
-                path.display()
-            ))),
+            other => {
+                let why = match other {
+                    _ if path == Path::new("-") => {
+                        "meshes are not piped: the format is told by the name; name a file"
+                    }
+                    Some("gz" | "bz2" | "xz" | "zst" | "zip") => {
+                        "compressed files are not supported; unpack it first"
+                    }
+                    _ => "unknown file format; use a name ending in .ply, .obj, .off or .stl",
+                };
+                Err(Failure::new(format!("{}: {why}", path.display())))
+            }
+        }
+    }
+
+    /// Its name.
+    fn name(self) -> &'static str {
+        match self {
+            Format::Ply => "PLY",
+            Format::Obj => "OBJ",
+            Format::Off => "OFF",
+            Format::Stl => "STL",
         }
     }
 }
@@ -49,8 +67,8 @@ pub struct Geometry {
     pub positions: Vec<[f64; 3]>,
     /// The polygons as fans of triangles, in the file's order.
     pub triangles: Vec<[u32; 3]>,
-    /// The polygon of each triangle; empty if polygons and triangles are the same.
-    polygon_of: Vec<u32>,
+    /// The polygon of each triangle; None if polygons and triangles are the same.
+    polygon_of: Option<Vec<u32>>,
     /// Number of polygons in the file.
     pub polygon_count: usize,
     /// The largest vertex number used and where, to be checked when all vertices are known.
@@ -70,15 +88,14 @@ impl Geometry {
 
     /// Adds a polygon found at byte `at`. Fewer than three corners: a polygon without triangles.
     fn push_polygon(&mut self, corners: &[u32], at: usize) {
-        if corners.len() != 3 && self.polygon_of.is_empty() {
-            self.polygon_of = (0..self.polygon_count as u32).collect();
+        let polygon = self.polygon_count as u32;
+        if corners.len() != 3 && self.polygon_of.is_none() {
+            self.polygon_of = Some((0..polygon).collect());
         }
-        let mapped =
-            corners.len() != 3 || !self.polygon_of.is_empty() || self.triangles.len() != self.polygon_count;
         for pair in corners.get(1..).unwrap_or_default().windows(2) {
             self.triangles.push([corners[0], pair[0], pair[1]]);
-            if mapped {
-                self.polygon_of.push(self.polygon_count as u32);
+            if let Some(polygon_of) = &mut self.polygon_of {
+                polygon_of.push(polygon);
             }
         }
         for &corner in corners {
@@ -117,9 +134,8 @@ impl Geometry {
 
     /// The file's own number of the polygon that a triangle belongs to.
     pub fn polygon_of(&self, triangle: usize) -> usize {
-        self.polygon_of
-            .get(triangle)
-            .map_or(triangle, |&polygon| polygon as usize)
+        let polygon = self.polygon_of.as_ref().and_then(|of| of.get(triangle));
+        polygon.map_or(triangle, |&polygon| polygon as usize)
     }
 
     /// The corners of every polygon that has at least three.
@@ -216,7 +232,13 @@ pub struct Written {
 
 impl MeshFile {
     /// Understands the bytes of a file of this format. `name` is for messages.
+    ///
+    /// # Errors
+    /// Bytes that are no mesh of this format; a mesh without a face.
     pub fn parse(name: &str, format: Format, bytes: Vec<u8>) -> Result<Self, Failure> {
+        if let Some(why) = packing(&bytes) {
+            return Err(Failure::new(format!("{name}: {why}")));
+        }
         let parsed = match format {
             Format::Ply => ply::parse(&bytes).map(|(geometry, places)| (geometry, Places::Ply(places))),
             Format::Obj => obj::parse(&bytes).map(|(geometry, places)| (geometry, Places::Obj(places))),
@@ -224,6 +246,16 @@ impl MeshFile {
             Format::Stl => stl::parse(&bytes).map(|(geometry, places)| (geometry, Places::Stl(places))),
         };
         let (geometry, places) = parsed.map_err(|malformed| malformed.locate(name, &bytes))?;
+        if geometry.triangles.is_empty() {
+            let format = format.name();
+            let why = match geometry.positions.len() {
+                0 => format!("nothing in this file is a vertex or a face of {format}"),
+                n => format!(
+                    "no face of three corners or more was found, only vertices ({n}); a mesh is needed"
+                ),
+            };
+            return Err(Failure::new(format!("{name}: {why}")));
+        }
         Ok(Self {
             bytes,
             places,
@@ -237,6 +269,30 @@ impl MeshFile {
         let name = path.display().to_string();
         let bytes = std::fs::read(path).map_err(|why| Failure::new(format!("{name}: cannot read: {why}")))?;
         Self::parse(&name, format, bytes)
+    }
+
+    /// Refuses an output of this format if new positions cannot be written into it.
+    ///
+    /// # Errors
+    /// A PLY file whose coordinates are integers, as another PLY file.
+    pub fn check_writable(&self, name: &Path, format: Format) -> Result<(), Failure> {
+        match &self.places {
+            Places::Ply(places) if format == Format::Ply && places.is_whole() => Err(Failure::new(format!(
+                "{}: its coordinates are whole numbers by their type, which the result does not fit; name an output of \
+                 another format",
+                name.display()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// The number that the first added face has in an output of this format, in which it stands behind the file's own.
+    pub fn first_added_face(&self, format: Format) -> usize {
+        match (&self.places, format) {
+            (Places::Ply(_), Format::Ply) | (Places::Obj(_), Format::Obj) => self.geometry.polygon_count,
+            (_, Format::Stl) => self.geometry.triangles.len(),
+            _ => self.geometry.polygons().len(),
+        }
     }
 
     /// The file's format.
@@ -300,6 +356,19 @@ impl MeshFile {
             stale_normals,
         }
     }
+}
+
+/// What the bytes are packed in that no format here has.
+fn packing(bytes: &[u8]) -> Option<&'static str> {
+    let packings: [(&[u8], _); 5] = [
+        (b"\x1f\x8b", "this file is compressed (gzip); unpack it first"),
+        (b"PK\x03\x04", "this file is compressed (zip); unpack it first"),
+        (b"\xfd7zXZ\0", "this file is compressed (xz); unpack it first"),
+        (b"\xff\xfe", "this text is encoded as UTF-16; save it as UTF-8"),
+        (b"\xfe\xff", "this text is encoded as UTF-16; save it as UTF-8"),
+    ];
+    let found = packings.iter().find(|(mark, _)| bytes.starts_with(mark));
+    found.map(|(_, why)| *why)
 }
 
 /// A new file of this format that holds these positions and polygons and nothing else.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use fairmesh_shapes::{OUTSIDE, Sampling, Shape, Surface};
 
+use crate::answer::say;
 use crate::failure::Failure;
 use crate::formats::{self, Format};
 use crate::output::Output;
@@ -125,19 +126,36 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
         files.push((Output::prepare(path)?, bytes));
     }
     if let Some(path) = &args.free {
-        let lines = shape.free_vertices().into_iter().map(|v| format!("{v}\n"));
-        files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
+        files.push((Output::prepare(path)?, free_list(&shape)));
     }
     if let Some(path) = &args.normals {
-        let normals = shape.boundary_normals();
-        let lines = normals.iter().map(|(v, [x, y, z])| format!("{v} {x} {y} {z}\n"));
-        files.push((Output::prepare(path)?, lines.collect::<String>().into_bytes()));
+        files.push((Output::prepare(path)?, normal_list(&shape)));
     }
     for (output, bytes) in &files {
         output.write(bytes)?;
     }
-    crate::say(&summary(args, &shape));
+    let paths = [
+        Some(&args.output),
+        args.exact.as_ref(),
+        args.free.as_ref(),
+        args.normals.as_ref(),
+    ];
+    let written: Vec<&Path> = paths.into_iter().flatten().map(PathBuf::as_path).collect();
+    say(&summary(args, &shape), &written)?;
     Ok(true)
+}
+
+/// The free vertices, for `fair --free`.
+pub fn free_list(shape: &Shape) -> Vec<u8> {
+    let lines = shape.free_vertices().into_iter().map(|v| format!("{v}\n"));
+    lines.collect::<String>().into_bytes()
+}
+
+/// The exact boundary normals, for `fair --normals`.
+pub fn normal_list(shape: &Shape) -> Vec<u8> {
+    let normals = shape.boundary_normals();
+    let lines = normals.iter().map(|(v, [x, y, z])| format!("{v} {x} {y} {z}\n"));
+    lines.collect::<String>().into_bytes()
 }
 
 fn check(args: &GenerateArgs) -> Result<(), Failure> {

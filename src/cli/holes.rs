@@ -7,17 +7,17 @@ use clap::Args;
 use fairmesh::{BoundaryLoop, LoopKind, boundary_loops};
 use serde_json::{Value, json};
 
+use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::MeshFile;
-use crate::output::prepare_json;
 
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
 pub struct HolesArgs {
     /// The mesh: .ply, .obj, .off or .stl
     input: PathBuf,
-    /// Writes the list as JSON, too
+    /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -25,7 +25,7 @@ pub struct HolesArgs {
 /// Runs the command.
 pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
-    let json = prepare_json(args.json.as_deref(), &[&args.input])?;
+    let answer = Answer::prepare(args.json.as_deref(), false, &[&args.input])?;
     let geometry = &mesh.geometry;
     let loops = boundary_loops(&geometry.positions, &geometry.triangles)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
@@ -45,11 +45,8 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
             touching(boundary)
         );
     }
-    crate::say(&text);
-    if let Some(json) = json {
-        let all: Vec<Value> = loops.iter().map(described).collect();
-        json.write_json(&Value::from(all))?;
-    }
+    let json = || Value::from(loops.iter().map(described).collect::<Vec<Value>>());
+    answer.tell(&[], json, || text)?;
     Ok(true)
 }
 

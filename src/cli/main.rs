@@ -1,9 +1,8 @@
-//! The command line.
-//!
-//! Exit codes: 0 converged and sound, 2 wrong usage or input, 3 written but not converged.
+//! The command line. [`failure::ExitCode`] lists how it ends.
 
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 
+mod answer;
 mod bar;
 mod demo;
 mod explain;
@@ -24,12 +23,16 @@ mod report;
 mod selection;
 mod solver;
 mod surface;
+mod temporary;
 mod text;
 
 use std::io::Write;
-use std::process::ExitCode;
+
+use fairmesh_process::OrExit;
 
 use clap::{Parser, Subcommand};
+
+use failure::ExitCode;
 
 /// Fairs a region of a triangle mesh: moves its vertices until the surface is smooth,
 /// tangent to its surroundings and independent of the triangulation.
@@ -58,7 +61,13 @@ enum Command {
     Demo(demo::DemoArgs),
 }
 
-fn main() -> ExitCode {
+#[global_allocator]
+static ALLOCATOR: OrExit = OrExit {
+    message: "fairmesh: memory ran out; files are as they were, or whole\n",
+    code: ExitCode::Exhausted as i32,
+};
+
+fn main() -> std::process::ExitCode {
     let result = match Cli::parse().command {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
@@ -67,17 +76,13 @@ fn main() -> ExitCode {
         Command::Fill(args) => fill::run(&args),
         Command::Demo(args) => demo::run(&args),
     };
-    match result {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(3),
+    let code = match result {
+        Ok(true) => ExitCode::Done,
+        Ok(false) => ExitCode::Imperfect,
         Err(failure) => {
             let _ = writeln!(std::io::stderr(), "fairmesh: {failure}");
-            ExitCode::from(2)
+            failure.code()
         }
-    }
-}
-
-/// Writes to stdout; a closed pipe is not our failure.
-fn say(text: &str) {
-    let _ = std::io::stdout().write_all(text.as_bytes());
+    };
+    std::process::ExitCode::from(code as u8)
 }

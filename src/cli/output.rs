@@ -1,13 +1,11 @@
 //! Files that are written whole or not at all.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process;
-
-use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::temporary::Temporary;
 
 /// Where a file will be written.
 pub struct Output {
@@ -22,13 +20,19 @@ pub struct Output {
 impl Output {
     /// Finds out whether the file can be written, before any work is done.
     pub fn prepare(path: &Path) -> Result<Self, Failure> {
-        let name = path.display().to_string();
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
         let mut output = Self {
-            name,
-            target,
+            name: path.display().to_string(),
+            target: path.to_path_buf(),
             is_special: false,
         };
+        match fs::canonicalize(path) {
+            Ok(target) => output.target = target,
+            // As `cp` does: to replace the link, or to make what it names, may both be wrong.
+            Err(_) if path.is_symlink() => {
+                return Err(output.failure("this is a link to what does not exist"));
+            }
+            Err(_) => {}
+        }
         match fs::metadata(&output.target) {
             Ok(found) if found.is_dir() => {
                 return Err(output.failure("this is a directory; name a file in it"));
@@ -64,66 +68,18 @@ impl Output {
             return fs::write(&self.target, bytes).map_err(|why| self.failure(why));
         }
         let temporary = self.temporary()?;
-        self.replace(&temporary, bytes).map_err(|why| self.failure(why))
+        self.replace(temporary, bytes).map_err(|why| self.failure(why))
     }
 
-    /// Writes a report.
-    pub fn write_json(&self, report: &Value) -> Result<(), Failure> {
-        self.write(format!("{report:#}\n").as_bytes())
-    }
-
-    fn replace(&self, temporary: &Temporary, bytes: &[u8]) -> io::Result<()> {
-        let mut file = &temporary.file;
+    fn replace(&self, temporary: Temporary, bytes: &[u8]) -> io::Result<()> {
+        let mut file = temporary.file();
         // Before the bytes: what only some may read is at no time open to others.
         if let Ok(found) = fs::metadata(&self.target) {
             file.set_permissions(found.permissions())?;
         }
         file.write_all(bytes)?;
         file.sync_all()?;
-        fs::rename(&temporary.path, &self.target)
-    }
-}
-
-/// Where a report as JSON goes: not over these files.
-pub fn prepare_json(json: Option<&Path>, others: &[&Path]) -> Result<Option<Output>, Failure> {
-    let Some(path) = json else { return Ok(None) };
-    if others.iter().any(|other| same_file(path, other)) {
-        return Err(Failure::new(format!(
-            "{}: --json would overwrite the mesh; name another file",
-            path.display()
-        )));
-    }
-    Output::prepare(path).map(Some)
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    let resolved = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path)).ok();
-    resolved(a) == resolved(b)
-}
-
-/// A new file that is removed at the end unless it was renamed.
-struct Temporary {
-    path: PathBuf,
-    file: File,
-}
-
-impl Temporary {
-    fn new(directory: &Path) -> io::Result<Self> {
-        let mut number = 0;
-        loop {
-            let path = directory.join(format!(".fairmesh-{}-{number}", process::id()));
-            match File::create_new(&path) {
-                Ok(file) => return Ok(Self { path, file }),
-                Err(why) if why.kind() == io::ErrorKind::AlreadyExists => number += 1,
-                Err(why) => return Err(why),
-            }
-        }
-    }
-}
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.path);
+        temporary.rename(&self.target)
     }
 }
 
@@ -139,6 +95,7 @@ fn short(why: &io::Error) -> String {
 mod tests {
     use std::fs::Permissions;
     use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::process;
 
     use super::*;
 
@@ -209,6 +166,10 @@ mod tests {
         fs::set_permissions(&file, Permissions::from_mode(0o444)).unwrap();
         assert!(refused(&file).ends_with("the file is write-protected; choose another name"));
         assert!(refused(&directory.path().join("none/file")).ends_with("it does not exist"));
+        let link = directory.path().join("link");
+        symlink("nowhere", &link).unwrap();
+        assert!(refused(&link).ends_with("cannot write: this is a link to what does not exist"));
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         Output::prepare(Path::new("/dev/null"))
             .unwrap()
             .write(b"gone")

@@ -127,7 +127,7 @@ fn lines(
     bytes: &[u8],
     mut each: impl FnMut(&mut Words<'_>) -> Result<(), Malformed>,
 ) -> Result<(), Malformed> {
-    let mut at = 0;
+    let mut at = text::start(bytes);
     while at < bytes.len() {
         let (range, next) = text::line(bytes, at);
         let mut words = text::words(bytes, range);

@@ -5,27 +5,89 @@ use std::str::FromStr;
 
 use crate::failure::Malformed;
 
-/// The bytes from `at` to the end of its line, and where the next line begins. The line's own end (LF or
-/// CRLF) is not part of it.
+/// Where the text begins: behind the mark of UTF-8, if there is one.
+pub fn start(bytes: &[u8]) -> usize {
+    if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }
+}
+
+/// The bytes from `at` to the end of its line, and where the next line begins. The line's own end (LF, CRLF or CR) is
+/// not part of it.
 pub fn line(bytes: &[u8], at: usize) -> (Range<usize>, usize) {
-    let (end, next) = match bytes[at..].iter().position(|&byte| byte == b'\n') {
-        Some(length) => (at + length, at + length + 1),
-        None => (bytes.len(), bytes.len()),
+    let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
+    let Some(length) = bytes[at..].iter().position(is_end) else {
+        return (at..bytes.len(), bytes.len());
     };
-    let end = if end > at && bytes[end - 1] == b'\r' {
-        end - 1
-    } else {
-        end
-    };
+    let end = at + length;
+    let next = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
     (at..end, next)
 }
 
-/// The words of a stretch of text, separated by white space, up to a word that begins with `#`.
+/// The words of a stretch of text, separated by white space. A word that begins with `#` and the rest of its line are a
+/// comment.
 pub fn words(bytes: &[u8], range: Range<usize>) -> Words<'_> {
     Words {
         bytes,
         at: range.start,
         end: range.end,
+    }
+}
+
+/// How the rows of a table lie on the lines of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// Each on its own; what a line has behind its row is passed over.
+    Lines,
+    /// Anywhere: line ends are white space, and nothing may stand behind a row but the next.
+    Free,
+}
+
+impl Layout {
+    /// Where the row at `at` really begins, behind blank lines and comments; None at the end of the file.
+    pub fn start(self, bytes: &[u8], at: usize) -> Option<usize> {
+        if self == Layout::Free {
+            return Some(words(bytes, at..bytes.len()).next()?.start);
+        }
+        let mut at = at;
+        while at < bytes.len() {
+            let (range, next) = line(bytes, at);
+            if words(bytes, range).next().is_some() {
+                return Some(at);
+            }
+            at = next;
+        }
+        None
+    }
+
+    /// The words that the row at `at` may have.
+    pub fn words(self, bytes: &[u8], at: usize) -> Words<'_> {
+        match self {
+            Layout::Lines => words(bytes, line(bytes, at).0),
+            Layout::Free => words(bytes, at..bytes.len()),
+        }
+    }
+
+    /// Where the next row may begin once a row's words have been taken.
+    pub fn next(self, bytes: &[u8], taken: &Words<'_>) -> usize {
+        match self {
+            Layout::Lines => line(bytes, taken.at).1,
+            Layout::Free => taken.at,
+        }
+    }
+
+    /// Refuses what stands behind the last row.
+    pub fn end(self, bytes: &[u8], at: usize) -> Result<(), Malformed> {
+        match words(bytes, at..bytes.len()).next() {
+            Some(word) if self == Layout::Free => {
+                let what = format!("{} stands behind the last row", shown(bytes, word.clone()));
+                Err(Malformed::text(word.start, what))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Reads a text whose rows should be on lines of their own, but need not be. What is wrong is told as if they were.
+    pub fn find<T>(mut read: impl FnMut(Self) -> Result<T, Malformed>) -> Result<T, Malformed> {
+        read(Layout::Lines).or_else(|why| read(Layout::Free).map_err(|_| why))
     }
 }
 
@@ -56,12 +118,17 @@ impl Iterator for Words<'_> {
     type Item = Range<usize>;
 
     fn next(&mut self) -> Option<Range<usize>> {
-        while self.at < self.end && self.is_gap(self.at) {
-            self.at += 1;
-        }
-        if self.at >= self.end || self.bytes[self.at] == b'#' {
-            self.at = self.end;
-            return None;
+        loop {
+            while self.at < self.end && self.is_gap(self.at) {
+                self.at += 1;
+            }
+            if self.at >= self.end {
+                return None;
+            }
+            if self.bytes[self.at] != b'#' {
+                break;
+            }
+            self.at = line(self.bytes, self.at).0.end.min(self.end);
         }
         let start = self.at;
         while self.at < self.end && !self.is_gap(self.at) {

@@ -198,7 +198,11 @@ fn an_option_out_of_range_is_named() {
         "--tolerance",
         "2",
     ];
-    refused(&directory, &args, "cap.obj: option tolerance is 2");
+    refused(
+        &directory,
+        &args,
+        "--tolerance 2: it must be greater than 0 and less than 1",
+    );
 }
 
 #[test]

@@ -32,7 +32,7 @@ pub struct Obj {
 /// next line begins.
 fn logical_line(bytes: &[u8], at: usize) -> (Range<usize>, usize) {
     let (mut range, mut next) = text::line(bytes, at);
-    if text::words(bytes, range.clone()).next().is_none() {
+    if bytes[range.clone()].contains(&b'#') {
         // A comment is never joined.
         return (range, next);
     }
@@ -55,7 +55,7 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Obj), Malformed> {
     // Vertex and normal of the corners that have both.
     let mut pairs = Vec::new();
     let mut corners = Vec::new();
-    let mut at = 0;
+    let mut at = text::start(bytes);
     while at < bytes.len() {
         let (range, next) = logical_line(bytes, at);
         let mut words = text::words(bytes, range);

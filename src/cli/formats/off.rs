@@ -6,83 +6,124 @@ use std::ops::Range;
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;
 use crate::formats::{Change, Geometry};
-use crate::text::{self, Words};
+use crate::text::{self, Layout, Words};
 
 /// Where the vertices are.
 pub struct Off {
-    /// Byte offset of each vertex's line.
-    lines: Vec<usize>,
+    /// Byte offset of each vertex's row.
+    rows: Vec<usize>,
+    layout: Layout,
     /// The three words after the coordinates are a normal.
     has_normals: bool,
 }
 
-/// Lines that hold anything.
-struct Lines<'a> {
-    bytes: &'a [u8],
-    at: usize,
-}
-
-impl<'a> Lines<'a> {
-    /// The next line with words, or what is missing.
-    fn next(&mut self, what: Arguments<'_>) -> Result<(usize, Words<'a>), Malformed> {
-        while self.at < self.bytes.len() {
-            let start = self.at;
-            let (range, next) = text::line(self.bytes, start);
-            self.at = next;
-            let words = text::words(self.bytes, range);
-            if words.clone().next().is_some() {
-                return Ok((start, words));
-            }
-        }
-        Err(Malformed::text(
-            self.bytes.len(),
-            format!("the file ends before {what}"),
-        ))
-    }
+/// What the first words say.
+struct Header {
+    vertices: usize,
+    faces: usize,
+    has_normals: bool,
+    /// The numbers of a vertex, where nothing else stands between them.
+    columns: usize,
+    /// Where the first row begins, at the earliest.
+    end: usize,
 }
 
 /// Reads a file's bytes.
 pub fn parse(bytes: &[u8]) -> Result<(Geometry, Off), Malformed> {
-    let mut lines = Lines { bytes, at: 0 };
-    let (at, mut words) = lines.next(format_args!("the line 'OFF'"))?;
-    let first = words.next().unwrap_or(at..at);
-    let (has_normals, rest) = keyword(bytes, first)?;
-    // The counts may stand on the line of the keyword, even without a gap.
-    let (_, line_end) = text::line(bytes, at);
-    let mut counts = text::words(bytes, rest..line_end);
-    if counts.clone().next().is_none() {
-        (_, counts) = lines.next(format_args!("the numbers of vertices and faces"))?;
-    }
-    let vertices = count(bytes, &mut counts, "number of vertices", 6)?;
-    let faces = count(bytes, &mut counts, "number of faces", 2)?;
+    let header = read_header(bytes)?;
+    Layout::find(|layout| read(bytes, &header, layout))
+}
+
+fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Off), Malformed> {
+    let start = |at: usize, what: Arguments<'_>| {
+        let missing = || Malformed::text(bytes.len(), format!("the file ends before {what}"));
+        layout.start(bytes, at).ok_or_else(missing)
+    };
+    // The rest of the counts' line belongs to them.
+    let mut at = layout.next(bytes, &text::words(bytes, header.end..bytes.len()));
     let mut geometry = Geometry::default();
-    let mut offsets = Vec::with_capacity(vertices);
-    for v in 0..vertices {
-        let (at, mut words) = lines.next(format_args!("vertex {v}"))?;
-        geometry
-            .positions
-            .push(text::triple(bytes, &mut words, "vertex")?);
-        offsets.push(at);
+    let mut rows = Vec::with_capacity(header.vertices);
+    for v in 0..header.vertices {
+        at = start(at, format_args!("vertex {v}"))?;
+        let mut words = layout.words(bytes, at);
+        let position = text::triple(bytes, &mut words, "vertex")?;
+        geometry.positions.push(position);
+        rows.push(at);
+        if layout == Layout::Free {
+            for _ in 3..header.columns {
+                let word = words.next().unwrap_or(at..at);
+                text::number(bytes, word, "vertex")?;
+            }
+        }
+        at = layout.next(bytes, &words);
     }
     let mut corners = Vec::new();
-    for f in 0..faces {
-        let (at, mut words) = lines.next(format_args!("face {f}"))?;
+    for f in 0..header.faces {
+        at = start(at, format_args!("face {f}"))?;
+        let mut words = layout.words(bytes, at);
         read_face(bytes, at, &mut words, &mut corners)?;
+        if layout == Layout::Free && corners.len() < 3 {
+            return Err(Malformed::text(at, "a face of fewer than three corners"));
+        }
         geometry.push_polygon(&corners, at);
+        at = layout.next(bytes, &words);
     }
+    layout.end(bytes, at)?;
     geometry.check(true)?;
+    let has_normals = header.has_normals;
     Ok((
         geometry,
         Off {
-            lines: offsets,
+            rows,
+            layout,
             has_normals,
         },
     ))
 }
 
-/// `OFF` with its prefixes: whether there are normals, and where the rest of the line begins.
-fn keyword(bytes: &[u8], word: Range<usize>) -> Result<(bool, usize), Malformed> {
-    let text = &bytes[word.clone()];
+/// The keyword, which some files lack, and the numbers of vertices, faces and edges, the last of which may be missing.
+fn read_header(bytes: &[u8]) -> Result<Header, Malformed> {
+    let begin = text::start(bytes);
+    let mut words = text::words(bytes, begin..bytes.len());
+    let missing = || Malformed::text(bytes.len(), "the file ends before the line 'OFF'");
+    let first = words.next().ok_or_else(missing)?;
+    let (prefix, end) = if text::integer(bytes, first.clone(), "").is_ok() {
+        ("", first.start)
+    } else {
+        keyword(bytes, first)?
+    };
+    // The counts may stand on the line of the keyword, even without a gap.
+    let mut words = text::words(bytes, end..bytes.len());
+    let vertices = count(bytes, &mut words, "number of vertices", 6)?;
+    let faces = count(bytes, &mut words, "number of faces", 2)?;
+    let mut end = words.offset();
+    // The number of edges, on the same line or where the numbers have a line each.
+    let mut line = text::words(bytes, text::line(bytes, end).0);
+    if line.next().is_some() {
+        end = line.offset();
+    } else {
+        let at = Layout::Lines.start(bytes, end).unwrap_or(end);
+        let mut alone = text::words(bytes, text::line(bytes, at).0);
+        let is_edges = alone
+            .next()
+            .is_some_and(|word| text::integer(bytes, word, "").is_ok());
+        if is_edges && alone.next().is_none() {
+            end = alone.offset();
+        }
+    }
+    let columns = |letter, count| if prefix.contains(letter) { count } else { 0 };
+    Ok(Header {
+        vertices,
+        faces,
+        has_normals: prefix.ends_with('N'),
+        columns: 3 + columns("ST", 2) + columns("C", 4) + columns("N", 3),
+        end,
+    })
+}
+
+/// `OFF` in any case: its prefixes, and where the rest of the line begins.
+fn keyword(bytes: &[u8], word: Range<usize>) -> Result<(&'static str, usize), Malformed> {
+    let text = bytes[word.clone()].to_ascii_uppercase();
     let no_off = || {
         Malformed::text(
             word.start,
@@ -93,26 +134,28 @@ fn keyword(bytes: &[u8], word: Range<usize>) -> Result<(bool, usize), Malformed>
         .windows(3)
         .position(|three| three == b"OFF")
         .ok_or_else(no_off)?;
-    let prefix = &text[..length];
-    let known = [&b""[..], b"N", b"C", b"CN", b"ST", b"STN", b"STC", b"STCN"];
-    if !known.contains(&prefix) {
+    let known = ["", "N", "C", "CN", "ST", "STN", "STC", "STCN"];
+    let Some(prefix) = known
+        .into_iter()
+        .find(|known| known.as_bytes() == &text[..length])
+    else {
         let what = format!(
             "{} is not supported; only OFF with prefixes ST, C and N is",
             text::shown(bytes, word.clone())
         );
         return Err(Malformed::text(word.start, what));
-    }
+    };
     let rest = word.start + length + 3;
     if text::words(bytes, rest..bytes.len())
         .next()
-        .is_some_and(|next| &bytes[next] == b"BINARY")
+        .is_some_and(|next| bytes[next].eq_ignore_ascii_case(b"BINARY"))
     {
         return Err(Malformed::text(
             word.start,
             "binary OFF is not supported; save it as text",
         ));
     }
-    Ok((prefix.ends_with(b"N"), rest))
+    Ok((prefix, rest))
 }
 
 /// A count that the file's length allows, `least` bytes each.
@@ -159,8 +202,7 @@ impl Off {
     pub fn patch(&self, bytes: &[u8], change: &Change<'_>, patches: &mut Patches) -> usize {
         let mut stale = 0;
         for (v, position, normal) in change.vertices() {
-            let (range, _) = text::line(bytes, self.lines[v]);
-            let mut words = text::words(bytes, range);
+            let mut words = self.layout.words(bytes, self.rows[v]);
             match position {
                 Some(position) => patches.replace_words(&mut words, position),
                 None => (0..3).for_each(|_| _ = words.next()),

@@ -7,15 +7,21 @@ mod rows;
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;
 use crate::formats::{Change, Geometry, Kind};
-use header::{Element, Encoding, PropertyKind, Scalar};
+use crate::text::Layout;
+use header::{Element, Encoding, Header, PropertyKind, Scalar};
 use rows::{Field, Rows};
 
 /// MeshLab's (VCG's) bit for "selected" in `flags`, of vertices and faces alike.
 const SELECTED: i64 = 0x20;
 
+/// A mesh of strips is told by its cause, not by the faces that it lacks.
+const STRIPS: &str = "triangle strips are not supported; save the file with faces";
+
 /// Where vertices and faces are.
 pub struct Ply {
     encoding: Encoding,
+    /// Of a text.
+    layout: Layout,
     vertex: Table,
     face: Table,
     /// The properties x, y, z.
@@ -33,14 +39,23 @@ struct Table {
 /// Reads a file's bytes.
 pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
     let header = header::parse(bytes)?;
+    if header.encoding == Encoding::Ascii {
+        Layout::find(|layout| read(bytes, &header, layout))
+    } else {
+        read(bytes, &header, Layout::Lines)
+    }
+}
+
+fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply), Malformed> {
     let mut geometry = Geometry::default();
     let (mut vertex, mut face) = (None, None);
     let mut at = header.end;
-    for element in header.elements {
+    for element in &header.elements {
         let rows = Rows {
             bytes,
             encoding: header.encoding,
-            element: &element,
+            layout,
+            element,
         };
         let mut offsets = Vec::new();
         let table = match element.name.as_str() {
@@ -52,13 +67,17 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
                 at = read_faces(&rows, at, &mut geometry, &mut offsets)?;
                 &mut face
             }
+            "tristrips" if element.count > 0 => return Err(rows.malformed(element.at, STRIPS)),
             _ => {
                 at = pass_over(&rows, at)?;
                 continue;
             }
         };
-        let rows = offsets;
+        let (element, rows) = (element.clone(), offsets);
         *table = Some(Table { element, rows });
+    }
+    if header.encoding == Encoding::Ascii {
+        layout.end(bytes, at)?;
     }
     let vertex = vertex.ok_or_else(|| Malformed::text(0, "the file has no element 'vertex'"))?;
     let face = face.ok_or_else(|| {
@@ -68,12 +87,13 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
         )
     })?;
     geometry.check(header.encoding == Encoding::Ascii)?;
-    let position = float_properties(&vertex.element, ["x", "y", "z"])?;
-    let normal = float_properties(&vertex.element, ["nx", "ny", "nz"]).ok();
+    let position = position_columns(&vertex.element)?;
+    let normal = triple(&vertex.element, ["nx", "ny", "nz"], |scalar| !scalar.is_integer()).ok();
     Ok((
         geometry,
         Ply {
             encoding: header.encoding,
+            layout,
             vertex,
             face,
             position,
@@ -82,25 +102,28 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
     ))
 }
 
-/// The three properties of these names, all float or double.
-fn float_properties(element: &Element, names: [&str; 3]) -> Result<[usize; 3], Malformed> {
-    let is_float = |&p: &usize| {
-        matches!(
-            element.properties[p].kind,
-            PropertyKind::Scalar(Scalar::F32 | Scalar::F64)
-        )
+/// The three properties of these names, if they are numbers of which each `is_allowed`.
+fn triple(
+    element: &Element,
+    names: [&str; 3],
+    is_allowed: fn(Scalar) -> bool,
+) -> Result<[usize; 3], Malformed> {
+    let is_number = |&p: &usize| match element.properties[p].kind {
+        PropertyKind::Scalar(scalar) => is_allowed(scalar),
+        PropertyKind::List { .. } => false,
     };
     let mut found = [0; 3];
     for (slot, name) in found.iter_mut().zip(names) {
-        *slot = element.property(name).filter(is_float).ok_or_else(|| {
-            let what = format!(
-                "element '{}' needs a property '{name}' of type float or double",
-                element.name
-            );
+        *slot = element.property(name).filter(is_number).ok_or_else(|| {
+            let what = format!("element '{}' needs a number '{name}' in every row", element.name);
             Malformed::text(element.at, what)
         })?;
     }
     Ok(found)
+}
+
+fn position_columns(element: &Element) -> Result<[usize; 3], Malformed> {
+    triple(element, ["x", "y", "z"], |_| true)
 }
 
 fn read_vertices(
@@ -109,7 +132,7 @@ fn read_vertices(
     geometry: &mut Geometry,
     offsets: &mut Vec<usize>,
 ) -> Result<usize, Malformed> {
-    let wanted = float_properties(rows.element, ["x", "y", "z"])?;
+    let wanted = position_columns(rows.element)?;
     let count = rows.check_count(at)?;
     offsets.reserve_exact(count);
     geometry.positions.reserve_exact(count);
@@ -163,6 +186,9 @@ fn read_faces(
             for &value in &values {
                 corners.push(Geometry::corner(value, row, rows.encoding == Encoding::Ascii)?);
             }
+            if rows.layout == Layout::Free && corners.len() < 3 {
+                return Err(rows.malformed(row, "a face of fewer than three corners"));
+            }
             geometry.push_polygon(&corners, row);
             Ok(())
         })?;
@@ -180,12 +206,24 @@ fn pass_over(rows: &Rows<'_>, at: usize) -> Result<usize, Malformed> {
 }
 
 impl Ply {
+    fn is_text(&self) -> bool {
+        self.encoding == Encoding::Ascii
+    }
+
     fn rows<'a>(&self, bytes: &'a [u8], table: &'a Table) -> Rows<'a> {
         Rows {
             bytes,
             encoding: self.encoding,
+            layout: self.layout,
             element: &table.element,
         }
+    }
+
+    /// Whether a coordinate is a whole number by its type, so that no result can be written in its place.
+    pub fn is_whole(&self) -> bool {
+        let properties = &self.vertex.element.properties;
+        let is_integer = |&p: &usize| matches!(properties[p].kind, PropertyKind::Scalar(s) if s.is_integer());
+        self.position.iter().any(is_integer)
     }
 
     /// The rows whose property `name` is nonzero; of `flags`, only the bit for "selected" counts.

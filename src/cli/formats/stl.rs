@@ -1,6 +1,7 @@
 //! STL, ASCII and binary. Corners with exactly equal coordinates are one vertex.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;
@@ -13,10 +14,13 @@ const HEADER: usize = 84;
 /// Bytes of a triangle of a binary file.
 const FACET: usize = 50;
 
+/// No place in the file.
+const NONE: usize = usize::MAX;
+
 /// Where the triangles are.
 pub enum Stl {
     Binary,
-    /// Byte offsets of the lines `facet normal` and three times `vertex`.
+    /// Byte offsets of the numbers of each facet: those of its normal (or [`NONE`]) and of its three vertices.
     Ascii(Vec<[usize; 4]>),
 }
 
@@ -43,23 +47,58 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Stl), Malformed> {
         .get(80..HEADER)
         .map(|count| u32::from_le_bytes([count[0], count[1], count[2], count[3]]));
     let expected = count.map(|count| HEADER as u64 + FACET as u64 * u64::from(count));
-    let looks_ascii = bytes.trim_ascii_start().starts_with(b"solid");
+    let length = bytes.len() as u64;
+    // Binary files may begin with "solid" too: the length decides, or a zero, which no text has.
     match (count, expected) {
-        // Binary files may begin with "solid" too; the length decides.
-        (Some(count), Some(expected)) if expected == bytes.len() as u64 => Ok(parse_binary(bytes, count)),
-        _ if looks_ascii => parse_ascii(bytes),
+        (Some(count), Some(expected)) if expected == length && count > 0 => Ok(parse_binary(bytes, count)),
+        _ if begins_as_text(bytes) => parse_ascii(bytes),
+        _ if !head(bytes).contains(&0) => Err(Malformed::binary(
+            bytes.len().min(HEADER),
+            "this is not an STL file: it is no text that begins with 'solid', and not binary",
+        )),
+        (Some(0), _) if length > HEADER as u64 => Err(Malformed::binary(
+            80,
+            "the number of triangles is 0, but more bytes follow",
+        )),
+        // What stands behind the last triangle stays there.
+        (Some(count), Some(expected))
+            if expected <= length && !are_triangles(&bytes[expected as usize..]) =>
+        {
+            Ok(parse_binary(bytes, count))
+        }
         (Some(count), Some(expected)) => Err(Malformed::binary(
             80,
-            format!(
-                "{count} triangles take {expected} bytes, but the file has {}",
-                bytes.len()
-            ),
+            format!("{count} triangles take {expected} bytes, but the file has {length}"),
         )),
         _ => Err(Malformed::binary(
             bytes.len(),
-            "this is not an STL file: it is too short and has no 'solid'",
+            "this is not an STL file: it is too short",
         )),
     }
+}
+
+/// The head of a binary file and its first triangle, which no text looks like: there are zeros in it.
+fn head(bytes: &[u8]) -> &[u8] {
+    &bytes[..bytes.len().min(HEADER + FACET)]
+}
+
+/// Whether the file is a text that begins as STL does, behind comments.
+fn begins_as_text(bytes: &[u8]) -> bool {
+    let mut words = text::words(bytes, text::start(bytes)..bytes.len());
+    let first = words.next();
+    !head(bytes).contains(&0) && first.is_some_and(|word| is_one_of(bytes, &word, &["solid", "facet"]))
+}
+
+fn is_one_of(bytes: &[u8], word: &Range<usize>, keywords: &[&str]) -> bool {
+    let word = &bytes[word.clone()];
+    keywords
+        .iter()
+        .any(|keyword| word.eq_ignore_ascii_case(keyword.as_bytes()))
+}
+
+/// Whether bytes behind the last triangle look as if the number of triangles were wrong.
+fn are_triangles(bytes: &[u8]) -> bool {
+    bytes.len().is_multiple_of(FACET) && bytes.iter().any(|&byte| byte != 0)
 }
 
 fn parse_binary(bytes: &[u8], count: u32) -> (Geometry, Stl) {
@@ -84,51 +123,88 @@ fn parse_binary(bytes: &[u8], count: u32) -> (Geometry, Stl) {
     (geometry, Stl::Binary)
 }
 
+/// Reads a text by its words, wherever its lines end: there are files of one line.
 fn parse_ascii(bytes: &[u8]) -> Result<(Geometry, Stl), Malformed> {
     let mut geometry = Geometry::default();
     let mut weld = Weld::default();
     let mut facets = Vec::new();
-    let (mut facet, mut corners) = (None, Vec::new());
-    let mut lines = [0; 4];
-    let mut at = 0;
-    while at < bytes.len() {
-        let (range, next) = text::line(bytes, at);
-        let mut words = text::words(bytes, range);
-        let word = words
-            .next()
-            .map(|word| bytes[word].to_ascii_lowercase())
-            .unwrap_or_default();
-        match (word.as_slice(), facet) {
-            (b"facet", None) => {
-                facet = Some(at);
-                lines[0] = at;
-                corners.clear();
-            }
-            (b"vertex", Some(_)) if corners.len() < 3 => {
-                let position = text::triple(bytes, &mut words, "vertex")?;
-                corners.push(weld.vertex(position, &mut geometry.positions));
-                lines[corners.len()] = at;
-            }
-            (b"endfacet", Some(start)) if corners.len() == 3 => {
-                geometry.push_polygon(&corners, start);
-                facets.push(lines);
-                facet = None;
-            }
-            (b"outer" | b"endloop", Some(_)) | (b"solid" | b"endsolid" | b"", None) | (b"", Some(_)) => {}
-            _ => {
-                let what = format!("{} is out of place here", text::shown(&word, 0..word.len()));
-                return Err(Malformed::text(at, what));
-            }
+    let mut words = text::words(bytes, text::start(bytes)..bytes.len());
+    let mut is_open = false;
+    while let Some(word) = words.next() {
+        if is_one_of(bytes, &word, &["facet"]) {
+            let (corners, numbers) = read_facet(bytes, &mut words)?;
+            let corners = corners.map(|corner| weld.vertex(corner, &mut geometry.positions));
+            geometry.push_polygon(&corners, word.start);
+            facets.push(numbers);
+            is_open = true;
+        } else if is_open && !is_one_of(bytes, &word, &["solid", "endsolid"]) {
+            return Err(misplaced(bytes, word));
+        } else {
+            // Between solids stands what others pass over, too.
+            is_open = is_one_of(bytes, &word, &["solid"]);
+            pass_name(bytes, &mut words);
         }
-        at = next;
     }
-    match facet {
-        Some(_) => Err(Malformed::text(bytes.len(), "the file ends within a facet")),
-        None => Ok((geometry, Stl::Ascii(facets))),
+    if is_open {
+        return Err(Malformed::text(
+            bytes.len(),
+            "the file ends before 'endsolid': some of it may be missing",
+        ));
     }
+    Ok((geometry, Stl::Ascii(facets)))
 }
 
-/// Passes over the first words of a line.
+fn misplaced(bytes: &[u8], word: Range<usize>) -> Malformed {
+    let what = format!("{} is out of place here", text::shown(bytes, word.clone()));
+    Malformed::text(word.start, what)
+}
+
+/// The corners of a facet, and where its numbers are, up to `endfacet`.
+fn read_facet(bytes: &[u8], words: &mut Words<'_>) -> Result<([[f64; 3]; 3], [usize; 4]), Malformed> {
+    let mut corners = [[0.0; 3]; 3];
+    let mut numbers = [NONE; 4];
+    let mut count = 0;
+    while let Some(word) = words.next() {
+        let is = |keywords| is_one_of(bytes, &word, keywords);
+        if is(&["endfacet"]) && count == 3 {
+            return Ok((corners, numbers));
+        } else if is(&["vertex"]) && count < 3 {
+            numbers[count + 1] = words.offset();
+            corners[count] = text::triple(bytes, words, "vertex")?;
+            count += 1;
+        } else if is(&["normal"]) && count == 0 {
+            numbers[0] = words.offset();
+            skip(words, 3);
+        } else if !is(&["outer", "loop", "endloop"]) {
+            return Err(misplaced(bytes, word));
+        }
+    }
+    Err(Malformed::text(bytes.len(), "the file ends within a facet"))
+}
+
+/// Passes over the name of a solid: the rest of its line, up to the first facet.
+fn pass_name<'a>(bytes: &'a [u8], words: &mut Words<'a>) {
+    let (line, _) = text::line(bytes, words.offset());
+    let mut name = text::words(bytes, line.clone());
+    let mut end = line.end;
+    while let Some(word) = name.next() {
+        let mut behind = name.clone();
+        let is_facet = is_one_of(bytes, &word, &["facet"])
+            && behind
+                .next()
+                .is_some_and(|word| is_one_of(bytes, &word, &["normal"]))
+            && behind
+                .next()
+                .is_some_and(|word| text::number(bytes, word, "").is_ok());
+        if is_facet || is_one_of(bytes, &word, &["endsolid"]) {
+            end = word.start;
+            break;
+        }
+    }
+    *words = text::words(bytes, end..bytes.len());
+}
+
+/// Passes over words.
 fn skip(words: &mut Words<'_>, count: usize) {
     (0..count).for_each(|_| _ = words.next());
 }
@@ -169,9 +245,11 @@ impl Stl {
                 );
             }
             Stl::Ascii(facets) => {
-                let (range, _) = text::line(bytes, facets[t][row]);
-                let mut words = text::words(bytes, range);
-                skip(&mut words, if row == 0 { 2 } else { 1 });
+                let at = facets[t][row];
+                if at == NONE {
+                    return;
+                }
+                let mut words = text::words(bytes, at..bytes.len());
                 patches.replace_words(&mut words, values);
             }
         }

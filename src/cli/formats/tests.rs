@@ -219,8 +219,8 @@ fn malformed_ply_is_refused_with_its_place() {
         ),
         (file(vertex, "0 0 0\n"), "file:1: the file has no element 'face'"),
         (
-            file(&vertex.replace("float z", "int z"), "0 0 0\n"),
-            "file:3: element 'vertex' needs a property 'z'",
+            file(&vertex.replace("float z", "float w"), "0 0 0\n"),
+            "file:3: element 'vertex' needs a number 'z'",
         ),
         (
             file(&format!("{vertex}{face}"), "0 0\n3 0 0 0\n"),

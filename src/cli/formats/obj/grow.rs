@@ -20,7 +20,7 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
     let old = added.old_vertices();
     let mut attributes = Attributes::read(bytes, old);
     let mut out = bytes.to_vec();
-    if out.last().is_some_and(|&last| last != b'\n') {
+    if out.last().is_some_and(|&last| !matches!(last, b'\n' | b'\r')) {
         out.push(b'\n');
     }
     let mut textures = String::new();
@@ -61,7 +61,7 @@ impl Attributes {
             texture_of: vec![None; vertices],
             ..Self::default()
         };
-        let mut at = 0;
+        let mut at = text::start(bytes);
         while at < bytes.len() {
             let (range, next) = logical_line(bytes, at);
             let mut words = text::words(bytes, range);

@@ -163,13 +163,13 @@ impl Ply {
         } else {
             out.extend(rows::encode(self.encoding, scalar, value));
         }
-        if self.encoding == Encoding::Ascii {
+        if self.is_text() {
             out.push(b' ');
         }
     }
 
     fn end_row(&self, out: &mut Vec<u8>) {
-        if self.encoding == Encoding::Ascii {
+        if self.is_text() {
             out.pop();
             out.push(b'\n');
         }
@@ -184,7 +184,7 @@ impl Ply {
         let Ok(end) = self.rows(bytes, table).walk(last, &mut |_, _| Ok(())) else {
             return;
         };
-        if self.encoding == Encoding::Ascii && bytes.get(end - 1) != Some(&b'\n') {
+        if self.is_text() && !matches!(bytes.get(end - 1), Some(b'\n' | b'\r')) {
             new.insert(0, b'\n');
         }
         patches.replace(end..end, &new);

@@ -116,7 +116,9 @@ pub struct Header {
 
 /// Reads the header, from `ply` to `end_header`.
 pub fn parse(bytes: &[u8]) -> Result<Header, Malformed> {
-    let (first, mut at) = text::line(bytes, 0);
+    let (first, mut at) = text::line(bytes, text::start(bytes));
+    // Behind a lone CR the first byte of a binary file may be anything, an LF too.
+    let is_lone_cr = bytes.get(first.end) == Some(&b'\r') && at == first.end + 1;
     if bytes[first].trim_ascii_end() != b"ply" {
         return Err(Malformed::text(
             0,
@@ -127,6 +129,11 @@ pub fn parse(bytes: &[u8]) -> Result<Header, Malformed> {
     let mut elements: Vec<Element> = Vec::new();
     while at < bytes.len() {
         let (range, next) = text::line(bytes, at);
+        let end = if is_lone_cr {
+            (range.end + 1).min(bytes.len())
+        } else {
+            next
+        };
         let line = String::from_utf8_lossy(&bytes[range]);
         let words: Vec<&str> = line.split_ascii_whitespace().collect();
         match words.as_slice() {
@@ -146,7 +153,7 @@ pub fn parse(bytes: &[u8]) -> Result<Header, Malformed> {
                 return Ok(Header {
                     encoding,
                     elements,
-                    end: next,
+                    end,
                 });
             }
             _ => {
@@ -154,7 +161,7 @@ pub fn parse(bytes: &[u8]) -> Result<Header, Malformed> {
                 return Err(Malformed::text(at, format!("header line {word} is not PLY")));
             }
         }
-        at = next;
+        at = end;
     }
     Err(Malformed::text(
         bytes.len(),
@@ -181,7 +188,8 @@ fn parse_element(name: &str, count: &str, at: usize, earlier: &[Element]) -> Res
             format!("the number of rows of element '{name}' is not a count"),
         )
     })?;
-    if earlier.iter().any(|element| element.name == name) {
+    let is_mesh = name == "vertex" || name == "face";
+    if is_mesh && earlier.iter().any(|element| element.name == name) {
         return Err(Malformed::text(at, format!("element '{name}' is declared twice")));
     }
     Ok(Element {

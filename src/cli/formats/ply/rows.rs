@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::failure::Malformed;
 use crate::formats::ply::header::{Element, Encoding, PropertyKind, Scalar};
-use crate::text::{self, Words};
+use crate::text::{self, Layout, Words};
 
 /// Where a property of a row is: its number, or the items of its list without their count.
 pub type Field = Range<usize>;
@@ -13,6 +13,8 @@ pub type Field = Range<usize>;
 pub struct Rows<'a> {
     pub bytes: &'a [u8],
     pub encoding: Encoding,
+    /// Of a text.
+    pub layout: Layout,
     pub element: &'a Element,
 }
 
@@ -54,15 +56,8 @@ impl Rows<'_> {
         if self.encoding != Encoding::Ascii {
             return Ok(at);
         }
-        let mut at = at;
-        while at < self.bytes.len() {
-            let (range, next) = text::line(self.bytes, at);
-            if text::words(self.bytes, range).next().is_some() {
-                return Ok(at);
-            }
-            at = next;
-        }
-        Err(self.cut_short(self.bytes.len()))
+        let start = self.layout.start(self.bytes, at);
+        start.ok_or_else(|| self.cut_short(self.bytes.len()))
     }
 
     /// Visits every property of the row at `at`; returns where the next row begins.
@@ -82,8 +77,7 @@ impl Rows<'_> {
         at: usize,
         visit: &mut impl FnMut(usize, Field) -> Result<(), Malformed>,
     ) -> Result<usize, Malformed> {
-        let (range, next) = text::line(self.bytes, at);
-        let mut words = text::words(self.bytes, range);
+        let mut words = self.layout.words(self.bytes, at);
         for (property, described) in self.element.properties.iter().enumerate() {
             let word = self.word(&mut words, at, property)?;
             let field = match described.kind {
@@ -101,7 +95,7 @@ impl Rows<'_> {
             };
             visit(property, field)?;
         }
-        Ok(next)
+        Ok(self.layout.next(self.bytes, &words))
     }
 
     fn word(&self, words: &mut Words<'_>, at: usize, property: usize) -> Result<Range<usize>, Malformed> {
