@@ -1,5 +1,7 @@
 //! Is the result sound: triangles, normals, extent.
 
+pub(crate) mod crease;
+
 use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::{angle, average};
@@ -35,6 +37,13 @@ pub struct Quality {
     pub normal_deviation_vertex: usize,
     /// The root mean square of those angles, in degrees.
     pub normal_deviation_rms: f64,
+    /// The largest kink, in degrees: the angle at a boundary vertex between the area-weighted mean normals of the region's
+    /// triangles and of those outside; where nothing is outside, between the former and the boundary normal.
+    pub boundary_kink: f64,
+    /// The boundary vertex that has it; of a surface with a boundary crease, the worst one of the crease.
+    pub boundary_kink_vertex: usize,
+    /// The kink of the input at this vertex.
+    pub boundary_kink_before: f64,
 }
 
 impl Quality {
@@ -81,12 +90,14 @@ impl Surface<'_> {
         }
     }
 
-    /// Calls `visit(triangle, folded, smallest angle)` for every region triangle (local number).
+    /// Calls `visit(triangle, folded, smallest angle)` for every region triangle (local number) that has moved: those of
+    /// fixed vertices alone are as they came.
     pub(crate) fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
         let half_edges = &self.region.half_edges;
         for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
             .iter()
             .enumerate()
+            .filter(|(_, corners)| corners.iter().any(|&v| self.region.is_free(v)))
         {
             let p = corners.map(|v| self.x[v as usize]);
             let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));

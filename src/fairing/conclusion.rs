@@ -7,6 +7,7 @@ use super::report::{LooseReason, Outcome, Report, Seconds, Solution};
 use crate::discrete::equations::State;
 use crate::discrete::target::Target;
 use crate::paper::LevelReport;
+use crate::quality::crease::{Kink, creases, kink, kinks};
 use crate::quality::{Quality, Surface};
 use crate::solve::problem::diagonal;
 use crate::solve::{SolveResult, SolveStatus};
@@ -30,16 +31,20 @@ impl Found<'_> {
     pub(super) fn conclude(self) -> Solution {
         let clock = Instant::now();
         let surface = self.surface();
-        let quality = self.quality(&surface);
         let domain = &self.prepared.domain;
-        let suspicious_normals = surface.suspicious_normals(&domain.rings, &domain.input);
+        let (rings, input) = (&domain.rings, &domain.input);
+        let mut quality = self.quality(&surface);
+        let kinks = kinks(&surface, rings, input);
+        let creases = creases(&kinks);
+        self.tell_kink(&mut quality, if creases.is_empty() { &kinks } else { &creases });
+        let suspicious_normals = surface.suspicious_normals(rings, input);
         let scale = self.prepared.normalization.scale;
         Solution {
             positions: self.positions(),
             boundary_normals: self.boundary_normals(),
             mean_curvature: self.at_free_vertices(&self.state.h, scale),
             gaussian_curvature: self.at_free_vertices(&self.state.k, scale * scale),
-            report: self.report(quality, suspicious_normals, clock),
+            report: self.report(quality, suspicious_normals, &creases, clock),
         }
     }
 
@@ -93,7 +98,28 @@ impl Found<'_> {
         ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
     }
 
-    fn report(&self, quality: Quality, suspicious_normals: Vec<u32>, clock: Instant) -> Report {
+    /// The widest of these, and what it was in the input.
+    fn tell_kink(&self, quality: &mut Quality, kinks: &[Kink]) {
+        let Some(widest) = kinks.iter().max_by(|a, b| a.kink.total_cmp(&b.kink)) else {
+            return;
+        };
+        let domain = &self.prepared.domain;
+        let before = Surface {
+            x: domain.surface(),
+            ..self.surface()
+        };
+        quality.boundary_kink = widest.kink;
+        quality.boundary_kink_vertex = domain.region.vertex_ids[domain.region.free + widest.b] as usize;
+        quality.boundary_kink_before = kink(&before, &domain.rings, &domain.input, widest.b).kink;
+    }
+
+    fn report(
+        &self,
+        quality: Quality,
+        suspicious_normals: Vec<u32>,
+        creases: &[Kink],
+        clock: Instant,
+    ) -> Report {
         let (prepared, result) = (self.prepared, self.result);
         let free = prepared.domain.region.free;
         let mut seconds = self.seconds;
@@ -101,7 +127,7 @@ impl Found<'_> {
         seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
         Report {
             target: self.target,
-            outcome: self.outcome(&suspicious_normals),
+            outcome: self.outcome(&suspicious_normals, creases),
             iterations: result.iterations,
             defect: result.defect,
             step: result.step,
@@ -120,7 +146,7 @@ impl Found<'_> {
         }
     }
 
-    fn outcome(&self, suspicious_normals: &[u32]) -> Outcome {
+    fn outcome(&self, suspicious_normals: &[u32], creases: &[Kink]) -> Outcome {
         let region = &self.prepared.domain.region;
         let ids = |list: &[u32], of: &[u32]| list.iter().map(|&i| of[i as usize]).collect::<Vec<u32>>();
         let poor = &self.result.poor;
@@ -141,6 +167,12 @@ impl Found<'_> {
                 return Outcome::ConvergedPoorTriangles {
                     triangles: ids(poor, &region.half_edges.triangle_ids),
                 };
+            }
+            _ if !creases.is_empty() => {
+                let boundary = &region.vertex_ids[region.free..];
+                let mut vertices: Vec<u32> = creases.iter().map(|k| boundary[k.b]).collect();
+                vertices.dedup();
+                return Outcome::BoundaryCrease { vertices };
             }
             SolveStatus::Bump => LooseReason::Bump,
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,

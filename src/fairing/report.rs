@@ -59,6 +59,12 @@ pub enum Outcome {
     IterationLimit,
     /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled,
+    /// Tolerance met and no triangle is poor, but along the boundary the surface has a crease against the outside, or against
+    /// the normals that were given.
+    BoundaryCrease {
+        /// The boundary vertices where it has, ascending.
+        vertices: Vec<u32>,
+    },
 }
 
 choices! {
@@ -103,6 +109,9 @@ table!(Outcome {
     7 "cancelled" Outcome::Cancelled =>
         "the progress callback stopped the run; the best surface so far is returned, before there is one the input",
         "run it again, to its end";
+    8 "boundary_crease" Outcome::BoundaryCrease { .. } =>
+        "tolerance met, but the surface has a crease along the boundary, at the vertices that the report names",
+        "move the boundary away from sharp features or noise: select more or less there; or refine the mesh there";
 });
 
 impl Outcome {

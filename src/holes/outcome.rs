@@ -127,13 +127,16 @@ pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangl
     let quality = &mut report.quality;
     quality.worst_triangle = triangle(quality.worst_triangle as u32) as usize;
     quality.normal_deviation_vertex = vertex(quality.normal_deviation_vertex as u32) as usize;
+    quality.boundary_kink_vertex = vertex(quality.boundary_kink_vertex as u32) as usize;
     for list in [&mut quality.flipped, &mut quality.needles] {
         list.iter_mut().for_each(|t| *t = triangle(*t));
     }
     report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));
     match &mut report.outcome {
         Outcome::ConvergedPoorTriangles { triangles } => triangles.iter_mut().for_each(|t| *t = triangle(*t)),
-        Outcome::NormalsNotReachable { vertices, .. } => vertices.iter_mut().for_each(|v| *v = vertex(*v)),
+        Outcome::NormalsNotReachable { vertices, .. } | Outcome::BoundaryCrease { vertices } => {
+            vertices.iter_mut().for_each(|v| *v = vertex(*v));
+        }
         _ => {}
     }
 }

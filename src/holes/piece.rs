@@ -41,7 +41,10 @@ const AGAIN: usize = 2;
 fn is_failed(report: &Report) -> bool {
     !matches!(
         report.outcome,
-        Outcome::Converged | Outcome::ConvergedPoorTriangles { .. } | Outcome::ConvergedLoosely { .. }
+        Outcome::Converged
+            | Outcome::ConvergedPoorTriangles { .. }
+            | Outcome::ConvergedLoosely { .. }
+            | Outcome::BoundaryCrease { .. }
     )
 }
 
@@ -325,11 +328,9 @@ impl Task<'_> {
     fn judge(&self, coarse: &Patch, mut patch: Patch, solution: Solution, coarsened: bool) -> Piece {
         let inner = self.inner(&solution);
         let report = solution.report;
-        let outcome = match report.outcome {
-            Outcome::Converged
-            | Outcome::ConvergedPoorTriangles { .. }
-            | Outcome::ConvergedLoosely { .. } => FillOutcome::Faired,
-            _ => FillOutcome::Linear,
+        let outcome = match is_failed(&report) {
+            false => FillOutcome::Faired,
+            true => FillOutcome::Linear,
         };
         let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
         if report.outcome != Outcome::Converged && is_wild {

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::quasi_newton::IterationStatus;
 use super::system::System;
 use crate::quality::NEEDLE;
+use crate::quality::crease::{creases, kinks};
 
 /// A surface that an iteration has led to.
 #[derive(Debug, Clone)]
@@ -21,6 +22,8 @@ pub(crate) struct Candidate {
     pub curvature_overshoot: bool,
     /// It stands off single boundary normals far more than off the others.
     pub detached_from_normals: bool,
+    /// At so many boundary vertices it has a crease against the outside ([`crate::quality::crease`]).
+    pub creases: usize,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
     /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
     pub needles_from_input: bool,
@@ -31,7 +34,9 @@ impl Candidate {
     pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>, status: IterationStatus, step: f64) -> Self {
         system.evaluate(&x);
         let surface = system.surface(&x);
+        let domain = &system.domain;
         Self {
+            creases: creases(&kinks(&surface, &domain.rings, &domain.input)).len(),
             status,
             step,
             poor: surface.poor(NEEDLE),
@@ -42,9 +47,9 @@ impl Candidate {
         }
     }
 
-    /// A bump: the coarse equations admit it, but no smooth surface has it.
+    /// A bump or a crease at the boundary: the coarse equations admit it, but no smooth surface has it.
     pub(crate) fn has_bump(&self) -> bool {
-        self.curvature_overshoot || self.detached_from_normals
+        self.curvature_overshoot || self.detached_from_normals || self.creases > 0
     }
 
     /// Tolerance met.
@@ -63,8 +68,13 @@ impl Candidate {
     }
 
     /// The smaller the better.
-    pub(crate) fn rank(&self) -> (bool, usize, bool) {
-        (!self.is_converged(), self.poor.len(), self.has_bump())
+    pub(crate) fn rank(&self) -> (bool, usize, bool, usize) {
+        (
+            !self.is_converged(),
+            self.poor.len(),
+            self.has_bump(),
+            self.creases,
+        )
     }
 
     /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.

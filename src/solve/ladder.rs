@@ -117,6 +117,10 @@ impl Ladder {
                 }
                 Next::Done(candidate) => {
                     if let Some((candidate, status)) = self.consider(candidate) {
+                        // A surface that meets the tolerance is better than one that the iterations did not suffice for.
+                        if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
+                            return Ok(Step::Ended(self.give_up(system, control)));
+                        }
                         return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
                     }
                 }
