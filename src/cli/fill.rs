@@ -16,6 +16,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::{Output, prepare_json};
+use crate::surface::IntersectionArgs;
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -51,6 +52,8 @@ pub struct FillArgs {
     /// the result is the same to the last bit
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
     /// Writes the report as JSON, too
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -105,6 +108,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             threads: args.threads,
+            intersections: args.intersections.intersections(),
             ..Options::default()
         },
     };
@@ -142,9 +146,15 @@ fn told(report: &LoopReport) -> String {
         FillOutcome::Flat { reason } => match reason {
             FlatReason::NotAsked => "triangulated and refined".into(),
             FlatReason::NoInnerVertex => "triangulated; no new vertex was needed".into(),
+            FlatReason::Intersecting => format!("triangulated and refined only: {}", reason.entry().text()),
             FlatReason::Refused(error) => format!("triangulated and refined only: {error}"),
             _ => format!("triangulated and refined only: fairing ended as {ended}, with an unsound surface"),
         },
+        FillOutcome::SelfIntersecting => format!(
+            "{}: {} pairs of faces",
+            report.outcome.entry().text(),
+            report.self_intersections.len()
+        ),
         FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
         _ => report.outcome.name().to_owned(),
     };
@@ -214,6 +224,15 @@ fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
     } else {
         json!([face(report.triangles.start), face(report.triangles.end)])
     };
+    let any_face = |&t: &u32| match (t as usize) < geometry.triangles.len() {
+        true => geometry.polygon_of(t as usize),
+        false => face(t),
+    };
+    let pairs: Vec<Vec<usize>> = report
+        .self_intersections
+        .iter()
+        .map(|pair| pair.iter().map(any_face).collect())
+        .collect();
     let fairing = report.fairing.as_ref().map(|f| {
         json!({ "outcome": f.outcome.name(), "iterations": f.iterations, "step": f.step, "defect": f.defect,
             "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
@@ -223,6 +242,6 @@ fn reported(report: &LoopReport, mesh: &MeshFile) -> Value {
         "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
-        "seconds": report.seconds,
+        "intersections": { "count": pairs.len(), "list": pairs }, "seconds": report.seconds,
     })
 }
