@@ -20,11 +20,13 @@ use crate::solve::system::Collapsed;
 use crate::solve::{self, Control};
 use conclusion::Found;
 pub use normals::{BoundaryNormals, InteriorNormals};
-pub use options::{Discretization, InnerFairness, Options, Solver};
+pub use options::{Discretization, InnerFairness, Intersections, Options, Solver};
 use prepared::Prepared;
 pub(crate) use relay::Workers;
 use relay::relay;
-pub use report::{LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds, Solution};
+pub use report::{
+    LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds, SelfIntersections, Solution,
+};
 pub use session::Session;
 
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
@@ -132,8 +134,9 @@ fn run<'a>(
     seconds.iterate = clock.elapsed().as_secs_f64() - seconds.setup - seconds.start;
     let found = Found {
         positions,
+        triangles,
         prepared: &prepared,
-        target: options.target,
+        options,
         result: &result,
         state: &state,
         levels,

@@ -14,18 +14,20 @@ mod discrete;
 mod error;
 mod fairing;
 mod holes;
+mod intersections;
 mod mesh;
 mod paper;
 mod quality;
+mod self_intersections;
 mod solve;
 mod table;
 
 pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, LooseReason, Options, Outcome, Progress,
-    ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver, Target, fair,
-    fair_with_progress,
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason, Options,
+    Outcome, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections, Session, Solution,
+    Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
@@ -33,6 +35,7 @@ pub use holes::{
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
+pub use self_intersections::self_intersections;
 pub use table::Entry;
 
 /// The example of README.md, run as a test.

@@ -1,10 +1,10 @@
-//! One call: fairing, and the mean curvature of a whole mesh.
+//! One call: fairing, and the mean curvature and the self-intersections of a whole mesh.
 
 use std::sync::Arc;
 
 use super::callback::HostCallback;
 use super::guard::{guarded, point};
-use super::input::{MeshIn, SelectionIn};
+use super::input::{IndicesIn, MeshIn, SelectionIn};
 use super::memory_bounds;
 use super::options::OptionsIn;
 use super::outputs::*;
@@ -13,8 +13,8 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::mean_curvature;
 use fairmesh::{Progress, Solution, fair_with_progress};
+use fairmesh::{mean_curvature, self_intersections};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
@@ -128,5 +128,36 @@ pub extern "C" fn fairmesh_mean_curvature(
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));
         Ok(())
+    })
+}
+
+/// Pairs of triangles of a mesh that intersect: that have more in common than a vertex of both or an edge of both, where
+/// vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles without area take
+/// no part. The mesh need not be a manifold.
+///
+/// `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `result` gets a handle, whose
+/// list INTERSECTIONS has two entries for each pair, the smaller number first, ascending; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_self_intersections(
+    mesh: *const fairmesh_mesh,
+    among: *const fairmesh_indices,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let among = IndicesIn::optional(among, Argument(2), &mut aliases)?;
+        check_slot(result, Argument(3), &mut aliases)?;
+        aliases.error(error, Argument(4))?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let asked = among.map(|list| list.read()).transpose()?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
+        let callback = HostCallback::new(None, core::ptr::null_mut());
+        point();
+        let asked = asked.as_deref().map(<[[u32; 1]]>::as_flattened);
+        let pairs = self_intersections(&positions, &triangles, asked)?;
+        publish(Arc::new(Content::Intersections(pairs)), result, &callback)
     })
 }

@@ -194,6 +194,31 @@ impl Selected {
     }
 }
 
+/// A list of indices that may be left out, checked but not read.
+pub(crate) struct IndicesIn(Array);
+
+impl IndicesIn {
+    pub(crate) fn optional(
+        view: *const fairmesh_indices,
+        argument: Argument,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Option<Self>> {
+        if view.is_null() {
+            return Ok(None);
+        }
+        check_pointer(view, argument)?;
+        aliases.input(view, size_of::<fairmesh_indices>());
+        // SAFETY: not NULL, aligned.
+        let array = indices_in(&unsafe { view.read() }, 1, argument.start())?;
+        aliases.input(array.data, array.bytes);
+        Ok(Some(Self(array)))
+    }
+
+    pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[u32; 1]]>> {
+        self.0.rows::<1>()
+    }
+}
+
 /// Boundary normals, checked but not read.
 pub(crate) struct NormalsIn {
     kind: fairmesh_boundary_normals_kind,

@@ -10,9 +10,9 @@ use super::views::try_with_capacity;
 const BASE: usize = 1 << 20;
 /// Per thread: its queues, and the room that dense kernels work in.
 const THREAD: usize = 6 << 20;
-/// Per vertex and per triangle of the whole mesh: copies and numberings.
+/// Per vertex and per triangle of the whole mesh: copies and numberings, and the tree that intersections are found by.
 const VERTEX: usize = 160;
-const TRIANGLE: usize = 120;
+const TRIANGLE: usize = 600;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
 const FREE: usize = 4 << 10;
 const FREE_DIGIT: usize = 400;

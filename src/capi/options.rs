@@ -9,7 +9,7 @@ use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
 use fairmesh::{BoundaryNormals, Discretization, Error, Estimate, InnerFairness, InteriorNormals};
-use fairmesh::{Options, PaperOptions, Solver, Target};
+use fairmesh::{Intersections, Options, PaperOptions, Solver, Target};
 
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
 #[repr(C)]
@@ -56,6 +56,11 @@ pub struct fairmesh_options {
     pub paper_laplacian: f64,
     /// At most this many updates on all levels. Default 20000. At least 1.
     pub paper_max_updates: u64,
+    /// A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
+    /// less than a tenth of the run.
+    pub intersections: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 /// The library's defaults, which are the C interface's.
@@ -100,6 +105,8 @@ pub(crate) fn default_options() -> fairmesh_options {
         paper_defect: paper.defect,
         paper_laplacian: paper.laplacian,
         paper_max_updates: paper.max_updates as u64,
+        intersections: options.intersections.entry().number(),
+        reserved: 0,
     }
 }
 
@@ -241,6 +248,16 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         "fairmesh_discretization",
         place,
     )?;
+    let number = view.intersections;
+    let place = argument.field(offset_of!(fairmesh_options, intersections), "intersections");
+    let intersections = chosen(
+        Intersections::from_number(number),
+        number,
+        "fairmesh_intersections",
+        place,
+    )?;
+    let place = argument.field(offset_of!(fairmesh_options, reserved), "reserved");
+    check_reserved(view.reserved, place)?;
     let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {
         boundary_normals: BoundaryNormals::default(),
@@ -252,6 +269,7 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         tolerance: view.tolerance,
         max_iterations: count(view.max_iterations),
         threads: view.threads as usize,
+        intersections,
     })
 }
 

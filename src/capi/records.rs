@@ -62,6 +62,14 @@ pub struct fairmesh_report {
     pub seconds_quality: f64,
     /// All of it.
     pub seconds_total: f64,
+    /// Pairs of intersecting triangles: the list INTERSECTIONS has two entries for each. The search ends at 10000.
+    pub intersection_count: u64,
+    /// How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if there are none now.
+    pub intersections_in_input: u64,
+    /// Not 0: intersections were looked for, which is not done if the options say so or if the run was held up.
+    pub intersections_checked: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -141,6 +149,8 @@ pub struct fairmesh_fill_report {
     pub has_report: u32,
     /// Wall seconds.
     pub seconds: f64,
+    /// Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
+    pub intersection_count: u64,
 }
 
 /// What a result is of.
@@ -155,6 +165,8 @@ pub enum fairmesh_result_kind {
     Filled = 2,
     /// A mesh with a new triangulation of a region.
     Remeshed = 3,
+    /// Pairs of intersecting triangles.
+    Intersections = 4,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -193,6 +205,8 @@ pub enum fairmesh_list {
     SuspiciousNormals = 3,
     /// Boundary vertices whose normals stood farthest away, worst first.
     UnreachedVertices = 4,
+    /// Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
+    Intersections = 5,
     /// Faired meshes: the boundary vertices, ascending.
     BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.

@@ -39,6 +39,10 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         seconds_iterate: of.seconds.iterate,
         seconds_quality: of.seconds.quality,
         seconds_total: of.seconds.total,
+        intersection_count: intersections(of).len() as u64,
+        intersections_in_input: of.self_intersections.as_ref().map_or(0, |found| found.in_input) as u64,
+        intersections_checked: u32::from(of.self_intersections.is_some()),
+        reserved: 0,
     }
 }
 
@@ -54,6 +58,11 @@ pub(crate) fn unreached(of: &Report) -> &[u32] {
         Outcome::NormalsNotReachable { vertices, .. } => vertices,
         _ => &[],
     }
+}
+
+/// Pairs of intersecting triangles.
+pub(crate) fn intersections(of: &Report) -> &[[u32; 2]] {
+    of.self_intersections.as_ref().map_or(&[], |found| &found.pairs)
 }
 
 /// How much of the boundary normals or the target was reached.
@@ -131,5 +140,6 @@ pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         coarsened: u32::from(of.coarsened),
         has_report: u32::from(of.fairing.is_some()),
         seconds: of.seconds,
+        intersection_count: of.self_intersections.len() as u64,
     }
 }

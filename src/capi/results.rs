@@ -20,6 +20,8 @@ pub(crate) enum Content {
         triangles: usize,
     },
     Remeshed(Remeshed),
+    /// Pairs of intersecting triangles.
+    Intersections(Vec<[u32; 2]>),
 }
 
 fn not_available(what: &str) -> Failure {
@@ -70,6 +72,7 @@ impl Content {
                 info.new_triangle_count = (filled.triangles.len() - triangles) as u64;
                 info.loop_count = filled.loops.len() as u64;
             }
+            Self::Intersections(_) => info.kind = fairmesh_result_kind::Intersections as u32,
             Self::Remeshed(mesh) => {
                 info.kind = fairmesh_result_kind::Remeshed as u32;
                 info.vertex_count = mesh.positions.len() as u64;
@@ -118,7 +121,7 @@ impl Content {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
             Self::Remeshed(mesh) => Ok(&mesh.positions),
-            Self::Loops(_) => Err(not_available("positions")),
+            Self::Loops(_) | Self::Intersections(_) => Err(not_available("positions")),
         }
     }
 
@@ -174,12 +177,20 @@ impl Content {
         fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }
+        fn of_pairs(list: &[[u32; 2]]) -> Numbered<'_, u32> {
+            (2 * list.len(), Box::new(|k| list[k / 2][k % 2]))
+        }
         match (which, self) {
             (0, _) => self.report(index).map(|r| of(report::poor(r))),
             (1, _) => self.report(index).map(|r| of(&r.quality.flipped)),
             (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
             (4, _) => self.report(index).map(|r| of(report::unreached(r))),
+            (5, Self::Filled { filled, .. }) => {
+                entry(&filled.loops, index, "loop").map(|l| of_pairs(&l.self_intersections))
+            }
+            (5, Self::Intersections(pairs)) => Ok(of_pairs(pairs)),
+            (5, _) => self.report(index).map(|r| of_pairs(report::intersections(r))),
             (16, Self::Faired(solution)) => {
                 let normals = &solution.boundary_normals;
                 Ok((normals.len(), Box::new(|k| normals[k].0)))

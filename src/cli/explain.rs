@@ -71,6 +71,7 @@ pub fn outcome(report: &Report) -> String {
     let text = report.outcome.text();
     let figures = match &report.outcome {
         Outcome::ConvergedPoorTriangles { triangles } => format!(" ({} triangles)", triangles.len()),
+        Outcome::SelfIntersecting { pairs } => format!(" ({pairs} pairs)"),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
             " ({:.0} % of the way was reached, and the normals of {} vertices stand farthest off)",
             100.0 * reached,

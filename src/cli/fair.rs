@@ -17,7 +17,7 @@ use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs, Selected};
 use crate::solver::SolverArgs;
-use crate::surface::SurfaceArgs;
+use crate::surface::{IntersectionArgs, SurfaceArgs};
 
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
@@ -48,6 +48,8 @@ pub struct FairArgs {
     normals: PathBuf,
     #[command(flatten)]
     surface: SurfaceArgs,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
     /// Triangulates the region anew before, with edges as long as those
     /// around it: for features whose vertices would crowd. The output then
     /// holds vertices and triangles and nothing else
@@ -164,6 +166,7 @@ pub fn solve(
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.solver.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
+        intersections: args.intersections.intersections(),
     };
     let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;

@@ -6,6 +6,7 @@ const SHOWN: usize = 12;
 /// One and several of what is numbered.
 pub const VERTICES: [&str; 2] = ["vertex", "vertices"];
 pub const FACES: [&str; 2] = ["face", "faces"];
+pub const PAIRS: [&str; 2] = ["pair of faces", "pairs of faces"];
 
 /// Two significant digits, for figures of which the order of magnitude counts.
 pub fn scientific(value: f64) -> String {

@@ -17,6 +17,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::Output;
+use crate::surface::IntersectionArgs;
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -52,6 +53,8 @@ pub struct FillArgs {
     /// the result is the same to the last bit
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
     /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -80,7 +83,11 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let first = mesh.first_added_face(format);
-        let face = |t: u32| first + t as usize - mesh.geometry.triangles.len();
+        let geometry = &mesh.geometry;
+        let face = |t: u32| match (t as usize).checked_sub(geometry.triangles.len()) {
+            Some(added) => first + added,
+            None => geometry.polygon_of(t as usize),
+        };
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
         json!({ "loops": loops, "new_vertices": filled.parents.len(),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
@@ -117,6 +124,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             threads: args.threads,
+            intersections: args.intersections.intersections(),
             ..Options::default()
         },
     };
@@ -154,9 +162,15 @@ fn told(report: &LoopReport) -> String {
         FillOutcome::Flat { reason } => match reason {
             FlatReason::NotAsked => "triangulated and refined".into(),
             FlatReason::NoInnerVertex => "triangulated; no new vertex was needed".into(),
+            FlatReason::Intersecting => format!("triangulated and refined only: {}", reason.entry().text()),
             FlatReason::Refused(error) => format!("triangulated and refined only: {error}"),
             _ => format!("triangulated and refined only: fairing ended as {ended}, with an unsound surface"),
         },
+        FillOutcome::SelfIntersecting => format!(
+            "{}: {} pairs of faces",
+            report.outcome.entry().text(),
+            report.self_intersections.len()
+        ),
         FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
         _ => report.outcome.name().to_owned(),
     };
@@ -217,13 +231,18 @@ fn readable(filled: &Filled) -> String {
     text
 }
 
-/// A loop's report for programs; new faces have the numbers of the output, from `first` on.
+/// A loop's report for programs; `face` is a triangle's polygon, new ones have the numbers of the output, from `first` on.
 fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
     let faces = if report.triangles.is_empty() {
         json!([first, first])
     } else {
         json!([face(report.triangles.start), face(report.triangles.end)])
     };
+    let pairs: Vec<Vec<usize>> = report
+        .self_intersections
+        .iter()
+        .map(|pair| pair.iter().map(|&t| face(t)).collect())
+        .collect();
     let fairing = report.fairing.as_ref().map(|f| {
         json!({ "outcome": f.outcome.name(), "iterations": f.iterations, "step": f.step, "defect": f.defect,
             "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
@@ -233,6 +252,6 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
         "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
-        "seconds": report.seconds,
+        "intersections": { "count": pairs.len(), "list": pairs }, "seconds": report.seconds,
     })
 }

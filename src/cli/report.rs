@@ -6,7 +6,7 @@ use fairmesh::{LevelReport, Outcome, Report, Target};
 use serde_json::{Value, json};
 
 use crate::explain;
-use crate::figures::{FACES, VERTICES, listed, range, scientific, significant};
+use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
 
 use crate::formats::Geometry;
 use crate::surface::target_name;
@@ -119,8 +119,32 @@ impl Summary<'_> {
         );
     }
 
+    /// Intersecting triangles as pairs of faces of the file.
+    fn intersections(&self) -> Option<Vec<[usize; 2]>> {
+        let found = self.report.self_intersections.as_ref()?;
+        let face = |t: u32| self.geometry.polygon_of(t as usize);
+        let mut pairs: Vec<[usize; 2]> = found.pairs.iter().map(|pair| pair.map(face)).collect();
+        // Two triangles of one quad may cross another face.
+        pairs.sort_unstable();
+        pairs.dedup();
+        Some(pairs)
+    }
+
+    fn tell_intersections(&self, table: &mut Table) {
+        let (Some(pairs), Some(found)) = (self.intersections(), &self.report.self_intersections) else {
+            return;
+        };
+        let shown: Vec<String> = pairs.iter().map(|[a, b]| format!("{a} and {b}")).collect();
+        let mut told = listed(&shown, PAIRS);
+        if !pairs.is_empty() {
+            let _ = write!(told, " (in the input {} pairs of triangles)", found.in_input);
+        }
+        table.row("intersections", told);
+    }
+
     /// What is not so in every run.
     fn tell_remarks(&self, table: &mut Table) {
+        self.tell_intersections(table);
         let report = self.report;
         if report.linear_surface {
             table.row("surface", "the linear one");
@@ -181,6 +205,11 @@ impl Summary<'_> {
             "reached": reached,
             "fallback_weights": report.fallback_weights,
             "stale_normals": self.stale_normals,
+            "intersections": self.intersections().map(|pairs| json!({
+                "count": pairs.len(),
+                "list": pairs,
+                "in_input": report.self_intersections.as_ref().map(|found| found.in_input),
+            })),
         })
     }
 
@@ -238,7 +267,7 @@ fn levels(levels: &[LevelReport]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use fairmesh::{LooseReason, Quality, Seconds};
+    use fairmesh::{LooseReason, Quality, Seconds, SelfIntersections};
 
     use super::*;
     use crate::formats::{Format, MeshFile};
@@ -274,6 +303,10 @@ mod tests {
             linear_surface: true,
             suspicious_normals: vec![4],
             fallback_weights: 0,
+            self_intersections: Some(SelfIntersections {
+                pairs: vec![[0, 2], [1, 2], [1, 3]],
+                in_input: 1,
+            }),
         }
     }
 
@@ -304,7 +337,13 @@ mod tests {
         assert_eq!(json["seconds"]["setup"], 0.25);
         assert_eq!(json["seconds"]["total"], 6.5);
         assert!(json["reason"].is_string() && json["advice"].is_string());
+        let pairs = json!({ "count": 1, "list": [[0, 1]], "in_input": 1 });
+        assert_eq!(json["intersections"], pairs);
         let text = summary.readable();
+        assert!(
+            text.contains("1 pair of faces: 0 and 1 (in the input 1 pairs of triangles)\n"),
+            "{text}"
+        );
         assert!(text.contains("0.5000 degrees, in face 1\n"), "{text}");
         assert!(text.contains("needles:             2 faces: 0, 1\n"), "{text}");
         assert!(!text.contains("NaN") && !text.contains("inf "), "{text}");
@@ -323,6 +362,7 @@ mod tests {
                 vertices: vec![5, 1],
             },
             Outcome::TargetNotReachable { reached: 0.25 },
+            Outcome::SelfIntersecting { pairs: 3 },
             Outcome::NotConverged,
             Outcome::IterationLimit,
             Outcome::Cancelled,

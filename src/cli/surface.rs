@@ -1,7 +1,7 @@
 //! The choice of the surface: its equation, and what it leaves open.
 
 use clap::{Args, ValueEnum};
-use fairmesh::{Discretization, InnerFairness, InteriorNormals, Target};
+use fairmesh::{Discretization, InnerFairness, InteriorNormals, Intersections, Target};
 
 /// How vertices are distributed within the surface.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -30,6 +30,32 @@ enum DiscretizationKind {
     SecondOrder,
     /// As Schneider and Kobbelt 2001
     Paper,
+}
+
+/// Whether surfaces are checked for self-intersections.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum IntersectionsKind {
+    /// Against themselves and the rest of the mesh
+    Check,
+    /// Not at all
+    Skip,
+}
+
+/// The flag of the check for self-intersections.
+#[derive(Debug, Args)]
+pub struct IntersectionArgs {
+    /// Whether the result is checked for triangles that intersect each other or the rest of the mesh
+    #[arg(long, value_enum, value_name = "WHETHER", default_value = "check")]
+    intersections: IntersectionsKind,
+}
+
+impl IntersectionArgs {
+    pub fn intersections(&self) -> Intersections {
+        match self.intersections {
+            IntersectionsKind::Check => Intersections::Check,
+            IntersectionsKind::Skip => Intersections::Skip,
+        }
+    }
 }
 
 /// Flags of the surface.

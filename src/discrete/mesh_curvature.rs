@@ -16,22 +16,14 @@ const BOUNDARY_PASSES: usize = 5;
 
 /// [`crate::mean_curvature`], on the threads of the pool that it is called in.
 pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
-    check(positions, triangles)?;
+    input::check(positions.len(), triangles)?;
+    input::check_finite(positions, triangles)?;
     let fans = VertexTriangles::new(positions.len(), triangles);
     Ok((0..positions.len())
         .into_par_iter()
         .with_min_len(256)
         .map_init(Work::default, |work, v| fans.curvature(positions, v, work))
         .collect())
-}
-
-fn check(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), Error> {
-    input::check(positions.len(), triangles)?;
-    let is_finite = |&&v: &&u32| positions[v as usize].iter().all(|x| x.is_finite());
-    match triangles.iter().flatten().find(|v| !is_finite(v)) {
-        Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
-        None => Ok(()),
-    }
 }
 
 /// Per vertex `v` its triangles `(v, a, b)` as `[a, b]`, by `a`.

@@ -2,10 +2,11 @@
 
 use std::time::Instant;
 
+use super::options::{Intersections, Options};
 use super::prepared::Prepared;
-use super::report::{LooseReason, Outcome, Report, Seconds, Solution};
+use super::report::{LooseReason, Outcome, Report, Seconds, SelfIntersections, Solution};
 use crate::discrete::equations::State;
-use crate::discrete::target::Target;
+use crate::intersections;
 use crate::paper::LevelReport;
 use crate::quality::crease::{Kink, creases, kink, kinks};
 use crate::quality::{Quality, Surface};
@@ -16,8 +17,9 @@ use crate::solve::{SolveResult, SolveStatus};
 pub(super) struct Found<'a> {
     /// The host's positions.
     pub(super) positions: &'a [[f64; 3]],
+    pub(super) triangles: &'a [[u32; 3]],
     pub(super) prepared: &'a Prepared,
-    pub(super) target: Target,
+    pub(super) options: &'a Options,
     pub(super) result: &'a SolveResult,
     /// Evaluated at the result.
     pub(super) state: &'a State,
@@ -39,12 +41,14 @@ impl Found<'_> {
         self.tell_kink(&mut quality, if creases.is_empty() { &kinks } else { &creases });
         let suspicious_normals = surface.suspicious_normals(rings, input);
         let scale = self.prepared.normalization.scale;
+        let positions = self.positions();
+        let self_intersections = self.self_intersections(&positions);
         Solution {
-            positions: self.positions(),
+            positions,
             boundary_normals: self.boundary_normals(),
             mean_curvature: self.at_free_vertices(&self.state.h, scale),
             gaussian_curvature: self.at_free_vertices(&self.state.k, scale * scale),
-            report: self.report(quality, suspicious_normals, &creases, clock),
+            report: self.report(quality, suspicious_normals, &creases, self_intersections, clock),
         }
     }
 
@@ -113,11 +117,45 @@ impl Found<'_> {
         quality.boundary_kink_before = kink(&before, &domain.rings, &domain.input, widest.b).kink;
     }
 
+    /// Of these positions, unless the run goes on later or is not to be looked at.
+    fn self_intersections(&self, positions: &[[f64; 3]]) -> Option<SelfIntersections> {
+        let is_held_up = matches!(
+            self.result.status,
+            SolveStatus::IterationLimit | SolveStatus::Cancelled
+        );
+        if is_held_up || self.options.intersections == Intersections::Skip {
+            return None;
+        }
+        let new = self.triangles_that_move();
+        let of = |x| intersections::of_some(x, self.triangles, &new, SelfIntersections::MOST);
+        let pairs = of(positions);
+        let in_input = if pairs.is_empty() {
+            0
+        } else {
+            of(self.positions).len()
+        };
+        Some(SelfIntersections { pairs, in_input })
+    }
+
+    /// Those with a free vertex.
+    fn triangles_that_move(&self) -> Vec<u32> {
+        let region = &self.prepared.domain.region;
+        let half_edges = &region.half_edges;
+        let corners = half_edges.triangles[..half_edges.region_triangles].iter();
+        let has_free = |t: &[u32; 3]| t.iter().any(|&v| (v as usize) < region.free);
+        corners
+            .zip(&half_edges.triangle_ids)
+            .filter(|(t, _)| has_free(t))
+            .map(|(_, &id)| id)
+            .collect()
+    }
+
     fn report(
         &self,
         quality: Quality,
         suspicious_normals: Vec<u32>,
         creases: &[Kink],
+        self_intersections: Option<SelfIntersections>,
         clock: Instant,
     ) -> Report {
         let (prepared, result) = (self.prepared, self.result);
@@ -126,8 +164,8 @@ impl Found<'_> {
         seconds.quality = clock.elapsed().as_secs_f64();
         seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
         Report {
-            target: self.target,
-            outcome: self.outcome(&suspicious_normals, creases),
+            target: self.options.target,
+            outcome: self.outcome(&suspicious_normals, creases, self_intersections.as_ref()),
             iterations: result.iterations,
             defect: result.defect,
             step: result.step,
@@ -143,13 +181,20 @@ impl Found<'_> {
             } else {
                 prepared.weights.clamped
             },
+            self_intersections,
         }
     }
 
-    fn outcome(&self, suspicious_normals: &[u32], creases: &[Kink]) -> Outcome {
+    fn outcome(
+        &self,
+        suspicious_normals: &[u32],
+        creases: &[Kink],
+        self_intersections: Option<&SelfIntersections>,
+    ) -> Outcome {
         let region = &self.prepared.domain.region;
         let ids = |list: &[u32], of: &[u32]| list.iter().map(|&i| of[i as usize]).collect::<Vec<u32>>();
         let poor = &self.result.poor;
+        let pairs = self_intersections.map_or(0, |found| found.pairs.len());
         let reason = match &self.result.status {
             SolveStatus::Failed => return Outcome::NotConverged,
             SolveStatus::IterationLimit => return Outcome::IterationLimit,
@@ -174,6 +219,7 @@ impl Found<'_> {
                 vertices.dedup();
                 return Outcome::BoundaryCrease { vertices };
             }
+            _ if pairs > 0 => return Outcome::SelfIntersecting { pairs },
             SolveStatus::Bump => LooseReason::Bump,
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,

@@ -27,6 +27,16 @@ choices! {
     }
 }
 
+choices! {
+    /// Whether a surface is searched for triangles that intersect each other or the rest of the mesh.
+    #[derive(Default)]
+    Intersections {
+        #[default] 0 "check" Check =>
+            "the surface is checked against itself and the rest of the mesh; one that intersects is no success", "";
+        1 "skip" Skip => "not checked: a surface that intersects may count as a success", "";
+    }
+}
+
 /// How the equations are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Solver {
@@ -68,6 +78,8 @@ pub struct Options {
     pub max_iterations: usize,
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
+    /// Whether the final surface is checked for self-intersections. Default: yes; it takes less than a tenth of the run.
+    pub intersections: Intersections,
 }
 
 impl Default for Options {
@@ -82,6 +94,7 @@ impl Default for Options {
             tolerance: 1e-8,
             max_iterations: 500,
             threads: 0,
+            intersections: Intersections::default(),
         }
     }
 }

@@ -36,6 +36,11 @@ pub enum Outcome {
         /// Those triangles.
         triangles: Vec<u32>,
     },
+    /// Tolerance met and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
+    SelfIntersecting {
+        /// How many pairs; [`Report::self_intersections`] names them.
+        pairs: usize,
+    },
     /// Tolerance met and no triangle is poor, but something else is to be said of the surface.
     ConvergedLoosely {
         /// What.
@@ -112,6 +117,9 @@ table!(Outcome {
     8 "boundary_crease" Outcome::BoundaryCrease { .. } =>
         "tolerance met, but the surface has a crease along the boundary, at the vertices that the report names",
         "move the boundary away from sharp features or noise: select more or less there; or refine the mesh there";
+    9 "self_intersecting" Outcome::SelfIntersecting { .. } =>
+        "tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh",
+        "look at these triangles; select more, prescribe other normals, or fill the region as a hole";
 });
 
 impl Outcome {
@@ -162,6 +170,23 @@ pub struct Seconds {
     pub total: f64,
 }
 
+/// Triangles of the surface that intersect each other or the rest of the mesh. Two triangles intersect if they have more in
+/// common than a vertex of both or an edge of both, see [`self_intersections`](crate::self_intersections).
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct SelfIntersections {
+    /// Pairs of triangles by the caller's numbers, the smaller first, ascending; at least one of each has a free vertex. No
+    /// more than [`SelfIntersections::MOST`].
+    pub pairs: Vec<[u32; 2]>,
+    /// How many pairs there were in the input among the same triangles and the rest of the mesh, counted up to the same
+    /// limit; 0 where there are none now.
+    pub in_input: usize,
+}
+
+impl SelfIntersections {
+    /// The search ends when it has found so many pairs.
+    pub const MOST: usize = 10_000;
+}
+
 /// What came of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
@@ -194,6 +219,9 @@ pub struct Report {
     /// Free vertices that took fallback weights, because their input triangles allow no conformal or
     /// convex ones; all of them where no surface was found with those, and the vertices are spread evenly.
     pub fallback_weights: usize,
+    /// Triangles that intersect, measured on the positions returned. None: not looked for, because
+    /// [`Options::intersections`] says so or because the run was held up before its end.
+    pub self_intersections: Option<SelfIntersections>,
 }
 
 /// The result: all vertices of the mesh, and the report.

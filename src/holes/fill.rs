@@ -4,13 +4,14 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+use super::crossing::{Neighbours, Owned};
 use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::outcome::{LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task, local_options};
 use super::surroundings::Surroundings;
 use crate::error::Error;
-use crate::fairing::{Options, Progress, ProgressCallback};
+use crate::fairing::{Intersections, Options, Progress, ProgressCallback, Workers};
 use crate::mesh::NONE;
 
 /// Which loops are filled.
@@ -152,8 +153,13 @@ fn run<'a>(
     let mut order: Vec<usize> = (0..numbers.len()).collect();
     order.sort_by_key(|&i| loops[numbers[i]].vertices.len());
     let total: usize = numbers.iter().map(|&l| loops[l].vertices.len()).sum();
+    let is_checked = options.fairing.intersections == Intersections::Check;
+    let chosen = numbers.iter().map(|&l| &loops[l]);
+    let workers = Workers::new(options.fairing.threads)?;
     let mut run = Run {
         positions,
+        neighbours: is_checked.then(|| workers.install(|| Neighbours::new(positions, triangles, chosen))),
+        workers: &workers,
         links: &links,
         place: vec![NONE; triangles.len()],
         made: HashSet::new(),
@@ -169,7 +175,7 @@ fn run<'a>(
     for i in order {
         let clock = Instant::now();
         let boundary = &loops[numbers[i]];
-        let piece = run.fill(boundary);
+        let piece = run.fill(i, boundary);
         run.done += boundary.vertices.len() as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
@@ -179,11 +185,43 @@ fn run<'a>(
         parents: Vec::new(),
         loops: Vec::with_capacity(numbers.len()),
     };
-    for (index, (piece, seconds)) in numbers.into_iter().zip(pieces.into_iter().flatten()) {
+    let pieces: Vec<(Piece, f64)> = pieces.into_iter().flatten().collect();
+    let crossings = crossings(&pieces, triangles.len() as u32);
+    for ((index, (piece, seconds)), pairs) in numbers.into_iter().zip(pieces).zip(crossings) {
         let edges = loops[index].vertices.len();
         filled.append(piece, index, edges, seconds);
+        if let Some(report) = filled.loops.last_mut() {
+            report.self_intersections = pairs;
+        }
     }
     Ok(filled)
+}
+
+/// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.
+fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
+    let first: Vec<u32> = pieces
+        .iter()
+        .scan(count, |next, (piece, _)| {
+            let first = *next;
+            *next += piece.triangles.len() as u32;
+            Some(first)
+        })
+        .collect();
+    let number = |owned| match owned {
+        Owned::Mesh(t) => t,
+        Owned::Patch { of, triangle } => first[of] + triangle,
+    };
+    let numbered = |(piece, _): &(Piece, f64)| {
+        let ascending = |pair: [u32; 2]| [pair[0].min(pair[1]), pair[0].max(pair[1])];
+        let mut pairs: Vec<[u32; 2]> = piece
+            .crossings
+            .iter()
+            .map(|pair| ascending(pair.map(number)))
+            .collect();
+        pairs.sort_unstable();
+        pairs
+    };
+    pieces.iter().map(numbered).collect()
 }
 
 pub(super) fn check_density(density: f64) -> Result<(), Error> {
@@ -209,6 +247,9 @@ fn choose(options: &FillOptions, count: usize) -> Result<(Vec<usize>, bool), Err
 
 struct Run<'m, 'o> {
     positions: &'m [[f64; 3]],
+    /// What patches may intersect; none if they are not checked.
+    neighbours: Option<Neighbours<'m>>,
+    workers: &'m Workers,
     links: &'m Links<'m>,
     /// Scratch of [`Surroundings`].
     place: Vec<u32>,
@@ -242,7 +283,8 @@ impl Run<'_, '_> {
         (boundary.kind == LoopKind::OuterBoundary && !self.named).then_some(OpenReason::OuterBoundary)
     }
 
-    fn fill(&mut self, boundary: &BoundaryLoop) -> Piece {
+    /// Fills a loop, which is number `i` among those asked for.
+    fn fill(&mut self, i: usize, boundary: &BoundaryLoop) -> Piece {
         if let Some(reason) = self.objection(boundary) {
             return Piece::open(reason);
         }
@@ -285,10 +327,13 @@ impl Run<'_, '_> {
             fair: self.options.fair,
             options: local_options(&surroundings, &self.options.fairing),
         };
-        let piece = task.run(&mut tell);
+        let mut piece = task.run(&mut tell);
         self.cancelled = cancelled;
         if cancelled {
             return Piece::open(OpenReason::Cancelled);
+        }
+        if let Some(neighbours) = &mut self.neighbours {
+            piece = self.workers.install(|| neighbours.settle(i, &task, piece));
         }
         self.left -= piece.positions.len();
         let boundary_count = boundary.vertices.len() as u32;
@@ -373,6 +418,7 @@ impl Filled {
             worst_angle: piece.worst_angle,
             outside: piece.outside.iter().map(|&i| vertex + i).collect(),
             coarsened: piece.coarsened,
+            self_intersections: Vec::new(),
             seconds,
         });
     }

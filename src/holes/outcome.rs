@@ -44,6 +44,8 @@ pub enum FlatReason {
     Refused(Error),
     /// The fairing ended without a sound surface; the report says how.
     Unsound,
+    /// The faired patch would intersect itself or the mesh, this one does not.
+    Intersecting,
 }
 
 /// How a loop ended.
@@ -60,6 +62,9 @@ pub enum FillOutcome {
         /// Why.
         reason: FlatReason,
     },
+    /// Filled, but whatever was tried, the patch intersects itself or the mesh; the one with the fewest intersections is
+    /// kept, faired or not.
+    SelfIntersecting,
     /// Left as it was.
     LeftOpen(OpenReason),
 }
@@ -72,6 +77,9 @@ table!(FillOutcome {
     2 "flat" FillOutcome::Flat { .. } =>
         "filled with the triangulation, refined, but not faired; the reason says why", "see the remedy of the reason";
     3 "left_open" FillOutcome::LeftOpen(_) => "left as it was; the reason says why", "see the remedy of the reason";
+    4 "self_intersecting" FillOutcome::SelfIntersecting =>
+        "filled, but the patch intersects itself or the mesh, as did all others that were tried",
+        "look at these triangles; clean the boundary of the hole, or remove faces around it, and fill it again";
 });
 
 // Reasons of both kinds share their numbers.
@@ -95,6 +103,8 @@ table!(FlatReason {
         "the fairing was refused, because the mesh around the hole is defective", "repair the mesh there";
     35 "unsound" FlatReason::Unsound =>
         "the fairing found no sound surface; its report says how it ended", "see the remedy of the fairing's outcome";
+    36 "intersecting" FlatReason::Intersecting =>
+        "faired, the patch would intersect itself or the mesh", "clean the boundary of the hole, or remove faces around it";
 });
 
 /// What became of a loop.
@@ -118,6 +128,11 @@ pub struct LoopReport {
     pub outside: Vec<u32>,
     /// The limit on new vertices was met: the patch is coarser inside than asked for.
     pub coarsened: bool,
+    /// Pairs of triangles of the filled mesh that intersect, the smaller number first, ascending; at least one of each is
+    /// new, and of the patch that was made later. Not looked for if the fairing's
+    /// [`Options::intersections`](crate::Options::intersections) says so. No more than
+    /// [`SelfIntersections::MOST`](crate::SelfIntersections::MOST).
+    pub self_intersections: Vec<[u32; 2]>,
     /// Wall seconds for this loop.
     pub seconds: f64,
 }

@@ -5,6 +5,7 @@
 
 use nalgebra::Vector3;
 
+use super::crossing::Owned;
 use super::outcome::{FillOutcome, FlatReason, OpenReason};
 use super::parents::{Parents, parents};
 use super::patch::Patch;
@@ -13,8 +14,8 @@ use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Options, Outcome, Progress, ProgressCallback, Report, Selection, Solution, Target,
-    fair_with_progress,
+    BoundaryNormals, Intersections, Options, Outcome, Progress, ProgressCallback, Report, Selection,
+    Solution, Target, fair_with_progress,
 };
 use crate::quality::smallest_angle;
 
@@ -65,6 +66,8 @@ pub(super) struct Piece {
     /// New vertices (from 0) that the loop's box does not hold.
     pub(super) outside: Vec<u32>,
     pub(super) coarsened: bool,
+    /// Pairs of triangles that intersect, one of each the piece's own.
+    pub(super) crossings: Vec<[Owned; 2]>,
 }
 
 impl Piece {
@@ -81,6 +84,7 @@ impl Piece {
             worst_angle: 0.0,
             outside: Vec::new(),
             coarsened: false,
+            crossings: Vec::new(),
         }
     }
 }
@@ -107,6 +111,8 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
             Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
             other => other,
         },
+        // The patch is looked at in the whole mesh.
+        intersections: Intersections::Skip,
         ..asked.clone()
     }
 }
@@ -137,7 +143,7 @@ fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
 
 impl Task<'_> {
     pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> Piece {
-        let Some(coarse) = self.triangulate() else {
+        let Some(coarse) = self.triangulate(false) else {
             return Piece::open(OpenReason::NoTriangulation);
         };
         let mut patch = coarse.clone();
@@ -200,14 +206,36 @@ impl Task<'_> {
         (better && !is_failed(&again.report)).then_some((patch, again))
     }
 
-    /// The triangulated loop with the sizes of its surroundings.
-    fn triangulate(&self) -> Option<Patch> {
+    /// Patches for a loop whose first one intersects something, none of them faired: that of the same triangulation, that
+    /// of least area, and both without new vertices.
+    pub(super) fn other_means<'t>(&'t self, first: &Piece) -> impl Iterator<Item = Piece> + use<'t> {
+        let (reason, report) = match &first.outcome {
+            FillOutcome::Flat { reason } => (reason.clone(), first.fairing.clone()),
+            _ => (FlatReason::Intersecting, None),
+        };
+        let is_flat = matches!(first.outcome, FillOutcome::Flat { .. });
+        let means = [(false, true), (true, true), (false, false), (true, false)];
+        let others = means.into_iter().skip(usize::from(is_flat));
+        others.filter_map(move |(by_area, is_refined)| {
+            let coarse = self.triangulate(by_area)?;
+            let mut patch = coarse.clone();
+            let coarsened = is_refined && !self.refine(&mut patch);
+            let reason = reason.clone();
+            let mut piece = self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
+            piece.fairing.clone_from(&report);
+            Some(piece)
+        })
+    }
+
+    /// The triangulated loop with the sizes of its surroundings; that of least area, or of least bends.
+    fn triangulate(&self, by_area: bool) -> Option<Patch> {
         let around = self.surroundings;
         let n = around.loop_vertices;
         let polygon = Polygon {
             x: &around.x[..n],
             normals: &around.normals,
             taken: &around.taken,
+            by_area,
         };
         let triangles = polygon.triangulate()?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
@@ -377,6 +405,7 @@ impl Task<'_> {
             worst_angle: angles.fold(f64::INFINITY, f64::min),
             outside: self.outside(&patch.x[patch.fixed..]),
             coarsened,
+            crossings: Vec::new(),
             triangles: patch.triangles,
         }
     }

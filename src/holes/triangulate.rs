@@ -31,6 +31,8 @@ pub(super) struct Polygon<'a> {
     pub(super) normals: &'a [Vector3<f64>],
     /// Pairs (smaller, larger) of vertices that have an edge already, sorted.
     pub(super) taken: &'a [(u32, u32)],
+    /// Whether the area alone decides, not the worst dihedral angle before it.
+    pub(super) by_area: bool,
 }
 
 impl Polygon<'_> {
@@ -138,6 +140,9 @@ impl Polygon<'_> {
             let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
             if let Some(beyond) = beyond {
                 bend = bend.max(bend_at(&normal, beyond));
+            }
+            if self.by_area {
+                bend = 0.0;
             }
             let cell = Cell {
                 worst: below.max((bend * STEPS) as u32),
@@ -306,6 +311,7 @@ mod tests {
             x: &x,
             normals: &normals,
             taken,
+            by_area: false,
         }
         .triangulate()
     }
@@ -366,6 +372,7 @@ mod tests {
             x: &at,
             normals: &normals,
             taken: &[],
+            by_area: false,
         };
         let triangles = loop_in_plane.triangulate().unwrap();
         assert_eq!(triangles.len(), x.len() - 2);

@@ -14,6 +14,18 @@ pub(crate) fn check(vertices: usize, triangles: &[[u32; 3]]) -> Result<(), Error
     check_indices(vertices, triangles)
 }
 
+/// That the vertices of all triangles are finite; the triangles name vertices that exist.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+pub(crate) fn check_finite(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<(), Error> {
+    let is_finite = |&&v: &&u32| positions[v as usize].iter().all(|x| x.is_finite());
+    match triangles.iter().flatten().find(|v| !is_finite(v)) {
+        Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
+        None => Ok(()),
+    }
+}
+
 /// # Errors
 /// [`Error::TooLarge`].
 pub(super) fn check_size(vertices: usize, triangles: usize) -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use fairmesh::{
     BoundaryNormals, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason, InnerFairness,
-    InteriorNormals, LoopKind, LooseReason, OpenReason, Outcome, Solver, Target,
+    InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome, Solver, Target,
 };
 
 #[path = "../../src/capi/statuses.rs"]
@@ -110,6 +110,12 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_estimate",
             "How the paper's scheme estimates the mean curvature before the vertices are updated.",
             &[Estimate::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_intersections",
+            "Whether a surface is checked for triangles that intersect each other or the rest of the mesh.",
+            &[Intersections::TABLE],
             false,
         ),
     ]

@@ -44,8 +44,9 @@ impl Cursor {
         };
         let found = Found {
             positions: &input.positions,
+            triangles: &input.triangles,
             prepared: &prepared,
-            target: input.options.target,
+            options: &input.options,
             result: &SolveResult {
                 status: SolveStatus::IterationLimit,
                 ..result
@@ -91,8 +92,9 @@ impl Cursor {
         self.seconds.iterate += clock.elapsed().as_secs_f64() - result.start_seconds;
         let found = Found {
             positions: &input.positions,
+            triangles: &input.triangles,
             prepared: &self.prepared,
-            target: input.options.target,
+            options: &input.options,
             result: &result,
             state: self.system.state(),
             levels: Vec::new(),

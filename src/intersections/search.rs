@@ -1,0 +1,153 @@
+//! All pairs of triangles that intersect: a tree of boxes gives candidates, exact signs decide.
+
+use rayon::prelude::*;
+use rstar::{AABB, Envelope, RTree, RTreeObject};
+
+use super::triangles::{Corners, intersect, projection};
+
+/// Triangles that a thread takes at once.
+const CHUNK: usize = 512;
+
+/// An upright box in space.
+pub(crate) type Bounds = AABB<[f64; 3]>;
+
+/// A triangle with its number, and whether its intersections are asked for.
+#[derive(Clone)]
+pub(crate) struct Member {
+    /// Finite.
+    pub(crate) corners: Corners,
+    pub(crate) number: u32,
+    pub(crate) is_asked: bool,
+}
+
+impl Member {
+    pub(crate) fn bounds(&self) -> Bounds {
+        AABB::from_points(&self.corners)
+    }
+}
+
+impl RTreeObject for Member {
+    type Envelope = Bounds;
+
+    fn envelope(&self) -> Bounds {
+        self.bounds()
+    }
+}
+
+/// A triangle of a mesh, if its vertices exist and are finite.
+pub(crate) fn member(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    number: u32,
+    is_asked: bool,
+) -> Option<Member> {
+    let mut corners = [[0.0; 3]; 3];
+    for (corner, &v) in corners.iter_mut().zip(&triangles[number as usize]) {
+        *corner = *positions.get(v as usize)?;
+    }
+    let is_finite = corners.iter().flatten().all(|x| x.is_finite());
+    is_finite.then_some(Member {
+        corners,
+        number,
+        is_asked,
+    })
+}
+
+/// The box around some triangles.
+pub(crate) fn bounds_of(members: &[Member]) -> Bounds {
+    let mut all = Bounds::new_empty();
+    members.iter().for_each(|member| all.merge(&member.bounds()));
+    all
+}
+
+/// The triangles of a mesh, none of them asked for, that `is_near` takes.
+pub(crate) fn members_near(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    is_near: impl Fn(&Bounds) -> bool + Sync,
+) -> Vec<Member> {
+    (0..triangles.len() as u32)
+        .into_par_iter()
+        .with_min_len(4096)
+        .filter_map(|t| member(positions, triangles, t, false).filter(|m| is_near(&m.bounds())))
+        .collect()
+}
+
+/// Pairs of intersecting triangles of a mesh, the smaller number first, ascending; at least one of each pair is among those
+/// asked for. The search ends at `most` pairs.
+///
+/// Triangles intersect if they have more in common than a vertex or an edge of both, where vertices at the same position
+/// are one; also if they only touch. Triangles without area, or with a position that is not finite, take no part.
+pub(crate) fn of_some(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    asked: &[u32],
+    most: usize,
+) -> Vec<[u32; 2]> {
+    let mut is_asked = vec![false; triangles.len()];
+    asked.iter().for_each(|&t| is_asked[t as usize] = true);
+    let region: Vec<Member> = asked
+        .iter()
+        .filter_map(|&t| member(positions, triangles, t, true))
+        .collect();
+    let bounds = bounds_of(&region);
+    let mut members = members_near(positions, triangles, |b| bounds.intersects(b));
+    members
+        .iter_mut()
+        .for_each(|member| member.is_asked = is_asked[member.number as usize]);
+    pairs(members, most)
+}
+
+/// The same of all triangles, and all pairs.
+pub(crate) fn of_all(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let mut members = members_near(positions, triangles, |_| true);
+    members.iter_mut().for_each(|member| member.is_asked = true);
+    pairs(members, usize::MAX)
+}
+
+/// The same of any triangles with different numbers.
+pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
+    let unit = unit(&members);
+    for x in members.iter_mut().flat_map(|m| m.corners.iter_mut().flatten()) {
+        *x *= unit;
+    }
+    members.retain(|member| projection(&member.corners).is_some());
+    let asked: Vec<Member> = members.iter().filter(|m| m.is_asked).cloned().collect();
+    let tree = RTree::bulk_load(members);
+    let found: Vec<Vec<[u32; 2]>> = asked
+        .par_chunks(CHUNK)
+        .map(|chunk| pairs_with(chunk, &tree, most))
+        .collect();
+    let mut pairs = found.concat();
+    pairs.par_sort_unstable();
+    pairs.truncate(most);
+    pairs
+}
+
+/// The pairs of some triangles that are asked for with those that are not, or that have greater numbers.
+fn pairs_with(chunk: &[Member], tree: &RTree<Member>, most: usize) -> Vec<[u32; 2]> {
+    let mut pairs = Vec::new();
+    for member in chunk {
+        for other in tree.locate_in_envelope_intersecting(&member.bounds()) {
+            let is_elsewhere = other.is_asked && other.number <= member.number;
+            if !is_elsewhere && intersect(&member.corners, &other.corners) {
+                pairs.push([member.number.min(other.number), member.number.max(other.number)]);
+            }
+        }
+        if pairs.len() >= most {
+            break;
+        }
+    }
+    pairs
+}
+
+/// A power of two that brings the coordinates to about one: products of three neither overflow nor vanish.
+fn unit(members: &[Member]) -> f64 {
+    let coordinates = members.iter().flat_map(|m| m.corners.iter().flatten());
+    let largest = coordinates.fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    if largest > 0.0 {
+        (-largest.log2().round()).clamp(-1000.0, 1000.0).exp2()
+    } else {
+        1.0
+    }
+}
