@@ -20,7 +20,7 @@ use crate::solve::system::Collapsed;
 use crate::solve::{self, Control};
 use conclusion::Found;
 pub use normals::{BoundaryNormals, InteriorNormals};
-pub use options::{Discretization, InnerFairness, Options, Solver};
+pub use options::{Discretization, InnerFairness, Options, OutputPrecision, Solver};
 use prepared::Prepared;
 pub(crate) use relay::Workers;
 use relay::relay;
@@ -134,6 +134,7 @@ fn run<'a>(
         positions,
         prepared: &prepared,
         target: options.target,
+        output_precision: options.output_precision,
         result: &result,
         state: &state,
         levels,

@@ -23,9 +23,9 @@ mod table;
 pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, LooseReason, Options, Outcome, Progress,
-    ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver, Target, fair,
-    fair_with_progress,
+    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, LooseReason, Options, Outcome,
+    OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver,
+    Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,

@@ -62,6 +62,15 @@ pub struct fairmesh_report {
     pub seconds_quality: f64,
     /// All of it.
     pub seconds_total: f64,
+    /// The largest kink, in degrees: the angle at a boundary vertex between the mean normals of the triangles of the region and
+    /// of those outside, or where nothing is outside, the boundary normal.
+    pub boundary_kink: f64,
+    /// The same in the input, at the same vertex.
+    pub boundary_kink_before: f64,
+    /// The vertex that has it; of a surface with a BOUNDARY_CREASE, the worst one of the crease.
+    pub boundary_kink_vertex: u64,
+    /// Size of the list CREASED_VERTICES.
+    pub creased_vertex_count: u64,
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -193,6 +202,8 @@ pub enum fairmesh_list {
     SuspiciousNormals = 3,
     /// Boundary vertices whose normals stood farthest away, worst first.
     UnreachedVertices = 4,
+    /// Boundary vertices where the surface has a crease, where the outcome is about them.
+    CreasedVertices = 5,
     /// Faired meshes: the boundary vertices, ascending.
     BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.

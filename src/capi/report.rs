@@ -39,12 +39,16 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         seconds_iterate: of.seconds.iterate,
         seconds_quality: of.seconds.quality,
         seconds_total: of.seconds.total,
+        boundary_kink: quality.boundary_kink,
+        boundary_kink_before: quality.boundary_kink_before,
+        boundary_kink_vertex: quality.boundary_kink_vertex as u64,
+        creased_vertex_count: creased(of).len() as u64,
     }
 }
 
 pub(crate) fn poor(of: &Report) -> &[u32] {
     match &of.outcome {
-        Outcome::ConvergedPoorTriangles { triangles } => triangles,
+        Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => triangles,
         _ => &[],
     }
 }
@@ -52,6 +56,13 @@ pub(crate) fn poor(of: &Report) -> &[u32] {
 pub(crate) fn unreached(of: &Report) -> &[u32] {
     match &of.outcome {
         Outcome::NormalsNotReachable { vertices, .. } => vertices,
+        _ => &[],
+    }
+}
+
+pub(crate) fn creased(of: &Report) -> &[u32] {
+    match &of.outcome {
+        Outcome::BoundaryCrease { vertices } => vertices,
         _ => &[],
     }
 }

@@ -180,6 +180,7 @@ impl Content {
             (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
             (4, _) => self.report(index).map(|r| of(report::unreached(r))),
+            (5, _) => self.report(index).map(|r| of(report::creased(r))),
             (16, Self::Faired(solution)) => {
                 let normals = &solution.boundary_normals;
                 Ok((normals.len(), Box::new(|k| normals[k].0)))

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{BoundaryNormals, Options, Outcome, Progress, Solution, Solver};
+use fairmesh::{BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver};
 
 use crate::bar::Bar;
 use crate::explain;
@@ -84,6 +84,11 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
     let input = input(args, &mesh)?;
     let solver = args.solver.solver()?;
+    let precision = if format == mesh.format() && !args.remesh {
+        mesh.output_precision()
+    } else {
+        format.output_precision()
+    };
     let output = Output::prepare(&args.output)?;
     let json = prepare_json(args.json.as_deref(), &[&args.output, &args.input])?;
     let read = start.elapsed().as_secs_f64();
@@ -95,7 +100,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     } else {
         input
     };
-    let solution = solve(args, solver, &input, args.tolerance).map_err(refused)?;
+    let solution = solve(args, solver, &input, args.tolerance, precision).map_err(refused)?;
     let solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
@@ -152,6 +157,7 @@ pub fn solve(
     solver: Solver,
     input: &FairInput<'_>,
     tolerance: Option<f64>,
+    output_precision: OutputPrecision,
 ) -> Result<Solution, fairmesh::Error> {
     let defaults = Options::default();
     let surface = &args.surface;
@@ -164,6 +170,7 @@ pub fn solve(
         solver,
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.solver.max_iterations.unwrap_or(defaults.max_iterations),
+        output_precision,
         threads: args.threads,
     };
     let mut bar = Bar::new(args.quiet);

@@ -223,6 +223,8 @@ impl Ladder {
             self.plain = candidate.is_converged().then_some(candidate.x);
         } else if candidate.is_settled() {
             return Some((candidate, status));
+        } else if kept != Kept::Start && candidate.is_at_rounding() {
+            return Some((candidate, SolveStatus::AboveTolerance));
         } else if kept != Kept::Sound && candidate.is_converged() {
             // Of equals the first.
             let best = self.fallback.as_ref().map(|(best, _)| best.rank());

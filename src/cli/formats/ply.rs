@@ -82,6 +82,16 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
     ))
 }
 
+impl Ply {
+    /// Whether any coordinate is a float.
+    pub fn has_single_positions(&self) -> bool {
+        let properties = &self.vertex.element.properties;
+        self.position
+            .iter()
+            .any(|&p| properties[p].kind == PropertyKind::Scalar(Scalar::F32))
+    }
+}
+
 /// The three properties of these names, all float or double.
 fn float_properties(element: &Element, names: [&str; 3]) -> Result<[usize; 3], Malformed> {
     let is_float = |&p: &usize| {

@@ -46,6 +46,7 @@ impl Cursor {
             positions: &input.positions,
             prepared: &prepared,
             target: input.options.target,
+            output_precision: input.options.output_precision,
             result: &SolveResult {
                 status: SolveStatus::IterationLimit,
                 ..result
@@ -93,6 +94,7 @@ impl Cursor {
             positions: &input.positions,
             prepared: &self.prepared,
             target: input.options.target,
+            output_precision: input.options.output_precision,
             result: &result,
             state: self.system.state(),
             levels: Vec::new(),
