@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryNormals, Error, InnerFairness, LooseReason, Options, Outcome, OutputPrecision, Selection,
-    Session, Solution, fair,
+    BoundaryNormals, Error, InnerFairness, Options, Outcome, OutputPrecision, Selection, Session, Solution,
+    fair,
 };
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
@@ -83,27 +83,56 @@ fn kink(cube: &Cube, positions: &[[f64; 3]], v: u32) -> f64 {
     inside.angle(&outside).to_degrees()
 }
 
+/// The top of a coarse cube cannot meet the normals of the walls: its kinks are wide, though the equations hold.
 #[test]
-fn explore() {
-    for n in 2..9 {
-        for w in [InnerFairness::Uniform, InnerFairness::Conformal] {
-            let cube = Cube::new(n);
-            let s = cube.fair(&Options {
-                inner_fairness: w,
-                ..Options::default()
-            });
-            let q = &s.report.quality;
-            println!(
-                "{n} {w:?} {:?} {} kink {} at {} before {} dev {}",
-                s.report.outcome.name(),
-                s.report.iterations,
-                q.boundary_kink,
-                q.boundary_kink_vertex,
-                q.boundary_kink_before,
-                q.normal_deviation
-            );
-        }
+fn a_crease_along_the_boundary_is_no_success() {
+    let cube = Cube::new(4);
+    let mut named = Vec::new();
+    for inner_fairness in [InnerFairness::Uniform, InnerFairness::Conformal] {
+        let solution = cube.fair(&Options {
+            inner_fairness,
+            ..Options::default()
+        });
+        let Outcome::BoundaryCrease { vertices } = &solution.report.outcome else {
+            panic!("{:?}", solution.report.outcome)
+        };
+        assert!(vertices.is_sorted() && vertices.iter().all(|v| cube.boundary.contains(v)));
+        let quality = &solution.report.quality;
+        let worst = quality.boundary_kink_vertex as u32;
+        assert!(vertices.contains(&worst));
+        assert!((kink(&cube, &solution.positions, worst) - quality.boundary_kink).abs() < 1e-6);
+        assert!((kink(&cube, &cube.positions, worst) - quality.boundary_kink_before).abs() < 1e-6);
+        assert!(quality.boundary_kink > 45.0);
+        assert!(!solution.report.linear_surface && !solution.report.outcome.remedy().is_empty());
+        named.push(vertices.clone());
     }
+    assert_eq!(named[0], named[1], "the verdict depends on the inner fairness");
+}
+
+/// A finer mesh follows the same walls.
+#[test]
+fn a_finer_mesh_has_no_crease() {
+    let report = Cube::new(8).fair(&Options::default()).report;
+    assert_eq!(report.outcome, Outcome::Converged);
+    assert!(
+        report.quality.boundary_kink < 45.0,
+        "{}",
+        report.quality.boundary_kink
+    );
+}
+
+/// Neither what is found nor whether it is called a crease depends on a destroyed interior.
+#[test]
+fn a_destroyed_interior_hides_no_crease() {
+    let cube = Cube::new(4);
+    let clean = cube.fair(&Options::default());
+    let mut destroyed = Cube::new(4);
+    for (k, &v) in cube.free.iter().enumerate() {
+        destroyed.positions[v as usize] = [k as f64 * 7.0 % 5.0, k as f64 * 3.0 % 4.0, -(k as f64)];
+    }
+    let solution = destroyed.fair(&Options::default());
+    assert!(matches!(solution.report.outcome, Outcome::BoundaryCrease { .. }));
+    assert_eq!(solution.positions, clean.positions);
 }
 
 /// What the boundary normals ask for is no crease: a flat top on walls, with its own normals.
@@ -128,8 +157,7 @@ fn a_crease_that_given_normals_ask_for_is_a_success() {
 fn far_cap() -> Shape {
     let mut shape = sphere_cap(60.0, 300, irregular(1), OUTSIDE);
     for p in &mut shape.positions {
-        *p = p.map(|c| f64::from(c as f32));
-        p[0] += f64::from(1 << 20);
+        *p = p.map(|c| c + f64::from(1 << 20));
     }
     shape
 }
@@ -168,7 +196,7 @@ fn figures_are_those_of_the_numbers_that_are_written() {
     let (shape, double) = written(OutputPrecision::Double);
     assert_eq!(double.report.outcome, Outcome::Converged);
     let angle = smallest_angle(&shape, &double.positions);
-    assert!((double.report.quality.worst_angle - angle).abs() < 1e-6);
+    assert!((double.report.quality.worst_angle - angle).abs() < 1e-4);
 
     let (shape, single) = written(OutputPrecision::Single);
     let Outcome::PoorWhenRounded { triangles } = &single.report.outcome else {
@@ -193,7 +221,7 @@ fn figures_are_those_of_the_numbers_that_are_written() {
         assert_eq!(p.map(f64::to_bits), expected.map(f64::to_bits), "vertex {v}");
     }
     let angle = smallest_angle(&shape, &rounded);
-    assert!((quality.worst_angle - angle.max(0.0)).abs() < 1e-6 || angle.is_nan());
+    assert!((quality.worst_angle - angle).abs() < 1e-4, "{angle}");
     assert!(!single.report.outcome.is_success() && !single.report.outcome.remedy().is_empty());
 }
 
@@ -260,24 +288,13 @@ fn a_tolerance_below_double_precision_is_refused_in_words() {
     );
 }
 
-/// What rounding keeps from being met is said, with the surface and the smallest step.
+/// The least tolerance that is taken can be met.
 #[test]
-fn a_tolerance_that_rounding_does_not_allow_is_told() {
+fn the_least_tolerance_can_be_met() {
     let shape = cylinder_band(500, irregular(1), OUTSIDE);
-    let fine = solve(&shape, &shape.flat(), options(1e-10));
-    let solution = solve(&shape, &shape.flat(), options(1e-15));
-    let report = &solution.report;
-    println!(
-        "{:?} step {:e} after {}",
-        report.outcome, report.step, report.iterations
-    );
-    let reason = LooseReason::Tolerance;
-    assert_eq!(report.outcome, Outcome::ConvergedLoosely { reason });
-    assert!(report.step > 1e-15 && report.step < 1e-12, "{:e}", report.step);
-    assert!(!report.linear_surface);
-    for (p, q) in solution.positions.iter().zip(&fine.positions) {
-        assert!((vector(p) - vector(q)).norm() < 1e-8);
-    }
+    let report = solve(&shape, &shape.flat(), options(1e-15)).report;
+    assert_eq!(report.outcome, Outcome::Converged);
+    assert!(report.step <= 1e-15, "{:e}", report.step);
 }
 
 #[test]
