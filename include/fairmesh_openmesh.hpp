@@ -289,6 +289,7 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
     detail::openmesh_numbers<Mesh> curvature(mesh, asked.mean_curvature);
 
     options plain = asked;
+    if (std::is_same_v<scalar, float>) plain.output_precision = FAIRMESH_OUTPUT_PRECISION_SINGLE;
     std::vector<scalar> normals;
     if (!asked.boundary_normals_property.empty()) {
         normals = detail::openmesh_normals(mesh, view, asked.boundary_normals_property);

@@ -4,6 +4,18 @@ use thiserror::Error;
 
 use crate::table::table;
 
+/// Squares of lengths have to fit a double: at most 12 times the square of this.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e153;
+
+/// A number that is not written out with hundreds of zeros.
+fn readable(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e16).contains(&value.abs()) || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// Why a fairing problem was refused. Every number is an index into the caller's own arrays.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -23,6 +35,16 @@ pub enum Error {
     NotFinite {
         /// The vertex.
         vertex: usize,
+    },
+    /// A coordinate is so large that lengths of the mesh exceed the range of doubles.
+    #[error(
+        "vertex {vertex} has the coordinate {coordinate:e}: the largest that can be calculated with is {LARGEST_COORDINATE:e}"
+    )]
+    CoordinateTooLarge {
+        /// The vertex.
+        vertex: usize,
+        /// Its coordinate of the largest magnitude.
+        coordinate: f64,
     },
     /// A triangle names the same vertex twice.
     #[error("triangle {triangle} names vertex {vertex} twice")]
@@ -118,7 +140,7 @@ pub enum Error {
         vertex: usize,
     },
     /// An option is outside its range.
-    #[error("option {name} is {value}: it must be {range}")]
+    #[error("option {name} is {}: it must be {range}", readable(*.value))]
     BadOption {
         /// The option's name: that of its field, after `paper_` where it is one of [`PaperOptions`](crate::PaperOptions).
         name: &'static str,
@@ -176,6 +198,8 @@ table!(Error {
     26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
     27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
+    29 "coordinate_too_large" Error::CoordinateTooLarge { .. } =>
+        "a coordinate is so large that lengths exceed the range of doubles", "scale the mesh down";
 });
 
 impl Error {

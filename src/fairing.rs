@@ -20,7 +20,7 @@ use crate::solve::system::Collapsed;
 use crate::solve::{self, Control};
 use conclusion::Found;
 pub use normals::{BoundaryNormals, InteriorNormals};
-pub use options::{Discretization, InnerFairness, Intersections, Options, Solver};
+pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};
 use prepared::Prepared;
 pub(crate) use relay::Workers;
 use relay::relay;

@@ -26,8 +26,8 @@ pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
     BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason, Options,
-    Outcome, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections, Session, Solution,
-    Solver, Target, fair, fair_with_progress,
+    Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections,
+    Session, Solution, Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,

@@ -51,6 +51,14 @@ impl Quality {
     pub fn is_sound(&self) -> bool {
         self.flipped.is_empty() && self.needles.is_empty()
     }
+
+    /// The folded triangles and the needles, ascending.
+    pub(crate) fn poor(&self) -> Vec<u32> {
+        let mut poor = [&self.flipped[..], &self.needles].concat();
+        poor.sort_unstable();
+        poor.dedup();
+        poor
+    }
 }
 
 /// A surface to be judged: positions of the region's vertices (free, boundary), unit normals and mean curvature there.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <type_traits>
 
 namespace fairmesh_meshlab {
 
@@ -49,6 +50,8 @@ void add_solver_parameters(RichParameterList &list) {
 }
 
 void read_solver_parameters(const RichParameterList &list, fairmesh::options &options) {
+    // Positions are written in MeshLab's own numbers.
+    if (std::is_same_v<Scalar, float>) options.output_precision = FAIRMESH_OUTPUT_PRECISION_SINGLE;
     options.inner_fairness = static_cast<std::uint32_t>(in_list(list, "inner_fairness", 3));
     options.target.kind = static_cast<std::uint32_t>(in_list(list, "target", 3));
     options.target.constant = list.getFloat("target_constant");

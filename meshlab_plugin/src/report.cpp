@@ -46,6 +46,8 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"curvature_max", report.h_inside[1]},
         {"normal_deviation", report.normal_deviation},
         {"normal_deviation_vertex", number(report.normal_deviation_vertex)},
+        {"boundary_kink", report.boundary_kink},
+        {"boundary_kink_vertex", number(report.boundary_kink_vertex)},
         {"seconds_solve", report.seconds_total},
     };
 }
@@ -70,8 +72,11 @@ std::string reservation(const fairmesh_report &report) {
     const std::string what = loosely ? fairmesh_loose_reason_text(report.loose_reason) : fairmesh_outcome_text(report.outcome);
     const std::string remedy = loosely ? fairmesh_loose_reason_remedy(report.loose_reason) : fairmesh_outcome_remedy(report.outcome);
     std::string figures;
-    if (report.outcome == FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES)
+    if (report.outcome == FAIRMESH_OUTCOME_CONVERGED_POOR_TRIANGLES || report.outcome == FAIRMESH_OUTCOME_POOR_WHEN_ROUNDED)
         figures = text(" (%llu triangles)", static_cast<unsigned long long>(report.poor_triangle_count));
+    if (report.outcome == FAIRMESH_OUTCOME_BOUNDARY_CREASE)
+        figures = text(" (%llu vertices, up to %.0f degrees at vertex %llu)", static_cast<unsigned long long>(report.creased_vertex_count),
+                       report.boundary_kink, static_cast<unsigned long long>(report.boundary_kink_vertex));
     if (report.outcome == FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE || report.outcome == FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE)
         figures = text(" (%.0f %% of the way was possible)", 100 * report.reached);
     return what + figures + "; " + remedy + ".";

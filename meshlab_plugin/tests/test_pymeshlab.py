@@ -379,7 +379,7 @@ class Refused(Case):
 
     def test_parameters(self):
         ms, _ = dented_sphere()
-        self.refused(ms, FAIR, "Option tolerance is 2: it must be greater than 0 and less than 1", tolerance=2.0)
+        self.refused(ms, FAIR, "Option tolerance is 2: it must be at least 1e-15, the precision of double numbers, and less than 1", tolerance=2.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=0.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)

@@ -13,7 +13,7 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Progress, Solution, fair_with_progress};
+use fairmesh::{OutputPrecision, Progress, Solution, fair_with_progress};
 use fairmesh::{mean_curvature, self_intersections};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
@@ -68,7 +68,10 @@ pub extern "C" fn fairmesh_fair(
         point();
         let solution = {
             let mut tell = |progress: &Progress| callback.tell(progress);
-            let options = asked.options(normals);
+            let mut options = asked.options(normals);
+            if out.as_ref().is_some_and(NumbersOut::is_single) {
+                options.output_precision = OutputPrecision::Single;
+            }
             fair_with_progress(&positions, &triangles, selected.selection(), &options, &mut tell)?
         };
         drop((positions, triangles));

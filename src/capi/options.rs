@@ -9,7 +9,7 @@ use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
 use fairmesh::{BoundaryNormals, Discretization, Error, Estimate, InnerFairness, InteriorNormals};
-use fairmesh::{Intersections, Options, PaperOptions, Solver, Target};
+use fairmesh::{Intersections, Options, OutputPrecision, PaperOptions, Solver, Target};
 
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
 #[repr(C)]
@@ -32,7 +32,7 @@ pub struct fairmesh_options {
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: u32,
     /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's bounding
-    /// box) is below this. Default 1e-8; 1e-6 is enough for interactive use. Greater than 0, less than 1.
+    /// box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, less than 1.
     pub tolerance: f64,
     /// At most this many nonlinear iterations. Default 500. At least 1.
     pub max_iterations: u64,
@@ -59,6 +59,9 @@ pub struct fairmesh_options {
     /// A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
     /// less than a tenth of the run.
     pub intersections: u32,
+    /// A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
+    /// the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
+    pub output_precision: u32,
     /// Zero.
     pub reserved: u32,
 }
@@ -106,6 +109,7 @@ pub(crate) fn default_options() -> fairmesh_options {
         paper_laplacian: paper.laplacian,
         paper_max_updates: paper.max_updates as u64,
         intersections: options.intersections.entry().number(),
+        output_precision: options.output_precision.entry().number(),
         reserved: 0,
     }
 }
@@ -140,7 +144,7 @@ fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
 const FIELDS: fn(Argument, &str) -> Option<FieldPath> = fields!(fairmesh_options:
     inner_fairness boundary_normals target interior_normals discretization solver threads tolerance max_iterations
     paper_estimate paper_estimate_iterations paper_damping paper_levels paper_base paper_defect paper_laplacian
-    paper_max_updates
+    paper_max_updates output_precision
 );
 
 /// What the library refuses, at its place in the argument.
@@ -256,8 +260,14 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         "fairmesh_intersections",
         place,
     )?;
-    let place = argument.field(offset_of!(fairmesh_options, reserved), "reserved");
-    check_reserved(view.reserved, place)?;
+    let number = view.output_precision;
+    let place = argument.field(offset_of!(fairmesh_options, output_precision), "output_precision");
+    let output_precision = chosen(
+        OutputPrecision::from_number(number),
+        number,
+        "fairmesh_output_precision",
+        place,
+    )?;
     let place = argument.field(offset_of!(fairmesh_options, target), "target");
     Ok(Options {
         boundary_normals: BoundaryNormals::default(),
@@ -268,6 +278,7 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         solver: solver(view, argument)?,
         tolerance: view.tolerance,
         max_iterations: count(view.max_iterations),
+        output_precision,
         threads: view.threads as usize,
         intersections,
     })

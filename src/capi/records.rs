@@ -70,6 +70,15 @@ pub struct fairmesh_report {
     pub intersections_checked: u32,
     /// Zero.
     pub reserved: u32,
+    /// The largest kink, in degrees: the angle at a boundary vertex between the mean normals of the triangles of the region and
+    /// of those outside, or where nothing is outside, the boundary normal.
+    pub boundary_kink: f64,
+    /// The same in the input, at the same vertex.
+    pub boundary_kink_before: f64,
+    /// The vertex that has it; of a surface with a BOUNDARY_CREASE, the worst one of the crease.
+    pub boundary_kink_vertex: u64,
+    /// Size of the list CREASED_VERTICES.
+    pub creased_vertex_count: u64,
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -207,6 +216,8 @@ pub enum fairmesh_list {
     UnreachedVertices = 4,
     /// Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
     Intersections = 5,
+    /// Boundary vertices where the surface has a crease, where the outcome is about them.
+    CreasedVertices = 6,
     /// Faired meshes: the boundary vertices, ascending.
     BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.

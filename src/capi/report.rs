@@ -43,12 +43,16 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         intersections_in_input: of.self_intersections.as_ref().map_or(0, |found| found.in_input) as u64,
         intersections_checked: u32::from(of.self_intersections.is_some()),
         reserved: 0,
+        boundary_kink: quality.boundary_kink,
+        boundary_kink_before: quality.boundary_kink_before,
+        boundary_kink_vertex: quality.boundary_kink_vertex as u64,
+        creased_vertex_count: creased(of).len() as u64,
     }
 }
 
 pub(crate) fn poor(of: &Report) -> &[u32] {
     match &of.outcome {
-        Outcome::ConvergedPoorTriangles { triangles } => triangles,
+        Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => triangles,
         _ => &[],
     }
 }
@@ -63,6 +67,13 @@ pub(crate) fn unreached(of: &Report) -> &[u32] {
 /// Pairs of intersecting triangles.
 pub(crate) fn intersections(of: &Report) -> &[[u32; 2]] {
     of.self_intersections.as_ref().map_or(&[], |found| &found.pairs)
+}
+
+pub(crate) fn creased(of: &Report) -> &[u32] {
+    match &of.outcome {
+        Outcome::BoundaryCrease { vertices } => vertices,
+        _ => &[],
+    }
 }
 
 /// How much of the boundary normals or the target was reached.

@@ -191,6 +191,7 @@ impl Content {
             }
             (5, Self::Intersections(pairs)) => Ok(of_pairs(pairs)),
             (5, _) => self.report(index).map(|r| of_pairs(report::intersections(r))),
+            (6, _) => self.report(index).map(|r| of(report::creased(r))),
             (16, Self::Faired(solution)) => {
                 let normals = &solution.boundary_normals;
                 Ok((normals.len(), Box::new(|k| normals[k].0)))

@@ -161,6 +161,7 @@ impl From<Error> for Failure {
                 failure.at(Edge, a).and(b)
             }
             Error::NotFinite { vertex }
+            | Error::CoordinateTooLarge { vertex, .. }
             | Error::NonManifoldVertex { vertex }
             | Error::FreeVertexOnBoundary { vertex }
             | Error::FreeVertexWithoutTriangle { vertex }

@@ -250,6 +250,11 @@ numbers_out!(points, fairmesh_points_out, 3);
 numbers_out!(scalars, fairmesh_scalars_out, 1);
 
 impl<const N: usize> NumbersOut<N> {
+    /// Whether floats are to be written.
+    pub(crate) fn is_single(&self) -> bool {
+        !self.double
+    }
+
     /// Exactly so many rows.
     pub(crate) fn check_count(&self, count: usize, argument: Argument) -> CallResult {
         check_count(

@@ -12,13 +12,17 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
     let geometry = &mesh.geometry;
     let message = match error {
         Error::BadOption { name, value, range } => {
-            return Failure::new(format!("--{} {value}: it must be {range}", name.replace('_', "-")));
+            return Failure::new(format!(
+                "--{} {value}: it must be {range}",
+                name.replace('_', "-")
+            ));
         }
         _ => in_polygons(error, geometry).to_string(),
     };
     let place = vertex_of(error)
         .and_then(|v| Some((v, geometry.positions.get(v)?)))
         .map_or(String::new(), |(v, [x, y, z])| {
+            let [x, y, z] = [x, y, z].map(|c| coordinate(*c));
             format!(" (vertex {v} is at {x} {y} {z})")
         });
     let remedy = match error.entry().remedy() {
@@ -29,6 +33,15 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
     match error {
         Error::Threads { .. } => failure.with_code(ExitCode::Exhausted),
         _ => failure,
+    }
+}
+
+/// As it is written by hand, without hundreds of zeros.
+fn coordinate(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e16).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 
@@ -53,6 +66,7 @@ fn in_polygons(error: &Error, geometry: &Geometry) -> Error {
 fn vertex_of(error: &Error) -> Option<usize> {
     match *error {
         Error::NotFinite { vertex }
+        | Error::CoordinateTooLarge { vertex, .. }
         | Error::RepeatedIndex { vertex, .. }
         | Error::NonManifoldVertex { vertex }
         | Error::FreeVertexOnBoundary { vertex }
@@ -70,12 +84,20 @@ pub fn outcome(report: &Report) -> String {
     let name = report.outcome.name().replace('_', " ");
     let text = report.outcome.text();
     let figures = match &report.outcome {
-        Outcome::ConvergedPoorTriangles { triangles } => format!(" ({} triangles)", triangles.len()),
+        Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
+            format!(" ({} triangles)", triangles.len())
+        }
         Outcome::SelfIntersecting { pairs } => format!(" ({pairs} pairs)"),
         Outcome::NormalsNotReachable { reached, vertices } => format!(
             " ({:.0} % of the way was reached, and the normals of {} vertices stand farthest off)",
             100.0 * reached,
             vertices.len()
+        ),
+        Outcome::BoundaryCrease { vertices } => format!(
+            " ({} vertices, up to {:.0} degrees; {:.0} in the input)",
+            vertices.len(),
+            report.quality.boundary_kink,
+            report.quality.boundary_kink_before
         ),
         Outcome::TargetNotReachable { reached } => format!(" ({:.0} % of it)", 100.0 * reached),
         _ => String::new(),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{BoundaryNormals, Options, Outcome, Progress, Solution, Solver};
+use fairmesh::{BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver};
 
 use crate::answer::Answer;
 use crate::bar::Bar;
@@ -90,6 +90,11 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     if !args.remesh {
         mesh.check_writable(&args.input, format)?;
     }
+    let precision = if format == mesh.format() && !args.remesh {
+        mesh.output_precision()
+    } else {
+        format.output_precision()
+    };
     let output = Output::prepare(&args.output)?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
     let read = start.elapsed().as_secs_f64();
@@ -101,7 +106,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     } else {
         input
     };
-    let solution = solve(args, solver, &input, args.tolerance).map_err(refused)?;
+    let solution = solve(args, solver, &input, args.tolerance, precision).map_err(refused)?;
     let solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();
@@ -153,6 +158,7 @@ pub fn solve(
     solver: Solver,
     input: &FairInput<'_>,
     tolerance: Option<f64>,
+    output_precision: OutputPrecision,
 ) -> Result<Solution, fairmesh::Error> {
     let defaults = Options::default();
     let surface = &args.surface;
@@ -165,6 +171,7 @@ pub fn solve(
         solver,
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.solver.max_iterations.unwrap_or(defaults.max_iterations),
+        output_precision,
         threads: args.threads,
         intersections: args.intersections.intersections(),
     };

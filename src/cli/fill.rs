@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome, Progress,
-    fill_holes_with_progress,
+    FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome,
+    OutputPrecision, Progress, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
@@ -72,7 +72,11 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let output = Output::prepare(&args.output)?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
     let solving = Instant::now();
-    let filled = solve(args, &mesh).map_err(|error| refusal(args, &mesh, &error))?;
+    let precision = match (mesh.format(), format) {
+        (Format::Ply, Format::Ply) => mesh.output_precision(),
+        _ => format.output_precision(),
+    };
+    let filled = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -108,7 +112,11 @@ fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure
     }
 }
 
-fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
+fn solve(
+    args: &FillArgs,
+    mesh: &MeshFile,
+    output_precision: OutputPrecision,
+) -> Result<Filled, fairmesh::Error> {
     let mut bar = Bar::new(args.quiet);
     let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = FillOptions::default();
@@ -123,6 +131,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fair: !args.no_fair,
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
+            output_precision,
             threads: args.threads,
             intersections: args.intersections.intersections(),
             ..Options::default()

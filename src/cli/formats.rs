@@ -10,7 +10,7 @@ mod tests;
 
 use std::path::Path;
 
-use fairmesh::Parents;
+use fairmesh::{OutputPrecision, Parents};
 
 use crate::failure::{Failure, Malformed};
 use crate::formats::patches::Patches;
@@ -56,6 +56,16 @@ impl Format {
             Format::Obj => "OBJ",
             Format::Off => "OFF",
             Format::Stl => "STL",
+        }
+    }
+}
+
+impl Format {
+    /// The precision of coordinates in a new file of this format.
+    pub fn output_precision(self) -> OutputPrecision {
+        match self {
+            Format::Stl => OutputPrecision::Single,
+            Format::Ply | Format::Obj | Format::Off => OutputPrecision::Double,
         }
     }
 }
@@ -302,6 +312,20 @@ impl MeshFile {
             Places::Obj(_) => Format::Obj,
             Places::Off(_) => Format::Off,
             Places::Stl(_) => Format::Stl,
+        }
+    }
+
+    /// The precision of the file's own coordinates.
+    pub fn output_precision(&self) -> OutputPrecision {
+        let is_single = match &self.places {
+            Places::Ply(places) => places.has_single_positions(),
+            Places::Stl(stl::Stl::Binary) => true,
+            Places::Stl(stl::Stl::Ascii(_)) | Places::Obj(_) | Places::Off(_) => false,
+        };
+        if is_single {
+            OutputPrecision::Single
+        } else {
+            OutputPrecision::Double
         }
     }
 

@@ -51,7 +51,7 @@ Lists (--free, --faces): one number per line; blank lines and what follows a # a
 
 The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
 (of Delta_B H = 0, without unit), step, seconds, quality, free_vertices, diagonal, linear_surface, suspicious_normals,
-unreachable_normals, reached, fallback_weights and stale_normals (vertices whose normals in the file
+unreachable_normals, creased_vertices, reached, fallback_weights and stale_normals (vertices whose normals in the file
 could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. Numbers that are not finite are null.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use fairmesh::{BoundaryNormals, RemeshOptions, Solver, remesh_region};
+use fairmesh::{BoundaryNormals, OutputPrecision, RemeshOptions, Solver, remesh_region};
 
 use crate::fair::{FairArgs, FairInput, solve};
 use crate::formats::{Geometry, Kind};
@@ -17,7 +17,7 @@ pub fn remesh(
     solver: Solver,
     input: &FairInput<'_>,
 ) -> Result<FairInput<'static>, fairmesh::Error> {
-    let rough = solve(args, solver, input, Some(TOLERANCE))?;
+    let rough = solve(args, solver, input, Some(TOLERANCE), OutputPrecision::Double)?;
     let positions = if rough.report.linear_surface {
         &input.geometry.positions
     } else {

@@ -58,6 +58,14 @@ impl Summary<'_> {
         }
     }
 
+    /// The vertices of a crease along the boundary.
+    fn creased(&self) -> &[u32] {
+        match &self.report.outcome {
+            Outcome::BoundaryCrease { vertices } => vertices,
+            _ => &[],
+        }
+    }
+
     /// Lines for people.
     pub fn readable(&self) -> String {
         let mut table = Table(format!("{}\n", explain::outcome(self.report)));
@@ -117,6 +125,15 @@ impl Summary<'_> {
             "normal deviation",
             format_args!("at most {deviation} degrees (vertex {vertex}), rms {rms}"),
         );
+        let (kink, before) = (
+            significant(quality.boundary_kink),
+            significant(quality.boundary_kink_before),
+        );
+        let vertex = quality.boundary_kink_vertex;
+        table.row(
+            "boundary kink",
+            format_args!("at most {kink} degrees (vertex {vertex}, {before} in the input)"),
+        );
     }
 
     /// Intersecting triangles as pairs of faces of the file.
@@ -158,6 +175,9 @@ impl Summary<'_> {
         }
         if !self.blamed().is_empty() {
             table.row("normals far off", listed(self.blamed(), VERTICES));
+        }
+        if !self.creased().is_empty() {
+            table.row("crease at", listed(self.creased(), VERTICES));
         }
         if !report.suspicious_normals.is_empty() {
             let vertices = listed(&report.suspicious_normals, VERTICES);
@@ -202,6 +222,7 @@ impl Summary<'_> {
             "linear_surface": report.linear_surface,
             "suspicious_normals": report.suspicious_normals,
             "unreachable_normals": self.blamed(),
+            "creased_vertices": self.creased(),
             "reached": reached,
             "fallback_weights": report.fallback_weights,
             "stale_normals": self.stale_normals,
@@ -243,6 +264,9 @@ impl Summary<'_> {
             "normal_deviation": quality.normal_deviation,
             "normal_deviation_vertex": quality.normal_deviation_vertex,
             "normal_deviation_rms": quality.normal_deviation_rms,
+            "boundary_kink": quality.boundary_kink,
+            "boundary_kink_vertex": quality.boundary_kink_vertex,
+            "boundary_kink_before": quality.boundary_kink_before,
         })
     }
 }
@@ -366,6 +390,8 @@ mod tests {
             Outcome::NotConverged,
             Outcome::IterationLimit,
             Outcome::Cancelled,
+            Outcome::BoundaryCrease { vertices: vec![2, 5] },
+            Outcome::PoorWhenRounded { triangles: vec![1] },
         ];
         for outcome in outcomes {
             let report = report(outcome);

@@ -2,13 +2,15 @@
 
 use std::time::Instant;
 
+use nalgebra::Vector3;
+
 use super::options::{Intersections, Options};
 use super::prepared::Prepared;
 use super::report::{LooseReason, Outcome, Report, Seconds, SelfIntersections, Solution};
 use crate::discrete::equations::State;
 use crate::intersections;
 use crate::paper::LevelReport;
-use crate::quality::crease::{Kink, creases, kink, kinks};
+use crate::quality::crease::{Kink, creases, kinks};
 use crate::quality::{Quality, Surface};
 use crate::solve::problem::diagonal;
 use crate::solve::{SolveResult, SolveStatus};
@@ -33,9 +35,14 @@ impl Found<'_> {
     pub(super) fn conclude(self) -> Solution {
         let clock = Instant::now();
         let surface = self.surface();
+        let positions = self.positions();
+        let written = self.written(&positions);
         let domain = &self.prepared.domain;
         let (rings, input) = (&domain.rings, &domain.input);
-        let mut quality = self.quality(&surface);
+        let mut quality = self.quality(&Surface {
+            x: &written,
+            ..surface
+        });
         let kinks = kinks(&surface, rings, input);
         let creases = creases(&kinks);
         self.tell_kink(&mut quality, if creases.is_empty() { &kinks } else { &creases });
@@ -72,7 +79,8 @@ impl Found<'_> {
         quality
     }
 
-    /// All positions. What has not moved keeps its bits, without the rounding of the normalization.
+    /// All positions, those that have moved in the precision that they will be written in. What has not moved keeps its bits,
+    /// without the rounding of the normalization.
     fn positions(&self) -> Vec<[f64; 3]> {
         let (domain, normalization) = (&self.prepared.domain, &self.prepared.normalization);
         let region = &domain.region;
@@ -80,10 +88,20 @@ impl Found<'_> {
         let moved = self.result.x[..region.free].iter().zip(&domain.input);
         for ((p, before), &v) in moved.zip(&region.vertex_ids) {
             if p != before {
-                positions[v as usize] = normalization.leave(p);
+                positions[v as usize] = self.options.output_precision.round(normalization.leave(p));
             }
         }
         positions
+    }
+
+    /// The region as it will be written, in its own frame.
+    fn written(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
+        let region = &self.prepared.domain.region;
+        let ids = region.vertex_ids[..region.region_vertices()].iter();
+        let round = |&v: &u32| Vector3::from(self.options.output_precision.round(positions[v as usize]));
+        let mut x: Vec<Vector3<f64>> = ids.map(round).collect();
+        self.prepared.normalization.enter(&mut x);
+        x
     }
 
     /// One for each boundary vertex: those of the sides of a curve are alike.
@@ -107,14 +125,10 @@ impl Found<'_> {
         let Some(widest) = kinks.iter().max_by(|a, b| a.kink.total_cmp(&b.kink)) else {
             return;
         };
-        let domain = &self.prepared.domain;
-        let before = Surface {
-            x: domain.surface(),
-            ..self.surface()
-        };
+        let region = &self.prepared.domain.region;
         quality.boundary_kink = widest.kink;
-        quality.boundary_kink_vertex = domain.region.vertex_ids[domain.region.free + widest.b] as usize;
-        quality.boundary_kink_before = kink(&before, &domain.rings, &domain.input, widest.b).kink;
+        quality.boundary_kink_vertex = region.vertex_ids[region.free + widest.b] as usize;
+        quality.boundary_kink_before = widest.before;
     }
 
     /// Of these positions, unless the run goes on later or is not to be looked at.
@@ -165,7 +179,12 @@ impl Found<'_> {
         seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
         Report {
             target: self.options.target,
-            outcome: self.outcome(&suspicious_normals, creases, self_intersections.as_ref()),
+            outcome: self.outcome(
+                &quality,
+                &suspicious_normals,
+                creases,
+                self_intersections.as_ref(),
+            ),
             iterations: result.iterations,
             defect: result.defect,
             step: result.step,
@@ -187,6 +206,7 @@ impl Found<'_> {
 
     fn outcome(
         &self,
+        quality: &Quality,
         suspicious_normals: &[u32],
         creases: &[Kink],
         self_intersections: Option<&SelfIntersections>,
@@ -213,6 +233,11 @@ impl Found<'_> {
                     triangles: ids(poor, &region.half_edges.triangle_ids),
                 };
             }
+            _ if !quality.is_sound() => {
+                return Outcome::PoorWhenRounded {
+                    triangles: quality.poor(),
+                };
+            }
             _ if !creases.is_empty() => {
                 let boundary = &region.vertex_ids[region.free..];
                 let mut vertices: Vec<u32> = creases.iter().map(|k| boundary[k.b]).collect();
@@ -223,6 +248,7 @@ impl Found<'_> {
             SolveStatus::Bump => LooseReason::Bump,
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,
+            SolveStatus::AboveTolerance => LooseReason::Tolerance,
             SolveStatus::FirstOrder => LooseReason::FirstOrderCurvature,
             SolveStatus::Converged => return Outcome::Converged,
         };

@@ -37,6 +37,36 @@ choices! {
     }
 }
 
+choices! {
+    /// The precision of the numbers that the result will be written in, to a file or to the arrays of a program. Moved
+    /// positions are rounded to it, and figures and outcome of the report are those of the rounded surface.
+    #[derive(Default)]
+    OutputPrecision {
+        #[default] 0 "double" Double => "double: 53 bits", "";
+        1 "single" Single => "single: 24 bits; far from the origin that is coarse", "";
+    }
+}
+
+impl OutputPrecision {
+    /// A position in this precision. Coordinates beyond the range of single numbers stay as they are.
+    ///
+    /// ```
+    /// use fairmesh::OutputPrecision;
+    ///
+    /// assert_eq!(OutputPrecision::Single.round([1e6 + 0.01, 0.5, 0.1])[..2], [1e6, 0.5]);
+    /// assert_eq!(OutputPrecision::Double.round([0.1; 3]), [0.1; 3]);
+    /// ```
+    pub fn round(self, position: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Double => position,
+            Self::Single => position.map(|c| {
+                let rounded = f64::from(c as f32);
+                if rounded.is_finite() { rounded } else { c }
+            }),
+        }
+    }
+}
+
 /// How the equations are solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Solver {
@@ -55,6 +85,8 @@ table!(Solver {
 
 /// More threads than any machine of today makes use of: what is beyond is a mistake, which would cost a stack each.
 const MOST_THREADS: usize = 1024;
+/// The smallest [`Options::tolerance`]: a few roundings of a double.
+const LEAST_TOLERANCE: f64 = 1e-15;
 
 /// What is asked. `Options::default()` is right for most uses.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,10 +104,13 @@ pub struct Options {
     /// Solver. Default: the fast one.
     pub solver: Solver,
     /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
-    /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
+    /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. Between 1e-15 (a few roundings) and 1; what the
+    /// mesh allows may be a hundred times that, which the outcome says ([`LooseReason::Tolerance`](crate::LooseReason::Tolerance)).
     pub tolerance: f64,
     /// At most this many nonlinear iterations in all. Default 500. At least 1.
     pub max_iterations: usize,
+    /// What the result will be written in. Default: double.
+    pub output_precision: OutputPrecision,
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
     /// Whether the final surface is checked for self-intersections. Default: yes; it takes less than a tenth of the run.
@@ -93,6 +128,7 @@ impl Default for Options {
             solver: Solver::default(),
             tolerance: 1e-8,
             max_iterations: 500,
+            output_precision: OutputPrecision::default(),
             threads: 0,
             intersections: Intersections::default(),
         }
@@ -125,8 +161,8 @@ impl Options {
         Error::check_option(
             "tolerance",
             t,
-            t > 0.0 && t < 1.0,
-            "greater than 0 and less than 1",
+            (LEAST_TOLERANCE..1.0).contains(&t),
+            "at least 1e-15, the precision of double numbers, and less than 1",
         )?;
         Error::check_option("max_iterations", 0.0, self.max_iterations > 0, "at least 1")?;
         let threads = self.threads;

@@ -64,6 +64,12 @@ pub enum Outcome {
     IterationLimit,
     /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled,
+    /// Tolerance met and the surface is sound, but triangles are flipped or have an angle below one degree once the positions
+    /// are rounded to [`Options::output_precision`].
+    PoorWhenRounded {
+        /// Those triangles.
+        triangles: Vec<u32>,
+    },
     /// Tolerance met and no triangle is poor, but along the boundary the surface has a crease against the outside, or against
     /// the normals that were given.
     BoundaryCrease {
@@ -88,6 +94,9 @@ choices! {
         4 "bump" Bump =>
             "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
             "look at it; a larger region, or one with a smoother boundary, usually cures it";
+        5 "tolerance" Tolerance =>
+            "the steps have become as small as double precision allows here, but stay above the tolerance",
+            "ask for a larger tolerance: the last step in the report is the smallest that can be met here";
     }
 }
 
@@ -120,6 +129,9 @@ table!(Outcome {
     9 "self_intersecting" Outcome::SelfIntersecting { .. } =>
         "tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh",
         "look at these triangles; select more, prescribe other normals, or fill the region as a hole";
+    10 "poor_when_rounded" Outcome::PoorWhenRounded { .. } =>
+        "tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles",
+        "write the mesh in double precision, or move it near to the origin";
 });
 
 impl Outcome {
@@ -135,6 +147,18 @@ impl Outcome {
     /// ```
     pub fn is_success(&self) -> bool {
         matches!(self, Outcome::Converged)
+    }
+
+    /// Tolerance met, with whatever reservation.
+    pub(crate) fn is_tolerance_met(&self) -> bool {
+        matches!(
+            self,
+            Self::Converged
+                | Self::ConvergedPoorTriangles { .. }
+                | Self::ConvergedLoosely { .. }
+                | Self::BoundaryCrease { .. }
+                | Self::PoorWhenRounded { .. }
+        )
     }
 
     /// What the outcome means: its text in the table, or that of its reason.

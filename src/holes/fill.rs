@@ -326,6 +326,7 @@ impl Run<'_, '_> {
                 .min(largest_patch(boundary.vertices.len(), self.options.density)),
             fair: self.options.fair,
             options: local_options(&surroundings, &self.options.fairing),
+            precision: self.options.fairing.output_precision,
         };
         let mut piece = task.run(&mut tell);
         self.cancelled = cancelled;

@@ -11,6 +11,7 @@ mod piece;
 mod refine;
 mod relax;
 mod remesh;
+mod rounding;
 mod surroundings;
 mod triangulate;
 

@@ -148,7 +148,9 @@ pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangl
     }
     report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));
     match &mut report.outcome {
-        Outcome::ConvergedPoorTriangles { triangles } => triangles.iter_mut().for_each(|t| *t = triangle(*t)),
+        Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
+            triangles.iter_mut().for_each(|t| *t = triangle(*t))
+        }
         Outcome::NormalsNotReachable { vertices, .. } | Outcome::BoundaryCrease { vertices } => {
             vertices.iter_mut().for_each(|v| *v = vertex(*v));
         }

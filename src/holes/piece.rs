@@ -10,14 +10,14 @@ use super::outcome::{FillOutcome, FlatReason, OpenReason};
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
+use super::rounding::Rounded;
 use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Intersections, Options, Outcome, Progress, ProgressCallback, Report, Selection,
-    Solution, Target, fair_with_progress,
+    BoundaryNormals, Intersections, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report,
+    Selection, Solution, Target, fair_with_progress,
 };
-use crate::quality::smallest_angle;
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
 const COARSE_GROWTH: f64 = 0.5;
@@ -40,13 +40,7 @@ const AGAIN: usize = 2;
 
 /// No fair surface was found.
 fn is_failed(report: &Report) -> bool {
-    !matches!(
-        report.outcome,
-        Outcome::Converged
-            | Outcome::ConvergedPoorTriangles { .. }
-            | Outcome::ConvergedLoosely { .. }
-            | Outcome::BoundaryCrease { .. }
-    )
+    !report.outcome.is_tolerance_met()
 }
 
 /// A filled loop in numbers of its own: the boundary's vertices, then the new ones.
@@ -98,6 +92,8 @@ pub(super) struct Task<'a> {
     pub(super) fair: bool,
     /// As [`local_options`] gives them.
     pub(super) options: Options,
+    /// What the mesh will be written in.
+    pub(super) precision: OutputPrecision,
 }
 
 /// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths.
@@ -113,6 +109,7 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
         },
         // The patch is looked at in the whole mesh.
         intersections: Intersections::Skip,
+        output_precision: OutputPrecision::Double,
         ..asked.clone()
     }
 }
@@ -392,17 +389,21 @@ impl Task<'_> {
         coarsened: bool,
     ) -> Piece {
         let around = self.surroundings;
-        let corners = |t: &[u32; 3]| t.map(|v| patch.x[v as usize]);
-        let angles = patch.triangles.iter().map(|t| smallest_angle(&corners(t)));
+        let rounded = Rounded::new(&patch, around, self.precision);
+        let fairing = fairing.map(|mut report| {
+            rounded.tell(&mut report, around.triangles.len() as u32);
+            self.in_units(report)
+        });
+        let written = |p| self.precision.round(around.leave(p));
         Piece {
             outcome,
             boundary: around.ids[..around.loop_vertices].to_vec(),
-            positions: patch.x[patch.fixed..].iter().map(|p| around.leave(p)).collect(),
+            positions: patch.x[patch.fixed..].iter().map(written).collect(),
             parents: parents(&patch, coarse, &around.ids),
-            fairing: fairing.map(|report| self.in_units(report)),
+            fairing,
             known: around.ids.clone(),
             known_triangles: around.triangle_ids.clone(),
-            worst_angle: angles.fold(f64::INFINITY, f64::min),
+            worst_angle: rounded.worst_angle(),
             outside: self.outside(&patch.x[patch.fixed..]),
             coarsened,
             crossings: Vec::new(),
@@ -422,6 +423,7 @@ impl Task<'_> {
         let face = |t: &mut usize| number(&around.triangle_ids, t);
         match &mut error {
             Error::NotFinite { vertex: v }
+            | Error::CoordinateTooLarge { vertex: v, .. }
             | Error::NonManifoldVertex { vertex: v }
             | Error::BadNormal { vertex: v }
             | Error::NoNormal { vertex: v } => vertex(v),

@@ -105,6 +105,11 @@ impl Surroundings {
         (p * self.scale + self.centre).into()
     }
 
+    /// A position in the caller's units, here.
+    pub(super) fn place(&self, p: [f64; 3]) -> Vector3<f64> {
+        (Vector3::from(p) - self.centre) / self.scale
+    }
+
     /// The caller's length of a length here.
     pub(super) fn scale(&self) -> f64 {
         self.scale

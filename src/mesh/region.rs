@@ -10,7 +10,7 @@ use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::outside_neighbours::RINGS_WIDE;
 use super::rounding;
-use crate::error::Error;
+use crate::error::{Error, LARGEST_COORDINATE};
 
 /// Which vertices may move.
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +61,7 @@ impl Region {
     /// # Errors
     /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
     /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
-    /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`],
+    /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`], [`Error::CoordinateTooLarge`],
     /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
     /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
     /// [`Error::NothingFixed`].
@@ -351,6 +351,26 @@ fn finite(position: &[f64; 3]) -> bool {
 fn check_finite(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
     match ids.iter().filter(|&&v| !finite(&positions[v as usize])).min() {
         Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
+        None => check_range(positions, ids),
+    }
+}
+
+fn check_range(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
+    let largest = |v: u32| {
+        let [x, y, z] = positions[v as usize];
+        [y, z]
+            .into_iter()
+            .fold(x, |a, b| if b.abs() > a.abs() { b } else { a })
+    };
+    match ids
+        .iter()
+        .filter(|&&v| largest(v).abs() > LARGEST_COORDINATE)
+        .min()
+    {
+        Some(&v) => Err(Error::CoordinateTooLarge {
+            vertex: v as usize,
+            coordinate: largest(v),
+        }),
         None => Ok(()),
     }
 }

@@ -5,7 +5,10 @@ use nalgebra::Vector3;
 use super::quasi_newton::IterationStatus;
 use super::system::System;
 use crate::quality::NEEDLE;
-use crate::quality::crease::{creases, kinks};
+use crate::quality::crease::{certain_creases, kinks};
+
+/// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
+const ROUNDING_FLOOR: f64 = 1e-9;
 
 /// A surface that an iteration has led to.
 #[derive(Debug, Clone)]
@@ -22,7 +25,7 @@ pub(crate) struct Candidate {
     pub curvature_overshoot: bool,
     /// It stands off single boundary normals far more than off the others.
     pub detached_from_normals: bool,
-    /// At so many boundary vertices it has a crease against the outside ([`crate::quality::crease`]).
+    /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), whatever the interior of the input.
     pub creases: usize,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
     /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
@@ -36,7 +39,7 @@ impl Candidate {
         let surface = system.surface(&x);
         let domain = &system.domain;
         Self {
-            creases: creases(&kinks(&surface, &domain.rings, &domain.input)).len(),
+            creases: certain_creases(&kinks(&surface, &domain.rings, &domain.input)),
             status,
             step,
             poor: surface.poor(NEEDLE),
@@ -55,6 +58,13 @@ impl Candidate {
     /// Tolerance met.
     pub(crate) fn is_converged(&self) -> bool {
         self.status == IterationStatus::Converged
+    }
+
+    /// Sound, and as near to the solution as rounding lets it come: it stalled above the tolerance, but far below any step
+    /// that could be seen.
+    pub(crate) fn is_at_rounding(&self) -> bool {
+        let is_near = self.status == IterationStatus::Stalled && self.step < ROUNDING_FLOOR;
+        is_near && self.poor.is_empty() && !self.has_bump()
     }
 
     /// Limit or cancel.

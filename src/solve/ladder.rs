@@ -223,6 +223,8 @@ impl Ladder {
             self.plain = candidate.is_converged().then_some(candidate.x);
         } else if candidate.is_settled() {
             return Some((candidate, status));
+        } else if kept != Kept::Start && candidate.is_at_rounding() {
+            return Some((candidate, SolveStatus::AboveTolerance));
         } else if kept != Kept::Sound && candidate.is_converged() {
             // Of equals the first.
             let best = self.fallback.as_ref().map(|(best, _)| best.rank());
@@ -279,5 +281,48 @@ impl Ladder {
             start_seconds: self.start_seconds,
             x,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::quasi_newton::IterationStatus;
+
+    fn stalled(step: f64) -> Candidate {
+        Candidate {
+            x: Vec::new(),
+            status: IterationStatus::Stalled,
+            step,
+            poor: Vec::new(),
+            curvature_overshoot: false,
+            detached_from_normals: false,
+            creases: 0,
+            needles_from_input: false,
+        }
+    }
+
+    /// Where rounding keeps the step above the tolerance, the sound surface is returned, and told so.
+    #[test]
+    fn what_stalls_at_rounding_ends_the_search() {
+        let considered = |candidate: Candidate| {
+            let mut ladder = Ladder {
+                attempts: 2,
+                ..Ladder::default()
+            };
+            ladder.consider(candidate).map(|(_, status)| status)
+        };
+        assert_eq!(considered(stalled(1e-13)), Some(SolveStatus::AboveTolerance));
+        assert_eq!(considered(stalled(1e-7)), None);
+        let creased = Candidate {
+            creases: 1,
+            ..stalled(1e-13)
+        };
+        assert_eq!(considered(creased), None);
+        let poor = Candidate {
+            poor: vec![0],
+            ..stalled(1e-13)
+        };
+        assert_eq!(considered(poor), None);
     }
 }

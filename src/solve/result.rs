@@ -9,6 +9,8 @@ pub(crate) enum SolveStatus {
     Converged,
     /// Met as far as the rounding of positions shows: the limit set on `Delta_B H` lies below that.
     ConvergedToRounding,
+    /// As small a step as rounding allows, but above the tolerance.
+    AboveTolerance,
     /// Tolerance met with plain (first-order) curvature only.
     FirstOrder,
     /// Tolerance met by a surface that has a bump or a crease, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).

@@ -2,7 +2,8 @@
 
 use fairmesh::{
     BoundaryNormals, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason, InnerFairness,
-    InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome, Solver, Target,
+    InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome, OutputPrecision, Solver,
+    Target,
 };
 
 #[path = "../../src/capi/statuses.rs"]
@@ -92,6 +93,12 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_inner_fairness",
             "How vertices are distributed within the surface.",
             &[InnerFairness::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_output_precision",
+            "The precision of the numbers that a result will be written in.",
+            &[OutputPrecision::TABLE],
             false,
         ),
         table(

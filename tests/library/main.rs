@@ -13,6 +13,7 @@ mod long;
 mod outcomes;
 mod paper;
 mod session;
+mod soundness;
 mod targets;
 mod tetra;
 mod threads;

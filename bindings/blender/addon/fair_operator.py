@@ -126,6 +126,10 @@ def _remember(part):
     if len(result.poor_triangles):
         faces = np.unique(mesh.face_of[result.poor_triangles])
         found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} poor faces", faces=faces))
+    elif len(result.creased_vertices):
+        vertices = result.creased_vertices
+        what = f"{len(vertices)} boundary vertices with a crease"
+        found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
     elif len(result.unreached_vertices):
         vertices = result.unreached_vertices
         what = f"{len(vertices)} boundary vertices with unreachable normals"

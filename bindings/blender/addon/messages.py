@@ -67,6 +67,8 @@ def faired(report):
         return "INFO", vertices
     figures = {
         Outcome.CONVERGED_POOR_TRIANGLES: f" ({report.poor_triangle_count} triangles)",
+        Outcome.POOR_WHEN_ROUNDED: f" ({report.poor_triangle_count} triangles)",
+        Outcome.BOUNDARY_CREASE: f" ({report.creased_vertex_count} vertices, up to {report.boundary_kink:.0f} degrees)",
         Outcome.NORMALS_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of the way)",
         Outcome.TARGET_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of it)",
     }.get(report.outcome, "")

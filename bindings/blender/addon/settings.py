@@ -89,6 +89,8 @@ class FairingOptions:
             "target": target,
             "tolerance": 10.0**-self.digits,
             "max_iterations": self.max_iterations,
+            # That of Blender's coordinates.
+            "output_precision": "single",
         }
 
 

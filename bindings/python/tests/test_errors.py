@@ -252,9 +252,9 @@ def test_a_normal_of_no_vertex():
 
 
 OPTIONS = {
-    ("tolerance", 0.0): "greater than 0 and less than 1",
-    ("tolerance", 1.0): "greater than 0 and less than 1",
-    ("tolerance", float("nan")): "greater than 0 and less than 1",
+    ("tolerance", 0.0): "at least 1e-15, the precision of double numbers, and less than 1",
+    ("tolerance", 1.0): "at least 1e-15, the precision of double numbers, and less than 1",
+    ("tolerance", float("nan")): "at least 1e-15, the precision of double numbers, and less than 1",
     ("max_iterations", 0): "at least 1",
     ("threads", 1025): "at most 1024",
     ("paper_damping", 0.0): "greater than 0 and at most 1",

@@ -102,6 +102,16 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply)
     ))
 }
 
+impl Ply {
+    /// Whether any coordinate is a float.
+    pub fn has_single_positions(&self) -> bool {
+        let properties = &self.vertex.element.properties;
+        self.position
+            .iter()
+            .any(|&p| properties[p].kind == PropertyKind::Scalar(Scalar::F32))
+    }
+}
+
 /// The three properties of these names, if they are numbers of which each `is_allowed`.
 fn triple(
     element: &Element,

@@ -91,6 +91,11 @@ class Result:
         return self._handle.list(_lists.UNREACHED_VERTICES)
 
     @cached_property
+    def creased_vertices(self) -> NDArray[np.intp]:
+        """Boundary vertices where the surface has a crease, where the outcome is about them."""
+        return self._handle.list(_lists.CREASED_VERTICES)
+
+    @cached_property
     def levels(self) -> list[Level]:
         """What the solver "paper" did on each level, from the base to the mesh given."""
         made = []
@@ -154,7 +159,7 @@ def fair(
     library = load()
     mesh = _arrays.Mesh(vertices, faces)
     region = _arrays.Region(mesh, free, fixed, free_faces)
-    asked = Options(library, len(mesh.vertices), options)
+    asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
     address = ctypes.c_void_p()
@@ -205,7 +210,7 @@ class Solver:
         self._library = load()
         mesh = _arrays.Mesh(vertices, faces)
         region = _arrays.Region(mesh, free, fixed, free_faces)
-        asked = Options(self._library, len(mesh.vertices), options)
+        asked = Options(self._library, mesh.vertices, options)
         self._relay = Relay(progress, cancel)
         self._relay.install(asked.struct)
         self._shape = mesh.vertices.shape

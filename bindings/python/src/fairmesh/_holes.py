@@ -241,7 +241,7 @@ def fill_holes(
         if len(chosen) == 0:
             raise ValueError("loops: no loop is named; None fills all holes")
         fill.loops = _arrays.indices_view(chosen)
-    asked = Options(library, len(mesh.vertices), options)
+    asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
     address = ctypes.c_void_p()

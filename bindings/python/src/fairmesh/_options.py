@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 InnerFairness = Literal["uniform", "conformal", "convex"]
 InteriorNormals = Literal["smooth", "input"]
 Discretization = Literal["second_order", "paper"]
+OutputPrecision = Literal["double", "single"]
 SolverKind = Literal["fast", "paper"]
 Estimate = Literal["alternating", "gauss_seidel", "conjugate_gradients"]
 #: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
@@ -44,7 +45,7 @@ class FairingOptions(TypedDict, total=False):
         interior_normals: Normals of fixed vertices inside the region that have none given: "smooth" (default), the
             surface's own; "input", the average of their faces in the input.
         tolerance: Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's
-            bounding box) is below this; in (0, 1). Default 1e-8; 1e-6 is enough for interactive use.
+            bounding box) is below this; from 1e-15, below 1. Default 1e-8; 1e-6 is enough for interactive use.
         max_iterations: At most this many nonlinear iterations, at least 1. Default 500.
         threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
             bits.
@@ -60,6 +61,8 @@ class FairingOptions(TypedDict, total=False):
         paper_defect: Stop when ``defect`` of the report is at most this. Default 1e-6.
         paper_laplacian: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
         paper_max_updates: At most this many updates on all levels. Default 20000.
+        output_precision: What the result will be written in: "double", or "single". New positions are rounded to it,
+            and the report is of the rounded surface. Default: the precision of the array of vertices.
     """
 
     boundary_normals: Normals | None
@@ -79,6 +82,7 @@ class FairingOptions(TypedDict, total=False):
     paper_defect: float | None
     paper_laplacian: float | None
     paper_max_updates: int | None
+    output_precision: OutputPrecision | None
 
 
 Function = TypeVar("Function", bound="Callable[..., Any]")
@@ -115,6 +119,7 @@ _NAMED = {
     "inner_fairness": _abi.fairmesh_inner_fairness,
     "interior_normals": _abi.fairmesh_interior_normals,
     "discretization": _abi.fairmesh_discretization,
+    "output_precision": _abi.fairmesh_output_precision,
     "solver": _abi.fairmesh_solver_kind,
     "paper_estimate": _abi.fairmesh_estimate,
 }
@@ -160,15 +165,17 @@ def whole(value: Any, name: str, bits: int = 64) -> int:
 class Options:
     """The library's options. Keeps the arrays of normals alive."""
 
-    def __init__(self, library: Library, vertex_count: int, given: Mapping[str, Any]) -> None:
+    def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
         unknown = set(given) - set(FairingOptions.__annotations__)
         if unknown:
             raise TypeError(f"unknown option {sorted(unknown)[0]!r}")
         self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
+        if vertices.dtype == np.float32:
+            self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
         self.alive: NormalsView | None = None
         for name, value in given.items():
             if value is not None:
-                self._set(name, value, vertex_count)
+                self._set(name, value, len(vertices))
 
     def _set(self, name: str, value: Any, vertex_count: int) -> None:
         if name == "boundary_normals":
@@ -249,6 +256,8 @@ def default_options() -> FairingOptions:
             options[name] = _NAMED[name](getattr(struct, name)).name.lower()
         elif name not in options:
             options[name] = getattr(struct, name)
+    # That of the vertices.
+    options["output_precision"] = None
     return options  # type: ignore[return-value]
 
 

@@ -56,6 +56,12 @@ class Report:
     #: The figures of this report.
     seconds_quality: float
     seconds_total: float
+    #: The largest angle at a boundary vertex between the triangles of the region and those outside (where nothing is
+    #: outside, the boundary normal), the same in the input, and the vertex.
+    boundary_kink: float
+    boundary_kink_before: float
+    boundary_kink_vertex: int | None
+    creased_vertex_count: int
     #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
     loose_reason: LooseReason
 
@@ -82,6 +88,7 @@ def report_of(struct: _abi.fairmesh_report) -> Report:
         linear_surface=bool(struct.linear_surface),
         worst_triangle=element_or_none(struct.worst_triangle),
         normal_deviation_vertex=element_or_none(struct.normal_deviation_vertex),
+        boundary_kink_vertex=element_or_none(struct.boundary_kink_vertex),
         h_inside=tuple(struct.h_inside),
         h_boundary=tuple(struct.h_boundary),
         loose_reason=LooseReason.of(struct.loose_reason),
