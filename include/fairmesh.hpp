@@ -282,12 +282,37 @@ inline result fair(const fairmesh_mesh &mesh, const fairmesh_selection &selectio
     return made;
 }
 
+namespace detail {
+
+inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh, const fairmesh_indices *among) {
+    fairmesh_result *handle = nullptr;
+    call(fairmesh_self_intersections, &mesh, among, &handle);
+    const auto list = result(handle).list(FAIRMESH_LIST_INTERSECTIONS);
+    std::vector<std::array<std::uint32_t, 2>> pairs(list.size() / 2);
+    for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k] = {list[2 * k], list[2 * k + 1]};
+    return pairs;
+}
+
+} // namespace detail
+
 /** Mean curvature at every vertex; see fairmesh_mean_curvature. */
 inline std::vector<double> mean_curvature(const fairmesh_mesh &mesh) {
     std::vector<double> all(mesh.positions.count);
     auto out = scalars_out(all.data(), all.size());
     detail::call(fairmesh_mean_curvature, &mesh, &out);
     return all;
+}
+
+/** Pairs of triangles that intersect, the smaller number first, ascending; see fairmesh_self_intersections. */
+inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh) {
+    return detail::self_intersections(mesh, nullptr);
+}
+
+/** Only pairs with at least one of these triangles. */
+inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairmesh_mesh &mesh,
+                                                                    const std::vector<std::uint32_t> &among) {
+    const auto list = indices(among.data(), among.size());
+    return detail::self_intersections(mesh, &list);
 }
 
 /** Fairing in steps; see fairmesh_solver_new. Used by one thread at a time. */

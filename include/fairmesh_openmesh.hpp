@@ -12,6 +12,7 @@
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -54,6 +55,8 @@ struct openmesh_report : fairmesh_report {
     std::vector<OpenMesh::VertexHandle> suspicious_normals;
     /** Boundary vertices whose normals stood farthest away, worst first. */
     std::vector<OpenMesh::VertexHandle> unreached_vertices;
+    /** Pairs of faces that intersect; at least one of each has a free vertex. */
+    std::vector<std::array<OpenMesh::FaceHandle, 2>> intersections;
 };
 
 namespace detail {
@@ -257,6 +260,9 @@ template <class View> openmesh_report openmesh_told(const View &view, const resu
     }
     told.suspicious_normals = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_SUSPICIOUS_NORMALS));
     told.unreached_vertices = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_UNREACHED_VERTICES));
+    const auto pairs = found.list(FAIRMESH_LIST_INTERSECTIONS);
+    const auto face = [&](std::uint32_t triangle) { return OpenMesh::FaceHandle(static_cast<int>(view.face(triangle))); };
+    for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) told.intersections.push_back({face(pairs[k]), face(pairs[k + 1])});
     return told;
 }
 

@@ -45,6 +45,9 @@ void add_solver_parameters(RichParameterList &list) {
     list.addParam(RichFloat("tolerance", static_cast<Scalar>(standard.tolerance), "Tolerance",
                             "Stop when the step (root mean square, over the diagonal of the region's bounding box) is below this. Greater "
                             "than 0, less than 1; 1e-6 is enough to look at."));
+    list.addParam(RichBool("check_intersections", standard.intersections == FAIRMESH_INTERSECTIONS_CHECK, "Check for self-intersections",
+                           "Whether the result is searched for triangles that intersect each other or the rest of the mesh; the log says "
+                           "how many pairs there are."));
     list.addParam(RichInt("max_iterations", as_int(standard.max_iterations), "Iterations, at most",
                           "Most regions need 10 to 20. If they run out, the best surface so far is kept, and the log says so."));
 }
@@ -57,6 +60,7 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
     options.target.constant = list.getFloat("target_constant");
     options.tolerance = list.getFloat("tolerance");
     options.max_iterations = at_least(list, "max_iterations", 1);
+    options.intersections = list.getBool("check_intersections") ? FAIRMESH_INTERSECTIONS_CHECK : FAIRMESH_INTERSECTIONS_SKIP;
 }
 
 } // namespace

@@ -48,6 +48,7 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"normal_deviation_vertex", number(report.normal_deviation_vertex)},
         {"boundary_kink", report.boundary_kink},
         {"boundary_kink_vertex", number(report.boundary_kink_vertex)},
+        {"intersections", number(report.intersection_count)},
         {"seconds_solve", report.seconds_total},
     };
 }
@@ -77,6 +78,9 @@ std::string reservation(const fairmesh_report &report) {
     if (report.outcome == FAIRMESH_OUTCOME_BOUNDARY_CREASE)
         figures = text(" (%llu vertices, up to %.0f degrees at vertex %llu)", static_cast<unsigned long long>(report.creased_vertex_count),
                        report.boundary_kink, static_cast<unsigned long long>(report.boundary_kink_vertex));
+    if (report.outcome == FAIRMESH_OUTCOME_SELF_INTERSECTING)
+        figures = text(" (%llu pairs, in the input %llu)", static_cast<unsigned long long>(report.intersection_count),
+                       static_cast<unsigned long long>(report.intersections_in_input));
     if (report.outcome == FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE || report.outcome == FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE)
         figures = text(" (%.0f %% of the way was possible)", 100 * report.reached);
     return what + figures + "; " + remedy + ".";
@@ -91,6 +95,9 @@ std::string reservation(const fairmesh_fill_report &report) {
         return text("%s: %s.", report.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN ? "left open" : "closed, but not faired",
                     fairmesh_fill_reason_text(report.reason));
     }
+    if (report.outcome == FAIRMESH_FILL_OUTCOME_SELF_INTERSECTING)
+        return text("closed, but the patch intersects itself or the mesh (%llu pairs of triangles); %s.",
+                    static_cast<unsigned long long>(report.intersection_count), fairmesh_fill_outcome_remedy(report.outcome));
     if (report.outcome == FAIRMESH_FILL_OUTCOME_LINEAR) return "closed with the surface of a linear problem, which is not fair.";
     if (report.coarsened) return "closed with a coarser patch, to keep to the number of new vertices.";
     return "";

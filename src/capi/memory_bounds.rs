@@ -12,7 +12,7 @@ const BASE: usize = 1 << 20;
 const THREAD: usize = 6 << 20;
 /// Per vertex and per triangle of the whole mesh: copies and numberings, and the tree that intersections are found by.
 const VERTEX: usize = 160;
-const TRIANGLE: usize = 600;
+const TRIANGLE: usize = 480;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
 const FREE: usize = 4 << 10;
 const FREE_DIGIT: usize = 400;

@@ -471,6 +471,7 @@ static Expected option_enums(Call *c, int f, int k) {
     case 3: c->options.interior_normals = n, at = OFFSET(fairmesh_options, interior_normals); break;
     case 4: c->options.discretization = n, at = OFFSET(fairmesh_options, discretization); break;
     case 5: c->options.solver = n, at = OFFSET(fairmesh_options, solver); break;
+    case 6: c->options.intersections = n, at = OFFSET(fairmesh_options, intersections); break;
     default:
         c->options.solver = FAIRMESH_SOLVER_KIND_PAPER;
         c->options.paper_estimate = n, at = OFFSET(fairmesh_options, paper_estimate);
@@ -631,8 +632,8 @@ static const Row table[] = {
     {"struct size", "options", options_size, FAIR | SOLVER | FILL, 10},
     {"struct size", "others", other_sizes, FAIR | FILL | REMESH, 10},
     {"struct size", "later fields", future_fields, ALL, 7},
-    {"enum", "options", option_enums, FAIR | FILL, 35},
-    {"enum", "options", option_enums, SOLVER, 30},
+    {"enum", "options", option_enums, FAIR | FILL, 40},
+    {"enum", "options", option_enums, SOLVER, 35},
     {"enum", "scalar", scalar_enum, ALL, 4},
     {"enum", "selection", selection_enum, REGION, 5},
     {"enum", "output", output_enum, FAIR | CURVATURE, 4},

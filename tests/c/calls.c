@@ -249,6 +249,44 @@ static void one_shot(void) {
     cap_free(&cap);
 }
 
+/* A triangle that stands in one that lies: alone, they touch nothing. */
+static void intersections(void) {
+    static const double x[] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0.5, 0.5, -1, 0.5, 0.5, 1, 3, 3, 0};
+    static const uint32_t corners[] = {0, 1, 2, 3, 4, 5, 1, 5, 2};
+    static const uint32_t expected[] = {0, 1, 1, 2};
+    uint32_t pairs[4], first = 0;
+    size_t size = 0;
+    fairmesh_mesh mesh;
+    fairmesh_indices among;
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    memset(&mesh, 0, sizeof mesh);
+    mesh.struct_size = sizeof mesh;
+    mesh.positions.data = x;
+    mesh.positions.count = 6;
+    mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT64;
+    mesh.triangles.data = corners;
+    mesh.triangles.count = 3;
+    OK(fairmesh_self_intersections(&mesh, NULL, &result, &error));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
+    CHECK(size == 4 && memcmp(pairs, expected, sizeof pairs) == 0);
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_INTERSECTIONS);
+    OK(fairmesh_result_free(result));
+    memset(&among, 0, sizeof among);
+    among.data = &first;
+    among.count = 1;
+    OK(fairmesh_self_intersections(&mesh, &among, &result, &error));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_INTERSECTIONS, 0, pairs, 4, &size, &error));
+    CHECK(size == 2 && pairs[0] == 0 && pairs[1] == 1);
+    OK(fairmesh_result_free(result));
+    first = 3;
+    CHECK(fairmesh_self_intersections(&mesh, &among, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(fairmesh_self_intersections(&mesh, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER);
+}
+
 static void in_steps(void) {
     Cap cap = cap_new(15);
     fairmesh_options options = quick();
@@ -438,6 +476,7 @@ static void holes(void) {
 int main(void) {
     versions();
     one_shot();
+    intersections();
     in_steps();
     holes();
     puts("calls: passed");

@@ -110,6 +110,14 @@ static void curvature(Scene *s) {
     passed(s, fairmesh_mean_curvature(&s->cap.mesh, &out, &error), &error);
 }
 
+static void intersections(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    if (passed(s, fairmesh_self_intersections(&s->cap.mesh, NULL, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
 static double seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -198,6 +206,7 @@ int main(int count, char **arguments) {
     if (count > 4) return 0;
     every_allocation(&s, loops, "loops", by);
     every_allocation(&s, curvature, "mean curvature", by);
+    every_allocation(&s, intersections, "self-intersections", by);
     every_allocation(&s, remesh, "remesh", by);
     every_allocation(&s, fill, "fill", by);
     free(s.out);

@@ -57,6 +57,8 @@ void fairing() {
                                  fairmesh::points_out(s.positions.data()->data(), s.positions.size()));
     CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && calls > 0 && s.positions == x);
     CHECK(fairmesh::mean_curvature(mesh).size() == s.positions.size());
+    CHECK(report.intersections_checked && report.intersection_count == 0);
+    CHECK(fairmesh::self_intersections(mesh).empty() && fairmesh::self_intersections(mesh, {0, 1}).empty());
     std::vector<std::uint32_t> all(s.triangles.size());
     for (std::uint32_t t = 0; t < all.size(); t++) all[t] = t;
     CHECK(fairmesh::fair(mesh, fairmesh::faces(all)).report().free_vertices == 13 * 13);

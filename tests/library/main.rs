@@ -9,6 +9,7 @@ mod golden;
 mod holes;
 mod independence;
 mod interior;
+mod intersections;
 mod long;
 mod outcomes;
 mod paper;

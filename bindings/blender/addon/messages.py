@@ -69,6 +69,9 @@ def faired(report):
         Outcome.CONVERGED_POOR_TRIANGLES: f" ({report.poor_triangle_count} triangles)",
         Outcome.POOR_WHEN_ROUNDED: f" ({report.poor_triangle_count} triangles)",
         Outcome.BOUNDARY_CREASE: f" ({report.creased_vertex_count} vertices, up to {report.boundary_kink:.0f} degrees)",
+        Outcome.SELF_INTERSECTING: (
+            f" ({report.intersection_count} pairs, {report.intersections_in_input} before the fairing)"
+        ),
         Outcome.NORMALS_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of the way)",
         Outcome.TARGET_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of it)",
     }.get(report.outcome, "")
@@ -98,6 +101,8 @@ def _is_rough(loop):
 
 
 def _reason(loop):
+    if loop.outcome is FillOutcome.SELF_INTERSECTING:
+        return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles)"
     if loop.reason is FillReason.NONE and loop.report is not None:
         return faired(loop.report)[1]
     return f"{loop.reason.text} ({loop.edge_count} edges)"

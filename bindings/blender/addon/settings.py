@@ -2,7 +2,7 @@
 """Options of the fairing, as properties: the same in operators and in the sidebar."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
 
 class FairingOptions:
@@ -67,6 +67,12 @@ class FairingOptions:
         soft_max=1000,
     )
 
+    check_intersections: BoolProperty(
+        name="Check Intersections",
+        description="Search the result for faces that intersect each other or the rest of the mesh, and warn of them",
+        default=True,
+    )
+
     def draw_fairing(self, layout):
         """All options, the constant only where it counts."""
         layout.prop(self, "inner_fairness")
@@ -76,6 +82,7 @@ class FairingOptions:
             layout.prop(self, "constant")
         layout.prop(self, "digits")
         layout.prop(self, "max_iterations")
+        layout.prop(self, "check_intersections")
 
     def fairing_keywords(self, diagonal):
         """The same for `fairmesh.fair`; `diagonal` is that of the region."""
@@ -91,6 +98,7 @@ class FairingOptions:
             "max_iterations": self.max_iterations,
             # That of Blender's coordinates.
             "output_precision": "single",
+            "intersections": "check" if self.check_intersections else "skip",
         }
 
 

@@ -137,6 +137,7 @@ def test_curvatures_of_the_result():
     low, high = result.report.h_inside
     assert low == result.mean_curvature[free].min() and high == result.mean_curvature[free].max()
     assert len(result.poor_triangles) == len(result.flipped_triangles) == len(result.needles) == 0
+    assert result.report.intersections_checked and result.intersections.shape == (0, 2)
     assert len(result.suspicious_normals) == len(result.unreached_vertices) == 0
     assert result.mean_curvature is result.mean_curvature
 
@@ -150,6 +151,17 @@ def test_mean_curvature_of_a_sphere(radius):
     assert np.abs(fairmesh.mean_curvature(vertices, faces[:, ::-1]) * radius - 1).max() < 1e-6
     single = fairmesh.mean_curvature(vertices.astype(np.float32), faces)
     assert single.dtype == np.float64 and np.abs(single * radius + 1).max() < 1e-3
+
+
+def test_triangles_that_cross():
+    vertices = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0.5, 0.5, -1], [0.5, 0.5, 1], [3, 3, 0]]
+    faces = [[0, 1, 2], [3, 4, 5], [1, 5, 2]]
+    assert fairmesh.self_intersections(vertices, faces).tolist() == [[0, 1], [1, 2]]
+    assert fairmesh.self_intersections(vertices, faces, [0]).tolist() == [[0, 1]]
+    assert fairmesh.self_intersections(vertices, faces, np.array([False, False, True])).tolist() == [[1, 2]]
+    assert fairmesh.self_intersections(*sphere(2)).shape == (0, 2)
+    with pytest.raises(fairmesh.InputError):
+        fairmesh.self_intersections(vertices, faces, [3])
 
 
 def test_mean_curvature_is_nan_without_triangles():

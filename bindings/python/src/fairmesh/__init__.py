@@ -8,6 +8,7 @@ from ._enums import FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Sta
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
 from ._holes import Filled, Loop, LoopReport, Remeshed, boundary_loops, fill_holes, remesh
+from ._intersections import self_intersections
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
@@ -45,6 +46,7 @@ __all__ = [
     "load",
     "mean_curvature",
     "remesh",
+    "self_intersections",
     "version",
 ]
 #: The version of this package, which is that of the library it was written for.

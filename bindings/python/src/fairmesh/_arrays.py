@@ -101,7 +101,7 @@ def indices(given: ArrayLike, name: str) -> UInt32:
         raise InputError(
             Status.SELECTION_OUT_OF_RANGE,
             f"{name} names element {int(array[at])}",
-            element_kind=ElementKind.TRIANGLE if name == "free_faces" else ElementKind.VERTEX,
+            element_kind=ElementKind.TRIANGLE if name in ("free_faces", "among") else ElementKind.VERTEX,
             element=int(array[at]),
         )
     return _as_uint32(array)

@@ -81,6 +81,11 @@ class Result:
         return self._handle.list(_lists.NEEDLES)
 
     @cached_property
+    def intersections(self) -> NDArray[np.intp]:
+        """Pairs of triangles that intersect, (p, 2), the smaller index first; at least one of each has a free vertex."""
+        return self._handle.list(_lists.INTERSECTIONS).reshape(-1, 2)
+
+    @cached_property
     def suspicious_normals(self) -> NDArray[np.intp]:
         """Boundary vertices whose normal contradicts the surface or its neighbours'."""
         return self._handle.list(_lists.SUSPICIOUS_NORMALS)

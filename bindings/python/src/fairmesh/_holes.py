@@ -108,6 +108,11 @@ class LoopReport:
         """New vertices that lie far outside the loop's bounding box."""
         return self._handle.list(_lists.OUTSIDE_VERTICES, self._index)
 
+    @cached_property
+    def intersections(self) -> NDArray[np.intp]:
+        """Pairs of triangles that intersect, (p, 2), the smaller index first; at least one of each is of this patch."""
+        return self._handle.list(_lists.INTERSECTIONS, self._index).reshape(-1, 2)
+
     def __repr__(self) -> str:
         why = "" if self.reason is FillReason.NONE else f" ({self.reason})"
         return f"<fairmesh.LoopReport: loop {self.loop_index}, {self.edge_count} edges, {self.outcome}{why}>"

@@ -22,6 +22,7 @@ InteriorNormals = Literal["smooth", "input"]
 Discretization = Literal["second_order", "paper"]
 OutputPrecision = Literal["double", "single"]
 SolverKind = Literal["fast", "paper"]
+Intersections = Literal["check", "skip"]
 Estimate = Literal["alternating", "gauss_seidel", "conjugate_gradients"]
 #: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
 Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]
@@ -49,6 +50,8 @@ class FairingOptions(TypedDict, total=False):
         max_iterations: At most this many nonlinear iterations, at least 1. Default 500.
         threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
             bits.
+        intersections: "check" (default): the final surface is searched for triangles that intersect each other or the
+            rest of the mesh, and is no success if there are any; "skip": not searched. Less than a tenth of the run.
         discretization: Of normals and mean curvature: "second_order" (default) on irregular meshes; "paper", that
             of Schneider and Kobbelt (2001).
         solver: "fast" (default); "paper", the scheme of Schneider and Kobbelt (2001): slow, a yardstick.
@@ -72,6 +75,7 @@ class FairingOptions(TypedDict, total=False):
     tolerance: float | None
     max_iterations: int | None
     threads: int | None
+    intersections: Intersections | None
     discretization: Discretization | None
     solver: SolverKind | None
     paper_estimate: Estimate | None
@@ -118,6 +122,7 @@ class RemeshOptions(TypedDict):
 _NAMED = {
     "inner_fairness": _abi.fairmesh_inner_fairness,
     "interior_normals": _abi.fairmesh_interior_normals,
+    "intersections": _abi.fairmesh_intersections,
     "discretization": _abi.fairmesh_discretization,
     "output_precision": _abi.fairmesh_output_precision,
     "solver": _abi.fairmesh_solver_kind,

@@ -62,6 +62,12 @@ class Report:
     boundary_kink_before: float
     boundary_kink_vertex: int | None
     creased_vertex_count: int
+    #: Whether intersections were looked for: not if the options say so, nor if the run was held up.
+    intersections_checked: bool
+    #: Pairs of intersecting triangles, at most 10000; `Result.intersections` has them.
+    intersection_count: int
+    #: How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if there are none now.
+    intersections_in_input: int
     #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
     loose_reason: LooseReason
 
@@ -91,6 +97,7 @@ def report_of(struct: _abi.fairmesh_report) -> Report:
         boundary_kink_vertex=element_or_none(struct.boundary_kink_vertex),
         h_inside=tuple(struct.h_inside),
         h_boundary=tuple(struct.h_boundary),
+        intersections_checked=bool(struct.intersections_checked),
         loose_reason=LooseReason.of(struct.loose_reason),
     )
     return Report(**fields)

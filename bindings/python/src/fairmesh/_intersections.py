@@ -1,0 +1,38 @@
+"""Intersecting triangles of a whole mesh."""
+
+from __future__ import annotations
+
+import ctypes
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._errors import call
+from ._handles import ResultHandle
+from ._library import load
+
+
+def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike | None = None) -> NDArray[np.intp]:
+    """Pairs of faces that intersect, (p, 2), the smaller index first, ascending.
+
+    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`; ``among``: indices of faces or a mask, and only pairs with at least one of
+    them. Two triangles intersect if they have more in common than a vertex of both or an edge of both, where vertices at the
+    same position are one; also if they only touch. Exact for the positions given. Triangles without area take no part. The
+    mesh need not be a manifold.
+
+    Raises:
+        InputError: An index or a coordinate is wrong; it says where.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces)
+    listed = None
+    if among is not None:
+        asked = _arrays.mask_or_indices(among, "among", len(mesh.faces))
+        if asked.dtype == np.uint8:
+            asked = np.flatnonzero(asked).astype(np.uint32)
+        listed = ctypes.byref(_arrays.indices_view(asked))
+    address = ctypes.c_void_p()
+    call(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed, ctypes.byref(address))
+    return ResultHandle(library, address).list(_abi.fairmesh_list.INTERSECTIONS).reshape(-1, 2)

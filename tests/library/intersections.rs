@@ -1,0 +1,275 @@
+//! Triangles that intersect: counts known by formulas, and surfaces that run into something.
+
+use crate::fairing::{attempt, flat, irregular, options};
+use fairmesh::{
+    Error, FillOptions, FillOutcome, FlatReason, Intersections, Loops, Options, Outcome, SelfIntersections,
+    boundary_loops, fill_holes, self_intersections,
+};
+use fairmesh_shapes::{OUTSIDE, Shape, Similarity, sphere_cap, sphere_with_hole};
+
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// A sheet of `rows` by `columns` squares, each divided into two triangles.
+fn sheet(rows: u32, columns: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
+    let vertices = (0..=rows).flat_map(|i| (0..=columns).map(move |j| (f64::from(i), f64::from(j))));
+    let number = |i: u32, j: u32| i * (columns + 1) + j;
+    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let triangles = cells.flat_map(|(i, j)| {
+        let [a, b, c, d] = [
+            number(i, j),
+            number(i + 1, j),
+            number(i + 1, j + 1),
+            number(i, j + 1),
+        ];
+        [[a, b, c], [a, c, d]]
+    });
+    (vertices.map(|(u, v)| at(u, v)).collect(), triangles.collect())
+}
+
+fn join((mut x, mut t): Mesh, (more, triangles): Mesh) -> Mesh {
+    let first = x.len() as u32;
+    x.extend(more);
+    t.extend(triangles.iter().map(|t| t.map(|v| v + first)));
+    (x, t)
+}
+
+/// A lying sheet of n squares along y, and one that stands in it and reaches beyond it: both are cut along a line into pieces,
+/// lying triangles into 2 n, standing ones into 2 n + 1 that meet them. Two divisions of a line without common points into a
+/// and b pieces have a + b - 1 pairs that overlap.
+fn crossing_sheets(n: u32) -> Mesh {
+    let lying = sheet(3, n, |u, v| [u, v, 0.0]);
+    let standing = sheet(2, n + 2, |u, v| [1.375, v - 0.59375, u - 0.765_625]);
+    join(lying, standing)
+}
+
+#[test]
+fn crossing_sheets_have_as_many_pairs_as_the_line_has_pieces() {
+    for n in [1, 2, 8, 40] {
+        let (x, t) = crossing_sheets(n);
+        let pairs = self_intersections(&x, &t, None).unwrap();
+        assert_eq!(pairs.len() as u32, 4 * n, "{n}");
+        let lying = 6 * n;
+        assert!(pairs.iter().all(|[a, b]| *a < lying && *b >= lying));
+        assert!(pairs.is_sorted());
+        let some: Vec<u32> = (0..lying).step_by(2).collect();
+        let of_some = self_intersections(&x, &t, Some(&some)).unwrap();
+        let expected: Vec<_> = pairs.iter().filter(|[a, _]| a % 2 == 0).copied().collect();
+        assert_eq!(of_some, expected);
+    }
+}
+
+/// Units, places that are exact, order and direction of triangles do not matter.
+#[test]
+fn pairs_do_not_depend_on_units_places_and_order() {
+    let (x, t) = crossing_sheets(9);
+    let pairs = self_intersections(&x, &t, None).unwrap();
+    for (scale, offset) in [
+        (1e-6, 0.0),
+        (1e6, 0.0),
+        (1e150, 0.0),
+        (1e-150, 0.0),
+        (1.0, 4_194_304.0),
+    ] {
+        let moved: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c * scale + offset)).collect();
+        assert_eq!(
+            self_intersections(&moved, &t, None).unwrap(),
+            pairs,
+            "{scale} {offset}"
+        );
+    }
+    let count = t.len() as u32;
+    let place = |k: u32| (k * 5 + 3) % count;
+    let mut shuffled = t.clone();
+    for k in 0..count {
+        let [a, b, c] = t[k as usize];
+        shuffled[place(k) as usize] = if k % 2 == 0 { [b, c, a] } else { [c, b, a] };
+    }
+    assert!(count % 5 != 0, "no permutation");
+    let mut expected: Vec<[u32; 2]> = pairs.iter().map(|pair| pair.map(place)).collect();
+    expected.iter_mut().for_each(|pair| pair.sort_unstable());
+    expected.sort_unstable();
+    assert_eq!(self_intersections(&x, &shuffled, None).unwrap(), expected);
+}
+
+#[test]
+fn bad_meshes_are_refused() {
+    let x = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, f64::NAN, 0.0]];
+    assert_eq!(
+        self_intersections(&x, &[[0, 1, 2]], None),
+        Err(Error::NotFinite { vertex: 2 })
+    );
+    let out_of_range = self_intersections(&x, &[[0, 1, 3]], None);
+    assert!(matches!(
+        out_of_range,
+        Err(Error::IndexOutOfRange { index: 3, .. })
+    ));
+    let named = self_intersections(&x[..2], &[], Some(&[0]));
+    assert_eq!(named, Err(Error::SelectionOutOfRange { index: 0, count: 0 }));
+}
+
+/// A closed needle along the z axis, near it.
+fn needle(low: f64, high: f64) -> Mesh {
+    let x = vec![
+        [0.11, 0.07, low],
+        [0.13, 0.08, low],
+        [0.12, 0.1, low],
+        [0.12, 0.085, high],
+    ];
+    (x, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+}
+
+/// A cap of 60 degrees, flat to begin with, below a needle that stands on nothing.
+fn cap_with(needle: Mesh) -> Shape {
+    let mut cap = sphere_cap(60.0, 800, irregular(1), OUTSIDE);
+    cap.positions = flat(&cap);
+    let (positions, triangles) = join((cap.positions.clone(), cap.triangles.clone()), needle);
+    cap.free.resize(positions.len(), false);
+    (cap.positions, cap.triangles) = (positions, triangles);
+    cap
+}
+
+#[test]
+fn a_surface_that_runs_into_what_stands_there_is_no_success() {
+    let cap = cap_with(needle(0.9, 1.5));
+    let first = cap.triangles.len() as u32 - 4;
+    let solution = attempt(&cap, options(1e-8)).unwrap();
+    let found = solution.report.self_intersections.as_ref().unwrap();
+    assert_eq!(
+        solution.report.outcome,
+        Outcome::SelfIntersecting {
+            pairs: found.pairs.len()
+        }
+    );
+    assert!(!solution.report.outcome.is_success());
+    assert!(found.pairs.len() >= 3 && found.in_input == 0);
+    let is_free = |t: u32| cap.triangles[t as usize].iter().any(|&v| cap.free[v as usize]);
+    assert!(found.pairs.iter().all(|&[a, b]| is_free(a) && b >= first));
+    assert_eq!(
+        self_intersections(&solution.positions, &cap.triangles, None).unwrap(),
+        found.pairs
+    );
+
+    let unasked = Options {
+        intersections: Intersections::Skip,
+        ..options(1e-8)
+    };
+    let unchecked = attempt(&cap, unasked).unwrap();
+    assert_eq!(unchecked.report.outcome, Outcome::Converged);
+    assert_eq!(unchecked.report.self_intersections, None);
+    assert_eq!(unchecked.positions, solution.positions);
+
+    let held_up = attempt(
+        &cap,
+        Options {
+            max_iterations: 1,
+            ..options(1e-8)
+        },
+    )
+    .unwrap();
+    assert_eq!(held_up.report.self_intersections, None);
+
+    let beside = attempt(&cap_with(needle(1.1, 1.5)), options(1e-8)).unwrap();
+    assert_eq!(beside.report.outcome, Outcome::Converged);
+    assert_eq!(
+        beside.report.self_intersections,
+        Some(SelfIntersections::default())
+    );
+}
+
+/// What the input had is counted, but two fixed triangles are not.
+#[test]
+fn intersections_of_the_input_are_told_apart() {
+    let cap = cap_with(join(needle(0.2, 1.5), needle(0.3, 1.4)));
+    let solution = attempt(&cap, options(1e-8)).unwrap();
+    let found = solution.report.self_intersections.unwrap();
+    let all = self_intersections(&solution.positions, &cap.triangles, None).unwrap();
+    assert!(found.in_input > 0 && !found.pairs.is_empty());
+    assert!(all.len() > found.pairs.len());
+    let before = self_intersections(&cap.positions, &cap.triangles, None).unwrap();
+    assert!(before.len() > found.in_input);
+}
+
+#[test]
+fn caps_do_not_intersect_wherever_they_are() {
+    let cap = sphere_cap(60.0, 800, irregular(2), OUTSIDE);
+    for (scale, place) in [
+        (1.0, [0.0; 3]),
+        (1e-6, [0.0; 3]),
+        (1e6, [0.0; 3]),
+        (1.0, [1e6, -1e6, 1e6]),
+    ] {
+        let moved = cap.transformed(&Similarity::new([1.0, 2.0, 3.0], 0.7, scale, place));
+        let solution = attempt(&moved, options(1e-8)).unwrap();
+        assert_eq!(
+            solution.report.self_intersections,
+            Some(SelfIntersections::default())
+        );
+        assert_eq!(
+            self_intersections(&solution.positions, &moved.triangles, None),
+            Ok(Vec::new())
+        );
+    }
+}
+
+/// The unit sphere without a cap of 60 degrees, and a needle.
+fn open_sphere(needle: Mesh) -> Mesh {
+    let shape = sphere_with_hole(1.0, 600, irregular(3), 0);
+    let hole = |t: &&[u32; 3]| t.iter().all(|&v| shape.positions[v as usize][2] < 0.5);
+    let triangles = shape.triangles.iter().filter(hole).copied().collect();
+    join((shape.positions.clone(), triangles), needle)
+}
+
+fn fill_largest(mesh: &Mesh, intersections: Intersections) -> fairmesh::Filled {
+    let loops = boundary_loops(&mesh.0, &mesh.1).unwrap();
+    let largest = (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap();
+    let fill = FillOptions {
+        loops: Loops::Chosen(vec![largest]),
+        fairing: Options {
+            intersections,
+            ..options(1e-8)
+        },
+        ..FillOptions::default()
+    };
+    fill_holes(&mesh.0, &mesh.1, &fill).unwrap()
+}
+
+#[test]
+fn a_patch_that_would_intersect_is_made_by_other_means() {
+    let through_the_dome = open_sphere(needle(0.8, 1.5));
+    let filled = fill_largest(&through_the_dome, Intersections::Check);
+    let report = &filled.loops[0];
+    assert_eq!(
+        report.outcome,
+        FillOutcome::Flat {
+            reason: FlatReason::Intersecting
+        }
+    );
+    assert_eq!(report.self_intersections, []);
+    assert_eq!(
+        self_intersections(&filled.positions, &filled.triangles, None),
+        Ok(Vec::new())
+    );
+
+    let unchecked = fill_largest(&through_the_dome, Intersections::Skip);
+    assert_eq!(unchecked.loops[0].outcome, FillOutcome::Faired);
+    assert_eq!(unchecked.loops[0].self_intersections, []);
+    assert!(
+        !self_intersections(&unchecked.positions, &unchecked.triangles, None)
+            .unwrap()
+            .is_empty()
+    );
+
+    let nothing_there = fill_largest(&open_sphere(needle(1.1, 1.5)), Intersections::Check);
+    assert_eq!(nothing_there.loops[0].outcome, FillOutcome::Faired);
+}
+
+#[test]
+fn a_patch_that_cannot_but_intersect_says_so() {
+    let through_everything = open_sphere(needle(0.1, 1.5));
+    let filled = fill_largest(&through_everything, Intersections::Check);
+    let report = &filled.loops[0];
+    assert_eq!(report.outcome, FillOutcome::SelfIntersecting);
+    assert!(report.self_intersections.len() >= 3);
+    let all = self_intersections(&filled.positions, &filled.triangles, None).unwrap();
+    assert_eq!(report.self_intersections, all);
+}
