@@ -12,7 +12,10 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
     let geometry = &mesh.geometry;
     let message = match error {
         Error::BadOption { name, value, range } => {
-            return Failure::new(format!("--{} {value}: it must be {range}", name.replace('_', "-")));
+            return Failure::new(format!(
+                "--{} {value}: it must be {range}",
+                name.replace('_', "-")
+            ));
         }
         _ => in_polygons(error, geometry).to_string(),
     };
