@@ -368,7 +368,16 @@ fn whole_numbers_as_coordinates_are_read_but_not_written_in_place() {
     }
     expect(
         &directory,
-        &["fill", "in.ply", "-o", "out.off", "-q", "--loop", "0"],
+        &[
+            "fill",
+            "in.ply",
+            "-o",
+            "out.off",
+            "-q",
+            "--loop",
+            "0",
+            "--no-fair",
+        ],
         0,
     );
     let off = fs::read_to_string(directory.join("out.off")).unwrap();
