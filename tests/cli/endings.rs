@@ -55,8 +55,15 @@ fn a_report_that_cannot_be_written_is_told_with_what_was() {
     let directory = prepared("full_device");
     let full = || File::options().write(true).open("/dev/full").unwrap();
     let told = "fairmesh: standard output: cannot write: No space left on device (os error 28)";
-    let (code, err) = with_stdout(&directory, &["holes", "cap.obj"], full());
-    assert_eq!((code, err.trim_end()), (Some(5), told));
+    for args in [
+        &["holes", "cap.obj"][..],
+        &["--help"],
+        &["fair", "-h"],
+        &["--version"],
+    ] {
+        let (code, err) = with_stdout(&directory, args, full());
+        assert_eq!((code, err.trim_end()), (Some(5), told));
+    }
     for args in [&FAIR[..], &[&FAIR[..], &["--json", "-"]].concat()] {
         let (code, err) = with_stdout(&directory, args, full());
         let told = format!("{told}; the result was written to out.obj");
@@ -121,7 +128,7 @@ fn memory_that_runs_out_is_told_in_one_line() {
     let mut args = vec!["fair", "cap.ply", "-o", "out.ply", "--threads", "1"];
     args.extend(["--free", "free.txt", "--normals", "normals.txt"]);
     let mut codes = Vec::new();
-    for kilobytes in (8_000..48_000).step_by(2_000) {
+    for kilobytes in (10_000..40_000).step_by(6_000) {
         let limit = format!("ulimit -v {kilobytes}");
         // The system cannot start a program in no memory at all.
         if !behind(&directory, &limit, &["--version"]).status.success() {
