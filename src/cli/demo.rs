@@ -9,6 +9,7 @@ use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Solution};
 use fairmesh_shapes::Shape;
 
 use crate::answer::say;
+use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry};
 use crate::generate::{free_list, normal_list};
@@ -63,7 +64,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     let shape = fairmesh_shapes::cylinder_blend();
     let rough = shape.noise(1, ROUGHNESS);
     let solving = Instant::now();
-    let solution = solve(&shape, &rough).map_err(|error| Failure::new(format!("demo: {error}")))?;
+    let solution = solve(&shape, &rough).map_err(|error| explain::plain_refusal("demo", &error))?;
     let solve = solving.elapsed().as_secs_f64();
 
     let writing = Instant::now();

@@ -1,5 +1,6 @@
 //! Refusals and outcomes in words, in the numbering of the user's file.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use fairmesh::{Error, Outcome, Report};
@@ -29,7 +30,16 @@ pub fn refusal(path: &Path, mesh: &MeshFile, error: &Error) -> Failure {
         "" => String::new(),
         remedy => format!("; {remedy}"),
     };
-    let failure = Failure::new(format!("{}: {message}{place}{remedy}", path.display()));
+    with_code(format!("{}: {message}{place}{remedy}", path.display()), error)
+}
+
+/// A refusal where no file's numbers have a part in it.
+pub fn plain_refusal(what: impl Display, error: &Error) -> Failure {
+    with_code(format!("{what}: {error}"), error)
+}
+
+fn with_code(message: String, error: &Error) -> Failure {
+    let failure = Failure::new(message);
     match error {
         Error::Threads { .. } => failure.with_code(ExitCode::Exhausted),
         _ => failure,

@@ -17,7 +17,8 @@ macro_rules! exit_codes {
     () => {
         "\
 Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
-sound, the best surface is written."
+sound, the best surface is written; 4 memory or threads ran out, nothing written; 5 the surface is
+written, but not the report about it."
     };
 }
 
@@ -30,7 +31,7 @@ Say which vertices may move by --free, --faces or --selection. Without any of th
 MeshLab stores in a PLY file (property 'flags') is used, selected faces first.
 
 Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), told by their
-names. If both have the same format, the output is the input with only the coordinates of the free
+names. A file without a face is refused. If both have the same format, the output is the input with only the coordinates of the free
 vertices replaced, and the normals that the file has for these vertices and their neighbours. Colours,
 texture coordinates, materials, groups, comments, unknown elements and all other vertices stay as they
 are, byte for byte. If the formats differ, the output holds the vertices and faces and nothing else.
@@ -69,4 +70,5 @@ texture coordinates (u, v, s, t); all other properties of new vertices and faces
 Loops that enclose the mesh instead of a gap (the outer boundary of an open sheet) stay open unless named by --loop.
 
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
-hole is left open or its surface is not fair: the report says which and why.";
+hole is left open or its surface is not fair: the report says which and why; 4 memory or threads ran out, nothing written;
+5 written, but not the report about it.";

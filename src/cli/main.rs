@@ -26,13 +26,13 @@ mod surface;
 mod temporary;
 mod text;
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 
 use fairmesh_process::OrExit;
 
 use clap::{Parser, Subcommand};
 
-use failure::ExitCode;
+use failure::{ExitCode, Failure};
 
 /// Fairs a region of a triangle mesh: moves its vertices until the surface is smooth,
 /// tangent to its surroundings and independent of the triangulation.
@@ -68,21 +68,34 @@ static ALLOCATOR: OrExit = OrExit {
 };
 
 fn main() -> std::process::ExitCode {
-    let result = match Cli::parse().command {
+    let code = run().unwrap_or_else(|failure| {
+        let _ = writeln!(std::io::stderr(), "fairmesh: {failure}");
+        failure.code()
+    });
+    std::process::ExitCode::from(code as u8)
+}
+
+fn run() -> Result<ExitCode, Failure> {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        // To a terminal clap itself writes, in colours.
+        Err(help) if !help.use_stderr() && !std::io::stdout().is_terminal() => {
+            answer::say(&help.render().to_string(), &[])?;
+            return Ok(ExitCode::Done);
+        }
+        Err(wrong) => wrong.exit(),
+    };
+    let is_good = match cli.command {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Holes(args) => holes::run(&args),
         Command::Fill(args) => fill::run(&args),
         Command::Demo(args) => demo::run(&args),
-    };
-    let code = match result {
-        Ok(true) => ExitCode::Done,
-        Ok(false) => ExitCode::Imperfect,
-        Err(failure) => {
-            let _ = writeln!(std::io::stderr(), "fairmesh: {failure}");
-            failure.code()
-        }
-    };
-    std::process::ExitCode::from(code as u8)
+    }?;
+    Ok(if is_good {
+        ExitCode::Done
+    } else {
+        ExitCode::Imperfect
+    })
 }

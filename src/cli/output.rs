@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::failure::Failure;
+use crate::failure::{ExitCode, Failure};
 use crate::temporary::Temporary;
 
 /// Where a file will be written.
@@ -57,6 +57,11 @@ impl Output {
             _ => Path::new("."),
         };
         Temporary::new(directory).map_err(|why| {
+            if matches!(why.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::OutOfMemory) {
+                return self
+                    .failure("memory or threads ran out")
+                    .with_code(ExitCode::Exhausted);
+            }
             let directory = directory.display();
             self.failure(format!("no file can be made in '{directory}': {}", short(&why)))
         })

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Geometry, MeshFile};
 use crate::normals::unit;
@@ -215,7 +216,7 @@ fn focus(args: &RenderArgs, mesh: &Geometry) -> Result<Vec<bool>, Failure> {
 fn curvatures(args: &RenderArgs, meshes: &[Geometry]) -> Result<Vec<Vec<f64>>, Failure> {
     let of = |(path, mesh): (&PathBuf, &Geometry)| {
         fairmesh::mean_curvature(&mesh.positions, &mesh.triangles)
-            .map_err(|error| Failure::new(format!("{}: {error}", path.display())))
+            .map_err(|error| explain::plain_refusal(path.display(), &error))
     };
     args.inputs.iter().zip(meshes).map(of).collect()
 }

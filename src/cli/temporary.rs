@@ -93,11 +93,14 @@ mod signals {
             .into_iter()
             .filter(|&signal| !is_ignored(signal));
         let mut signals = Signals::new(ours)?;
-        thread::Builder::new().name("signals".to_owned()).spawn(move || {
-            if let Some(signal) = signals.forever().next() {
-                end(signal);
-            }
-        })?;
+        thread::Builder::new()
+            .name("signals".to_owned())
+            .stack_size(64 << 10)
+            .spawn(move || {
+                if let Some(signal) = signals.forever().next() {
+                    end(signal);
+                }
+            })?;
         *is_watched = true;
         Ok(())
     }
@@ -110,5 +113,82 @@ mod signals {
         }
         let _ = low_level::emulate_default_handler(signal);
         process::exit(128 + signal);
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::io::{BufRead, BufReader, Read};
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::{Child, Command, Stdio};
+
+    use super::*;
+
+    const DIRECTORY: &str = "FAIRMESH_TEST_DIRECTORY";
+    const HELD: &str = "held";
+
+    /// The other process of the tests below: holds a file until its stdin ends.
+    #[test]
+    #[ignore = "run by the tests of signals"]
+    #[allow(clippy::print_stdout, reason = "the other process waits for it")]
+    fn a_process_that_holds_a_file() {
+        let Some(directory) = std::env::var_os(DIRECTORY) else {
+            return;
+        };
+        let _temporary = Temporary::new(Path::new(&directory)).unwrap();
+        println!("{HELD}");
+        io::stdin().read_to_end(&mut Vec::new()).unwrap();
+    }
+
+    /// That process once it holds a file in the directory, started by this shell command; and what it still says.
+    fn holding(directory: &Path, shell: &str) -> (Child, impl Sized) {
+        let _ = fs::remove_dir_all(directory);
+        fs::create_dir(directory).unwrap();
+        let test = "temporary::tests::a_process_that_holds_a_file";
+        let mut child = Command::new("sh")
+            .args(["-c", &format!("{shell} exec \"$0\" \"$@\"")])
+            .arg(std::env::current_exe().unwrap())
+            .args(["--exact", test, "--ignored", "--nocapture"])
+            .env(DIRECTORY, directory)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        assert!(lines.any(|line| line.unwrap().contains(HELD)));
+        assert_eq!(fs::read_dir(directory).unwrap().count(), 1);
+        (child, lines)
+    }
+
+    fn send(signal: &str, child: &Child) {
+        let sent = Command::new("kill")
+            .args([signal, &child.id().to_string()])
+            .status();
+        assert!(sent.unwrap().success());
+    }
+
+    #[test]
+    fn no_signal_leaves_a_file_behind() {
+        let directory = std::env::temp_dir().join(format!("fairmesh-{}-signals", process::id()));
+        for (name, number) in [("-INT", 2), ("-TERM", 15), ("-HUP", 1), ("-QUIT", 3)] {
+            let (mut child, _said) = holding(&directory, "ulimit -c 0;");
+            // Waiting closes it, and the process would end by that.
+            let _stdin = child.stdin.take();
+            send(name, &child);
+            assert_eq!(child.wait().unwrap().signal(), Some(number), "{name}");
+            assert_eq!(fs::read_dir(&directory).unwrap().count(), 0, "{name}");
+        }
+        fs::remove_dir(&directory).unwrap();
+    }
+
+    #[test]
+    fn a_signal_that_is_ignored_stays_so() {
+        let directory = std::env::temp_dir().join(format!("fairmesh-{}-ignored", process::id()));
+        let (mut child, _said) = holding(&directory, "trap '' HUP;");
+        send("-HUP", &child);
+        drop(child.stdin.take());
+        assert!(child.wait().unwrap().success());
+        assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
+        fs::remove_dir(&directory).unwrap();
     }
 }

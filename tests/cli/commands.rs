@@ -373,6 +373,37 @@ fn the_demo_makes_its_three_files() {
     let start = fs::read(directory.join("deep/demo/start.ply")).unwrap();
     assert!(String::from_utf8_lossy(&start).contains("element vertex 920\n"));
     assert!(String::from_utf8_lossy(&start).contains("element face 1746\n"));
+    // The command that it names makes its result.
+    fs::remove_file(directory.join("deep/demo/result.ply")).unwrap();
+    let again = out
+        .lines()
+        .find_map(|line| line.strip_prefix("  fairmesh "))
+        .unwrap();
+    let args: Vec<&str> = again.split(' ').collect();
+    let (out, _) = expect(&directory, &args, 0);
+    assert!(out.starts_with("converged:"), "{out}");
+    let result = fs::read(directory.join("deep/demo/result.ply")).unwrap();
+    assert_eq!(result.len(), start.len());
+}
+
+#[test]
+fn flags_are_named_as_they_are_written() {
+    let directory = prepared("flags");
+    let fair = [
+        "fair", "cap.obj", "-o", "x.obj", "--free", "free.txt", "--solver", "paper",
+    ];
+    let estimate = [&fair[..], &["--paper-estimate-iterations", "0"]].concat();
+    refused(
+        &directory,
+        &estimate,
+        "--paper-estimate-iterations 0: it must be at least 1",
+    );
+    let fill = ["fill", "cap.obj", "-o", "x.obj", "--loop", "5"];
+    refused(
+        &directory,
+        &fill,
+        "--loop 5: cap.obj has 1 boundary loops, counted from 0; 'fairmesh holes' lists them",
+    );
 }
 
 /// Width and height of a PNG, after its signature.

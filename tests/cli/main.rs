@@ -3,5 +3,8 @@
 
 mod commands;
 mod common;
+#[cfg(target_os = "linux")]
+mod endings;
+mod files;
 mod formats;
 mod holes;

@@ -500,6 +500,45 @@ fn degenerate_polygons_count_but_have_no_triangles() {
     );
 }
 
+#[test]
+fn polygons_keep_their_numbers_behind_leading_degenerate_ones() {
+    let text = "OFF 4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n4 0 1 2 3\n3 0 1 2\n1 3\n";
+    let mesh = read(Format::Off, text.as_bytes());
+    let polygons = (0..3).map(|t| mesh.geometry.polygon_of(t)).collect::<Vec<_>>();
+    assert_eq!(polygons, [1, 1, 2]);
+    assert_eq!(mesh.geometry.polygons(), [vec![0, 1, 2, 3], vec![0, 1, 2]]);
+}
+
+/// A file that is cut is refused, and never read as a smaller mesh: in every format that says how much there is. What may
+/// be missing are the last `spare` bytes.
+#[test]
+fn cut_files_are_no_smaller_meshes() {
+    let polygons = QUADS.map(|quad| quad.to_vec());
+    let facets = stl_corners([1.0; 3]);
+    let odd = [[0.5; 3]; 5];
+    let ascii = ascii_stl(&facets, &odd);
+    let rows = ascii_ply(&ascii_rows(&grid()));
+    let cases = [
+        (Format::Ply, plain(Format::Ply, &grid(), &polygons), 0),
+        (Format::Ply, rows.into_bytes(), "2\r\n".len()),
+        (Format::Off, plain(Format::Off, &grid(), &polygons), "\n".len()),
+        (Format::Stl, binary_stl(&facets, &odd), 0),
+        (
+            Format::Stl,
+            ascii.replace('\n', " ").into_bytes(),
+            " any name ".len(),
+        ),
+        (Format::Stl, ascii.into_bytes(), " any name\n".len()),
+    ];
+    for (format, bytes, spare) in cases {
+        read(format, &bytes);
+        for length in 0..bytes.len() - spare {
+            let told = refused(format, &bytes[..length]);
+            assert!(told.starts_with("file:"), "{told}");
+        }
+    }
+}
+
 /// Reads whatever it is; if it is a mesh, writes it.
 fn survive(format: Format, bytes: Vec<u8>) {
     if let Ok(mesh) = MeshFile::parse("file", format, bytes) {
