@@ -1,6 +1,7 @@
 //! Holes: boundary loops, their triangulation, refinement and fairing in one call.
 
 mod fill;
+mod lenses;
 mod loops;
 mod mend;
 mod outcome;
