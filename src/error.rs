@@ -4,6 +4,10 @@ use thiserror::Error;
 
 use crate::table::table;
 
+/// A vertex of the region may have this many triangles there. The matrix of the normal step has an entry for every two of its
+/// neighbours, and factoring takes the cube of their number.
+pub(crate) const MOST_VALENCE: usize = 1_000;
+
 /// Why a fairing problem was refused. Every number is an index into the caller's own arrays.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -117,6 +121,17 @@ pub enum Error {
         /// The vertex.
         vertex: usize,
     },
+    /// A vertex has more than 1,000 region triangles: every two of its neighbours are an entry of the solver's matrix.
+    #[error(
+        "vertex {vertex} has {valence} triangles in the region: more than {}",
+        MOST_VALENCE
+    )]
+    ValenceTooLarge {
+        /// The vertex.
+        vertex: usize,
+        /// How many triangles of the region it has.
+        valence: usize,
+    },
     /// An option is outside its range.
     #[error("option {name} is {value}: it must be {range}")]
     BadOption {
@@ -176,6 +191,8 @@ table!(Error {
     26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
     27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
+    32 "valence_too_large" Error::ValenceTooLarge { .. } =>
+        "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
 });
 
 impl Error {
