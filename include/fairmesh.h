@@ -182,6 +182,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BAD_RESERVED = 31,
     /**
+     * A vertex has more than 1,000 triangles in the region.
+     */
+    FAIRMESH_STATUS_VALENCE_TOO_LARGE = 32,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,

@@ -7,6 +7,10 @@ use crate::table::table;
 /// Squares of lengths have to fit a double: at most 12 times the square of this.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e153;
 
+/// A vertex of the region may have this many triangles there. The matrix of the normal step has an entry for every two of its
+/// neighbours, and factoring takes the cube of their number.
+pub(crate) const MOST_VALENCE: usize = 1_000;
+
 /// A number that is not written out with hundreds of zeros.
 fn readable(value: f64) -> String {
     if value == 0.0 || (1e-4..1e16).contains(&value.abs()) || !value.is_finite() {
@@ -139,6 +143,17 @@ pub enum Error {
         /// The vertex.
         vertex: usize,
     },
+    /// A vertex has more than 1,000 region triangles: every two of its neighbours are an entry of the solver's matrix.
+    #[error(
+        "vertex {vertex} has {valence} triangles in the region: more than {}",
+        MOST_VALENCE
+    )]
+    ValenceTooLarge {
+        /// The vertex.
+        vertex: usize,
+        /// How many triangles of the region it has.
+        valence: usize,
+    },
     /// An option is outside its range.
     #[error("option {name} is {}: it must be {range}", readable(*.value))]
     BadOption {
@@ -200,6 +215,8 @@ table!(Error {
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
     29 "coordinate_too_large" Error::CoordinateTooLarge { .. } =>
         "a coordinate is so large that lengths exceed the range of doubles", "scale the mesh down";
+    32 "valence_too_large" Error::ValenceTooLarge { .. } =>
+        "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
 });
 
 impl Error {

@@ -75,6 +75,8 @@ pub enum fairmesh_status {
     BufferTooSmall = 30,
     /// A number is not what this version asks for: reserved fields have to be zero.
     BadReserved = 31,
+    /// A vertex has more than 1,000 triangles in the region.
+    ValenceTooLarge = 32,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -297,6 +299,7 @@ impl fairmesh_status {
             29 => Self::NotAvailable,
             30 => Self::BufferTooSmall,
             31 => Self::BadReserved,
+            32 => Self::ValenceTooLarge,
             99 => Self::Internal,
             _ => Self::Internal,
         }

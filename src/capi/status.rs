@@ -168,7 +168,8 @@ impl From<Error> for Failure {
             | Error::NothingFixed { vertex }
             | Error::SelectionOutOfRange { index: vertex, .. }
             | Error::BadNormal { vertex }
-            | Error::NoNormal { vertex } => failure.at(Vertex, vertex),
+            | Error::NoNormal { vertex }
+            | Error::ValenceTooLarge { vertex, .. } => failure.at(Vertex, vertex),
             _ => failure,
         }
     }

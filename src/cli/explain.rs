@@ -83,7 +83,8 @@ fn vertex_of(error: &Error) -> Option<usize> {
         | Error::FreeVertexWithoutTriangle { vertex }
         | Error::NothingFixed { vertex }
         | Error::BadNormal { vertex }
-        | Error::NoNormal { vertex } => Some(vertex),
+        | Error::NoNormal { vertex }
+        | Error::ValenceTooLarge { vertex, .. } => Some(vertex),
         Error::NonManifoldEdge { a, .. } | Error::InconsistentOrientation { a, .. } => Some(a),
         _ => None,
     }

@@ -33,11 +33,11 @@ pub struct FillOptions {
     pub density: f64,
     /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
     /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
-    /// square of a density above 1: a round hole takes a tenth, but one edge can be astronomically short.
+    /// square of a density above 1: a round hole takes a tenth.
     pub max_new_vertices: usize,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
-    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops.
+    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 100 iterations.
     pub fairing: Options,
 }
 

@@ -17,6 +17,8 @@ const RANGED: usize = 4;
 const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
 const LONG: f64 = 1.8;
+/// A pass looks at neighbours so many times the vertices, at most: three triangles of six neighbours each, all of them bad, are fewer.
+const MOST_NEAR: usize = 64;
 /// Steps of the vertices around, per pass.
 const STEPS: usize = 3;
 
@@ -24,6 +26,8 @@ impl Refiner<'_> {
     /// Mends edges at the boundary whose lengths are not in their range, then triangles with small angles.
     pub(super) fn mend(&mut self) {
         self.mend_lengths();
+        // A vertex of many neighbours is gathered for each of its triangles: quadratic, unless it ends here.
+        let most = MOST_NEAR * self.patch.x.len();
         for pass in 0..PASSES {
             let bad = self.narrow();
             if bad.is_empty() {
@@ -32,10 +36,16 @@ impl Refiner<'_> {
             let mut near = Vec::new();
             for &t in &bad {
                 self.gather(t, &mut near);
+                if near.len() > most {
+                    return;
+                }
             }
             self.settle(&mut near);
             for t in bad {
                 self.mend_one(t, pass < RANGED, &mut near);
+                if near.len() > most {
+                    break;
+                }
             }
             self.settle(&mut near);
         }
@@ -51,7 +61,8 @@ impl Refiner<'_> {
                     continue;
                 }
                 let (w, length) = (self.patch.target(h), self.patch.length(h));
-                if ROOM * length > most && !self.is_full() {
+                let middle = (self.patch.x[v as usize] + self.patch.x[w as usize]) * 0.5;
+                if ROOM * length > most && !self.is_full() && !self.lenses.hold(&middle) {
                     near.extend([w, self.patch.split(h)]);
                 } else if length < ROOM * least
                     && !self.patch.is_boundary(w)
@@ -199,6 +210,9 @@ impl Refiner<'_> {
         ];
         let x = corners.map(|v| self.patch.x[v as usize]);
         let centre = x.iter().sum::<Vector3<f64>>() / 4.0;
+        if self.lenses.hold(&centre) {
+            return false;
+        }
         let before = smallest_angle(&[x[0], x[2], x[3]]).min(smallest_angle(&[x[0], x[1], x[2]]));
         let after = (0..4)
             .map(|k| smallest_angle(&[centre, x[k], x[(k + 1) % 4]]))

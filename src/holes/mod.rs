@@ -2,6 +2,7 @@
 
 mod crossing;
 mod fill;
+mod lenses;
 mod loops;
 mod mend;
 mod outcome;

@@ -30,13 +30,24 @@ const COARSE_SHARE: f64 = 0.2;
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
-pub(super) const BESIDE_SHORT: f64 = 1.5;
+const BESIDE_SHORT: f64 = 1.5;
+/// But they need not be shorter than this part of the edges around: one edge of nearly no length would ask for as many vertices as
+/// numbers have digits, and one narrow triangle does for it.
+const SHORTEST: f64 = 1.0 / 30.0;
+/// At most so many iterations for the fine patch. What is found takes 6 to 30 of them, on a noisy boundary 60; the rest of the
+/// ladder is long, and finds a surface only where nobody would want it.
+const MOST_ITERATIONS: usize = 100;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
 /// A patch whose smallest angle (degrees) is below this is refined and faired again, so often at most.
 const ENOUGH: f64 = 15.0;
 const AGAIN: usize = 2;
+
+/// The largest length of edges at a boundary vertex, by the shorter boundary edge there and the mean length around.
+pub(super) fn limit(shorter: f64, size: f64) -> f64 {
+    (BESIDE_SHORT * shorter).max(SHORTEST * size)
+}
 
 /// No fair surface was found.
 fn is_failed(report: &Report) -> bool {
@@ -110,6 +121,7 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
         // The patch is looked at in the whole mesh.
         intersections: Intersections::Skip,
         output_precision: OutputPrecision::Double,
+        max_iterations: asked.max_iterations.min(MOST_ITERATIONS),
         ..asked.clone()
     }
 }
@@ -241,9 +253,10 @@ impl Task<'_> {
         }
         let mut patch = Patch::new(around.x[..n].to_vec(), triangles, n);
         let (size, shorter) = around.sizes();
+        let limits = shorter.iter().zip(&size);
+        patch.limit = limits.map(|(&shorter, &size)| limit(shorter, size)).collect();
         patch.size = size;
         patch.range = around.ranges();
-        patch.limit = shorter.iter().map(|s| BESIDE_SHORT * s).collect();
         Some(patch)
     }
 
@@ -426,7 +439,8 @@ impl Task<'_> {
             | Error::CoordinateTooLarge { vertex: v, .. }
             | Error::NonManifoldVertex { vertex: v }
             | Error::BadNormal { vertex: v }
-            | Error::NoNormal { vertex: v } => vertex(v),
+            | Error::NoNormal { vertex: v }
+            | Error::ValenceTooLarge { vertex: v, .. } => vertex(v),
             Error::NonManifoldEdge { a, b, triangle } => {
                 vertex(a);
                 vertex(b);

@@ -8,6 +8,7 @@ use std::collections::BinaryHeap;
 
 use nalgebra::Vector3;
 
+use super::lenses::{Lenses, is_wide};
 use super::patch::Patch;
 use super::relax::Sweeps;
 use crate::mesh::NONE;
@@ -27,6 +28,8 @@ const ROUNDS: usize = 4;
 const SOURCE_SWEEPS: usize = 3;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
 const MOST_FLIPS: usize = 40;
+/// Rounds and mending leave at most so many times the inner vertices of the first splits, and one per boundary vertex.
+const MORE: usize = 3;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
 const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
@@ -51,12 +54,14 @@ pub(super) struct Refiner<'a> {
     pub(super) taken: Taken<'a>,
     pub(super) outgoing: Vec<u32>,
     pub(super) ring: Vec<u32>,
+    pub(super) lenses: Lenses,
     sweeps: Sweeps,
 }
 
 impl<'a> Refiner<'a> {
     pub(super) fn new(patch: &'a mut Patch, fineness: Fineness, taken: Taken<'a>) -> Self {
         Self {
+            lenses: Lenses::new(patch),
             patch,
             fineness,
             taken,
@@ -84,19 +89,24 @@ impl<'a> Refiner<'a> {
 
     fn even_out(&mut self) -> bool {
         let mut enough = true;
+        // Evening out moves vertices; where it would make ever more, the lengths wanted cannot be had.
+        let most = self.fineness.most;
+        self.fineness.most = most.min(MORE * self.inner_vertices() + self.patch.fixed);
         for _ in 0..ROUNDS {
             self.collapse_short();
             self.clear_boundary();
             self.flip_all();
             self.settle_sizes(1);
-            self.sweeps.relax(self.patch);
+            self.sweeps.relax(self.patch, &self.lenses);
             self.flip_all();
-            enough &= self.split_long(LONG);
+            let is_bounded = self.fineness.most < most;
+            enough &= self.split_long(LONG) || is_bounded;
         }
-        self.sweeps.relax(self.patch);
+        self.sweeps.relax(self.patch, &self.lenses);
         self.clear_boundary();
         self.flip_all();
         self.mend();
+        self.fineness.most = most;
         self.finish();
         enough
     }
@@ -189,22 +199,23 @@ impl<'a> Refiner<'a> {
         new
     }
 
-    /// Whether the middle of an edge would see a boundary edge beside it under a wide angle. Boundary edges cannot be split, so
-    /// vertices would gather along one that is longer than what is wanted there.
+    /// Whether the middle of an edge would see a boundary edge beside it, or a long one, under a wide angle. Boundary edges
+    /// cannot be split, so vertices would gather along one that is longer than what is wanted there.
     pub(super) fn would_encroach(&self, h: u32) -> bool {
         let o = self.patch.across(h);
         let (a, b) = (self.patch.origin(h) as usize, self.patch.target(h) as usize);
         let m = (self.patch.x[a] + self.patch.x[b]) * 0.5;
-        [next(h), previous(h), next(o), previous(o)]
+        let beside = [next(h), previous(h), next(o), previous(o)];
+        beside
             .into_iter()
             .any(|g| self.patch.across(g) == NONE && self.is_wide(&m, g))
+            || self.lenses.hold(&m)
     }
 
     /// Whether a point sees an edge under more than 120 degrees.
     fn is_wide(&self, m: &Vector3<f64>, h: u32) -> bool {
-        let p = self.patch.x[self.patch.origin(h) as usize] - m;
-        let q = self.patch.x[self.patch.target(h) as usize] - m;
-        p.dot(&q) < -0.5 * p.norm() * q.norm()
+        let [a, b] = [self.patch.origin(h), self.patch.target(h)].map(|v| self.patch.x[v as usize]);
+        is_wide(m, &a, &b)
     }
 
     /// Inner vertices that lie too near to a boundary edge go to its nearer end.

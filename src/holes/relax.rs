@@ -5,6 +5,7 @@
 
 use nalgebra::Vector3;
 
+use super::lenses::Lenses;
 use super::patch::Patch;
 use super::refine::{GRADE, Refiner};
 use crate::mesh::NONE;
@@ -30,7 +31,8 @@ pub(super) struct Sweeps {
 impl Sweeps {
     /// One tangential step of every inner vertex to the centre of its neighbours. A vertex stays if one of its triangles
     /// would turn by more than 60 degrees.
-    pub(super) fn relax(&mut self, patch: &mut Patch) {
+    /// Into a lens it goes not at all.
+    pub(super) fn relax(&mut self, patch: &mut Patch, lenses: &Lenses) {
         self.gather(patch);
         self.target.clone_from(&patch.x);
         for v in patch.fixed..patch.x.len() {
@@ -39,7 +41,10 @@ impl Sweeps {
                 && count > 0.0
             {
                 let step = centre / count - patch.x[v];
-                self.target[v] += step - normal * normal.dot(&step);
+                let target = patch.x[v] + (step - normal * normal.dot(&step));
+                if !lenses.are_entered(&patch.x[v], &target) {
+                    self.target[v] = target;
+                }
             }
         }
         for _ in 0..HOLDS {
@@ -157,7 +162,8 @@ impl Refiner<'_> {
         };
         let centre = (0..count).map(at).sum::<Vector3<f64>>() / count as f64;
         let target = centre - normal * normal.dot(&(centre - x));
-        if !(0..count).any(|k| turns_over(&cross(&x, k), &cross(&target, k))) {
+        let turns_over = (0..count).any(|k| turns_over(&cross(&x, k), &cross(&target, k)));
+        if !turns_over && !self.lenses.are_entered(&x, &target) {
             self.patch.x[v as usize] = target;
         }
     }
@@ -201,11 +207,15 @@ mod tests {
         Patch::new(x.collect(), triangles, 16)
     }
 
+    fn relax(patch: &mut Patch) {
+        Sweeps::default().relax(patch, &Lenses::new(patch));
+    }
+
     #[test]
     fn a_regular_square_stays_and_a_disturbed_one_comes_back() {
         let regular = square(|a, b| Vector3::new(a, b, 0.0));
         let mut patch = regular.clone();
-        Sweeps::default().relax(&mut patch);
+        relax(&mut patch);
         assert!(
             patch
                 .x
@@ -214,7 +224,7 @@ mod tests {
                 .all(|(p, q)| (p - q).norm() < 1e-15)
         );
         let mut patch = square(|a, b| Vector3::new(a + 0.2 * (3.0 * b).sin(), b + 0.2 * a.cos(), 0.0));
-        (0..60).for_each(|_| Sweeps::default().relax(&mut patch));
+        (0..60).for_each(|_| relax(&mut patch));
         assert!(patch.x.iter().zip(&regular.x).all(|(p, q)| (p - q).norm() < 1e-6));
     }
 
@@ -224,7 +234,7 @@ mod tests {
         let mut patch = square(|a, b| Vector3::new(3.2 + 0.2 * a, 3.2 + 0.2 * b, 0.0));
         for _ in 0..20 {
             let before: Vec<f64> = (0..patch.triangles.len()).map(|t| patch.cross(t).z).collect();
-            Sweeps::default().relax(&mut patch);
+            relax(&mut patch);
             let turned = (0..patch.triangles.len()).filter(|&t| before[t] > 0.0 && patch.cross(t).z <= 0.0);
             assert_eq!(turned.count(), 0);
         }

@@ -2,7 +2,7 @@
 
 use super::parents::{Parents, parents};
 use super::patch::Patch;
-use super::piece::BESIDE_SHORT;
+use super::piece::limit;
 use super::refine::{Fineness, Refiner};
 use crate::error::Error;
 use crate::mesh::{NONE, Region, Selection};
@@ -145,10 +145,9 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     patch.size[boundary as usize..].fill(mean);
     for h in 0..patch.half_edges() {
         if patch.across(h) == NONE {
-            let limit = BESIDE_SHORT * patch.length(h);
-            for v in [patch.origin(h), patch.target(h)] {
-                let of = &mut patch.limit[v as usize];
-                *of = of.min(limit);
+            let length = patch.length(h);
+            for v in [patch.origin(h), patch.target(h)].map(|v| v as usize) {
+                patch.limit[v] = patch.limit[v].min(limit(length, patch.size[v]));
             }
         }
     }

@@ -10,7 +10,7 @@ use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::outside_neighbours::RINGS_WIDE;
 use super::rounding;
-use crate::error::{Error, LARGEST_COORDINATE};
+use crate::error::{Error, LARGEST_COORDINATE, MOST_VALENCE};
 
 /// Which vertices may move.
 #[derive(Debug, Clone, Copy)]
@@ -62,6 +62,7 @@ impl Region {
     /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
     /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
     /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`], [`Error::CoordinateTooLarge`],
+    /// [`Error::ValenceTooLarge`],
     /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
     /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
     /// [`Error::NothingFixed`].
@@ -90,6 +91,7 @@ impl Region {
         let (mut vertex_ids, local, free, mut boundary) = number(&role);
         check_corners(triangles, &triangle_ids)?;
         check_finite(positions, &vertex_ids)?;
+        check_valence(triangles, &triangle_ids[..region_triangles], &local, &vertex_ids)?;
         let ids = triangle_ids.iter();
         let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
         let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
@@ -370,6 +372,30 @@ fn check_range(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
         Some(&v) => Err(Error::CoordinateTooLarge {
             vertex: v as usize,
             coordinate: largest(v),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// That no vertex has too many of these triangles.
+fn check_valence(
+    triangles: &[[u32; 3]],
+    region_triangles: &[u32],
+    local: &[u32],
+    ids: &[u32],
+) -> Result<(), Error> {
+    let mut valence = vec![0; ids.len()];
+    for v in region_triangles.iter().flat_map(|&t| triangles[t as usize]) {
+        valence[local[v as usize] as usize] += 1;
+    }
+    let crowded = ids
+        .iter()
+        .zip(valence)
+        .filter(|(_, valence)| *valence > MOST_VALENCE);
+    match crowded.min() {
+        Some((&v, valence)) => Err(Error::ValenceTooLarge {
+            vertex: v as usize,
+            valence,
         }),
         None => Ok(()),
     }

@@ -260,6 +260,41 @@ fn free_ids(region: &Region) -> &[u32] {
     &region.vertex_ids[..region.free]
 }
 
+/// A wheel of `n` triangles around vertex 0, and a row of quads around it.
+fn hub(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let at = |k: u32, r: f64| {
+        let a = std::f64::consts::TAU * f64::from(k) / f64::from(n);
+        [r * a.cos(), r * a.sin(), 0.0]
+    };
+    let mut x = vec![[0.0; 3]];
+    x.extend((0..n).map(|k| at(k, 1.0)));
+    x.extend((0..n).map(|k| at(k, 2.0)));
+    let quads = (0..n).flat_map(|k| {
+        let (a, b) = (1 + k, 1 + (k + 1) % n);
+        [[0, a, b], [a, a + n, b + n], [a, b + n, b]]
+    });
+    (x, quads.collect())
+}
+
+#[test]
+fn a_hub_of_more_triangles_than_the_matrix_can_hold_is_refused() {
+    for n in [5_000, 20_000] {
+        let (x, t) = hub(n);
+        let all: Vec<u32> = (0..=n).collect();
+        let refused = Err(Error::ValenceTooLarge {
+            vertex: 0,
+            valence: n as usize,
+        });
+        for free in [&all[..], &all[1..]] {
+            let region = Region::new(&x, &t, Selection::Vertices(free));
+            assert_eq!(region.map(|r| r.free), refused);
+        }
+        // A fixed hub counts with its region triangles only.
+        let region = Region::new(&x, &t, Selection::Vertices(&all[1..500])).unwrap();
+        assert_eq!(region.free, 499);
+    }
+}
+
 #[test]
 fn one_free_vertex_in_a_grid() {
     let mesh = grid(5);

@@ -784,3 +784,119 @@ fn the_outline_of_a_flat_grid_in_single_precision_does_not_flood() {
         assert!(new as u32 <= 2 * n * n && report.worst_angle > 15.0);
     }
 }
+
+/// The hole `edge` in a plane, in an annulus of this width.
+fn plane_with_hole(edge: &[[f64; 2]], width: f64) -> Mesh {
+    let n = edge.len();
+    let mut x: Vec<[f64; 3]> = edge.iter().map(|p| [p[0], p[1], 0.0]).collect();
+    for i in 0..n {
+        let (before, behind) = (edge[(i + n - 1) % n], edge[(i + 1) % n]);
+        let [dx, dy] = [behind[0] - before[0], behind[1] - before[1]];
+        let length = dx.hypot(dy);
+        x.push([
+            edge[i][0] + width * dy / length,
+            edge[i][1] - width * dx / length,
+            0.0,
+        ]);
+    }
+    let n = n as u32;
+    let quads = (0..n).map(|i| (i, (i + 1) % n));
+    let t = quads
+        .flat_map(|(i, j)| [[i, n + i, n + j], [i, n + j, j]])
+        .collect();
+    (x, t)
+}
+
+/// Two half circles of radius 0.2 and two straight edges between them, `ratio` times as long as the others.
+fn slot(edges: usize, ratio: f64) -> Vec<[f64; 2]> {
+    let arc = (edges - 2) / 2;
+    let step = std::f64::consts::PI / arc as f64;
+    let half = 0.2 * (0.5 * step).sin() * ratio;
+    let end = |side: f64| {
+        (0..=arc).map(move |i| {
+            let a = step * i as f64;
+            [side * (half + 0.2 * a.sin()), -side * 0.2 * a.cos()]
+        })
+    };
+    end(1.0).chain(end(-1.0)).collect()
+}
+
+/// Fills the hole around vertex 0; how many vertices it got.
+fn filled_with(name: &str, edge: &[[f64; 2]], width: f64) -> usize {
+    let (x, t) = plane_with_hole(edge, width);
+    let hole = inner_loop(&x, &t);
+    let filled = fill(&x, &t, Loops::Chosen(vec![hole]));
+    let report = &filled.loops[0];
+    assert!(
+        !matches!(report.outcome, FillOutcome::LeftOpen(_)),
+        "{name}: {report:?}"
+    );
+    let iterations = report.fairing.as_ref().map_or(0, |f| f.iterations);
+    assert!(iterations <= 100, "{name}: {iterations}");
+    assert!(!report.coarsened, "{name}");
+    report.vertices.len()
+}
+
+/// A boundary edge cannot be split: vertices beside one that is long were made without end.
+#[test]
+fn slots_of_any_ratio_of_edges_are_filled_with_few_vertices() {
+    for edges in [10, 38, 100, 400] {
+        for ratio in [1.0, 10.0, 30.0, 100.0, 1e3, 1e4] {
+            let name = format!("{edges} edges, 1 : {ratio}");
+            let new = filled_with(&name, &slot(edges, ratio), 0.35);
+            // As many as there are boundary vertices are needed for a row along the boundary.
+            assert!(new <= 2 * edges, "{name}: {new}");
+        }
+    }
+    // The edges around are short, too: the density asks for more. The straight ones have 35 times their neighbours' length.
+    for ratio in [1.0, 35.0, 1e3, 1e4] {
+        let new = filled_with("narrow", &slot(38, ratio), 0.01);
+        assert!(new <= 10 * 38, "{ratio}: {new}");
+    }
+}
+
+#[test]
+fn one_edge_of_nearly_no_length_costs_few_vertices() {
+    for n in [10, 40] {
+        let at = |k: f64| {
+            let a = std::f64::consts::TAU * k / f64::from(n);
+            [a.cos(), a.sin()]
+        };
+        let round: Vec<_> = (0..n).map(|k| at(f64::from(k))).collect();
+        let width = std::f64::consts::TAU / f64::from(n);
+        let without = filled_with("round", &round, width);
+        for part in [1e-2, 1e-4, 1e-8] {
+            let mut edge = round.clone();
+            edge.insert(1, at(part));
+            let new = filled_with("short", &edge, width);
+            assert!(new <= without + 60, "{n}, {part:e}: {new}, {without}");
+        }
+    }
+}
+
+#[test]
+fn stars_and_loops_that_are_nearly_a_line_are_filled_with_few_vertices() {
+    for (points, inner) in [(5, 0.4), (5, 0.02), (20, 0.05), (50, 0.3)] {
+        let star: Vec<_> = (0..2 * points)
+            .map(|k| {
+                let a = std::f64::consts::PI * f64::from(k) / f64::from(points);
+                let r = if k % 2 == 0 { 1.0 } else { inner };
+                [r * a.cos(), r * a.sin()]
+            })
+            .collect();
+        let new = filled_with("star", &star, 0.05);
+        assert!(new <= 2 * star.len(), "{points}, {inner}: {new}");
+    }
+    for height in [1e-2, 1e-4, 1e-7] {
+        let m = 10;
+        let lens: Vec<_> = (0..2 * m)
+            .map(|k| {
+                let s = f64::from(k % m) / f64::from(m);
+                let y = height * (std::f64::consts::PI * s).sin();
+                if k < m { [s, -y] } else { [1.0 - s, y] }
+            })
+            .collect();
+        let new = filled_with("lens", &lens, 0.1);
+        assert!(new <= 2 * lens.len(), "{height:e}: {new}");
+    }
+}

@@ -60,6 +60,7 @@ class fairmesh_status(enum.IntEnum):
     NOT_AVAILABLE = 29
     BUFFER_TOO_SMALL = 30
     BAD_RESERVED = 31
+    VALENCE_TOO_LARGE = 32
     INTERNAL = 99
 
 

@@ -201,6 +201,12 @@ class Status(Numbered):
         "a number is not what this version asks for: reserved fields have to be zero",
         "",
     )
+    #: A vertex has more than 1,000 triangles in the region.
+    VALENCE_TOO_LARGE = (
+        32,
+        "a vertex has more than 1,000 triangles in the region",
+        "split some of its edges, or leave its neighbours out of the selection",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,

@@ -98,6 +98,7 @@ _INPUT = {
     Status.SELECTION_OUT_OF_RANGE,
     Status.BAD_NORMAL,
     Status.NO_NORMAL,
+    Status.VALENCE_TOO_LARGE,
 }
 
 _KNOWN = {int(member): member for member in Status}
