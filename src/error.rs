@@ -213,7 +213,7 @@ table!(Error {
     26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
     27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
-    29 "coordinate_too_large" Error::CoordinateTooLarge { .. } =>
+    32 "coordinate_too_large" Error::CoordinateTooLarge { .. } =>
         "a coordinate is so large that lengths exceed the range of doubles", "scale the mesh down";
     32 "valence_too_large" Error::ValenceTooLarge { .. } =>
         "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
