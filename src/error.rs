@@ -105,8 +105,10 @@ pub enum Error {
         /// The number of vertices or triangles.
         count: usize,
     },
-    /// A prescribed normal is not finite or not of length one (to 1e-3).
-    #[error("the normal given for vertex {vertex} is not a finite unit vector")]
+    /// A prescribed normal is not finite or not of length one (to 1e-3), or those of copies of the vertex cancel.
+    #[error(
+        "the normal given for vertex {vertex} is not a finite unit vector, or contradicts that of a coincident vertex"
+    )]
     BadNormal {
         /// The vertex.
         vertex: usize,
@@ -174,7 +176,7 @@ table!(Error {
     25 "empty_region" Error::EmptyRegion =>
         "no vertex is free", "select more faces: a vertex is free if all faces around it are selected";
     26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
-    27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
+    27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex", "";
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
 });
 

@@ -13,7 +13,7 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::mean_curvature;
+use fairmesh::mean_curvature_joined;
 use fairmesh::{Progress, Solution, fair_with_progress};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
@@ -68,7 +68,7 @@ pub extern "C" fn fairmesh_fair(
         point();
         let solution = {
             let mut tell = |progress: &Progress| callback.tell(progress);
-            let options = asked.options(normals);
+            let options = asked.options(normals, mesh.coincident);
             fair_with_progress(&positions, &triangles, selected.selection(), &options, &mut tell)?
         };
         drop((positions, triangles));
@@ -123,7 +123,7 @@ pub extern "C" fn fairmesh_mean_curvature(
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let curvature = mean_curvature(&positions, &triangles)?;
+        let curvature = mean_curvature_joined(&positions, &triangles, mesh.coincident)?;
         callback.memory()?;
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));

@@ -16,7 +16,7 @@ use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs, Selected};
 use crate::solver::SolverArgs;
-use crate::surface::SurfaceArgs;
+use crate::surface::{MeshArgs, SurfaceArgs};
 
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
@@ -32,6 +32,8 @@ pub struct FairArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    pub mesh: MeshArgs,
     #[command(flatten)]
     region: RegionArgs,
     /// Normals at fixed vertices beside the region: 'fitted' to the surroundings,
@@ -165,6 +167,7 @@ pub fn solve(
         tolerance: tolerance.unwrap_or(defaults.tolerance),
         max_iterations: args.solver.max_iterations.unwrap_or(defaults.max_iterations),
         threads: args.threads,
+        coincident: args.mesh.coincident,
     };
     let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;

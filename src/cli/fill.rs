@@ -16,6 +16,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::{Output, prepare_json};
+use crate::surface::MeshArgs;
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -51,6 +52,8 @@ pub struct FillArgs {
     /// the result is the same to the last bit
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
+    #[command(flatten)]
+    mesh: MeshArgs,
     /// Writes the report as JSON, too
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -105,6 +108,7 @@ fn solve(args: &FillArgs, mesh: &MeshFile) -> Result<Filled, fairmesh::Error> {
         fairing: Options {
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             threads: args.threads,
+            coincident: args.mesh.coincident,
             ..Options::default()
         },
     };

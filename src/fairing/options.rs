@@ -3,6 +3,7 @@
 use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
 use crate::error::Error;
+use crate::mesh::coincident::Coincident;
 use crate::paper::PaperOptions;
 use crate::table::{choices, table};
 
@@ -65,6 +66,8 @@ pub struct Options {
     pub max_iterations: usize,
     /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
+    /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
+    pub coincident: Coincident,
 }
 
 impl Default for Options {
@@ -79,6 +82,7 @@ impl Default for Options {
             tolerance: 1e-8,
             max_iterations: 500,
             threads: 0,
+            coincident: Coincident::default(),
         }
     }
 }
@@ -103,6 +107,7 @@ impl Options {
         if let Solver::Paper(options) = &self.solver {
             options.validate()?;
         }
+        self.coincident.validate()?;
         let t = self.tolerance;
         Error::check_option(
             "tolerance",

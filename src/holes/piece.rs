@@ -13,8 +13,8 @@ use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Options, Outcome, Progress, ProgressCallback, Report, Selection, Solution, Target,
-    fair_with_progress,
+    BoundaryNormals, Coincident, Options, Outcome, Progress, ProgressCallback, Report, Selection, Solution,
+    Target, fair_with_progress,
 };
 use crate::quality::smallest_angle;
 
@@ -80,6 +80,26 @@ impl Piece {
             coarsened: false,
         }
     }
+
+    /// Takes these copies for the boundary's vertices.
+    pub(super) fn name_copies(&mut self, copies: &[u32]) {
+        if self.boundary.is_empty() {
+            return;
+        }
+        let mut of: Vec<(u32, u32)> = self
+            .boundary
+            .iter()
+            .copied()
+            .zip(copies.iter().copied())
+            .collect();
+        of.sort_unstable();
+        for v in self.parents.iter_mut().flat_map(|parents| &mut parents.vertices) {
+            if let Ok(i) = of.binary_search_by_key(v, |pair| pair.0) {
+                *v = of[i].1;
+            }
+        }
+        self.boundary.copy_from_slice(copies);
+    }
 }
 
 /// What is to be done with a loop.
@@ -104,6 +124,8 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
             Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
             other => other,
         },
+        // The surroundings are of the joined mesh.
+        coincident: Coincident::Separate,
         ..asked.clone()
     }
 }
