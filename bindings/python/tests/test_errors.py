@@ -340,7 +340,10 @@ WRONG_VALUES = {
     "fixed: 441 integers, all 0 or 1, are a mask or indices? Give a mask as bool, fixed.astype(bool), or indices, "
     "np.flatnonzero(fixed)": {"free": None, "fixed": FREE.astype(np.int64)},
     "free: index 7 is given 2 times; np.unique(free) has each once": {"free": [7, 8, 7]},
-    "free_faces: index 3 is given 3 times; np.unique(free_faces) has each once": {"free": None, "free_faces": [3, 3, 4, 3]},
+    "free_faces: index 3 is given 3 times; np.unique(free_faces) has each once": {
+        "free": None,
+        "free_faces": [3, 3, 4, 3],
+    },
     "coincident: 'merge' is neither 'join' nor 'separate' nor a distance": {"coincident": "merge"},
     "coincident: True is neither 'join' nor 'separate' nor a distance": {"coincident": True},
     "only one of free and fixed can be given": {"fixed": ~FREE},

@@ -65,7 +65,9 @@ def of_arrays(function: Function) -> Function:
             faces = next((name for name in ("faces", "triangles") if hasattr(each, name)), None)
             if faces and hasattr(each, "vertices"):
                 what = type(each).__name__
-                raise TypeError(f"a {what} is no array: give mesh.vertices and mesh.{faces} in its place, as vertices and faces")
+                raise TypeError(
+                    f"a {what} is no array: give mesh.vertices and mesh.{faces} in its place, as vertices and faces"
+                )
         return function(*given, **named)
 
     return checked  # type: ignore[return-value]
@@ -164,8 +166,8 @@ def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
     chosen = indices(array, name)
     if len(chosen) > 1 and len(chosen) == count and int(chosen.max()) <= 1:
         raise ValueError(
-            f"{name}: {count} integers, all 0 or 1, are a mask or indices? Give a mask as bool, {name}.astype(bool), or "
-            f"indices, np.flatnonzero({name})"
+            f"{name}: {count} integers, all 0 or 1, are a mask or indices? Give a mask as bool, {name}.astype(bool), "
+            f"or indices, np.flatnonzero({name})"
         )
     _each_once(chosen, name)
     return chosen
@@ -175,7 +177,9 @@ def _each_once(chosen: UInt32, name: str) -> None:
     values, counts = np.unique(chosen, return_counts=True)
     if len(values) < len(chosen):
         index = int(values[counts > 1][0])
-        raise ValueError(f"{name}: index {index} is given {int(counts[counts > 1][0])} times; np.unique({name}) has each once")
+        raise ValueError(
+            f"{name}: index {index} is given {int(counts[counts > 1][0])} times; np.unique({name}) has each once"
+        )
 
 
 def points_view(array: Floats) -> _abi.fairmesh_points:

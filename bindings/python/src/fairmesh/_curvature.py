@@ -18,8 +18,9 @@ def mean_curvature(
 ) -> NDArray[np.float64]:
     """Mean curvature H at every vertex of a mesh, (n,), in 1 / length.
 
-    ``vertices`` (n, 3), ``faces`` (m, 3) and ``coincident`` as in `fair`. Negative on a sphere with outward normals, that is with faces
-    counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a manifold.
+    ``vertices`` (n, 3), ``faces`` (m, 3) and ``coincident`` as in `fair`. Negative on a sphere with outward normals,
+    that is with faces counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a
+    manifold.
 
     Raises:
         InputError: An index or a coordinate is wrong; it says where.

@@ -51,7 +51,7 @@ class Loop:
 def boundary_loops(
     vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
 ) -> list[Loop]:
-    """The boundary loops of a mesh: holes and outer boundaries. ``vertices``, ``faces`` and ``coincident`` as in `fair`.
+    """The boundary loops of a mesh: holes and outer boundaries. Arguments as in `fair`.
 
     Of a vertex with several copies a loop names the one in the triangle at its edge.
 

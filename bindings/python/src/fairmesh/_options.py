@@ -159,7 +159,18 @@ def whole(value: Any, name: str, bits: int = 64) -> int:
 
 
 #: Keywords that some of the functions have, and are likely to be meant.
-_OTHERS = ("free", "fixed", "free_faces", "coincident", "progress", "cancel", "loops", "max_edges", "density", "max_new_vertices")
+_OTHERS = (
+    "free",
+    "fixed",
+    "free_faces",
+    "coincident",
+    "progress",
+    "cancel",
+    "loops",
+    "max_edges",
+    "density",
+    "max_new_vertices",
+)
 
 
 def _hint(name: str) -> str:
