@@ -56,7 +56,7 @@ class Snapshot:
 
     @cached_property
     def on_surface_boundary(self):
-        """The vertices on the boundary of the surface, (n,): of edges that lie on each other the library knows which are one."""
+        """The vertices on the boundary of the surface, (n,), where edges that lie on each other are one."""
         mask = self.on_boundary
         places, place, copies = np.unique(self.vertices[mask] + 0.0, axis=0, return_inverse=True, return_counts=True)
         if len(places) == np.count_nonzero(mask):

@@ -235,7 +235,10 @@ def test_a_selection_of_faces_out_of_range():
 @pytest.mark.parametrize("vector", [[0, 0, 2], [0, 0, np.inf], [np.nan, 0, 1]])
 def test_a_normal_that_is_no_unit_vector(vector):
     boundary = int(fair().boundary_vertices[5])
-    message = f"the normal given for vertex {boundary} is not a finite unit vector"
+    message = (
+        f"the normal given for vertex {boundary} is not a finite unit vector, "
+        "or contradicts that of a coincident vertex"
+    )
     refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=([boundary], [vector]))
     rows = changed(np.zeros_like(VERTICES), boundary, vector)
     refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=rows)

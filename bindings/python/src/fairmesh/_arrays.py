@@ -152,8 +152,8 @@ def _as_uint32(array: NDArray[Any]) -> UInt32:
 
 
 def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
-    """A mask as uint8, or indices as uint32, each once. Integers that could be either are refused: of 8 bits, or as many as a
-    mask has entries and only 0 and 1.
+    """A mask as uint8, or indices as uint32, each once. Integers that could be either are refused: of 8 bits, or as
+    many as a mask has entries and only 0 and 1.
     """
     array = np.asarray(given)
     if array.dtype == np.bool_:
