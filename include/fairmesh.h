@@ -162,7 +162,7 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE = 26,
     /**
-     * A normal is not a finite vector of length one (to 0.001).
+     * A normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex.
      */
     FAIRMESH_STATUS_BAD_NORMAL = 27,
     /**
@@ -311,6 +311,31 @@ enum fairmesh_interior_normals
 typedef enum fairmesh_interior_normals fairmesh_interior_normals;
 #else
 typedef uint32_t fairmesh_interior_normals;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Whether vertices at the same place are one vertex of the surface. Numbers are never reused.
+ */
+enum fairmesh_coincident
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Boundary edges with coincident ends are one edge of the surface.
+     */
+    FAIRMESH_COINCIDENT_JOIN = 0,
+    /**
+     * The mesh is as its triangles say.
+     */
+    FAIRMESH_COINCIDENT_SEPARATE = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_coincident fairmesh_coincident;
+#else
+typedef uint32_t fairmesh_coincident;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -1136,9 +1161,10 @@ typedef struct fairmesh_mesh {
      */
     uint32_t struct_size;
     /**
-     * Zero.
+     * A `fairmesh_coincident`: whether vertices at the same place are one vertex of the surface. Zero: they are. Then all copies
+     * of a free vertex move alike. A list of vertices names a vertex by any of its copies; a mask frees it where it frees all.
      */
-    uint32_t reserved;
+    uint32_t coincident;
     /**
      * The vertices, in any unit of length.
      */
@@ -1147,6 +1173,11 @@ typedef struct fairmesh_mesh {
      * The triangles, counter-clockwise seen from the side that normals point to. Indices count from 0.
      */
     struct fairmesh_indices triangles;
+    /**
+     * Vertices are at the same place up to this distance, in the unit of the positions. Zero: where their coordinates are equal.
+     * Not negative, and well below the edge lengths.
+     */
+    double coincident_within;
 } fairmesh_mesh;
 
 /**

@@ -85,7 +85,7 @@ inline fairmesh_indices indices(const std::uint32_t *data, std::size_t count, st
     return {data, count, stride};
 }
 
-/** A mesh in the caller's memory. */
+/** A mesh in the caller's memory. Set its `coincident` to FAIRMESH_COINCIDENT_SEPARATE if vertices at the same place are not one. */
 inline fairmesh_mesh mesh(const fairmesh_points &positions, const fairmesh_indices &triangles) {
     auto made = detail::sized<fairmesh_mesh>();
     made.positions = positions;

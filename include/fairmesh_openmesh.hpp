@@ -77,8 +77,11 @@ public:
         copy_faces();
     }
 
+    /** Vertices at the same place are as many vertices: OpenMesh says what is joined, and what is on the boundary of the mesh. */
     fairmesh_mesh mesh() const {
-        return fairmesh::mesh(points(positions_.data(), positions_.size() / 3), indices(corners_.data(), corners_.size() / 3));
+        auto made = fairmesh::mesh(points(positions_.data(), positions_.size() / 3), indices(corners_.data(), corners_.size() / 3));
+        made.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+        return made;
     }
 
     /** The face that the library means. */

@@ -131,8 +131,10 @@ pub enum Error {
         /// The number of vertices or triangles.
         count: usize,
     },
-    /// A prescribed normal is not finite or not of length one (to 1e-3).
-    #[error("the normal given for vertex {vertex} is not a finite unit vector")]
+    /// A prescribed normal is not finite or not of length one (to 1e-3), or those of copies of the vertex cancel.
+    #[error(
+        "the normal given for vertex {vertex} is not a finite unit vector, or contradicts that of a coincident vertex"
+    )]
     BadNormal {
         /// The vertex.
         vertex: usize,
@@ -211,11 +213,11 @@ table!(Error {
     25 "empty_region" Error::EmptyRegion =>
         "no vertex is free", "select more faces: a vertex is free if all faces around it are selected";
     26 "selection_out_of_range" Error::SelectionOutOfRange { .. } => "the selection names what does not exist", "";
-    27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001)", "";
+    27 "bad_normal" Error::BadNormal { .. } => "a normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex", "";
     28 "no_normal" Error::NoNormal { .. } => "no normal can be found for a boundary vertex", "give one";
     32 "coordinate_too_large" Error::CoordinateTooLarge { .. } =>
         "a coordinate is so large that lengths exceed the range of doubles", "scale the mesh down";
-    32 "valence_too_large" Error::ValenceTooLarge { .. } =>
+    33 "valence_too_large" Error::ValenceTooLarge { .. } =>
         "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
 });
 

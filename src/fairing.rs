@@ -1,6 +1,7 @@
 //! The public entry: `fair`.
 
 mod conclusion;
+mod joined;
 mod normalization;
 mod normals;
 mod options;
@@ -13,12 +14,15 @@ use std::time::Instant;
 
 pub use crate::discrete::target::Target;
 use crate::error::Error;
+use crate::mesh::Joined;
+pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::region::Selection;
 use crate::paper::{self, PaperResult};
 use crate::solve::control::{Callback, Interrupt};
 use crate::solve::system::Collapsed;
 use crate::solve::{self, Control};
 use conclusion::Found;
+pub(crate) use joined::joined_options;
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};
 use prepared::Prepared;
@@ -32,7 +36,8 @@ pub use session::Session;
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
 /// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.
 ///
-/// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to.
+/// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to. Coincident vertices
+/// are one vertex of the surface, see [`Coincident`].
 ///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
@@ -59,7 +64,8 @@ pub fn fair(
 ) -> Result<Solution, Error> {
     options.validate()?;
     let untold = Interrupt::default();
-    Workers::new(options.threads)?.install(|| run(positions, triangles, selection, options, None, &untold))
+    Workers::new(options.threads)?
+        .install(|| run_joined(positions, triangles, selection, options, None, &untold))
 }
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
@@ -93,8 +99,37 @@ pub fn fair_with_progress(
 ) -> Result<Solution, Error> {
     options.validate()?;
     relay(&Workers::new(options.threads)?, progress, |told, interrupt| {
-        run(positions, triangles, selection, options, Some(told), interrupt)
+        run_joined(positions, triangles, selection, options, Some(told), interrupt)
     })?
+}
+
+/// The surface of the joined mesh, for all copies of its vertices.
+fn run_joined<'a>(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &Options,
+    progress: Option<&'a mut Callback<'a>>,
+    interrupt: &Interrupt,
+) -> Result<Solution, Error> {
+    let clock = Instant::now();
+    let joined = Joined::new(positions, triangles, options.coincident)?;
+    let selected = joined.copies.selection(selection);
+    let asked = joined_options(&joined.copies, options);
+    let seconds = clock.elapsed().as_secs_f64();
+    let mut solution = run(
+        positions,
+        &joined.triangles,
+        selected.selection(),
+        &asked,
+        progress,
+        interrupt,
+    )
+    .map_err(|error| joined::in_given(error, &joined.copies, &options.boundary_normals))?;
+    joined::spread(&mut solution, &joined.copies);
+    solution.report.seconds.setup += seconds;
+    solution.report.seconds.total += seconds;
+    Ok(solution)
 }
 
 fn run<'a>(

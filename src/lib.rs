@@ -22,16 +22,17 @@ mod self_intersections;
 mod solve;
 mod table;
 
-pub use curvature::mean_curvature;
+pub use curvature::{mean_curvature, mean_curvature_joined};
 pub use error::Error;
 pub use fairing::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason, Options,
-    Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections,
-    Session, Solution, Solver, Target, fair, fair_with_progress,
+    BoundaryNormals, Coincident, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason,
+    Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection,
+    SelfIntersections, Session, Solution, Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,
-    Parents, RemeshOptions, Remeshed, boundary_loops, fill_holes, fill_holes_with_progress, remesh_region,
+    Parents, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, fill_holes,
+    fill_holes_with_progress, remesh_region,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;

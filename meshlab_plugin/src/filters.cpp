@@ -7,6 +7,7 @@
 #include "work.h"
 
 #include <chrono>
+#include <utility>
 
 namespace fairmesh_meshlab {
 
@@ -18,10 +19,18 @@ using Menus = MeshFilterInterface;
 using Menus = FilterPlugin;
 #endif
 
-Values dispatch(int filter, MeshModel &model, const MeshView &view, const RichParameterList &asked, const Host &host) {
+Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParameterList &asked, const Host &host) {
     switch (filter) {
-    case FairSelection: return fair_selection(model, view, read_fair_parameters(asked), host);
-    case CloseHoles: return close_holes(model, view, read_close_parameters(asked), host);
+    case FairSelection: {
+        FairParameters parameters = read_fair_parameters(asked);
+        view.join(parameters.join_distance);
+        return fair_selection(model, view, std::move(parameters), host);
+    }
+    case CloseHoles: {
+        CloseParameters parameters = read_close_parameters(asked);
+        view.join(parameters.join_distance);
+        return close_holes(model, view, std::move(parameters), host);
+    }
     case MeanCurvature: return mean_curvature(model, view, host);
     default: throw Failure("There is no such filter.");
     }
@@ -57,7 +66,7 @@ RichParameterList parameters(int filter) {
 Values apply(int filter, MeshModel *model, const RichParameterList &asked, const Host &host) {
     const auto start = std::chrono::steady_clock::now();
     if (!model) throw Failure("There is no mesh.");
-    const MeshView view(model->cm);
+    MeshView view(model->cm);
     try {
         Values values = dispatch(filter, *model, view, asked, host);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

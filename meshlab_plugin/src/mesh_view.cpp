@@ -24,7 +24,10 @@ MeshView::MeshView(const CMeshO &mesh) : host_(mesh) {
 
 fairmesh_mesh MeshView::mesh() const {
     auto positions = fairmesh::points(host_.vert.front().P().V(), host_.vert.size(), sizeof(CVertexO));
-    return fairmesh::mesh(positions, fairmesh::indices(triangles_.front().data(), triangles_.size()));
+    auto made = fairmesh::mesh(positions, fairmesh::indices(triangles_.front().data(), triangles_.size()));
+    if (join_ < 0) made.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+    else made.coincident_within = join_;
+    return made;
 }
 
 std::string MeshView::in_host_numbers(const char *text) const {

@@ -21,6 +21,8 @@ class MeshView {
     /** Throws Failure if there is no face. The mesh must outlive the view and not change. */
     explicit MeshView(const CMeshO &mesh);
 
+    /** Vertices up to this distance are one vertex of the surface: 0 where their coordinates are equal, negative nowhere. */
+    void join(double distance) { join_ = distance; }
     fairmesh_mesh mesh() const;
     /** Three vertices per triangle. */
     const std::vector<std::array<std::uint32_t, 3>> &triangles() const { return triangles_; }
@@ -33,6 +35,7 @@ class MeshView {
 
   private:
     const CMeshO &host_;
+    double join_ = 0;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<std::uint32_t> faces_;
     std::vector<std::uint32_t> selected_;

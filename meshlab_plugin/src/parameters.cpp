@@ -30,6 +30,9 @@ int as_int(std::uint64_t number) { return static_cast<int>(std::min<std::uint64_
 /** What both ways of fairing have. */
 void add_solver_parameters(RichParameterList &list) {
     const fairmesh::options standard;
+    list.addParam(RichFloat("join_distance", 0, "Join vertices within",
+                            "Vertices as far apart as this are one vertex of the surface, as along texture seams: its copies move alike, and "
+                            "none is removed. 0: where their coordinates are equal. Negative: none are joined."));
     list.addParam(
         RichEnum("inner_fairness", static_cast<int>(standard.inner_fairness), {"Uniform", "Conformal", "Convex"}, "Vertex distribution",
                  "How vertices are spread within the surface; the surface hardly depends on it. Uniform: evenly. Conformal: with the "
@@ -105,6 +108,7 @@ FairParameters read_fair_parameters(const RichParameterList &list) {
     FairParameters asked;
     asked.normals = static_cast<BoundaryNormals>(in_list(list, "boundary_normals", 4));
     asked.attribute = list.getString("normal_attribute").trimmed().toStdString();
+    asked.join_distance = list.getFloat("join_distance");
     read_solver_parameters(list, asked.options);
     asked.curvature_to_quality = list.getBool("curvature_to_quality");
     return asked;
@@ -118,6 +122,7 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
     asked.fill.density = list.getFloat("density");
     asked.fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
     asked.selection = static_cast<SelectionAfter>(in_list(list, "selection_after", 3));
+    asked.join_distance = list.getFloat("join_distance");
     read_solver_parameters(list, asked.options);
     return asked;
 }

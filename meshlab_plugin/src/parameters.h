@@ -21,6 +21,7 @@ struct FairParameters {
     fairmesh::options options;
     BoundaryNormals normals = BoundaryNormals::Fitted;
     std::string attribute;
+    double join_distance = 0;
     bool curvature_to_quality = false;
 };
 
@@ -29,6 +30,7 @@ struct CloseParameters {
     fairmesh::fill_options fill;
     bool touching_selection = false;
     bool outer_boundaries = false;
+    double join_distance = 0;
     SelectionAfter selection = SelectionAfter::OldAndNew;
 };
 

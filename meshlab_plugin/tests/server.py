@@ -14,6 +14,7 @@ CLOSE = "Close holes and fair (G1)"
 CURVATURE = "Mean curvature (Moreton-Sequin) to quality"
 
 SOLVER = {
+    "join_distance": ("RichFloat", 0),
     "inner_fairness": ("RichEnum", 0, 3),
     "target": ("RichEnum", 0, 3),
     "target_constant": ("RichFloat", 0),

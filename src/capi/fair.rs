@@ -14,7 +14,7 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::{OutputPrecision, Progress, Solution, fair_with_progress};
-use fairmesh::{mean_curvature, self_intersections};
+use fairmesh::{mean_curvature_joined, self_intersections};
 
 /// Moves the free vertices of a mesh until the surface solves Delta_B H = 0, or what the options' target asks, between the
 /// fixed vertices, with tangent continuity there.
@@ -68,7 +68,7 @@ pub extern "C" fn fairmesh_fair(
         point();
         let solution = {
             let mut tell = |progress: &Progress| callback.tell(progress);
-            let mut options = asked.options(normals);
+            let mut options = asked.options(normals, mesh.coincident);
             if out.as_ref().is_some_and(NumbersOut::is_single) {
                 options.output_precision = OutputPrecision::Single;
             }
@@ -126,7 +126,7 @@ pub extern "C" fn fairmesh_mean_curvature(
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 0))?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let curvature = mean_curvature(&positions, &triangles)?;
+        let curvature = mean_curvature_joined(&positions, &triangles, mesh.coincident)?;
         callback.memory()?;
         out.check_range(curvature.iter().map(|h| [*h]).enumerate())?;
         curvature.iter().enumerate().for_each(|(v, h)| out.set(v, [*h]));

@@ -15,7 +15,8 @@ use super::types::*;
 use super::views::*;
 use fairmesh::Progress;
 use fairmesh::{
-    BoundaryLoop, FillOptions, LoopKind, Loops, boundary_loops, fill_holes_with_progress, remesh_region,
+    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops_joined,
+    fill_holes_with_progress, remesh_region,
 };
 
 use fairmesh_status as Status;
@@ -37,7 +38,7 @@ pub extern "C" fn fairmesh_boundary_loops(
         let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let loops = boundary_loops(&positions, &triangles)?;
+        let loops = boundary_loops_joined(&positions, &triangles, mesh.coincident)?;
         publish(Arc::new(Content::Loops(loops)), result, &callback)
     })
 }
@@ -66,11 +67,11 @@ pub extern "C" fn fairmesh_fill_holes(
         let normals = asked.normals.read(mesh.vertices())?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let fill = fill.read(asked.options(normals))?;
+        let fill = fill.read(asked.options(normals, mesh.coincident))?;
         let callback = asked.callback.fresh();
         let (new_vertices, longest) = {
             let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-            let loops = boundary_loops(&positions, &triangles)?;
+            let loops = boundary_loops_joined(&positions, &triangles, mesh.coincident)?;
             callback.memory()?;
             size_of_patches(&loops, &fill)?
         };
@@ -136,6 +137,10 @@ pub extern "C" fn fairmesh_remesh(
             memory_bounds::reserve(memory_bounds::of_remeshing(&mesh, &selected, asked.max_vertices)?)?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
+        let asked = RemeshOptions {
+            coincident: mesh.coincident,
+            ..asked
+        };
         let remeshed = remesh_region(&positions, &triangles, selected.selection(), &asked)?;
         publish(Arc::new(Content::Remeshed(remeshed)), result, &callback)
     })

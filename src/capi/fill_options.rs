@@ -132,6 +132,8 @@ pub(crate) fn read_remesh_options(
     let asked = RemeshOptions {
         density: view.density,
         max_vertices: count(view.max_vertices),
+        // The mesh says it.
+        ..RemeshOptions::default()
     };
     let fields = fields!(fairmesh_remesh_options: density max_vertices);
     asked

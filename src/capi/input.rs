@@ -9,12 +9,36 @@ use super::views::{
     AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_pointer, check_reserved, entries,
     indices_in, read_struct, try_with_capacity,
 };
-use fairmesh::{BoundaryNormals, Selection};
+use fairmesh::{BoundaryNormals, Coincident, Selection};
 
 /// A mesh, checked but not read.
 pub(crate) struct MeshIn {
     pub positions: PointsIn,
     pub triangles: Array,
+    pub coincident: Coincident,
+}
+
+fn coincident(view: &fairmesh_mesh, argument: Argument) -> CallResult<Coincident> {
+    let join = Coincident::Join {
+        within: view.coincident_within,
+    };
+    let number = view.coincident;
+    let chosen = [join, Coincident::Separate]
+        .into_iter()
+        .find(|coincident| coincident.entry().number() == number)
+        .ok_or_else(|| {
+            let place = argument.field(offset_of!(fairmesh_mesh, coincident), "coincident");
+            place.refuse(
+                Status::BadEnum,
+                format_args!("{number} is no fairmesh_coincident"),
+            )
+        })?;
+    // The distance has to be one even where it is not used.
+    join.validate().map_err(|error| {
+        let place = argument.field(offset_of!(fairmesh_mesh, coincident_within), "coincident_within");
+        place.blame(Failure::from(error))
+    })?;
+    Ok(chosen)
 }
 
 impl MeshIn {
@@ -24,10 +48,7 @@ impl MeshIn {
         aliases: &mut AliasCheck,
     ) -> CallResult<Self> {
         let view = read_struct(mesh, argument)?;
-        check_reserved(
-            view.reserved,
-            argument.field(offset_of!(fairmesh_mesh, reserved), "reserved"),
-        )?;
+        let coincident = coincident(&view, argument)?;
         let positions = PointsIn::new(
             &view.positions,
             argument.field(offset_of!(fairmesh_mesh, positions), "positions"),
@@ -49,7 +70,11 @@ impl MeshIn {
         aliases.input(mesh, size_of::<fairmesh_mesh>());
         aliases.input(positions.array.data, positions.array.bytes);
         aliases.input(triangles.data, triangles.bytes);
-        Ok(Self { positions, triangles })
+        Ok(Self {
+            positions,
+            triangles,
+            coincident,
+        })
     }
 
     pub(crate) fn vertices(&self) -> usize {

@@ -11,7 +11,7 @@ const BASE: usize = 1 << 20;
 /// Per thread: its queues, and the room that dense kernels work in.
 const THREAD: usize = 6 << 20;
 /// Per vertex and per triangle of the whole mesh: copies and numberings, and the tree that intersections are found by.
-const VERTEX: usize = 160;
+const VERTEX: usize = 176;
 const TRIANGLE: usize = 480;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
 const FREE: usize = 4 << 10;

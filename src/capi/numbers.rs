@@ -65,7 +65,7 @@ pub enum fairmesh_status {
     EmptyRegion = 25,
     /// The selection names what does not exist.
     SelectionOutOfRange = 26,
-    /// A normal is not a finite vector of length one (to 0.001).
+    /// A normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex.
     BadNormal = 27,
     /// No normal can be found for a boundary vertex.
     NoNormal = 28,
@@ -200,6 +200,17 @@ pub enum fairmesh_interior_normals {
     Smooth = 0,
     /// The average of their triangles in the input, or of the surroundings where they are near (paper 7.5).
     Input = 1,
+}
+
+/// Whether vertices at the same place are one vertex of the surface. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_coincident {
+    /// Boundary edges with coincident ends are one edge of the surface.
+    Join = 0,
+    /// The mesh is as its triangles say.
+    Separate = 1,
 }
 
 /// What the Laplacian of the mean curvature H has to be. Numbers are never reused.

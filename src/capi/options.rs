@@ -8,7 +8,9 @@ use super::input::NormalsIn;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
-use fairmesh::{BoundaryNormals, Discretization, Error, Estimate, InnerFairness, InteriorNormals};
+use fairmesh::{
+    BoundaryNormals, Coincident, Discretization, Error, Estimate, InnerFairness, InteriorNormals,
+};
 use fairmesh::{Intersections, Options, OutputPrecision, PaperOptions, Solver, Target};
 
 /// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
@@ -219,9 +221,10 @@ impl OptionsIn {
         ))
     }
 
-    pub(crate) fn options(&self, boundary_normals: BoundaryNormals) -> Options {
+    pub(crate) fn options(&self, boundary_normals: BoundaryNormals, coincident: Coincident) -> Options {
         Options {
             boundary_normals,
+            coincident,
             ..self.options.clone()
         }
     }
@@ -281,6 +284,8 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         output_precision,
         threads: view.threads as usize,
         intersections,
+        // The mesh says it.
+        coincident: Coincident::default(),
     })
 }
 

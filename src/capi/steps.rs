@@ -52,7 +52,7 @@ pub extern "C" fn fairmesh_solver_new(
             &positions,
             &triangles,
             selected.selection(),
-            &asked.options(normals),
+            &asked.options(normals, mesh.coincident),
         )?;
         let made = Solver {
             session,

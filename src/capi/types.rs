@@ -97,12 +97,16 @@ pub struct fairmesh_indices_out {
 pub struct fairmesh_mesh {
     /// `sizeof(fairmesh_mesh)`.
     pub struct_size: u32,
-    /// Zero.
-    pub reserved: u32,
+    /// A `fairmesh_coincident`: whether vertices at the same place are one vertex of the surface. Zero: they are. Then all copies
+    /// of a free vertex move alike. A list of vertices names a vertex by any of its copies; a mask frees it where it frees all.
+    pub coincident: u32,
     /// The vertices, in any unit of length.
     pub positions: fairmesh_points,
     /// The triangles, counter-clockwise seen from the side that normals point to. Indices count from 0.
     pub triangles: fairmesh_indices,
+    /// Vertices are at the same place up to this distance, in the unit of the positions. Zero: where their coordinates are equal.
+    /// Not negative, and well below the edge lengths.
+    pub coincident_within: f64,
 }
 
 /// What `fairmesh_selection` holds.

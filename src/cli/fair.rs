@@ -17,7 +17,7 @@ use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs, Selected};
 use crate::solver::SolverArgs;
-use crate::surface::{IntersectionArgs, SurfaceArgs};
+use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
 
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
@@ -33,6 +33,8 @@ pub struct FairArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    pub mesh: MeshArgs,
     #[command(flatten)]
     region: RegionArgs,
     /// Normals at fixed vertices beside the region: 'fitted' to the surroundings,
@@ -174,6 +176,7 @@ pub fn solve(
         output_precision,
         threads: args.threads,
         intersections: args.intersections.intersections(),
+        coincident: args.mesh.coincident,
     };
     let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;

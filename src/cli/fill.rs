@@ -17,7 +17,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::Output;
-use crate::surface::IntersectionArgs;
+use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -53,6 +53,8 @@ pub struct FillArgs {
     /// the result is the same to the last bit
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
+    #[command(flatten)]
+    mesh: MeshArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
     /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
@@ -134,6 +136,7 @@ fn solve(
             output_precision,
             threads: args.threads,
             intersections: args.intersections.intersections(),
+            coincident: args.mesh.coincident,
             ..Options::default()
         },
     };

@@ -4,19 +4,22 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use fairmesh::{BoundaryLoop, LoopKind, boundary_loops};
+use fairmesh::{BoundaryLoop, LoopKind, boundary_loops_joined};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::MeshFile;
+use crate::surface::MeshArgs;
 
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
 pub struct HolesArgs {
     /// The mesh: .ply, .obj, .off or .stl
     input: PathBuf,
+    #[command(flatten)]
+    mesh: MeshArgs,
     /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -27,7 +30,7 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input)?;
     let answer = Answer::prepare(args.json.as_deref(), false, &[&args.input])?;
     let geometry = &mesh.geometry;
-    let loops = boundary_loops(&geometry.positions, &geometry.triangles)
+    let loops = boundary_loops_joined(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let mut text = match loops.len() {
         0 => "no boundary: the mesh is closed\n".to_owned(),

@@ -27,7 +27,10 @@ pub fn remesh(
         positions,
         &input.geometry.triangles,
         input.selected.selection(),
-        &RemeshOptions::default(),
+        &RemeshOptions {
+            coincident: args.mesh.coincident,
+            ..RemeshOptions::default()
+        },
     )?;
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
     let boundary_normals = match &input.boundary_normals {

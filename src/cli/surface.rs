@@ -1,7 +1,7 @@
 //! The choice of the surface: its equation, and what it leaves open.
 
 use clap::{Args, ValueEnum};
-use fairmesh::{Discretization, InnerFairness, InteriorNormals, Intersections, Target};
+use fairmesh::{Coincident, Discretization, InnerFairness, InteriorNormals, Intersections, Target};
 
 /// How vertices are distributed within the surface.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -104,6 +104,37 @@ impl SurfaceArgs {
         match self.discretization {
             DiscretizationKind::SecondOrder => Discretization::SecondOrder,
             DiscretizationKind::Paper => Discretization::Paper,
+        }
+    }
+}
+
+/// Flags of the mesh.
+#[derive(Debug, Args)]
+pub struct MeshArgs {
+    /// Whether vertices at the same place are one vertex of the surface: 'join'
+    /// where their coordinates are equal, a distance in the unit of the file
+    /// that they may be apart, or 'separate'
+    #[arg(
+        long,
+        value_name = "WHICH",
+        default_value = "join",
+        value_parser = coincident,
+        verbatim_doc_comment
+    )]
+    pub coincident: Coincident,
+}
+
+/// Reads `--coincident`.
+fn coincident(text: &str) -> Result<Coincident, String> {
+    match text {
+        "join" => Ok(Coincident::default()),
+        "separate" => Ok(Coincident::Separate),
+        _ => {
+            let within = text.parse::<f64>().map(|within| Coincident::Join { within });
+            within
+                .ok()
+                .filter(|coincident| coincident.validate().is_ok())
+                .ok_or_else(|| "expected join, separate or a distance, at least 0".to_owned())
         }
     }
 }

@@ -19,7 +19,8 @@ pub enum BoundaryNormals {
     /// The average of the outside triangles, as the paper does (7.5).
     Averaged,
     /// Given for some or all boundary vertices (`(vertex, unit normal)`); the others are fitted. Entries for
-    /// vertices that are not on the boundary are ignored.
+    /// vertices that are not on the boundary are ignored. Those of copies of a vertex, see
+    /// [`Coincident`](crate::Coincident), are averaged; they must not be further apart than 120 degrees.
     Given(Vec<(u32, [f64; 3])>),
 }
 
@@ -57,6 +58,11 @@ pub(super) fn given_vertices(asked: &BoundaryNormals) -> Vec<u32> {
 /// A given normal may miss unit length by this much.
 const UNIT: f64 = 1e-3;
 
+/// Whether a given normal can be used; not where it is not a number.
+pub(super) fn is_unit(n: &Vector3<f64>) -> bool {
+    (1.0 - UNIT..=1.0 + UNIT).contains(&n.norm())
+}
+
 /// Normals at the boundary, and where the surface passes instead; empty: nowhere.
 pub(super) fn boundary_normals(
     domain: &Domain,
@@ -76,12 +82,10 @@ pub(super) fn boundary_normals(
                 continue;
             }
             let n = Vector3::from(n);
-            let length = n.norm();
-            // Also refuses what is not a number.
-            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
+            if !is_unit(&n) {
                 return Err(Error::BadNormal { vertex: v as usize });
             }
-            given[first..first + copies].fill(Some(n / length));
+            given[first..first + copies].fill(Some(n / n.norm()));
         }
     }
     let mut smooth_interior = vec![false; region.boundary];

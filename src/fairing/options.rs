@@ -3,6 +3,7 @@
 use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
 use crate::error::Error;
+use crate::mesh::coincident::Coincident;
 use crate::paper::PaperOptions;
 use crate::table::{choices, table};
 
@@ -115,6 +116,8 @@ pub struct Options {
     pub threads: usize,
     /// Whether the final surface is checked for self-intersections. Default: yes; it takes less than a tenth of the run.
     pub intersections: Intersections,
+    /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
+    pub coincident: Coincident,
 }
 
 impl Default for Options {
@@ -131,6 +134,7 @@ impl Default for Options {
             output_precision: OutputPrecision::default(),
             threads: 0,
             intersections: Intersections::default(),
+            coincident: Coincident::default(),
         }
     }
 }
@@ -157,6 +161,7 @@ impl Options {
         if let Solver::Paper(options) = &self.solver {
             options.validate()?;
         }
+        self.coincident.validate()?;
         let t = self.tolerance;
         Error::check_option(
             "tolerance",

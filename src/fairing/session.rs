@@ -2,11 +2,13 @@
 
 mod cursor;
 
+use super::joined::{in_given, joined_normals, joined_options, spread};
 use super::prepared::{Prepared, region};
 use super::relay::{Workers, relay};
 use super::{BoundaryNormals, Options, ProgressCallback, Selection, Solution, Solver, Target};
 use crate::error::Error;
-use crate::mesh::Region;
+use crate::mesh::coincident::{Copies, Selected};
+use crate::mesh::{Joined, Region};
 use cursor::Cursor;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
@@ -39,35 +41,26 @@ use cursor::Cursor;
 /// ```
 pub struct Session {
     input: Input,
+    copies: Copies,
     cursor: Cursor,
+    /// Of all copies.
     solution: Solution,
     /// What the last run failed with.
     broken: Option<Error>,
     workers: Workers,
 }
 
-/// A selection that outlives the call.
-enum Selected {
-    Mask(Vec<bool>),
-    Vertices(Vec<u32>),
-    Faces(Vec<u32>),
-}
-
-/// What was asked, in the session's own memory. Changes go into the options.
+/// What was asked, in the session's own memory, of the joined mesh. Changes go into the options.
 struct Input {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
-    selection: Selected,
+    selection: Selected<'static>,
     options: Options,
 }
 
 impl Input {
     fn selection(&self) -> Selection<'_> {
-        match &self.selection {
-            Selected::Mask(mask) => Selection::Mask(mask),
-            Selected::Vertices(list) => Selection::Vertices(list),
-            Selected::Faces(list) => Selection::Faces(list),
-        }
+        self.selection.selection()
     }
 
     /// The region, cut where these normals ask for it.
@@ -99,20 +92,21 @@ impl Session {
                 range: "the fast one for a fairing in steps",
             });
         }
+        let Joined { triangles, copies } = Joined::new(positions, triangles, options.coincident)?;
         let input = Input {
             positions: positions.to_vec(),
-            triangles: triangles.to_vec(),
-            selection: match selection {
-                Selection::Mask(mask) => Selected::Mask(mask.to_vec()),
-                Selection::Vertices(list) => Selected::Vertices(list.to_vec()),
-                Selection::Faces(list) => Selected::Faces(list.to_vec()),
-            },
-            options: options.clone(),
+            triangles: triangles.into_owned(),
+            selection: copies.selection(selection).into_owned(),
+            options: joined_options(&copies, options).into_owned(),
         };
         let workers = Workers::new(options.threads)?;
-        let (cursor, solution) = workers.install(|| Cursor::new(&input))?;
+        let (cursor, mut solution) = workers
+            .install(|| Cursor::new(&input))
+            .map_err(|error| in_given(error, &copies, &options.boundary_normals))?;
+        spread(&mut solution, &copies);
         Ok(Self {
             input,
+            copies,
             cursor,
             solution,
             broken: None,
@@ -150,6 +144,7 @@ impl Session {
         match ran {
             Ok(solution) => {
                 self.solution = solution;
+                spread(&mut self.solution, &self.copies);
                 Ok(&self.solution)
             }
             Err(error) => {
@@ -168,6 +163,8 @@ impl Session {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
+        let given = normals;
+        let normals = joined_normals(&self.copies, &given).into_owned();
         let region = self.input.region(&normals)?;
         let before = std::mem::replace(&mut self.input.options.boundary_normals, normals);
         let (input, cursor) = (&self.input, &mut self.cursor);
@@ -175,12 +172,15 @@ impl Session {
             self.workers.install(|| cursor.set_boundary_normals(input))
         } else {
             let anew = self.workers.install(|| Cursor::new(input));
-            anew.map(|(cursor, solution)| (self.cursor, self.solution) = (cursor, solution))
+            anew.map(|(cursor, solution)| {
+                (self.cursor, self.solution) = (cursor, solution);
+                spread(&mut self.solution, &self.copies);
+            })
         };
         if changed.is_err() {
             self.input.options.boundary_normals = before;
         }
-        changed
+        changed.map_err(|error| in_given(error, &self.copies, &given))
     }
 
     /// Asks for another right-hand side from now on.

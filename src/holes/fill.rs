@@ -11,8 +11,8 @@ use super::parents::Parents;
 use super::piece::{Piece, Task, local_options};
 use super::surroundings::Surroundings;
 use crate::error::Error;
-use crate::fairing::{Intersections, Options, Progress, ProgressCallback, Workers};
-use crate::mesh::NONE;
+use crate::fairing::{Intersections, Options, Progress, ProgressCallback, Workers, joined_options};
+use crate::mesh::{Joined, NONE};
 
 /// Which loops are filled.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +38,8 @@ pub struct FillOptions {
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
     /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 100 iterations.
+    /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
+    /// copy in the triangle beside them.
     pub fairing: Options,
 }
 
@@ -147,7 +149,9 @@ fn run<'a>(
     progress: Option<&'a mut ProgressCallback<'a>>,
 ) -> Result<Filled, Error> {
     options.validate()?;
-    let links = Links::new(positions.len(), triangles)?;
+    let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
+    let fairing = joined_options(&joined.copies, &options.fairing);
+    let links = Links::new(positions.len(), &joined.triangles)?;
     let loops = links.loops(positions);
     let (numbers, named) = choose(options, loops.len())?;
     let mut order: Vec<usize> = (0..numbers.len()).collect();
@@ -158,13 +162,14 @@ fn run<'a>(
     let workers = Workers::new(options.fairing.threads)?;
     let mut run = Run {
         positions,
-        neighbours: is_checked.then(|| workers.install(|| Neighbours::new(positions, triangles, chosen))),
+        neighbours: is_checked.then(|| workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))),
         workers: &workers,
         links: &links,
         place: vec![NONE; triangles.len()],
         made: HashSet::new(),
         left: options.max_new_vertices,
         options,
+        fairing: &fairing,
         progress,
         named,
         done: 0.0,
@@ -175,7 +180,10 @@ fn run<'a>(
     for i in order {
         let clock = Instant::now();
         let boundary = &loops[numbers[i]];
-        let piece = run.fill(i, boundary);
+        let mut piece = run.fill(i, boundary);
+        if !joined.copies.is_empty() {
+            piece.name_copies(&boundary.copies(triangles));
+        }
         run.done += boundary.vertices.len() as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
@@ -258,6 +266,8 @@ struct Run<'m, 'o> {
     /// New vertices that may still be made.
     left: usize,
     options: &'o FillOptions,
+    /// In the joined mesh's numbers.
+    fairing: &'m Options,
     progress: Option<&'o mut ProgressCallback<'o>>,
     named: bool,
     /// Edges of loops done, and of all.
@@ -325,7 +335,7 @@ impl Run<'_, '_> {
                 .left
                 .min(largest_patch(boundary.vertices.len(), self.options.density)),
             fair: self.options.fair,
-            options: local_options(&surroundings, &self.options.fairing),
+            options: local_options(&surroundings, self.fairing),
             precision: self.options.fairing.output_precision,
         };
         let mut piece = task.run(&mut tell);

@@ -9,6 +9,8 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Vector3;
 
 use crate::error::Error;
+use crate::mesh::Joined;
+use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
@@ -70,7 +72,8 @@ pub struct BoundaryLoop {
 
 /// The boundary loops of a mesh, in the order of their first half-edge. `positions` is #V by 3, `triangles` #T by 3.
 ///
-/// At a vertex where several gaps meet, each gap is a loop of its own.
+/// At a vertex where several gaps meet, each gap is a loop of its own. Vertices with equal coordinates are one vertex of the
+/// surface, as by default in [`Coincident`]; a loop names of each the copy in the triangle at its edge.
 ///
 /// ```
 /// use fairmesh::{LoopKind, boundary_loops};
@@ -89,8 +92,60 @@ pub struct BoundaryLoop {
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::TooLarge`].
 pub fn boundary_loops(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<BoundaryLoop>, Error> {
-    let links = Links::new(positions.len(), triangles)?;
-    Ok(links.loops(positions))
+    boundary_loops_joined(positions, triangles, Coincident::default())
+}
+
+/// [`boundary_loops`], which takes coincident vertices as it is told.
+///
+/// ```
+/// use fairmesh::{Coincident, boundary_loops_joined};
+/// // A square of two triangles, each with vertices of its own.
+/// let positions = [
+///     [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0],
+/// ];
+/// let triangles = [[0, 1, 2], [3, 4, 5]];
+/// let loops = |coincident| boundary_loops_joined(&positions, &triangles, coincident);
+/// assert_eq!(loops(Coincident::default())?.len(), 1);
+/// assert_eq!(loops(Coincident::Separate)?.len(), 2);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`boundary_loops`], and [`Error::BadOption`] for the distance.
+pub fn boundary_loops_joined(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    coincident: Coincident,
+) -> Result<Vec<BoundaryLoop>, Error> {
+    let joined = Joined::new(positions, triangles, coincident)?;
+    let links = Links::new(positions.len(), &joined.triangles)?;
+    let mut loops = links.loops(positions);
+    if !joined.copies.is_empty() {
+        loops
+            .iter_mut()
+            .for_each(|boundary| boundary.name_copies(triangles));
+    }
+    Ok(loops)
+}
+
+impl BoundaryLoop {
+    /// Per vertex the copy that the mesh as given has in the triangle at the edge from it to the next.
+    pub(super) fn copies(&self, triangles: &[[u32; 3]]) -> Vec<u32> {
+        let ends = self.half_edges.iter().map(|&h| next(h));
+        ends.map(|h| triangles[h as usize / 3][h as usize % 3]).collect()
+    }
+
+    fn name_copies(&mut self, triangles: &[[u32; 3]]) {
+        let copies = self.copies(triangles);
+        let of = |v: &u32| {
+            self.vertices
+                .iter()
+                .position(|w| w == v)
+                .map_or(*v, |i| copies[i])
+        };
+        self.touching = self.touching.iter().map(of).collect();
+        self.vertices = copies;
+    }
 }
 
 /// Which half-edges lie side by side, and the triangles at each vertex.

@@ -17,7 +17,7 @@ mod surroundings;
 mod triangulate;
 
 pub use fill::{FillOptions, Filled, Loops, fill_holes, fill_holes_with_progress};
-pub use loops::{BoundaryLoop, LoopKind, boundary_loops};
+pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};

@@ -15,8 +15,8 @@ use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Intersections, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report,
-    Selection, Solution, Target, fair_with_progress,
+    BoundaryNormals, Coincident, Intersections, Options, Outcome, OutputPrecision, Progress,
+    ProgressCallback, Report, Selection, Solution, Target, fair_with_progress,
 };
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
@@ -92,6 +92,26 @@ impl Piece {
             crossings: Vec::new(),
         }
     }
+
+    /// Takes these copies for the boundary's vertices.
+    pub(super) fn name_copies(&mut self, copies: &[u32]) {
+        if self.boundary.is_empty() {
+            return;
+        }
+        let mut of: Vec<(u32, u32)> = self
+            .boundary
+            .iter()
+            .copied()
+            .zip(copies.iter().copied())
+            .collect();
+        of.sort_unstable();
+        for v in self.parents.iter_mut().flat_map(|parents| &mut parents.vertices) {
+            if let Ok(i) = of.binary_search_by_key(v, |pair| pair.0) {
+                *v = of[i].1;
+            }
+        }
+        self.boundary.copy_from_slice(copies);
+    }
 }
 
 /// What is to be done with a loop.
@@ -122,6 +142,8 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
         intersections: Intersections::Skip,
         output_precision: OutputPrecision::Double,
         max_iterations: asked.max_iterations.min(MOST_ITERATIONS),
+        // The surroundings are of the joined mesh.
+        coincident: Coincident::Separate,
         ..asked.clone()
     }
 }

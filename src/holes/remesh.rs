@@ -5,7 +5,8 @@ use super::patch::Patch;
 use super::piece::limit;
 use super::refine::{Fineness, Refiner};
 use crate::error::Error;
-use crate::mesh::{NONE, Region, Selection};
+use crate::mesh::coincident::{Coincident, Copies};
+use crate::mesh::{Joined, NONE, Region, Selection};
 
 /// Sweeps in which edge lengths spread from the boundary into the region.
 const SWEEPS: usize = 100;
@@ -18,6 +19,9 @@ pub struct RemeshOptions {
     pub density: f64,
     /// At most this many vertices inside the region. Default 200,000.
     pub max_vertices: usize,
+    /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal. Of a boundary vertex the new
+    /// triangles name a copy that a triangle outside has; copies that no triangle has any more are gone.
+    pub coincident: Coincident,
 }
 
 impl RemeshOptions {
@@ -26,6 +30,7 @@ impl RemeshOptions {
     /// # Errors
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
+        self.coincident.validate()?;
         super::fill::check_density(self.density)
     }
 }
@@ -35,6 +40,7 @@ impl Default for RemeshOptions {
         Self {
             density: std::f64::consts::SQRT_2,
             max_vertices: 200_000,
+            coincident: Coincident::default(),
         }
     }
 }
@@ -90,7 +96,9 @@ pub fn remesh_region(
     options: &RemeshOptions,
 ) -> Result<Remeshed, Error> {
     options.validate()?;
-    let region = Region::new(positions, triangles, selection)?;
+    let joined = Joined::new(positions, triangles, options.coincident)?;
+    let selected = joined.copies.selection(selection);
+    let region = Region::new(positions, &joined.triangles, selected.selection())?;
     let ids = ids(&region);
     let coarse = patch(&region, positions, &ids);
     let taken = taken(&region);
@@ -103,7 +111,8 @@ pub fn remesh_region(
     let mut refiner = Refiner::new(&mut patch, fineness, &taken);
     refiner.settle_sizes(SWEEPS);
     refiner.run_to_end();
-    Ok(assemble(positions, triangles, &region, &coarse, &patch, &ids))
+    let kept = Kept::new(positions.len(), triangles, &region, &patch, &joined.copies);
+    Ok(assemble(positions, triangles, kept, &coarse, &patch, &ids))
 }
 
 /// The mesh's numbers of the patch's vertices: boundary, then free.
@@ -171,45 +180,88 @@ fn taken(region: &Region) -> Vec<(u32, u32)> {
     taken
 }
 
-/// The numbers below `count` but those that have `gone` and did not come `back`.
-fn without<'a>(count: usize, gone: &[u32], back: impl Iterator<Item = &'a u32>) -> Vec<u32> {
-    let mut stays = vec![true; count];
-    gone.iter().for_each(|&i| stays[i as usize] = false);
-    back.for_each(|&i| stays[i as usize] = true);
-    (0..count as u32).filter(|&i| stays[i as usize]).collect()
+/// What is left of the mesh given.
+struct Kept {
+    vertices: Vec<u32>,
+    triangles: Vec<u32>,
+    /// (joined mesh's number, the copy that stays) of boundary vertices with several copies; ascending.
+    copies: Vec<(u32, u32)>,
+}
+
+impl Kept {
+    fn new(count: usize, triangles: &[[u32; 3]], region: &Region, patch: &Patch, copies: &Copies) -> Self {
+        let mut is_kept = vec![true; triangles.len()];
+        let gone = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
+        gone.iter().for_each(|&t| is_kept[t as usize] = false);
+        let kept: Vec<u32> = (0..triangles.len() as u32)
+            .filter(|&t| is_kept[t as usize])
+            .collect();
+
+        let mut stays = vec![true; count];
+        let (free, boundary) = region.vertex_ids[..region.region_vertices()].split_at(region.free);
+        for &v in free
+            .iter()
+            .chain(boundary.iter().filter(|v| copies.others(**v).next().is_some()))
+        {
+            stays[v as usize] = false;
+            copies.others(v).for_each(|copy| stays[copy as usize] = false);
+        }
+        if !copies.is_empty() {
+            let of_kept = kept.iter().flat_map(|&t| triangles[t as usize]);
+            of_kept.for_each(|v| stays[v as usize] = true);
+        }
+        let mut of_boundary = Vec::new();
+        for &v in boundary.iter().filter(|v| copies.others(**v).next().is_some()) {
+            let named = std::iter::once(v)
+                .chain(copies.others(v))
+                .find(|c| stays[*c as usize]);
+            stays[named.unwrap_or(v) as usize] = true;
+            of_boundary.push((v, named.unwrap_or(v)));
+        }
+        let old = patch.old[patch.fixed..].iter().filter(|v| **v != NONE);
+        old.for_each(|&v| stays[v as usize] = true);
+        Self {
+            vertices: (0..count as u32).filter(|&v| stays[v as usize]).collect(),
+            triangles: kept,
+            copies: of_boundary,
+        }
+    }
+
+    /// The copy of a vertex that stays.
+    fn copy(&self, v: u32) -> u32 {
+        let found = self.copies.binary_search_by_key(&v, |pair| pair.0);
+        found.map_or(v, |i| self.copies[i].1)
+    }
 }
 
 fn assemble(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    region: &Region,
+    kept: Kept,
     coarse: &Patch,
     patch: &Patch,
     ids: &[u32],
 ) -> Remeshed {
-    let (free, is_old) = (&region.vertex_ids[..region.free], |v: &&u32| **v != NONE);
-    let kept_vertices = without(positions.len(), free, patch.old.iter().filter(is_old));
-    let gone = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
-    let kept_triangles = without(triangles.len(), gone, [].iter());
     let mut number = vec![NONE; positions.len()];
-    for (new, &v) in (0..).zip(&kept_vertices) {
+    for (new, &v) in (0..).zip(&kept.vertices) {
         number[v as usize] = new;
     }
-    let mut out: Vec<[f64; 3]> = kept_vertices.iter().map(|&v| positions[v as usize]).collect();
+    let mut out: Vec<[f64; 3]> = kept.vertices.iter().map(|&v| positions[v as usize]).collect();
     let mut numbers = Vec::with_capacity(patch.x.len());
     for (v, &old) in patch.old.iter().enumerate() {
         if old == NONE {
             numbers.push(out.len() as u32);
             out.push(patch.x[v].into());
         } else {
-            let new = number[old as usize];
+            let new = number[kept.copy(old) as usize];
             numbers.push(new);
             if v >= patch.fixed {
                 out[new as usize] = patch.x[v].into();
             }
         }
     }
-    let outside = kept_triangles
+    let outside = kept
+        .triangles
         .iter()
         .map(|&t| triangles[t as usize].map(|v| number[v as usize]));
     let inside = patch.triangles.iter().map(|t| t.map(|v| numbers[v as usize]));
@@ -224,8 +276,8 @@ fn assemble(
         positions: out,
         triangles: outside.chain(inside).collect(),
         free,
-        kept_vertices,
-        kept_triangles,
+        kept_vertices: kept.vertices,
+        kept_triangles: kept.triangles,
         parents: new.map(|(_, parents)| parents).collect(),
     }
 }

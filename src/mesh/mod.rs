@@ -1,5 +1,6 @@
 //! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
+pub(crate) mod coincident;
 mod cut;
 pub(crate) mod disjoint_sets;
 pub(crate) mod editable;
@@ -8,11 +9,14 @@ pub(crate) mod hierarchy;
 pub(crate) mod input;
 mod islands;
 pub(crate) mod outside_neighbours;
+mod places;
 pub(crate) mod region;
 pub(crate) mod rings;
 mod rounding;
 pub(crate) mod rows;
+mod stitches;
 
+pub(crate) use coincident::Joined;
 pub(crate) use editable::EditableMesh;
 pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
 pub(crate) use outside_neighbours::OutsideNeighbours;

@@ -493,12 +493,19 @@ static Expected output_enum(Call *c, int f, int k) {
     c->out.scalar = c->numbers.scalar = wrong[k];
     return argument(FAIRMESH_STATUS_BAD_ENUM, f == FAIR ? 4 : 2, OFFSET(fairmesh_points_out, scalar));
 }
-static Expected reserved(Call *c, int f, int k) {
+static Expected coincident(Call *c, int f, int k) {
+    static const double wrong[] = {-1.0, NAN, INFINITY};
     (void)f;
     if (k == 0) {
-        c->mesh.reserved = 1;
-        return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, OFFSET(fairmesh_mesh, reserved));
+        c->mesh.coincident = 2;
+        return argument(FAIRMESH_STATUS_BAD_ENUM, 1, OFFSET(fairmesh_mesh, coincident));
     }
+    c->mesh.coincident_within = wrong[k - 1];
+    return argument(FAIRMESH_STATUS_BAD_OPTION, 1, OFFSET(fairmesh_mesh, coincident_within));
+}
+static Expected reserved(Call *c, int f, int k) {
+    (void)f;
+    (void)k;
     c->mesh.positions.reserved = 7;
     return argument(FAIRMESH_STATUS_BAD_RESERVED, 1, OFFSET2(fairmesh_mesh, positions, fairmesh_points, reserved));
 }
@@ -637,7 +644,8 @@ static const Row table[] = {
     {"enum", "scalar", scalar_enum, ALL, 4},
     {"enum", "selection", selection_enum, REGION, 5},
     {"enum", "output", output_enum, FAIR | CURVATURE, 4},
-    {"reserved", "mesh", reserved, ALL, 2},
+    {"enum", "coincident", coincident, ALL, 4},
+    {"reserved", "mesh", reserved, ALL, 1},
     {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 15},
     {"option range", "paper", paper_ranges, FAIR | FILL, 15},
     {"option range", "paper in steps", paper_in_steps, SOLVER, 1},

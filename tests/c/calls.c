@@ -163,6 +163,36 @@ static void one_shot(void) {
         CHECK(memcmp(in_place, out, bytes) == 0);
         free(vertices);
     }
+    /* A soup: every corner is a vertex of its own. */
+    {
+        fairmesh_mesh mesh = cap.mesh;
+        fairmesh_selection corners = cap.selection;
+        size_t count = 3 * cap.triangles;
+        double *at = (double *)must(malloc(3 * count * sizeof *at));
+        uint32_t *rows = (uint32_t *)must(malloc(count * sizeof *rows));
+        uint8_t *mask = (uint8_t *)must(malloc(count));
+        fairmesh_points_out same = points_out_of(at, count);
+        for (v = 0; v < count; v++) {
+            memcpy(at + 3 * v, cap.positions + 3 * cap.corners[v], 3 * sizeof *at);
+            rows[v] = (uint32_t)v;
+            mask[v] = cap.free_mask[cap.corners[v]];
+        }
+        mesh.positions = points_of(at, count);
+        mesh.triangles.data = rows;
+        corners.data = mask;
+        corners.count = count;
+        mesh.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+        CHECK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error) == FAIRMESH_STATUS_FREE_VERTEX_ON_BOUNDARY);
+        mesh.coincident = FAIRMESH_COINCIDENT_JOIN;
+        OK(fairmesh_fair(&mesh, &corners, NULL, &same, NULL, NULL, &error));
+        for (v = 0; v < count; v++) {
+            const double *joined = out + 3 * cap.corners[v];
+            CHECK(fabs(at[3 * v] - joined[0]) + fabs(at[3 * v + 1] - joined[1]) + fabs(at[3 * v + 2] - joined[2]) < 1e-6);
+        }
+        free(at);
+        free(rows);
+        free(mask);
+    }
     {
         struct vertex {
             uint16_t colour[2];

@@ -1,9 +1,9 @@
 //! All tables of the library, under the names that the C interface gives their enumerations.
 
 use fairmesh::{
-    BoundaryNormals, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason, InnerFairness,
-    InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome, OutputPrecision, Solver,
-    Target,
+    BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
+    InnerFairness, InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome,
+    OutputPrecision, Solver, Target,
 };
 
 #[path = "../../src/capi/statuses.rs"]
@@ -81,6 +81,12 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_interior_normals",
             "Normals of fixed vertices inside the region that have none given.",
             &[InteriorNormals::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_coincident",
+            "Whether vertices at the same place are one vertex of the surface.",
+            &[Coincident::TABLE],
             false,
         ),
         table(

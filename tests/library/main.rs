@@ -5,6 +5,7 @@ mod fairing;
 
 mod accuracy;
 mod boundary;
+mod coincident;
 mod golden;
 mod holes;
 mod independence;

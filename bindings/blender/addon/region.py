@@ -27,7 +27,7 @@ def movable_mask(snapshot):
     """The vertices that are free if they are selected, (n,)."""
     movable = _corners(snapshot, snapshot.triangles) & ~snapshot.vertex_hidden
     movable &= ~_corners(snapshot, snapshot.triangles[snapshot.face_hidden[snapshot.face_of]])
-    return movable & ~snapshot.on_boundary
+    return movable & ~snapshot.on_surface_boundary
 
 
 def _corners(snapshot, triangles):

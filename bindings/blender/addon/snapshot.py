@@ -5,9 +5,12 @@ Faces of any number of corners become triangles for the computation only; the me
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import bmesh
 import numpy as np
+
+from . import fairmesh
 
 
 class Stale(Exception):
@@ -46,7 +49,27 @@ class Snapshot:
 
     def seen(self):
         """The vertices as they are seen in the scene, up to place, direction and size."""
-        return self.vertices if self.shape is None else self.vertices @ self.shape.T
+        if self.shape is None:
+            return self.vertices
+        # Not by a matrix product, which may round each row in its own way: copies of a vertex stay copies.
+        return (self.vertices[:, None, :] * self.shape).sum(axis=2)
+
+    @cached_property
+    def on_surface_boundary(self):
+        """The vertices on the boundary of the surface, (n,), where edges that lie on each other are one."""
+        mask = self.on_boundary
+        places, place, copies = np.unique(self.vertices[mask] + 0.0, axis=0, return_inverse=True, return_counts=True)
+        if len(places) == np.count_nonzero(mask):
+            return mask
+        place = place.ravel()
+        of_vertex = np.full(len(mask), -1)
+        of_vertex[mask] = place
+        is_open = copies == 1
+        for loop in fairmesh.boundary_loops(self.seen(), self.triangles):
+            is_open[of_vertex[loop.vertices]] = True
+        made = mask.copy()
+        made[mask] = is_open[place]
+        return made
 
     def unseen(self, positions):
         """Such positions in the object's coordinates."""
@@ -148,4 +171,6 @@ def write_positions(snapshot, indices, positions):
     vertices = found.verts
     for index, position in zip(indices.tolist(), positions.tolist()):
         vertices[index].co = position
+    # The edit mesh keeps normals of its own, which shade the faces.
+    found.normal_update()
     bmesh.update_edit_mesh(snapshot.object.data, loop_triangles=True, destructive=False)

@@ -61,6 +61,33 @@ def test_fixed_vertices_keep_their_bits():
     assert not np.array_equal(coordinates(obj)[free], before[free])
 
 
+def test_normals_of_faces_are_those_of_the_new_surface():
+    obj, free = dented()
+    fair()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    kept = np.array([f.normal[:] for f in mesh.faces])
+    mesh.normal_update()
+    assert np.array_equal(kept, [f.normal[:] for f in mesh.faces])
+    centres = np.array([f.calc_center_median().normalized()[:] for f in mesh.faces])
+    assert (kept * centres).sum(axis=1).min() > 0.99
+
+
+def test_a_seam_across_the_region():
+    obj, free = dented()
+    joined = coordinates(obj)
+    mesh = bmesh.from_edit_mesh(obj.data)
+    along = [e for e in mesh.edges if all(abs(v.co.y) < 1e-6 and v.co.x > 0 for v in e.verts)]
+    assert len(along) > 20
+    bmesh.ops.split_edges(mesh, edges=along)
+    bmesh.update_edit_mesh(obj.data)
+    common.select_faces(obj, lambda f: f.select)
+    split = coordinates(obj)
+    assert len(split) > len(joined) + 20
+    bpy.context.tool_settings.mesh_select_mode = (False, False, True)
+    assert fair() == {"FINISHED"}
+    assert np.abs(np.linalg.norm(coordinates(obj), axis=1) - 1).max() < BAR
+
+
 def test_invoke_from_a_script_runs_at_once():
     obj, free = dented()
     assert fair("INVOKE_DEFAULT") == {"FINISHED"}

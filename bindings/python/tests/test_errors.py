@@ -235,7 +235,10 @@ def test_a_selection_of_faces_out_of_range():
 @pytest.mark.parametrize("vector", [[0, 0, 2], [0, 0, np.inf], [np.nan, 0, 1]])
 def test_a_normal_that_is_no_unit_vector(vector):
     boundary = int(fair().boundary_vertices[5])
-    message = f"the normal given for vertex {boundary} is not a finite unit vector"
+    message = (
+        f"the normal given for vertex {boundary} is not a finite unit vector, "
+        "or contradicts that of a coincident vertex"
+    )
     refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=([boundary], [vector]))
     rows = changed(np.zeros_like(VERTICES), boundary, vector)
     refused(Status.BAD_NORMAL, message, ElementKind.VERTEX, boundary, boundary_normals=rows)
@@ -308,7 +311,9 @@ WRONG_TYPES = {
     "threads: an integer is needed, not float": {"threads": 2.0},
     "threads: an integer is needed, not bool": {"threads": True},
     "target: a number is needed, not list": {"target": [0]},
-    "unknown option 'tolerence'": {"tolerence": 1e-8},
+    "unknown option 'tolerence'; did you mean 'tolerance'?": {"tolerence": 1e-8},
+    "unknown option 'quite_another'": {"quite_another": 1},
+    "unknown option 'coincidence'; did you mean 'coincident'?": {"coincidence": "join"},
     "progress: a callable is needed, not bool": {"progress": True},
     "cancel: an object with is_set() is needed, not bool": {"cancel": True},
 }
@@ -333,6 +338,17 @@ WRONG_VALUES = {
     "free: the shape has to be (k,), not (1, 2)": {"free": [[1, 2]]},
     "fixed: a mask has to have the shape (441,), not (442,)": {"free": None, "fixed": np.ones(442, bool)},
     "free_faces: a mask has to have the shape (800,), not (441,)": {"free": None, "free_faces": FREE},
+    "free: 441 integers, all 0 or 1, are a mask or indices? Give a mask as bool, free.astype(bool), or indices, "
+    "np.flatnonzero(free)": {"free": FREE.astype(np.int64)},
+    "fixed: 441 integers, all 0 or 1, are a mask or indices? Give a mask as bool, fixed.astype(bool), or indices, "
+    "np.flatnonzero(fixed)": {"free": None, "fixed": FREE.astype(np.int64)},
+    "free: index 7 is given 2 times; np.unique(free) has each once": {"free": [7, 8, 7]},
+    "free_faces: index 3 is given 3 times; np.unique(free_faces) has each once": {
+        "free": None,
+        "free_faces": [3, 3, 4, 3],
+    },
+    "coincident: 'merge' is neither 'join' nor 'separate' nor a distance": {"coincident": "merge"},
+    "coincident: True is neither 'join' nor 'separate' nor a distance": {"coincident": True},
     "only one of free and fixed can be given": {"fixed": ~FREE},
     "only one of free and fixed and free_faces can be given": {"fixed": ~FREE, "free_faces": [0]},
     "boundary_normals: 440 rows, but 441 are needed": {"boundary_normals": EXACT[1:]},
@@ -353,6 +369,23 @@ def test_wrong_shapes_and_names(message, call):
     with pytest.raises(ValueError) as error:
         fair(**call)
     assert str(error.value) == message and not isinstance(error.value, fairmesh.FairmeshError)
+
+
+class Trimesh:
+    """As other packages have meshes."""
+
+    vertices = VERTICES
+    faces = FACES
+
+
+def test_a_mesh_object_is_told_to_give_its_arrays():
+    message = "a Trimesh is no array: give mesh.vertices and mesh.faces in its place, as vertices and faces"
+    for function in (fairmesh.fair, fairmesh.Solver, fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.remesh):
+        with pytest.raises(TypeError) as error:
+            function(Trimesh())
+        assert str(error.value) == message
+    with pytest.raises(TypeError, match=message):
+        fairmesh.mean_curvature(vertices=Trimesh(), faces=FACES)
 
 
 def test_other_functions_check_the_same():

@@ -1,4 +1,5 @@
-//! STL, ASCII and binary. Corners with exactly equal coordinates are one vertex.
+//! STL, ASCII and binary. Corners with exactly equal coordinates are one vertex: the format has no vertices that could be numbered
+//! otherwise.
 
 use std::collections::HashMap;
 use std::ops::Range;

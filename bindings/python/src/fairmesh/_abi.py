@@ -121,6 +121,11 @@ class fairmesh_interior_normals(enum.IntEnum):
     INPUT = 1
 
 
+class fairmesh_coincident(enum.IntEnum):
+    JOIN = 0
+    SEPARATE = 1
+
+
 class fairmesh_target_kind(enum.IntEnum):
     HARMONIC = 0
     CONSTANT = 1
@@ -263,9 +268,10 @@ class fairmesh_indices_out(Structure):
 class fairmesh_mesh(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("coincident", c_uint32),
         ("positions", fairmesh_points),
         ("triangles", fairmesh_indices),
+        ("coincident_within", c_double),
     )
 
 

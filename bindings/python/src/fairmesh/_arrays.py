@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Union
+import functools
+from collections.abc import Callable
+from typing import Any, Literal, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +18,8 @@ Indices = NDArray[Any]
 UInt32 = NDArray[np.uint32]
 Float64 = NDArray[np.float64]
 Selection = Union[ArrayLike, None]
+#: "join" where coordinates are equal, a distance up to which they may differ, or "separate".
+Coincident = Union[Literal["join", "separate"], float]
 
 _SCALARS = {
     np.dtype(np.float32): _abi.fairmesh_scalar.FLOAT32,
@@ -47,6 +51,26 @@ def _stride(array: NDArray[Any]) -> int:
 
 def _address(array: NDArray[Any]) -> int | None:
     return array.ctypes.data if len(array) else None
+
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def of_arrays(function: Function) -> Function:
+    """Tells those who hand over a mesh object that its arrays are needed."""
+
+    @functools.wraps(function)
+    def checked(*given: Any, **named: Any) -> Any:
+        for each in (*given, *named.values()):
+            faces = next((name for name in ("faces", "triangles") if hasattr(each, name)), None)
+            if faces and hasattr(each, "vertices"):
+                what = type(each).__name__
+                raise TypeError(
+                    f"a {what} is no array: give mesh.vertices and mesh.{faces} in its place, as vertices and faces"
+                )
+        return function(*given, **named)
+
+    return checked  # type: ignore[return-value]
 
 
 def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
@@ -128,7 +152,9 @@ def _as_uint32(array: NDArray[Any]) -> UInt32:
 
 
 def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
-    """A mask as uint8, or indices as uint32. Integers of 8 bits are refused: they could be either."""
+    """A mask as uint8, or indices as uint32, each once. Integers that could be either are refused: of 8 bits, or as
+    many as a mask has entries and only 0 and 1.
+    """
     array = np.asarray(given)
     if array.dtype == np.bool_:
         if array.shape != (count,):
@@ -137,7 +163,23 @@ def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
         return mask if _readable(mask) else _packed(mask)
     if array.dtype.kind in "iu" and array.itemsize == 1:
         raise TypeError(f"{name}: {array.dtype} is neither a mask (bool) nor indices (16 bits and more)")
-    return indices(array, name)
+    chosen = indices(array, name)
+    if len(chosen) > 1 and len(chosen) == count and int(chosen.max()) <= 1:
+        raise ValueError(
+            f"{name}: {count} integers, all 0 or 1, are a mask or indices? Give a mask as bool, {name}.astype(bool), "
+            f"or indices, np.flatnonzero({name})"
+        )
+    _each_once(chosen, name)
+    return chosen
+
+
+def _each_once(chosen: UInt32, name: str) -> None:
+    values, counts = np.unique(chosen, return_counts=True)
+    if len(values) < len(chosen):
+        index = int(values[counts > 1][0])
+        raise ValueError(
+            f"{name}: index {index} is given {int(counts[counts > 1][0])} times; np.unique({name}) has each once"
+        )
 
 
 def points_view(array: Floats) -> _abi.fairmesh_points:
@@ -163,12 +205,25 @@ def scalars_out(array: Floats) -> _abi.fairmesh_scalars_out:
 class Mesh:
     """A mesh given, as the library reads it. Keeps the arrays alive."""
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike, coincident: Coincident | None = None) -> None:
+        kind, within = _coincident(coincident)
         self.vertices = points(vertices, "vertices")
         self.faces, self.index_type = triangles(faces)
         self.struct = _abi.fairmesh_mesh(
-            ctypes.sizeof(_abi.fairmesh_mesh), 0, points_view(self.vertices), indices_view(self.faces)
+            ctypes.sizeof(_abi.fairmesh_mesh), kind, points_view(self.vertices), indices_view(self.faces), within
         )
+
+
+def _coincident(given: Coincident | None) -> tuple[int, float]:
+    """The kind and the distance."""
+    kinds = _abi.fairmesh_coincident
+    if given is None or (isinstance(given, str) and given == "join"):
+        return kinds.JOIN, 0.0
+    if isinstance(given, str) and given == "separate":
+        return kinds.SEPARATE, 0.0
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, (int, float, np.integer, np.floating)):
+        raise ValueError(f"coincident: {given!r} is neither 'join' nor 'separate' nor a distance")
+    return kinds.JOIN, float(given)
 
 
 class Region:

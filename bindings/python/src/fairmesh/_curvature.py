@@ -12,18 +12,22 @@ from ._errors import call
 from ._library import load
 
 
-def mean_curvature(vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
+@_arrays.of_arrays
+def mean_curvature(
+    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
+) -> NDArray[np.float64]:
     """Mean curvature H at every vertex of a mesh, (n,), in 1 / length.
 
-    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`. Negative on a sphere with outward normals, that is with faces
-    counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a manifold.
+    ``vertices`` (n, 3), ``faces`` (m, 3) and ``coincident`` as in `fair`. Negative on a sphere with outward normals,
+    that is with faces counter-clockwise seen from outside. NaN at vertices without faces. The mesh need not be a
+    manifold.
 
     Raises:
         InputError: An index or a coordinate is wrong; it says where.
 
     """
     library = load()
-    mesh = _arrays.Mesh(vertices, faces)
+    mesh = _arrays.Mesh(vertices, faces, coincident)
     made = np.empty(len(mesh.vertices))
     call(library, "fairmesh_mean_curvature", ctypes.byref(mesh.struct), ctypes.byref(_arrays.scalars_out(made)))
     return made

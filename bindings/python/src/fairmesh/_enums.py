@@ -171,10 +171,10 @@ class Status(Numbered):
         "the selection names what does not exist",
         "",
     )
-    #: A normal is not a finite vector of length one (to 0.001).
+    #: A normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex.
     BAD_NORMAL = (
         27,
-        "a normal is not a finite vector of length one (to 0.001)",
+        "a normal is not a finite vector of length one (to 0.001), or contradicts that of a coincident vertex",
         "",
     )
     #: No normal can be found for a boundary vertex.

@@ -117,6 +117,7 @@ class Result:
         )
 
 
+@_arrays.of_arrays
 @with_options
 def fair(
     vertices: ArrayLike,
@@ -125,6 +126,7 @@ def fair(
     free: _arrays.Selection = None,
     fixed: _arrays.Selection = None,
     free_faces: _arrays.Selection = None,
+    coincident: _arrays.Coincident | None = None,
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
@@ -143,6 +145,10 @@ def fair(
         fixed: In its place the vertices that may not.
         free_faces: In its place a mask (m,) or indices of faces: free are vertices that have no other faces and are not
             on the boundary of the mesh. With none of the three: all vertices that are not on the boundary of the mesh.
+        coincident: Whether vertices at the same place are one vertex of the surface, as in triangle soups and along
+            texture seams: "join" (default) where their coordinates are equal; a distance that they may be apart; or
+            "separate". All copies of a free vertex move alike. Indices name a vertex by any of its copies; a mask
+            frees it where it frees all of them.
         progress: Called with a `Progress` after every iteration and at stages of the preparation, on this thread. False
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
@@ -162,7 +168,7 @@ def fair(
 
     """
     library = load()
-    mesh = _arrays.Mesh(vertices, faces)
+    mesh = _arrays.Mesh(vertices, faces, coincident)
     region = _arrays.Region(mesh, free, fixed, free_faces)
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
@@ -199,6 +205,7 @@ class Solver:
     Arguments and errors are those of `fair`.
     """
 
+    @_arrays.of_arrays
     @with_options
     def __init__(
         self,
@@ -208,12 +215,13 @@ class Solver:
         free: _arrays.Selection = None,
         fixed: _arrays.Selection = None,
         free_faces: _arrays.Selection = None,
+        coincident: _arrays.Coincident | None = None,
         progress: ProgressCallback | None = None,
         cancel: Event | None = None,
         **options: Unpack[FairingOptions],
     ) -> None:
         self._library = load()
-        mesh = _arrays.Mesh(vertices, faces)
+        mesh = _arrays.Mesh(vertices, faces, coincident)
         region = _arrays.Region(mesh, free, fixed, free_faces)
         asked = Options(self._library, mesh.vertices, options)
         self._relay = Relay(progress, cancel)

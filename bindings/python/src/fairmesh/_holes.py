@@ -47,13 +47,18 @@ class Loop:
     edge: tuple[int, int] | None
 
 
-def boundary_loops(vertices: ArrayLike, faces: ArrayLike) -> list[Loop]:
-    """The boundary loops of a mesh: holes and outer boundaries. ``vertices`` and ``faces`` as in `fair`.
+@_arrays.of_arrays
+def boundary_loops(
+    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
+) -> list[Loop]:
+    """The boundary loops of a mesh: holes and outer boundaries. Arguments as in `fair`.
+
+    Of a vertex with several copies a loop names the one in the triangle at its edge.
 
     Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
     """
     library = load()
-    mesh = _arrays.Mesh(vertices, faces)
+    mesh = _arrays.Mesh(vertices, faces, coincident)
     address = ctypes.c_void_p()
     call(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct), ctypes.byref(address))
     handle = ResultHandle(library, address)
@@ -192,6 +197,7 @@ class Remeshed(_NewMesh):
         return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
 
 
+@_arrays.of_arrays
 @with_options
 def fill_holes(
     vertices: ArrayLike,
@@ -202,6 +208,7 @@ def fill_holes(
     density: float | None = None,
     max_new_vertices: int | None = None,
     fair: bool | None = None,
+    coincident: _arrays.Coincident | None = None,
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
@@ -212,7 +219,7 @@ def fill_holes(
     `LoopReport` and does not affect the others. Outer boundaries of open surfaces are filled only if they are named.
 
     Args:
-        vertices, faces: As in `fair`.
+        vertices, faces, coincident: As in `fair`. New faces name of each vertex the copy in the face beside them.
         loops: Only these loops, as `boundary_loops` numbers them. Default: all holes.
         max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
@@ -230,7 +237,7 @@ def fill_holes(
 
     """
     library = load()
-    mesh = _arrays.Mesh(vertices, faces)
+    mesh = _arrays.Mesh(vertices, faces, coincident)
     fill = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
     if fair is not None:
         fill.fair = int(bool(fair))
@@ -263,6 +270,7 @@ def fill_holes(
     return Filled(handle, mesh)
 
 
+@_arrays.of_arrays
 def remesh(
     vertices: ArrayLike,
     faces: ArrayLike,
@@ -270,6 +278,7 @@ def remesh(
     free: _arrays.Selection = None,
     fixed: _arrays.Selection = None,
     free_faces: _arrays.Selection = None,
+    coincident: _arrays.Coincident | None = None,
     density: float | None = None,
     max_vertices: int | None = None,
 ) -> Remeshed:
@@ -278,7 +287,7 @@ def remesh(
     To fair the new mesh: ``fair(new.vertices, new.faces, free=new.free_vertices)``.
 
     Args:
-        vertices, faces, free, fixed, free_faces: As in `fair`.
+        vertices, faces, free, fixed, free_faces, coincident: As in `fair`.
         density: As in `fill_holes`: at the default, edges are as long as those beside the region.
         max_vertices: At most this many vertices inside the region. Default 200000.
 
@@ -290,7 +299,7 @@ def remesh(
 
     """
     library = load()
-    mesh = _arrays.Mesh(vertices, faces)
+    mesh = _arrays.Mesh(vertices, faces, coincident)
     region = _arrays.Region(mesh, free, fixed, free_faces)
     asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
     if density is not None:

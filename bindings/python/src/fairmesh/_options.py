@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import inspect
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Union
 
@@ -167,13 +168,34 @@ def whole(value: Any, name: str, bits: int = 64) -> int:
     return int(value)
 
 
+#: Keywords that some of the functions have, and are likely to be meant.
+_OTHERS = (
+    "free",
+    "fixed",
+    "free_faces",
+    "coincident",
+    "progress",
+    "cancel",
+    "loops",
+    "max_edges",
+    "density",
+    "max_new_vertices",
+)
+
+
+def _hint(name: str) -> str:
+    """What may have been meant."""
+    near = difflib.get_close_matches(name.lower(), [*FairingOptions.__annotations__, *_OTHERS], n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
+
 class Options:
     """The library's options. Keeps the arrays of normals alive."""
 
     def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
-        unknown = set(given) - set(FairingOptions.__annotations__)
+        unknown = sorted(set(given) - set(FairingOptions.__annotations__))
         if unknown:
-            raise TypeError(f"unknown option {sorted(unknown)[0]!r}")
+            raise TypeError(f"unknown option {unknown[0]!r}{_hint(unknown[0])}")
         self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
