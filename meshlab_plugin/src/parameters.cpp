@@ -30,9 +30,10 @@ int as_int(std::uint64_t number) { return static_cast<int>(std::min<std::uint64_
 /** What both ways of fairing have. */
 void add_solver_parameters(RichParameterList &list) {
     const fairmesh::options standard;
-    list.addParam(RichFloat("join_distance", 0, "Join vertices within",
-                            "Vertices as far apart as this are one vertex of the surface, as along texture seams: its copies move alike, and "
-                            "none is removed. 0: where their coordinates are equal. Negative: none are joined."));
+    list.addParam(
+        RichFloat("join_distance", 0, "Join vertices within",
+                  "Vertices as far apart as this are one vertex of the surface, as along texture seams: its copies move alike, and "
+                  "none is removed. 0: where their coordinates are equal. Negative: none are joined."));
     list.addParam(
         RichEnum("inner_fairness", static_cast<int>(standard.inner_fairness), {"Uniform", "Conformal", "Convex"}, "Vertex distribution",
                  "How vertices are spread within the surface; the surface hardly depends on it. Uniform: evenly. Conformal: with the "
