@@ -23,8 +23,8 @@ mod table;
 pub use curvature::mean_curvature;
 pub use error::Error;
 pub use fairing::{
-    BoundaryNormals, Discretization, InnerFairness, InteriorNormals, LooseReason, Options, Outcome, Progress,
-    ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver, Target, fair,
+    BoundaryNormals, ComponentReport, Discretization, InnerFairness, InteriorNormals, LooseReason, Options,
+    Outcome, Progress, ProgressCallback, Report, Seconds, Selection, Session, Solution, Solver, Target, fair,
     fair_with_progress,
 };
 pub use holes::{

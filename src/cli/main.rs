@@ -5,6 +5,7 @@
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 
 mod bar;
+mod component_report;
 mod demo;
 mod explain;
 mod failure;

@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
+use super::component_solution::ComponentSolution;
 use super::prepared::Prepared;
-use super::report::{LooseReason, Outcome, Report, Seconds, Solution};
+use super::report::{ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
-use crate::discrete::target::Target;
 use crate::paper::LevelReport;
 use crate::quality::{Quality, Surface};
 use crate::solve::problem::diagonal;
@@ -13,10 +13,7 @@ use crate::solve::{SolveResult, SolveStatus};
 
 /// What was found, and what it is measured against.
 pub(super) struct Found<'a> {
-    /// The host's positions.
-    pub(super) positions: &'a [[f64; 3]],
     pub(super) prepared: &'a Prepared,
-    pub(super) target: Target,
     pub(super) result: &'a SolveResult,
     /// Evaluated at the result.
     pub(super) state: &'a State,
@@ -27,19 +24,32 @@ pub(super) struct Found<'a> {
 
 impl Found<'_> {
     /// Measures the surface, and takes it back.
-    pub(super) fn conclude(self) -> Solution {
+    pub(super) fn conclude(self) -> ComponentSolution {
         let clock = Instant::now();
         let surface = self.surface();
         let quality = self.quality(&surface);
         let domain = &self.prepared.domain;
         let suspicious_normals = surface.suspicious_normals(&domain.rings, &domain.input);
         let scale = self.prepared.normalization.scale;
-        Solution {
-            positions: self.positions(),
-            boundary_normals: self.boundary_normals(),
+        let report = self.report(quality, &suspicious_normals);
+        let (moved, boundary_normals) = (self.moved(), self.boundary_normals());
+        let mut seconds = self.seconds;
+        seconds.quality = clock.elapsed().as_secs_f64();
+        ComponentSolution {
+            moved,
+            boundary_normals,
             mean_curvature: self.at_free_vertices(&self.state.h, scale),
             gaussian_curvature: self.at_free_vertices(&self.state.k, scale * scale),
-            report: self.report(quality, suspicious_normals, clock),
+            report,
+            boundary: domain.region.boundary,
+            suspicious_normals,
+            fallback_weights: if self.result.uniform_weights {
+                domain.region.free
+            } else {
+                self.prepared.weights.clamped
+            },
+            levels: self.levels,
+            seconds,
         }
     }
 
@@ -63,18 +73,15 @@ impl Found<'_> {
         quality
     }
 
-    /// All positions. What has not moved keeps its bits, without the rounding of the normalization.
-    fn positions(&self) -> Vec<[f64; 3]> {
+    /// The free vertices that have moved: the others keep their bits, without the rounding of the normalization.
+    fn moved(&self) -> Vec<(u32, [f64; 3])> {
         let (domain, normalization) = (&self.prepared.domain, &self.prepared.normalization);
         let region = &domain.region;
-        let mut positions = self.positions.to_vec();
-        let moved = self.result.x[..region.free].iter().zip(&domain.input);
-        for ((p, before), &v) in moved.zip(&region.vertex_ids) {
-            if p != before {
-                positions[v as usize] = normalization.leave(p);
-            }
-        }
-        positions
+        let placed = self.result.x[..region.free].iter().zip(&domain.input);
+        let moved = placed
+            .zip(&region.vertex_ids)
+            .filter(|((p, before), _)| p != before);
+        moved.map(|((p, _), &v)| (v, normalization.leave(p))).collect()
     }
 
     /// One for each boundary vertex: those of the sides of a curve are alike.
@@ -93,30 +100,19 @@ impl Found<'_> {
         ids.zip(values).map(|(&v, x)| (v, x / unit)).collect()
     }
 
-    fn report(&self, quality: Quality, suspicious_normals: Vec<u32>, clock: Instant) -> Report {
+    fn report(&self, quality: Quality, suspicious_normals: &[u32]) -> ComponentReport {
         let (prepared, result) = (self.prepared, self.result);
-        let free = prepared.domain.region.free;
-        let mut seconds = self.seconds;
-        seconds.quality = clock.elapsed().as_secs_f64();
-        seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
-        Report {
-            target: self.target,
-            outcome: self.outcome(&suspicious_normals),
+        let region = &prepared.domain.region;
+        ComponentReport {
+            vertex: region.vertex_ids[0] as usize,
+            free_vertices: region.free,
+            outcome: self.outcome(suspicious_normals),
             iterations: result.iterations,
             defect: result.defect,
             step: result.step,
-            seconds,
-            quality,
-            levels: self.levels.clone(),
-            free_vertices: free,
             diagonal: diagonal(&result.x) * prepared.normalization.scale,
             linear_surface: result.status.is_linear(),
-            suspicious_normals,
-            fallback_weights: if result.uniform_weights {
-                free
-            } else {
-                prepared.weights.clamped
-            },
+            quality,
         }
     }
 

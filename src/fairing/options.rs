@@ -58,10 +58,10 @@ pub struct Options {
     pub discretization: Discretization,
     /// Solver. Default: the fast one.
     pub solver: Solver,
-    /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
+    /// Stop when the step norm (rms normal step + rms tangential step, over the component's bounding-box
     /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. In (0, 1).
     pub tolerance: f64,
-    /// At most this many nonlinear iterations in all. Default 500. At least 1.
+    /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: usize,
     /// Worker threads; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,

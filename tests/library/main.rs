@@ -5,6 +5,7 @@ mod fairing;
 
 mod accuracy;
 mod boundary;
+mod components;
 mod golden;
 mod holes;
 mod independence;
