@@ -228,7 +228,11 @@ fn a_thousand_tiny_components() {
         },
     )
     .unwrap();
-    assert_eq!(together.report.components.len(), 1024);
+    let components = &together.report.components;
+    assert_eq!(components.len(), 1024);
+    let iterations: usize = components.iter().map(|c| c.iterations).sum();
+    let fair = components.iter().filter(|c| c.outcome.is_success()).count();
+    println!("tiny components: {fair} fair, {iterations} iterations in all");
     for k in (0..1024).step_by(61) {
         case.assert_as_alone(&together, k, &options(TOLERANCE));
     }
@@ -308,7 +312,7 @@ fn steps_give_the_bits_of_one_call_for_each_component() {
             runs += 1;
             assert!(session.solution().report.iterations <= runs * by);
         }
-        assert!(runs >= whole.report.iterations / by.max(2));
+        assert!(runs + 1 >= whole.report.iterations / by);
         let found = session.solution();
         assert!(found.positions == whole.positions);
         let of = |solution: &Solution| solution.report.components.iter().map(told).collect::<Vec<_>>();
