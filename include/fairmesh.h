@@ -747,7 +747,7 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_UNREACHED_VERTICES = 4,
     /**
-     * Faired meshes: the boundary vertices, ascending.
+     * Faired meshes: the boundary vertices, ascending. A vertex where components have different normals stands there with each.
      */
     FAIRMESH_LIST_BOUNDARY_VERTICES = 16,
     /**
@@ -991,11 +991,11 @@ typedef struct fairmesh_progress {
      */
     double fraction;
     /**
-     * Nonlinear iterations so far.
+     * Nonlinear iterations so far, of the component of the region that is at work.
      */
     uint64_t iterations;
     /**
-     * The last step norm, in diagonals of the region; NaN before the first iteration.
+     * Its last step norm, in its diagonals; NaN before the first iteration.
      */
     double step;
     /**
@@ -1005,7 +1005,7 @@ typedef struct fairmesh_progress {
 } fairmesh_progress;
 
 /**
- * Called after every iteration, on the thread that made the call. 0 goes on, anything else stops. It may not throw or
+ * Called after every iteration (of components that are less than a thousandth of the region, now and then), on the thread that made the call. 0 goes on, anything else stops. It may not throw or
  * `longjmp`. It may use other handles; its own solver answers BUSY.
  */
 typedef int32_t (*fairmesh_progress_fn)(const struct fairmesh_progress *progress, void *user_data);
@@ -1047,12 +1047,12 @@ typedef struct fairmesh_options {
      */
     uint32_t threads;
     /**
-     * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's bounding
+     * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding
      * box) is below this. Default 1e-8; 1e-6 is enough for interactive use. Greater than 0, less than 1.
      */
     double tolerance;
     /**
-     * At most this many nonlinear iterations. Default 500. At least 1.
+     * At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
      */
     uint64_t max_iterations;
     /**
@@ -1233,7 +1233,8 @@ typedef struct fairmesh_points_out {
 } fairmesh_points_out;
 
 /**
- * How it went. Set `struct_size` before the call.
+ * How it went. Where the region has several components, the whole has their worst outcome and largest figures. Set
+ * `struct_size` before the call.
  */
 typedef struct fairmesh_report {
     /**
@@ -1253,7 +1254,7 @@ typedef struct fairmesh_report {
      */
     uint32_t linear_surface;
     /**
-     * Nonlinear iterations.
+     * Nonlinear iterations: the most of any component.
      */
     uint64_t iterations;
     /**
@@ -1265,7 +1266,7 @@ typedef struct fairmesh_report {
      */
     double step;
     /**
-     * The diagonal of the region's bounding box, in the unit of the positions.
+     * The diagonal of the bounding box, in the unit of the positions; the largest of any component.
      */
     double diagonal;
     /**
@@ -1352,6 +1353,10 @@ typedef struct fairmesh_report {
      * All of it.
      */
     double seconds_total;
+    /**
+     * Components of the region, at least one; see `fairmesh_result_component`, `fairmesh_solver_component`.
+     */
+    uint64_t component_count;
 } fairmesh_report;
 
 /**
@@ -1446,6 +1451,94 @@ typedef struct fairmesh_info {
      */
     uint64_t boundary_vertex_count;
 } fairmesh_info;
+
+/**
+ * What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
+ * the region whose normal is not given. Components are independent problems, each with the result that it has in a call
+ * where it alone is selected. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_component {
+    /**
+     * `sizeof(fairmesh_component)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_outcome`.
+     */
+    uint32_t outcome;
+    /**
+     * A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
+     */
+    uint32_t loose_reason;
+    /**
+     * Not 0: its surface is that of the linear problem.
+     */
+    uint32_t linear_surface;
+    /**
+     * Its free vertex with the smallest index.
+     */
+    uint64_t vertex;
+    /**
+     * Its free vertices.
+     */
+    uint64_t free_vertices;
+    /**
+     * Nonlinear iterations.
+     */
+    uint64_t iterations;
+    /**
+     * Defect of the equation, times its diagonal.
+     */
+    double defect;
+    /**
+     * The last step norm, in its diagonals; NaN if there was none.
+     */
+    double step;
+    /**
+     * The diagonal of its bounding box, in the unit of the positions.
+     */
+    double diagonal;
+    /**
+     * How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
+     */
+    double reached;
+    /**
+     * Its flipped triangles.
+     */
+    uint64_t flipped_count;
+    /**
+     * Its triangles with an angle below one degree.
+     */
+    uint64_t needle_count;
+    /**
+     * The smallest angle of its triangles, in degrees.
+     */
+    double worst_angle;
+    /**
+     * The triangle that has it.
+     */
+    uint64_t worst_triangle;
+    /**
+     * The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
+     */
+    double h_inside[2];
+    /**
+     * The same at its boundary vertices.
+     */
+    double h_boundary[2];
+    /**
+     * The largest angle, in degrees, between a boundary normal and its triangles there.
+     */
+    double normal_deviation;
+    /**
+     * The vertex that has it.
+     */
+    uint64_t normal_deviation_vertex;
+    /**
+     * The root mean square of those angles.
+     */
+    double normal_deviation_rms;
+} fairmesh_component;
 
 /**
  * What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -1769,7 +1862,7 @@ fairmesh_status fairmesh_solver_new(const struct fairmesh_mesh *mesh,
                                     struct fairmesh_error *error);
 
 /**
- * Runs at most `iterations` nonlinear iterations (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
+ * Runs at most `iterations` nonlinear iterations of each component (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
  * CANCELLED says that a further run goes on from here; after any other one the end is reached, and a further run
  * does nothing until something is changed. `report` may be NULL. On OUT_OF_MEMORY the solver has stopped early; it can go on.
  */
@@ -1818,6 +1911,15 @@ FAIRMESH_API
 fairmesh_status fairmesh_solver_report(const struct fairmesh_solver *solver,
                                        struct fairmesh_report *report,
                                        struct fairmesh_error *error);
+
+/**
+ * One component in that report, by its number: they are sorted by their smallest free vertices.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_component(const struct fairmesh_solver *solver,
+                                          uint64_t number,
+                                          struct fairmesh_component *component,
+                                          struct fairmesh_error *error);
 
 /**
  * A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
@@ -1892,6 +1994,17 @@ fairmesh_status fairmesh_result_level(const struct fairmesh_result *result,
                                       uint64_t index,
                                       struct fairmesh_level *level,
                                       struct fairmesh_error *error);
+
+/**
+ * One component of the region, by its number: they are sorted by their smallest free vertices, and the report with this `index`
+ * has `component_count` of them.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_component(const struct fairmesh_result *result,
+                                          uint64_t index,
+                                          uint64_t number,
+                                          struct fairmesh_component *component,
+                                          struct fairmesh_error *error);
 
 /**
  * One of the boundary loops.

@@ -205,6 +205,11 @@ public:
         detail::call(fairmesh_result_level, handle_, index, &made);
         return made;
     }
+    fairmesh_component component(std::uint64_t number, std::uint64_t index = 0) const {
+        auto made = detail::sized<fairmesh_component>();
+        detail::call(fairmesh_result_component, handle_, index, number, &made);
+        return made;
+    }
     fairmesh_loop loop(std::uint64_t index) const {
         auto made = detail::sized<fairmesh_loop>();
         detail::call(fairmesh_result_loop, handle_, index, &made);
@@ -349,6 +354,11 @@ public:
     fairmesh_report report() const {
         auto made = detail::sized<fairmesh_report>();
         detail::call(fairmesh_solver_report, handle_, &made);
+        return made;
+    }
+    fairmesh_component component(std::uint64_t number) const {
+        auto made = detail::sized<fairmesh_component>();
+        detail::call(fairmesh_solver_component, handle_, number, &made);
         return made;
     }
     result snapshot() const {

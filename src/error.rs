@@ -234,4 +234,49 @@ impl Error {
             false => Err(Self::BadOption { name, value, range }),
         }
     }
+
+    /// The same error, with other numbers of vertices and triangles.
+    pub(crate) fn renumbered(
+        mut self,
+        vertex_id: impl Fn(usize) -> usize,
+        triangle_id: impl Fn(usize) -> usize,
+    ) -> Self {
+        match &mut self {
+            Self::NotFinite { vertex }
+            | Self::NonManifoldVertex { vertex }
+            | Self::FreeVertexOnBoundary { vertex }
+            | Self::FreeVertexWithoutTriangle { vertex }
+            | Self::NothingFixed { vertex }
+            | Self::BadNormal { vertex }
+            | Self::NoNormal { vertex }
+            | Self::CoordinateTooLarge { vertex, .. }
+            | Self::ValenceTooLarge { vertex, .. } => *vertex = vertex_id(*vertex),
+            Self::RepeatedIndex { triangle, vertex } => {
+                (*triangle, *vertex) = (triangle_id(*triangle), vertex_id(*vertex));
+            }
+            Self::DuplicateTriangle { triangle, other } => {
+                (*triangle, *other) = (triangle_id(*triangle), triangle_id(*other));
+            }
+            Self::NonManifoldEdge { a, b, triangle } => {
+                (*a, *b, *triangle) = (vertex_id(*a), vertex_id(*b), triangle_id(*triangle));
+            }
+            Self::InconsistentOrientation {
+                a,
+                b,
+                triangle,
+                other,
+            } => {
+                (*a, *b) = (vertex_id(*a), vertex_id(*b));
+                (*triangle, *other) = (triangle_id(*triangle), triangle_id(*other));
+            }
+            Self::IndexOutOfRange { .. }
+            | Self::EmptyRegion
+            | Self::SelectionOutOfRange { .. }
+            | Self::MaskLength { .. }
+            | Self::BadOption { .. }
+            | Self::TooLarge { .. }
+            | Self::Threads { .. } => {}
+        }
+        self
+    }
 }

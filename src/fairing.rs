@@ -1,5 +1,6 @@
 //! The public entry: `fair`.
 
+mod component_solution;
 mod conclusion;
 mod joined;
 mod normalization;
@@ -9,6 +10,8 @@ mod prepared;
 mod relay;
 mod report;
 mod session;
+mod shares;
+mod whole_intersections;
 
 use std::time::Instant;
 
@@ -19,8 +22,8 @@ pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::region::Selection;
 use crate::paper::{self, PaperResult};
 use crate::solve::control::{Callback, Interrupt};
-use crate::solve::system::Collapsed;
 use crate::solve::{self, Control};
+use component_solution::{ComponentSolution, whole};
 use conclusion::Found;
 pub(crate) use joined::joined_options;
 pub use normals::{BoundaryNormals, InteriorNormals};
@@ -29,15 +32,18 @@ use prepared::Prepared;
 pub(crate) use relay::Workers;
 use relay::relay;
 pub use report::{
-    LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds, SelfIntersections, Solution,
+    ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds, SelfIntersections,
+    Solution,
 };
 pub use session::Session;
+use shares::Shares;
 
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
 /// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.
 ///
 /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise seen from the side that normals point to. Coincident vertices
-/// are one vertex of the surface, see [`Coincident`].
+/// are one vertex of the surface, see [`Coincident`]. Components of the region are independent problems, see
+/// [`ComponentReport`].
 ///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
@@ -69,7 +75,9 @@ pub fn fair(
 }
 
 /// [`fair`], which calls `progress` on the calling thread: after every iteration, more often while the start is made, and
-/// every 50 ms where nothing is new. `Break` stops the run with the best surface so far; before there is one, with the input.
+/// every 50 ms where nothing is new; in components of less than a thousandth of all free vertices, whenever another
+/// thousandth is done. `Break` stops the run with the best surface so far; before there is one, with the input. Components
+/// that are done then keep their results.
 ///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
@@ -141,22 +149,40 @@ fn run<'a>(
     interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let clock = Instant::now();
-    let prepared = Prepared::new(positions, triangles, selection, options)?;
+    let components = Prepared::of_components(positions, triangles, selection, options)?;
+    let setup = clock.elapsed().as_secs_f64();
+    let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
+    let mut shares = Shares::new(progress, interrupt, undone);
+    let mut solutions = Vec::with_capacity(components.len());
+    for prepared in components {
+        solutions.push(component(&prepared, options, &mut shares, interrupt)?);
+        shares.end(prepared.free(), 1.0);
+    }
+    solutions[0].seconds.setup = setup;
+    Ok(whole(positions, triangles, options, &solutions))
+}
+
+/// Solves one component.
+fn component(
+    prepared: &Prepared,
+    options: &Options,
+    shares: &mut Shares<'_>,
+    interrupt: &Interrupt,
+) -> Result<ComponentSolution, Error> {
+    let clock = Instant::now();
     let problem = prepared.problem();
-    let mut seconds = Seconds {
-        setup: clock.elapsed().as_secs_f64(),
-        ..Seconds::default()
-    };
-    let nothing_fixed = |Collapsed| Error::NothingFixed { vertex: 0 };
+    let mut tell =
+        |fraction, iterations, step, phase| shares.tell(prepared.free(), (fraction, iterations, step, phase));
+    let nothing_fixed = |_| prepared.nothing_fixed();
     let (result, state, levels) = match &options.solver {
         Solver::Fast => {
-            let mut control = Control::new(options.tolerance, options.max_iterations, progress);
+            let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
             control.interrupt = interrupt.clone();
             let (result, state) = solve::solve(&problem, &mut control).map_err(nothing_fixed)?;
             (result, state, Vec::new())
         }
         Solver::Paper(paper) => {
-            let mut control = Control::new(paper.defect, paper.max_updates, progress);
+            let mut control = Control::new(paper.defect, paper.max_updates, Some(&mut tell));
             let PaperResult {
                 result,
                 state,
@@ -165,13 +191,14 @@ fn run<'a>(
             (result, state, levels)
         }
     };
-    seconds.start = result.start_seconds;
-    seconds.iterate = clock.elapsed().as_secs_f64() - seconds.setup - seconds.start;
+    let seconds = Seconds {
+        start: result.start_seconds,
+        iterate: clock.elapsed().as_secs_f64() - result.start_seconds,
+        ..Seconds::default()
+    };
     let found = Found {
-        positions,
-        triangles,
-        prepared: &prepared,
-        options,
+        prepared,
+        output_precision: options.output_precision,
         result: &result,
         state: &state,
         levels,

@@ -52,6 +52,7 @@ Values fair_selection(MeshModel &model, const MeshView &view, FairParameters ask
     update_normals(mesh, moved, asked.normals == BoundaryNormals::VertexNormals);
     if (asked.curvature_to_quality) write_quality(model, curvature);
     log_report(report, view, host);
+    log_components(result, host);
     return values_of(report, view);
 }
 

@@ -50,6 +50,7 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"boundary_kink_vertex", number(report.boundary_kink_vertex)},
         {"intersections", number(report.intersection_count)},
         {"seconds_solve", report.seconds_total},
+        {"components", number(report.component_count)},
     };
 }
 
@@ -65,6 +66,21 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
         static_cast<unsigned long long>(report.normal_deviation_vertex)));
     const std::string but = reservation(report);
     if (!but.empty()) host.warn("Warning, " + std::string(fairmesh_outcome_name(report.outcome)) + ": " + but);
+}
+
+void log_components(const fairmesh::result &result, const Host &host) {
+    const std::uint64_t count = result.report().component_count, shown = 8;
+    if (count < 2) return;
+    std::uint64_t failed = 0;
+    for (std::uint64_t i = 0; i < count; i++) {
+        const fairmesh_component part = result.component(i);
+        if (part.outcome == FAIRMESH_OUTCOME_CONVERGED) continue;
+        if (failed++ < shown)
+            host.warn(text("Component of vertex %llu (%llu free vertices): %s", static_cast<unsigned long long>(part.vertex),
+                           static_cast<unsigned long long>(part.free_vertices), fairmesh_outcome_name(part.outcome)));
+    }
+    host.log(text("%llu components, %llu of them fair", static_cast<unsigned long long>(count),
+                  static_cast<unsigned long long>(count - failed)));
 }
 
 std::string reservation(const fairmesh_report &report) {

@@ -21,6 +21,9 @@ Values values_of(const fairmesh_report &report, const MeshView &view);
 /** A fairing's report in the log. An outcome with a reservation is a warning. */
 void log_report(const fairmesh_report &report, const MeshView &view, const Host &host);
 
+/** In the log: how many components the region has, where they are several, and those that are not fair. */
+void log_components(const fairmesh::result &result, const Host &host);
+
 /** What an outcome means to the user; empty for one without reservation. */
 std::string reservation(const fairmesh_report &report);
 

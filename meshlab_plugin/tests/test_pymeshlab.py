@@ -434,6 +434,7 @@ class Outcomes(Case):
         self.assertLess(values["step"], 1e-8)
         self.assertGreater(values["smallest_angle"], 10)
         self.assertLess(values["seconds_solve"], values["seconds"])
+        self.assertEqual(values["components"], 1)
 
     def test_options_reach_the_library(self):
         def radius(**parameters):

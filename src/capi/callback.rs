@@ -17,15 +17,15 @@ pub struct fairmesh_progress {
     pub reserved: u32,
     /// Between 0 and 1, never falling.
     pub fraction: f64,
-    /// Nonlinear iterations so far.
+    /// Nonlinear iterations so far, of the component of the region that is at work.
     pub iterations: u64,
-    /// The last step norm, in diagonals of the region; NaN before the first iteration.
+    /// Its last step norm, in its diagonals; NaN before the first iteration.
     pub step: f64,
     /// What is being done, in a word or two; English. Valid during the callback.
     pub stage: *const c_char,
 }
 
-/// Called after every iteration, on the thread that made the call. 0 goes on, anything else stops. It may not throw or
+/// Called after every iteration (of components that are less than a thousandth of the region, now and then), on the thread that made the call. 0 goes on, anything else stops. It may not throw or
 /// `longjmp`. It may use other handles; its own solver answers BUSY.
 pub type fairmesh_progress_fn =
     Option<unsafe extern "C" fn(progress: *const fairmesh_progress, user_data: *mut c_void) -> i32>;

@@ -16,6 +16,8 @@ const TRIANGLE: usize = 480;
 /// Per free vertex, and per free vertex and binary digit of their number: the factors grow like n log n.
 const FREE: usize = 4 << 10;
 const FREE_DIGIT: usize = 400;
+/// Per component of the region but the first: its surroundings, up to eight rings of them.
+const COMPONENT: usize = 32 << 10;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
@@ -41,6 +43,8 @@ pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usiz
     let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
     valence.resize(mesh.vertices(), 0);
     let vertex = |v: u32| (v as usize) < free.len();
+    let mut connected = Connected(try_with_capacity(free.len())?);
+    connected.0.extend(0..free.len() as u32);
     for t in 0..mesh.triangles.count {
         let corners = mesh.triangles.index::<3>(t);
         if corners.iter().any(|&v| vertex(v) && free[v as usize]) {
@@ -48,6 +52,10 @@ pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usiz
                 .iter()
                 .filter(|v| vertex(**v))
                 .for_each(|&v| valence[v as usize] += 1);
+            let mut moving = corners.iter().filter(|v| vertex(**v) && free[**v as usize]);
+            if let Some(&first) = moving.next() {
+                moving.for_each(|&v| connected.unite(first, v));
+            }
         }
     }
     // Beyond what a valence of 6 makes of it.
@@ -55,8 +63,32 @@ pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usiz
         .iter()
         .map(|&d| (d as usize).saturating_mul(d as usize).saturating_sub(36));
     let irregular = beyond.fold(0, usize::saturating_add);
+    let roots = (0..)
+        .zip(free.iter())
+        .filter(|(v, f)| **f && connected.0[*v] == *v as u32);
+    let components = roots.count().saturating_sub(1).saturating_mul(COMPONENT);
     let free = free.iter().filter(|f| **f).count();
-    Ok(sum(mesh, asked_threads).saturating_add(of_region(free, irregular)))
+    let region = of_region(free, irregular).saturating_add(components);
+    Ok(sum(mesh, asked_threads).saturating_add(region))
+}
+
+/// Per vertex one that it is connected with, or itself: of each set of connected vertices one.
+struct Connected(Vec<u32>);
+
+impl Connected {
+    fn root(&mut self, mut v: u32) -> u32 {
+        while self.0[v as usize] != v {
+            let above = self.0[self.0[v as usize] as usize];
+            self.0[v as usize] = above;
+            v = above;
+        }
+        v
+    }
+
+    fn unite(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
 }
 
 fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {

@@ -33,10 +33,10 @@ pub struct fairmesh_options {
     pub solver: u32,
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: u32,
-    /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's bounding
+    /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding
     /// box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, less than 1.
     pub tolerance: f64,
-    /// At most this many nonlinear iterations. Default 500. At least 1.
+    /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: u64,
     /// Told of the progress; may be NULL, the default.
     pub progress: fairmesh_progress_fn,

@@ -59,6 +59,24 @@ pub extern "C" fn fairmesh_result_level(
     })
 }
 
+/// One component of the region, by its number: they are sorted by their smallest free vertices, and the report with this `index`
+/// has `component_count` of them.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_component(
+    result: *const fairmesh_result,
+    index: u64,
+    number: u64,
+    component: *mut fairmesh_component,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(component, Argument(4), aliases)?;
+        aliases.error(error, Argument(5))?;
+        out.write(&content.component(index, number)?);
+        Ok(())
+    })
+}
+
 /// One of the boundary loops.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_loop(

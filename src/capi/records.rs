@@ -1,6 +1,7 @@
 //! The structs of the header that results are told in.
 
-/// How it went. Set `struct_size` before the call.
+/// How it went. Where the region has several components, the whole has their worst outcome and largest figures. Set
+/// `struct_size` before the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_report {
@@ -12,13 +13,13 @@ pub struct fairmesh_report {
     pub loose_reason: u32,
     /// Not 0: the surface is that of the linear problem.
     pub linear_surface: u32,
-    /// Nonlinear iterations.
+    /// Nonlinear iterations: the most of any component.
     pub iterations: u64,
     /// Defect of the equation: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
     pub defect: f64,
     /// The last step norm, in diagonals; NaN if there was none.
     pub step: f64,
-    /// The diagonal of the region's bounding box, in the unit of the positions.
+    /// The diagonal of the bounding box, in the unit of the positions; the largest of any component.
     pub diagonal: f64,
     /// How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
     pub reached: f64,
@@ -79,6 +80,56 @@ pub struct fairmesh_report {
     pub boundary_kink_vertex: u64,
     /// Size of the list CREASED_VERTICES.
     pub creased_vertex_count: u64,
+    /// Components of the region, at least one; see `fairmesh_result_component`, `fairmesh_solver_component`.
+    pub component_count: u64,
+}
+
+/// What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
+/// the region whose normal is not given. Components are independent problems, each with the result that it has in a call
+/// where it alone is selected. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_component {
+    /// `sizeof(fairmesh_component)`.
+    pub struct_size: u32,
+    /// A `fairmesh_outcome`.
+    pub outcome: u32,
+    /// A `fairmesh_loose_reason`: what the outcome CONVERGED_LOOSELY is about.
+    pub loose_reason: u32,
+    /// Not 0: its surface is that of the linear problem.
+    pub linear_surface: u32,
+    /// Its free vertex with the smallest index.
+    pub vertex: u64,
+    /// Its free vertices.
+    pub free_vertices: u64,
+    /// Nonlinear iterations.
+    pub iterations: u64,
+    /// Defect of the equation, times its diagonal.
+    pub defect: f64,
+    /// The last step norm, in its diagonals; NaN if there was none.
+    pub step: f64,
+    /// The diagonal of its bounding box, in the unit of the positions.
+    pub diagonal: f64,
+    /// How much of the boundary normals or the target was reached, 0 to 1; 1 where all of it.
+    pub reached: f64,
+    /// Its flipped triangles.
+    pub flipped_count: u64,
+    /// Its triangles with an angle below one degree.
+    pub needle_count: u64,
+    /// The smallest angle of its triangles, in degrees.
+    pub worst_angle: f64,
+    /// The triangle that has it.
+    pub worst_triangle: u64,
+    /// The smallest and largest mean curvature at its free vertices, in 1 / length; negative on a sphere.
+    pub h_inside: [f64; 2],
+    /// The same at its boundary vertices.
+    pub h_boundary: [f64; 2],
+    /// The largest angle, in degrees, between a boundary normal and its triangles there.
+    pub normal_deviation: f64,
+    /// The vertex that has it.
+    pub normal_deviation_vertex: u64,
+    /// The root mean square of those angles.
+    pub normal_deviation_rms: f64,
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -218,7 +269,7 @@ pub enum fairmesh_list {
     Intersections = 5,
     /// Boundary vertices where the surface has a crease, where the outcome is about them.
     CreasedVertices = 6,
-    /// Faired meshes: the boundary vertices, ascending.
+    /// Faired meshes: the boundary vertices, ascending. A vertex where components have different normals stands there with each.
     BoundaryVertices = 16,
     /// Loops: the vertices in the direction of triangles that fill it.
     LoopVertices = 32,

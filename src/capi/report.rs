@@ -2,8 +2,8 @@
 
 use super::status::{Failure, fairmesh_status};
 use super::types::*;
-use fairmesh::LevelReport;
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport};
+use fairmesh::{ComponentReport, LevelReport};
 use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
@@ -47,6 +47,34 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         boundary_kink_before: quality.boundary_kink_before,
         boundary_kink_vertex: quality.boundary_kink_vertex as u64,
         creased_vertex_count: creased(of).len() as u64,
+        component_count: of.components.len() as u64,
+    }
+}
+
+/// One component of the region.
+pub(crate) fn component(of: &ComponentReport) -> fairmesh_component {
+    let quality = &of.quality;
+    fairmesh_component {
+        struct_size: size_of::<fairmesh_component>() as u32,
+        outcome: of.outcome.entry().number(),
+        loose_reason: loose_reason(&of.outcome),
+        linear_surface: u32::from(of.linear_surface),
+        vertex: of.vertex as u64,
+        free_vertices: of.free_vertices as u64,
+        iterations: of.iterations as u64,
+        defect: of.defect,
+        step: of.step,
+        diagonal: of.diagonal,
+        reached: reached(&of.outcome),
+        flipped_count: quality.flipped.len() as u64,
+        needle_count: quality.needles.len() as u64,
+        worst_angle: quality.worst_angle,
+        worst_triangle: quality.worst_triangle as u64,
+        h_inside: quality.h_inside,
+        h_boundary: quality.h_boundary,
+        normal_deviation: quality.normal_deviation,
+        normal_deviation_vertex: quality.normal_deviation_vertex as u64,
+        normal_deviation_rms: quality.normal_deviation_rms,
     }
 }
 

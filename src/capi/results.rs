@@ -39,6 +39,11 @@ fn entry<'a, T>(list: &'a [T], index: u64, what: &str) -> CallResult<&'a T> {
         })
 }
 
+/// One component in a report.
+pub(crate) fn component_of(report: &Report, component: u64) -> CallResult<fairmesh_component> {
+    entry(&report.components, component, "component").map(report::component)
+}
+
 impl Content {
     pub(crate) fn info(&self) -> fairmesh_info {
         let mut info = fairmesh_info {
@@ -100,6 +105,10 @@ impl Content {
     pub(crate) fn level(&self, index: u64) -> CallResult<fairmesh_level> {
         let report = self.report(0)?;
         entry(&report.levels, index, "level").map(report::level)
+    }
+
+    pub(crate) fn component(&self, index: u64, component: u64) -> CallResult<fairmesh_component> {
+        component_of(self.report(index)?, component)
     }
 
     pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {

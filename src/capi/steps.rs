@@ -10,7 +10,7 @@ use super::memory_bounds;
 use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
-use super::results::Content;
+use super::results::{Content, component_of};
 use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
@@ -71,7 +71,7 @@ pub extern "C" fn fairmesh_solver_new(
     })
 }
 
-/// Runs at most `iterations` nonlinear iterations (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
+/// Runs at most `iterations` nonlinear iterations of each component (at least one), and tells how it stands: the outcome ITERATION_LIMIT or
 /// CANCELLED says that a further run goes on from here; after any other one the end is reached, and a further run
 /// does nothing until something is changed. `report` may be NULL. On OUT_OF_MEMORY the solver has stopped early; it can go on.
 #[unsafe(no_mangle)]
@@ -221,6 +221,26 @@ pub extern "C" fn fairmesh_solver_report(
     let open = |aliases: &mut AliasCheck| StructOut::new(report, Argument(2), aliases);
     with_solver(solver, error, open, |out, solver| {
         out.write(&report::report(&solver.session.solution().report));
+        Ok(())
+    })
+}
+
+/// One component in that report, by its number: they are sorted by their smallest free vertices.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_component(
+    solver: *const fairmesh_solver,
+    number: u64,
+    component: *mut fairmesh_component,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = StructOut::new(component, Argument(3), &mut aliases)?;
+        aliases.error(error, Argument(4))?;
+        let solver = shared.take()?;
+        point();
+        out.write(&component_of(&solver.session.solution().report, number)?);
         Ok(())
     })
 }

@@ -28,6 +28,7 @@ versioned! {
     fairmesh_options 128 + 8 * WORD,
     fairmesh_report 232,
     fairmesh_level 40,
+    fairmesh_component 160,
     fairmesh_fill_options 32 + 3 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_loop 56,

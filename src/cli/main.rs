@@ -4,6 +4,7 @@
 
 mod answer;
 mod bar;
+mod component_report;
 mod demo;
 mod explain;
 mod failure;

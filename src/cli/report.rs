@@ -2,9 +2,10 @@
 
 use std::fmt::{Display, Write};
 
-use fairmesh::{LevelReport, Outcome, Report, Target};
+use fairmesh::{ComponentReport, LevelReport, Outcome, Quality, Report, Target};
 use serde_json::{Value, json};
 
+use crate::component_report;
 use crate::explain;
 use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
 
@@ -34,7 +35,12 @@ struct Table(String);
 
 impl Table {
     fn row(&mut self, name: &str, value: impl Display) {
-        let _ = writeln!(self.0, "  {:<20} {value}", format!("{name}:"));
+        let name = if name.is_empty() {
+            String::new()
+        } else {
+            format!("{name}:")
+        };
+        let _ = writeln!(self.0, "  {name:<20} {value}");
     }
 }
 
@@ -92,6 +98,9 @@ impl Summary<'_> {
     fn tell_run(&self, table: &mut Table) {
         let report = self.report;
         table.row("free vertices", report.free_vertices);
+        for (name, line) in component_report::lines(&report.components) {
+            table.row(name, line);
+        }
         let (iterations, step) = (report.iterations, scientific(report.step));
         table.row(
             "iterations",
@@ -216,7 +225,8 @@ impl Summary<'_> {
             "defect": report.defect,
             "step": report.step,
             "seconds": self.seconds(),
-            "quality": self.quality(),
+            "quality": self.quality(&report.quality),
+            "components": report.components.iter().map(|c| self.component(c)).collect::<Vec<_>>(),
             "free_vertices": report.free_vertices,
             "diagonal": report.diagonal,
             "linear_surface": report.linear_surface,
@@ -248,8 +258,21 @@ impl Summary<'_> {
         })
     }
 
-    fn quality(&self) -> Value {
-        let quality = &self.report.quality;
+    fn component(&self, of: &ComponentReport) -> Value {
+        json!({
+            "vertex": of.vertex,
+            "free_vertices": of.free_vertices,
+            "outcome": of.outcome.name(),
+            "iterations": of.iterations,
+            "defect": of.defect,
+            "step": of.step,
+            "diagonal": of.diagonal,
+            "linear_surface": of.linear_surface,
+            "quality": self.quality(&of.quality),
+        })
+    }
+
+    fn quality(&self, quality: &Quality) -> Value {
         let list = |triangles: &[u32]| {
             let faces = self.faces(triangles);
             json!({ "count": faces.len(), "list": faces })
@@ -331,7 +354,79 @@ mod tests {
                 pairs: vec![[0, 2], [1, 2], [1, 3]],
                 in_input: 1,
             }),
+            components: Vec::new(),
         }
+    }
+
+    fn component(vertex: usize, outcome: Outcome) -> ComponentReport {
+        ComponentReport {
+            vertex,
+            free_vertices: 5,
+            outcome,
+            iterations: 3,
+            defect: 0.5,
+            step: f64::NAN,
+            diagonal: 2.0,
+            linear_surface: false,
+            quality: Quality {
+                worst_angle: 31.0,
+                worst_triangle: 3,
+                ..Quality::default()
+            },
+        }
+    }
+
+    #[test]
+    fn components_are_listed_where_there_are_several() {
+        let mesh = quads();
+        let mut report = report(Outcome::NotConverged);
+        let told = |components: Vec<ComponentReport>, report: &mut Report| {
+            report.components = components;
+            let summary = Summary {
+                report,
+                geometry: &mesh.geometry,
+                times: Times::default(),
+                stale_normals: 0,
+            };
+            (summary.readable(), summary.json())
+        };
+        let (text, json) = told(vec![component(0, Outcome::NotConverged)], &mut report);
+        assert!(!text.contains("components"), "{text}");
+        assert_eq!(json["components"][0]["free_vertices"], 5);
+        let both = vec![
+            component(0, Outcome::Converged),
+            component(7, Outcome::NotConverged),
+        ];
+        let (text, json) = told(both, &mut report);
+        assert!(
+            text.contains("components:          2: 1 converged, 1 not converged\n"),
+            "{text}"
+        );
+        assert!(
+            text.contains("vertex 7 and 4 more: not converged, 3 iterations"),
+            "{text}"
+        );
+        assert_eq!(json["components"][1]["quality"]["worst_triangle"], 1);
+        assert_eq!(json["components"][1]["step"], Value::Null);
+        // Of many only those that need a look.
+        let many = (0..30).map(|v| {
+            let outcome = if v % 3 == 0 {
+                Outcome::NotConverged
+            } else {
+                Outcome::Converged
+            };
+            component(v, outcome)
+        });
+        let (text, _) = told(many.collect(), &mut report);
+        assert!(
+            text.contains("components:          30: 20 converged, 10 not converged\n"),
+            "{text}"
+        );
+        assert!(
+            text.contains("vertex 0 and 4") && !text.contains("vertex 1 and 4"),
+            "{text}"
+        );
+        assert!(text.contains("and 2 more\n"), "{text}");
     }
 
     #[test]

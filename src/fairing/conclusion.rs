@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 
-use super::options::{Intersections, Options};
+use super::component_solution::ComponentSolution;
+use super::options::OutputPrecision;
 use super::prepared::Prepared;
-use super::report::{LooseReason, Outcome, Report, Seconds, SelfIntersections, Solution};
+use super::report::{ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
-use crate::intersections;
 use crate::paper::LevelReport;
 use crate::quality::crease::{Kink, creases, kinks};
 use crate::quality::{Quality, Surface};
@@ -17,11 +17,8 @@ use crate::solve::{SolveResult, SolveStatus};
 
 /// What was found, and what it is measured against.
 pub(super) struct Found<'a> {
-    /// The host's positions.
-    pub(super) positions: &'a [[f64; 3]],
-    pub(super) triangles: &'a [[u32; 3]],
     pub(super) prepared: &'a Prepared,
-    pub(super) options: &'a Options,
+    pub(super) output_precision: OutputPrecision,
     pub(super) result: &'a SolveResult,
     /// Evaluated at the result.
     pub(super) state: &'a State,
@@ -32,11 +29,10 @@ pub(super) struct Found<'a> {
 
 impl Found<'_> {
     /// Measures the surface, and takes it back.
-    pub(super) fn conclude(self) -> Solution {
+    pub(super) fn conclude(self) -> ComponentSolution {
         let clock = Instant::now();
         let surface = self.surface();
-        let positions = self.positions();
-        let written = self.written(&positions);
+        let written = self.written();
         let domain = &self.prepared.domain;
         let (rings, input) = (&domain.rings, &domain.input);
         let mut quality = self.quality(&Surface {
@@ -48,14 +44,26 @@ impl Found<'_> {
         self.tell_kink(&mut quality, if creases.is_empty() { &kinks } else { &creases });
         let suspicious_normals = surface.suspicious_normals(rings, input);
         let scale = self.prepared.normalization.scale;
-        let positions = self.positions();
-        let self_intersections = self.self_intersections(&positions);
-        Solution {
-            positions,
-            boundary_normals: self.boundary_normals(),
+        let report = self.report(quality, &suspicious_normals, &creases);
+        let (moved, boundary_normals) = (self.moved(), self.boundary_normals());
+        let mut seconds = self.seconds;
+        seconds.quality = clock.elapsed().as_secs_f64();
+        ComponentSolution {
+            moved,
+            triangles: self.triangles_that_move(),
+            boundary_normals,
             mean_curvature: self.at_free_vertices(&self.state.h, scale),
             gaussian_curvature: self.at_free_vertices(&self.state.k, scale * scale),
-            report: self.report(quality, suspicious_normals, &creases, self_intersections, clock),
+            report,
+            boundary: domain.region.boundary,
+            suspicious_normals,
+            fallback_weights: if self.result.uniform_weights {
+                domain.region.free
+            } else {
+                self.prepared.weights.clamped
+            },
+            levels: self.levels,
+            seconds,
         }
     }
 
@@ -79,29 +87,42 @@ impl Found<'_> {
         quality
     }
 
-    /// All positions, those that have moved in the precision that they will be written in. What has not moved keeps its bits,
-    /// without the rounding of the normalization.
-    fn positions(&self) -> Vec<[f64; 3]> {
-        let (domain, normalization) = (&self.prepared.domain, &self.prepared.normalization);
+    /// The free vertices that have moved, in the precision that they will be written in: the others keep their bits, without
+    /// the rounding of the normalization.
+    fn moved(&self) -> Vec<(u32, [f64; 3])> {
+        let domain = &self.prepared.domain;
         let region = &domain.region;
-        let mut positions = self.positions.to_vec();
-        let moved = self.result.x[..region.free].iter().zip(&domain.input);
-        for ((p, before), &v) in moved.zip(&region.vertex_ids) {
-            if p != before {
-                positions[v as usize] = self.options.output_precision.round(normalization.leave(p));
-            }
-        }
-        positions
+        let placed = self.result.x[..region.free].iter().zip(&domain.input);
+        let moved = placed
+            .zip(&region.vertex_ids)
+            .filter(|((p, before), _)| p != before);
+        moved.map(|((p, _), &v)| (v, self.placed(p))).collect()
+    }
+
+    /// A position as it will be written.
+    fn placed(&self, p: &Vector3<f64>) -> [f64; 3] {
+        self.output_precision.round(self.prepared.normalization.leave(p))
     }
 
     /// The region as it will be written, in its own frame.
-    fn written(&self, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
-        let region = &self.prepared.domain.region;
-        let ids = region.vertex_ids[..region.region_vertices()].iter();
-        let round = |&v: &u32| Vector3::from(self.options.output_precision.round(positions[v as usize]));
-        let mut x: Vec<Vector3<f64>> = ids.map(round).collect();
+    fn written(&self) -> Vec<Vector3<f64>> {
+        let region = self.result.x[..self.prepared.domain.region.region_vertices()].iter();
+        let mut x: Vec<Vector3<f64>> = region.map(|p| Vector3::from(self.placed(p))).collect();
         self.prepared.normalization.enter(&mut x);
         x
+    }
+
+    /// Those with a free vertex.
+    fn triangles_that_move(&self) -> Vec<u32> {
+        let region = &self.prepared.domain.region;
+        let half_edges = &region.half_edges;
+        let corners = half_edges.triangles[..half_edges.region_triangles].iter();
+        let has_free = |t: &[u32; 3]| t.iter().any(|&v| (v as usize) < region.free);
+        corners
+            .zip(&half_edges.triangle_ids)
+            .filter(|(t, _)| has_free(t))
+            .map(|(_, &id)| id)
+            .collect()
     }
 
     /// One for each boundary vertex: those of the sides of a curve are alike.
@@ -131,90 +152,26 @@ impl Found<'_> {
         quality.boundary_kink_before = widest.before;
     }
 
-    /// Of these positions, unless the run goes on later or is not to be looked at.
-    fn self_intersections(&self, positions: &[[f64; 3]]) -> Option<SelfIntersections> {
-        let is_held_up = matches!(
-            self.result.status,
-            SolveStatus::IterationLimit | SolveStatus::Cancelled
-        );
-        if is_held_up || self.options.intersections == Intersections::Skip {
-            return None;
-        }
-        let new = self.triangles_that_move();
-        let of = |x| intersections::of_some(x, self.triangles, &new, SelfIntersections::MOST);
-        let pairs = of(positions);
-        let in_input = if pairs.is_empty() {
-            0
-        } else {
-            of(self.positions).len()
-        };
-        Some(SelfIntersections { pairs, in_input })
-    }
-
-    /// Those with a free vertex.
-    fn triangles_that_move(&self) -> Vec<u32> {
-        let region = &self.prepared.domain.region;
-        let half_edges = &region.half_edges;
-        let corners = half_edges.triangles[..half_edges.region_triangles].iter();
-        let has_free = |t: &[u32; 3]| t.iter().any(|&v| (v as usize) < region.free);
-        corners
-            .zip(&half_edges.triangle_ids)
-            .filter(|(t, _)| has_free(t))
-            .map(|(_, &id)| id)
-            .collect()
-    }
-
-    fn report(
-        &self,
-        quality: Quality,
-        suspicious_normals: Vec<u32>,
-        creases: &[Kink],
-        self_intersections: Option<SelfIntersections>,
-        clock: Instant,
-    ) -> Report {
+    fn report(&self, quality: Quality, suspicious_normals: &[u32], creases: &[Kink]) -> ComponentReport {
         let (prepared, result) = (self.prepared, self.result);
-        let free = prepared.domain.region.free;
-        let mut seconds = self.seconds;
-        seconds.quality = clock.elapsed().as_secs_f64();
-        seconds.total = seconds.setup + seconds.start + seconds.iterate + seconds.quality;
-        Report {
-            target: self.options.target,
-            outcome: self.outcome(
-                &quality,
-                &suspicious_normals,
-                creases,
-                self_intersections.as_ref(),
-            ),
+        let region = &prepared.domain.region;
+        ComponentReport {
+            vertex: region.vertex_ids[0] as usize,
+            free_vertices: region.free,
+            outcome: self.outcome(&quality, suspicious_normals, creases),
             iterations: result.iterations,
             defect: result.defect,
             step: result.step,
-            seconds,
-            quality,
-            levels: self.levels.clone(),
-            free_vertices: free,
             diagonal: diagonal(&result.x) * prepared.normalization.scale,
             linear_surface: result.status.is_linear(),
-            suspicious_normals,
-            fallback_weights: if result.uniform_weights {
-                free
-            } else {
-                prepared.weights.clamped
-            },
-            self_intersections,
+            quality,
         }
     }
 
-    fn outcome(
-        &self,
-        quality: &Quality,
-        suspicious_normals: &[u32],
-        creases: &[Kink],
-        self_intersections: Option<&SelfIntersections>,
-    ) -> Outcome {
+    fn outcome(&self, quality: &Quality, suspicious_normals: &[u32], creases: &[Kink]) -> Outcome {
         let region = &self.prepared.domain.region;
         let ids = |list: &[u32], of: &[u32]| list.iter().map(|&i| of[i as usize]).collect::<Vec<u32>>();
         let poor = &self.result.poor;
-        let pairs = self_intersections.map_or(0, |found| found.pairs.len());
         let reason = match &self.result.status {
             SolveStatus::Failed => return Outcome::NotConverged,
             SolveStatus::IterationLimit => return Outcome::IterationLimit,
@@ -244,7 +201,6 @@ impl Found<'_> {
                 vertices.dedup();
                 return Outcome::BoundaryCrease { vertices };
             }
-            _ if pairs > 0 => return Outcome::SelfIntersecting { pairs },
             SolveStatus::Bump => LooseReason::Bump,
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,

@@ -45,14 +45,31 @@ choices! {
     }
 }
 
-/// The vertices whose normals are given, ascending.
-pub(super) fn given_vertices(asked: &BoundaryNormals) -> Vec<u32> {
-    let BoundaryNormals::Given(list) = asked else {
-        return Vec::new();
-    };
-    let mut vertices: Vec<u32> = list.iter().map(|(v, _)| *v).collect();
-    vertices.sort_unstable();
-    vertices
+/// The normals that are given, by vertex.
+pub(super) struct GivenNormals(Vec<(u32, [f64; 3])>);
+
+impl GivenNormals {
+    pub(super) fn new(asked: &BoundaryNormals) -> Self {
+        let mut list = match asked {
+            BoundaryNormals::Given(list) => list.clone(),
+            BoundaryNormals::Fitted | BoundaryNormals::Averaged => Vec::new(),
+        };
+        // Of repeated ones the last holds.
+        list.sort_by_key(|(v, _)| *v);
+        Self(list)
+    }
+
+    /// Those of one vertex.
+    fn at(&self, vertex: u32) -> &[(u32, [f64; 3])] {
+        let first = self.0.partition_point(|(v, _)| *v < vertex);
+        let count = self.0[first..].iter().take_while(|(v, _)| *v == vertex).count();
+        &self.0[first..first + count]
+    }
+
+    /// Whether a vertex has one.
+    pub(super) fn has(&self, vertex: u32) -> bool {
+        !self.at(vertex).is_empty()
+    }
 }
 
 /// A given normal may miss unit length by this much.
@@ -63,29 +80,25 @@ pub(super) fn is_unit(n: &Vector3<f64>) -> bool {
     (1.0 - UNIT..=1.0 + UNIT).contains(&n.norm())
 }
 
-/// Normals at the boundary, and where the surface passes instead; empty: nowhere.
+/// Normals at the boundary, and where the surface passes instead; empty: nowhere. `prescribed` are those of `asked`.
 pub(super) fn boundary_normals(
     domain: &Domain,
     asked: &BoundaryNormals,
+    prescribed: &GivenNormals,
     interior: InteriorNormals,
 ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
     let Domain {
         region, rings, input, ..
     } = domain;
     let mut given = vec![None; region.boundary];
-    if let BoundaryNormals::Given(list) = asked {
-        let boundary = &region.vertex_ids[region.free..region.region_vertices()];
-        for &(v, n) in list {
-            let first = boundary.partition_point(|&w| w < v);
-            let copies = boundary[first..].iter().take_while(|&&w| w == v).count();
-            if copies == 0 {
-                continue;
-            }
-            let n = Vector3::from(n);
+    let boundary = &region.vertex_ids[region.free..region.region_vertices()];
+    for (given, &v) in given.iter_mut().zip(boundary) {
+        for (_, n) in prescribed.at(v) {
+            let n = Vector3::from(*n);
             if !is_unit(&n) {
                 return Err(Error::BadNormal { vertex: v as usize });
             }
-            given[first..first + copies].fill(Some(n / n.norm()));
+            *given = Some(n / n.norm());
         }
     }
     let mut smooth_interior = vec![false; region.boundary];

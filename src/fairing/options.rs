@@ -104,11 +104,11 @@ pub struct Options {
     pub discretization: Discretization,
     /// Solver. Default: the fast one.
     pub solver: Solver,
-    /// Stop when the step norm (rms normal step + rms tangential step, over the region's bounding-box
+    /// Stop when the step norm (rms normal step + rms tangential step, over the component's bounding-box
     /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. Between 1e-15 (a few roundings) and 1; what the
     /// mesh allows may be a hundred times that, which the outcome says ([`LooseReason::Tolerance`](crate::LooseReason::Tolerance)).
     pub tolerance: f64,
-    /// At most this many nonlinear iterations in all. Default 500. At least 1.
+    /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
     pub max_iterations: usize,
     /// What the result will be written in. Default: double.
     pub output_precision: OutputPrecision,

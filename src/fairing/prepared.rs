@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::normalization::Normalization;
-use super::normals::{BoundaryNormals, boundary_normals, given_vertices};
+use super::normals::{GivenNormals, boundary_normals};
 use super::options::{Discretization, InnerFairness, Options, Solver};
 use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
@@ -17,7 +17,7 @@ use crate::mesh::region::Selection;
 use crate::solve::problem::Weigh;
 use crate::solve::{Domain, Problem};
 
-/// What both solvers begin with.
+/// What both solvers begin with: one component of what is to be faired.
 pub(super) struct Prepared {
     pub(super) domain: Arc<Domain>,
     pub(super) normalization: Normalization,
@@ -31,34 +31,46 @@ pub(super) struct Prepared {
     right_hand_side: RightHandSide,
 }
 
-/// The region, cut where given normals ask for it.
-pub(super) fn region(
+/// The region of each component, cut where given normals ask for it.
+pub(super) fn regions(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
-    normals: &BoundaryNormals,
-) -> Result<Region, Error> {
-    let prescribed = given_vertices(normals);
-    Region::with_normals(positions, triangles, selection, |v| {
-        prescribed.binary_search(&v).is_ok()
-    })
+    given: &GivenNormals,
+) -> Result<Vec<Region>, Error> {
+    Region::of_components(positions, triangles, selection, |v| given.has(v))
 }
 
 impl Prepared {
-    /// Checks everything that can be wrong with the mesh, the selection and the normals.
-    pub(super) fn new(
+    /// All components, by their smallest free vertices. Checks everything that can be wrong with the mesh, the selection and
+    /// the normals.
+    pub(super) fn of_components(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
         options: &Options,
+    ) -> Result<Vec<Self>, Error> {
+        let given = GivenNormals::new(&options.boundary_normals);
+        let regions = regions(positions, triangles, selection, &given)?;
+        let prepared = regions
+            .into_iter()
+            .map(|region| Self::new(positions, region, &given, options));
+        prepared.collect()
+    }
+
+    fn new(
+        positions: &[[f64; 3]],
+        region: Region,
+        given: &GivenNormals,
+        options: &Options,
     ) -> Result<Self, Error> {
-        let region = region(positions, triangles, selection, &options.boundary_normals)?;
         let mut x = region.positions(positions);
         let normalization = Normalization::new(&region, &x);
         normalization.enter(&mut x);
         let domain = Domain::new(region, x);
+        let asked = &options.boundary_normals;
         let (boundary_normals, smooth_interior) =
-            boundary_normals(&domain, &options.boundary_normals, options.interior_normals)?;
+            boundary_normals(&domain, asked, given, options.interior_normals)?;
         let weigh: Option<Weigh> = match options.inner_fairness {
             InnerFairness::Uniform => None,
             InnerFairness::Conformal => Some(FairnessWeights::conformal),
@@ -78,6 +90,18 @@ impl Prepared {
             weigh,
             curvature: curvature(options),
         })
+    }
+
+    /// How many vertices of the component are free.
+    pub(super) fn free(&self) -> usize {
+        self.domain.region.free
+    }
+
+    /// That not even a linear surface exists.
+    pub(super) fn nothing_fixed(&self) -> Error {
+        Error::NothingFixed {
+            vertex: self.domain.region.vertex_ids[0] as usize,
+        }
     }
 
     /// What is to be solved.

@@ -14,9 +14,9 @@ use crate::table::{Entry, choices, table};
 pub struct Progress {
     /// Between 0 and 1, never falling.
     pub fraction: f64,
-    /// Nonlinear iterations so far.
+    /// Nonlinear iterations so far, of the component that is at work.
     pub iterations: usize,
-    /// The last step norm, in diagonals.
+    /// Its last step norm, in diagonals.
     pub step: f64,
     /// What is being done, in a word or two.
     pub stage: &'static str,
@@ -62,7 +62,8 @@ pub enum Outcome {
     NotConverged,
     /// The iteration limit was reached; the best surface so far is returned.
     IterationLimit,
-    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
+    /// The progress callback stopped the run; the best surface so far is returned, before there is one the input. Of several
+    /// components those that were done keep their results, and those not begun yet are as in the input.
     Cancelled,
     /// Tolerance met and the surface is sound, but triangles are flipped or have an angle below one degree once the positions
     /// are rounded to [`Options::output_precision`].
@@ -171,6 +172,95 @@ impl Outcome {
         self.most_telling().remedy()
     }
 
+    /// The outcome of a whole: the worst of its parts', with what all parts of that outcome tell of it. From bad to good:
+    /// cancelled, iteration limit, not converged, target or normals not reachable, poor triangles, boundary crease, intersecting,
+    /// loosely, converged.
+    pub(crate) fn of_all(parts: &[&Self]) -> Self {
+        let first = parts
+            .iter()
+            .copied()
+            .reduce(|a, b| if b.severity() > a.severity() { b } else { a });
+        let mut whole = first.cloned().unwrap_or(Self::Converged);
+        let all = |list: fn(&Self) -> &[u32]| {
+            let mut all: Vec<u32> = parts.iter().flat_map(|o| list(o)).copied().collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        match &mut whole {
+            Self::ConvergedPoorTriangles { triangles } => *triangles = all(Self::poor),
+            Self::PoorWhenRounded { triangles } => *triangles = all(Self::poor_when_rounded),
+            Self::BoundaryCrease { vertices } => *vertices = all(Self::creased),
+            Self::NormalsNotReachable { reached, vertices } => {
+                let mut unreached: Vec<_> = parts.iter().filter_map(|o| o.unreached()).collect();
+                unreached.sort_by(|a, b| a.0.total_cmp(&b.0));
+                *reached = unreached[0].0;
+                *vertices = unreached.into_iter().flat_map(|(_, v)| v).copied().collect();
+            }
+            Self::TargetNotReachable { reached: least } => {
+                for part in parts {
+                    if let Self::TargetNotReachable { reached } = part {
+                        *least = least.min(*reached);
+                    }
+                }
+            }
+            _ => {}
+        }
+        whole
+    }
+
+    /// The larger the worse.
+    fn severity(&self) -> u32 {
+        match self {
+            Self::Converged => 0,
+            Self::ConvergedLoosely { reason } => match reason {
+                LooseReason::FirstOrderCurvature => 1,
+                LooseReason::Rounding => 2,
+                LooseReason::Tolerance => 3,
+                LooseReason::SuspiciousNormals => 4,
+                LooseReason::Bump => 5,
+            },
+            Self::SelfIntersecting { .. } => 6,
+            Self::BoundaryCrease { .. } => 7,
+            Self::PoorWhenRounded { .. } => 8,
+            Self::ConvergedPoorTriangles { .. } => 9,
+            Self::NormalsNotReachable { .. } => 10,
+            Self::TargetNotReachable { .. } => 11,
+            Self::NotConverged => 12,
+            Self::IterationLimit => 13,
+            Self::Cancelled => 14,
+        }
+    }
+
+    fn poor(&self) -> &[u32] {
+        match self {
+            Self::ConvergedPoorTriangles { triangles } => triangles,
+            _ => &[],
+        }
+    }
+
+    fn poor_when_rounded(&self) -> &[u32] {
+        match self {
+            Self::PoorWhenRounded { triangles } => triangles,
+            _ => &[],
+        }
+    }
+
+    fn creased(&self) -> &[u32] {
+        match self {
+            Self::BoundaryCrease { vertices } => vertices,
+            _ => &[],
+        }
+    }
+
+    /// How far normals were reached, and where they were not.
+    fn unreached(&self) -> Option<(f64, &[u32])> {
+        match self {
+            Self::NormalsNotReachable { reached, vertices } => Some((*reached, vertices)),
+            _ => None,
+        }
+    }
+
     fn most_telling(&self) -> &'static Entry {
         match self {
             Outcome::ConvergedLoosely { reason } => reason.entry(),
@@ -211,41 +301,71 @@ impl SelfIntersections {
     pub const MOST: usize = 10_000;
 }
 
-/// What came of it.
+/// What came of one component of the region. Components are independent problems: free vertices belong to the same one where
+/// they are neighbours, or lie around a fixed vertex inside the region whose normal is not given. Any other fixed vertex
+/// separates; what is beyond it is outside. A component's result is, to the last bit, that of a call where its free vertices
+/// alone are selected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComponentReport {
+    /// Its free vertex with the smallest index.
+    pub vertex: usize,
+    /// Number of its free vertices.
+    pub free_vertices: usize,
+    /// How its run ended.
+    pub outcome: Outcome,
+    /// Nonlinear iterations.
+    pub iterations: usize,
+    /// Defect, see [`Report::defect`], with its own diagonal.
+    pub defect: f64,
+    /// The last step norm, in its diagonals.
+    pub step: f64,
+    /// Its bounding-box diagonal, in the unit of the positions: the unit of its tolerance.
+    pub diagonal: f64,
+    /// Its surface is the linear one: no sound nonlinear surface was found.
+    pub linear_surface: bool,
+    /// Soundness of its surface.
+    pub quality: Quality,
+}
+
+/// What came of it: of the whole, and of each component. The whole has the worst of its components: their worst outcome and
+/// largest figures, and the vertices and triangles of all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
     /// What `Delta_B H` was to be.
     pub target: Target,
-    /// How the run ended.
+    /// How the run ended; of several components the worst outcome: the first of cancelled, iteration limit, not converged,
+    /// target not reachable, normals not reachable, converged with poor triangles, loosely, converged.
     pub outcome: Outcome,
-    /// Nonlinear iterations.
+    /// Nonlinear iterations: the most of any component.
     pub iterations: usize,
     /// Defect `max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij| x L` of the equation `Delta_B H = rhs`,
-    /// `A_i` the area of the 1-disk, `L` the region's diagonal.
+    /// `A_i` the area of the 1-disk, `L` the component's diagonal; the largest of any component.
     pub defect: f64,
-    /// The last step norm, in diagonals.
+    /// The last step norm, in the component's diagonals; the largest of any component.
     pub step: f64,
-    /// Seconds per stage.
+    /// Seconds per stage, of all components.
     pub seconds: Seconds,
     /// Soundness of the result.
     pub quality: Quality,
-    /// The levels of [`Solver::Paper`] from the base to the given mesh; empty for the fast solver.
+    /// The levels of [`Solver::Paper`] from the base to the given mesh, of all components; empty for the fast solver.
     pub levels: Vec<LevelReport>,
     /// Number of free vertices.
     pub free_vertices: usize,
-    /// The region's bounding-box diagonal, in the unit of the positions.
+    /// The largest bounding-box diagonal of a component, in the unit of the positions.
     pub diagonal: f64,
-    /// The returned surface is the linear one: no sound nonlinear surface was found.
+    /// The returned surface, or that of some component, is the linear one: no sound nonlinear surface was found.
     pub linear_surface: bool,
     /// Boundary vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
     /// Free vertices that took fallback weights, because their input triangles allow no conformal or
-    /// convex ones; all of them where no surface was found with those, and the vertices are spread evenly.
+    /// convex ones; all of a component where no surface was found with those, and the vertices are spread evenly.
     pub fallback_weights: usize,
     /// Triangles that intersect, measured on the positions returned. None: not looked for, because
     /// [`Options::intersections`] says so or because the run was held up before its end.
     pub self_intersections: Option<SelfIntersections>,
+    /// Each component, by its smallest free vertex; at least one.
+    pub components: Vec<ComponentReport>,
 }
 
 /// The result: all vertices of the mesh, and the report.
@@ -253,7 +373,8 @@ pub struct Report {
 pub struct Solution {
     /// All positions; fixed vertices keep their bits.
     pub positions: Vec<[f64; 3]>,
-    /// The boundary vertices and the unit normals that were used there.
+    /// The boundary vertices, ascending, and the unit normals that were used there. A vertex that several components have
+    /// different normals at stands there with each.
     pub boundary_normals: Vec<(u32, [f64; 3])>,
     /// Free vertices and the mean curvature of the result there; negative on a sphere with outward normals.
     pub mean_curvature: Vec<(u32, f64)>,

@@ -2,17 +2,24 @@
 
 mod cursor;
 
+use std::time::Instant;
+
+use super::component_solution::{ComponentSolution, whole};
 use super::joined::{in_given, joined_normals, joined_options, spread};
-use super::prepared::{Prepared, region};
+use super::normals::GivenNormals;
+use super::prepared::{Prepared, regions};
 use super::relay::{Workers, relay};
-use super::{BoundaryNormals, Options, ProgressCallback, Selection, Solution, Solver, Target};
+use super::shares::Shares;
+use super::{BoundaryNormals, Options, Outcome, ProgressCallback, Selection, Solution, Solver, Target};
 use crate::error::Error;
 use crate::mesh::coincident::{Copies, Selected};
 use crate::mesh::{Joined, Region};
+use crate::solve::control::{Callback, Interrupt};
 use cursor::Cursor;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
 ///
+/// Each component of the region (see [`ComponentReport`](crate::ComponentReport)) is held up and goes on by itself.
 /// Without changes in between, any sequence of [`run`](Session::run)s finds the surface of [`fair`](super::fair) with the same
 /// options, to the last bit. After a change of the boundary normals or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
@@ -41,8 +48,7 @@ use cursor::Cursor;
 /// ```
 pub struct Session {
     input: Input,
-    copies: Copies,
-    cursor: Cursor,
+    components: Components,
     /// Of all copies.
     solution: Solution,
     /// What the last run failed with.
@@ -56,6 +62,7 @@ struct Input {
     triangles: Vec<[u32; 3]>,
     selection: Selected<'static>,
     options: Options,
+    copies: Copies,
 }
 
 impl Input {
@@ -63,13 +70,83 @@ impl Input {
         self.selection.selection()
     }
 
-    /// The region, cut where these normals ask for it.
-    fn region(&self, normals: &BoundaryNormals) -> Result<Region, Error> {
-        region(&self.positions, &self.triangles, self.selection(), normals)
+    /// The regions of the components, cut where these normals ask for it.
+    fn regions(&self, given: &GivenNormals) -> Result<Vec<Region>, Error> {
+        regions(&self.positions, &self.triangles, self.selection(), given)
     }
 
-    fn prepared(&self) -> Result<Prepared, Error> {
-        Prepared::new(&self.positions, &self.triangles, self.selection(), &self.options)
+    fn prepared(&self) -> Result<Vec<Prepared>, Error> {
+        Prepared::of_components(&self.positions, &self.triangles, self.selection(), &self.options)
+    }
+
+    /// The solution of all components.
+    fn whole(&self, components: &Components) -> Solution {
+        let mut solution = whole(
+            &self.positions,
+            &self.triangles,
+            &self.options,
+            &components.solutions,
+        );
+        spread(&mut solution, &self.copies);
+        solution
+    }
+}
+
+/// All components: where each stands, and what came of it so far.
+struct Components {
+    cursors: Vec<Cursor>,
+    solutions: Vec<ComponentSolution>,
+}
+
+impl Components {
+    fn new(input: &Input) -> Result<Self, Error> {
+        let clock = Instant::now();
+        let prepared = input.prepared()?;
+        let seconds = clock.elapsed().as_secs_f64() / prepared.len() as f64;
+        let begun = prepared
+            .into_iter()
+            .map(|prepared| Cursor::new(prepared, input.options.output_precision, seconds));
+        let (cursors, solutions) = begun.unzip();
+        Ok(Self { cursors, solutions })
+    }
+
+    /// Nothing is left to be done, until something is changed.
+    fn are_over(&self) -> bool {
+        self.cursors.iter().all(Cursor::is_over)
+    }
+
+    /// At most this many iterations of each component. After the callback has asked to stop, the others stay where they are.
+    fn run<'a>(
+        &mut self,
+        input: &Input,
+        iterations: usize,
+        told: Option<&'a mut Callback<'a>>,
+    ) -> Result<(), Error> {
+        let stand = self.cursors.iter().map(|c| (c.free(), c.fraction()));
+        let mut shares = Shares::new(told, &Interrupt::default(), stand);
+        for (cursor, solution) in self.cursors.iter_mut().zip(&mut self.solutions) {
+            if cursor.is_over() {
+                continue;
+            }
+            if shares.is_stopped() {
+                solution.report.outcome = Outcome::Cancelled;
+                continue;
+            }
+            shares.begin(cursor.free(), cursor.fraction());
+            *solution = cursor.run(&input.options, iterations, &mut shares)?;
+            shares.end(cursor.free(), cursor.fraction());
+        }
+        Ok(())
+    }
+
+    /// Takes the boundary normals of the options, on the same regions.
+    fn set_boundary_normals(&mut self, options: &Options, given: &GivenNormals) -> Result<(), Error> {
+        let normals = self.cursors.iter().map(|c| c.boundary_normals(options, given));
+        let normals: Vec<_> = normals.collect::<Result<_, _>>()?;
+        for (cursor, (normals, smooth_interior)) in self.cursors.iter_mut().zip(normals) {
+            cursor.prescribe(normals, smooth_interior);
+        }
+        Ok(())
     }
 }
 
@@ -98,23 +175,22 @@ impl Session {
             triangles: triangles.into_owned(),
             selection: copies.selection(selection).into_owned(),
             options: joined_options(&copies, options).into_owned(),
+            copies,
         };
         let workers = Workers::new(options.threads)?;
-        let (cursor, mut solution) = workers
-            .install(|| Cursor::new(&input))
-            .map_err(|error| in_given(error, &copies, &options.boundary_normals))?;
-        spread(&mut solution, &copies);
+        let components = workers
+            .install(|| Components::new(&input))
+            .map_err(|error| in_given(error, &input.copies, &options.boundary_normals))?;
         Ok(Self {
+            solution: input.whole(&components),
             input,
-            copies,
-            cursor,
-            solution,
+            components,
             broken: None,
             workers,
         })
     }
 
-    /// Runs at most this many nonlinear iterations (at least one), and returns the surface: of the last iteration if the
+    /// Runs at most this many nonlinear iterations (at least one) of each component, and returns the surface: of the last iteration if the
     /// run was held up ([`IterationLimit`](crate::Outcome::IterationLimit), or [`Cancelled`](crate::Outcome::Cancelled) by
     /// the callback), else the final one. The next run goes on from there. Once the end is reached, a further run does
     /// nothing until something is changed.
@@ -129,22 +205,21 @@ impl Session {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
-        if self.cursor.is_over() {
+        if self.components.are_over() {
             return Ok(&self.solution);
         }
         let iterations = iterations.max(1);
-        let (input, cursor) = (&self.input, &mut self.cursor);
+        let (input, components) = (&self.input, &mut self.components);
         let ran = match progress {
-            None => self.workers.install(|| cursor.run(input, iterations, None)),
+            None => self.workers.install(|| components.run(input, iterations, None)),
             // A run that is held up goes on later: no factorization is to be broken off.
             Some(callback) => relay(&self.workers, callback, |told, _| {
-                cursor.run(input, iterations, Some(told))
+                components.run(input, iterations, Some(told))
             })?,
         };
         match ran {
-            Ok(solution) => {
-                self.solution = solution;
-                spread(&mut self.solution, &self.copies);
+            Ok(()) => {
+                self.solution = input.whole(components);
                 Ok(&self.solution)
             }
             Err(error) => {
@@ -164,23 +239,27 @@ impl Session {
             return Err(error.clone());
         }
         let given = normals;
-        let normals = joined_normals(&self.copies, &given).into_owned();
-        let region = self.input.region(&normals)?;
+        let normals = joined_normals(&self.input.copies, &given).into_owned();
+        let prescribed = GivenNormals::new(&normals);
+        let regions = self.input.regions(&prescribed)?;
         let before = std::mem::replace(&mut self.input.options.boundary_normals, normals);
-        let (input, cursor) = (&self.input, &mut self.cursor);
-        let changed = if cursor.is_of(&region) {
-            self.workers.install(|| cursor.set_boundary_normals(input))
+        let (input, cursors) = (&self.input, &self.components.cursors);
+        let is_same = cursors.len() == regions.len() && cursors.iter().zip(&regions).all(|(c, r)| c.is_of(r));
+        let changed = if is_same {
+            let components = &mut self.components;
+            self.workers
+                .install(|| components.set_boundary_normals(&input.options, &prescribed))
         } else {
-            let anew = self.workers.install(|| Cursor::new(input));
-            anew.map(|(cursor, solution)| {
-                (self.cursor, self.solution) = (cursor, solution);
-                spread(&mut self.solution, &self.copies);
+            let anew = self.workers.install(|| Components::new(input));
+            anew.map(|anew| {
+                self.solution = input.whole(&anew);
+                self.components = anew;
             })
         };
         if changed.is_err() {
             self.input.options.boundary_normals = before;
         }
-        changed.map_err(|error| in_given(error, &self.copies, &given))
+        changed.map_err(|error| in_given(error, &self.input.copies, &given))
     }
 
     /// Asks for another right-hand side from now on.
@@ -197,7 +276,10 @@ impl Session {
         }
         .validate()?;
         self.input.options.target = target;
-        self.cursor.set_target(target);
+        self.components
+            .cursors
+            .iter_mut()
+            .for_each(|c| c.set_target(target));
         Ok(())
     }
 

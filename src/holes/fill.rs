@@ -162,7 +162,8 @@ fn run<'a>(
     let workers = Workers::new(options.fairing.threads)?;
     let mut run = Run {
         positions,
-        neighbours: is_checked.then(|| workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))),
+        neighbours: is_checked
+            .then(|| workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))),
         workers: &workers,
         links: &links,
         place: vec![NONE; triangles.len()],

@@ -1,9 +1,12 @@
 //! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
+mod checks;
 pub(crate) mod coincident;
+mod components;
 mod cut;
 pub(crate) mod disjoint_sets;
 pub(crate) mod editable;
+mod excerpt;
 pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
 pub(crate) mod input;

@@ -3,14 +3,16 @@
 use nalgebra::Vector3;
 
 use super::NONE;
+use super::checks::{check_corners, check_finite, check_valence, finite, repeated};
+use super::components::Components;
 use super::cut::cut;
-use super::disjoint_sets::DisjointSets;
+use super::excerpt::Excerpts;
 use super::halfedge::{HalfEdges, each_edge};
 use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::outside_neighbours::RINGS_WIDE;
 use super::rounding;
-use crate::error::{Error, LARGEST_COORDINATE, MOST_VALENCE};
+use crate::error::Error;
 
 /// Which vertices may move.
 #[derive(Debug, Clone, Copy)]
@@ -45,10 +47,9 @@ pub(crate) struct Region {
     pub beyond: Vec<[u32; 3]>,
     /// Whether the surroundings have single precision coordinates that tilt their triangles: far from the origin.
     pub is_rounded: bool,
-    /// Per free vertex the number of its component. Region triangles with a common vertex, free or fixed,
-    /// belong together; components are numbered by their smallest free vertex.
+    /// Per free vertex the number of its component.
     pub component: Vec<u32>,
-    /// How many components there are.
+    /// How many components there are. More than one only where the region is not to be solved as it is.
     pub components: usize,
 }
 
@@ -85,46 +86,32 @@ impl Region {
         selection: Selection<'_>,
         prescribed: impl Fn(u32) -> bool,
     ) -> Result<Self, Error> {
-        check_size(positions.len(), triangles.len())?;
-        let mut role = resolve(positions.len(), triangles, selection)?;
-        let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
-        let (mut vertex_ids, local, free, mut boundary) = number(&role);
-        check_corners(triangles, &triangle_ids)?;
-        check_finite(positions, &vertex_ids)?;
-        check_valence(triangles, &triangle_ids[..region_triangles], &local, &vertex_ids)?;
-        let ids = triangle_ids.iter();
-        let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
-        let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
-            HalfEdges::new(
-                numbered,
-                triangle_ids,
-                region_triangles,
-                (free, boundary),
-                vertex_ids,
-            )
-        };
-        let mut half_edges = link(numbered.collect(), triangle_ids, boundary, &vertex_ids)?;
-        let of_curve = |v: usize| prescribed(vertex_ids[v]);
-        if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
-            (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
-            half_edges = link(cut.triangles, half_edges.triangle_ids, boundary, &vertex_ids)?;
+        Draft::new(positions, triangles, selection, &prescribed)?.check(positions, triangles, prescribed)
+    }
+
+    /// The region of each component, as [`with_normals`](Self::with_normals) finds it where the component's vertices alone are
+    /// selected, by their smallest free vertices.
+    ///
+    /// # Errors
+    /// As [`Region::new`], those that concern the whole mesh first, then those of the first component that has any.
+    pub(crate) fn of_components(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Vec<Self>, Error> {
+        let draft = Draft::new(positions, triangles, selection, &prescribed)?;
+        if draft.components.count == 1 {
+            return Ok(vec![draft.check(positions, triangles, prescribed)?]);
         }
-        let outside = half_edges.triangle_ids[region_triangles..].iter();
-        let is_rounded =
-            rounding::single_precision_matters(positions, outside.map(|&t| triangles[t as usize]));
-        let rings = if is_rounded { RINGS_WIDE - 1 } else { RINGS_BEYOND };
-        let beyond = add_beyond(positions, triangles, &role, rings, &mut vertex_ids);
-        let (component, components) = components(&half_edges, free, boundary, &vertex_ids)?;
-        Ok(Self {
-            vertex_ids,
-            free,
-            boundary,
-            half_edges,
-            beyond,
-            is_rounded,
-            component,
-            components,
-        })
+        let mut members = vec![Vec::new(); draft.components.count];
+        for (&c, &v) in draft.components.number.iter().zip(&draft.vertex_ids) {
+            members[c as usize].push(v);
+        }
+        drop(draft);
+        let mut excerpts = Excerpts::new(positions, triangles);
+        let regions = members.iter().map(|free| excerpts.region(free, &prescribed));
+        regions.collect()
     }
 
     /// Whether a local vertex is free.
@@ -190,6 +177,101 @@ enum Role {
     Boundary,
     /// Of an outside-ring triangle, but not boundary.
     Ring,
+}
+
+/// A region that is found, but not checked yet.
+struct Draft {
+    role: Vec<Role>,
+    triangle_ids: Vec<u32>,
+    /// How many of them are of the region; the others are of the outside ring.
+    region_triangles: usize,
+    vertex_ids: Vec<u32>,
+    free: usize,
+    boundary: usize,
+    /// In local numbers.
+    triangles: Vec<[u32; 3]>,
+    components: Components,
+}
+
+impl Draft {
+    /// # Errors
+    /// Those of [`Region::new`] as far as [`Error::EmptyRegion`].
+    fn new(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Self, Error> {
+        check_size(positions.len(), triangles.len())?;
+        let mut role = resolve(positions.len(), triangles, selection)?;
+        let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
+        let (vertex_ids, local, free, boundary) = number(&role);
+        let ids = triangle_ids.iter();
+        let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
+        let triangles: Vec<[u32; 3]> = numbered.collect();
+        let given = |v: u32| prescribed(vertex_ids[v as usize]);
+        Ok(Self {
+            components: Components::new(&triangles, region_triangles, (free, boundary), given),
+            role,
+            triangle_ids,
+            region_triangles,
+            vertex_ids,
+            free,
+            boundary,
+            triangles,
+        })
+    }
+
+    /// # Errors
+    /// The others of [`Region::new`].
+    fn check(
+        self,
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Region, Error> {
+        let (free, mut boundary, mut vertex_ids) = (self.free, self.boundary, self.vertex_ids);
+        let (components, region_triangles) = (self.components, self.region_triangles);
+        check_corners(triangles, &self.triangle_ids)?;
+        check_finite(positions, &vertex_ids)?;
+        check_valence(&self.triangles[..region_triangles], &vertex_ids)?;
+        let nothing_fixed = components.without_fixed(&self.triangles[..region_triangles]);
+        let link = |numbered, triangle_ids, boundary, vertex_ids: &[u32]| {
+            HalfEdges::new(
+                numbered,
+                triangle_ids,
+                region_triangles,
+                (free, boundary),
+                vertex_ids,
+            )
+        };
+        let mut half_edges = link(self.triangles, self.triangle_ids, boundary, &vertex_ids)?;
+        if let Some(v) = nothing_fixed {
+            return Err(Error::NothingFixed {
+                vertex: vertex_ids[v] as usize,
+            });
+        }
+        let of_curve = |v: usize| prescribed(vertex_ids[v]);
+        if let Some(cut) = cut(&half_edges, (free, boundary), &vertex_ids, of_curve) {
+            (vertex_ids, boundary) = (cut.vertex_ids, cut.boundary);
+            half_edges = link(cut.triangles, half_edges.triangle_ids, boundary, &vertex_ids)?;
+        }
+        let outside = half_edges.triangle_ids[region_triangles..].iter();
+        let is_rounded =
+            rounding::single_precision_matters(positions, outside.map(|&t| triangles[t as usize]));
+        let rings = if is_rounded { RINGS_WIDE - 1 } else { RINGS_BEYOND };
+        let beyond = add_beyond(positions, triangles, &self.role, rings, &mut vertex_ids);
+        Ok(Region {
+            vertex_ids,
+            free,
+            boundary,
+            half_edges,
+            beyond,
+            is_rounded,
+            component: components.number,
+            components: components.count,
+        })
+    }
 }
 
 /// Marks the free vertices. Also checks every index of the mesh, and that free vertices have triangles.
@@ -323,86 +405,8 @@ fn number(role: &[Role]) -> (Vec<u32>, Vec<u32>, usize, usize) {
     (ids, local, ends[0], ends[1] - ends[0])
 }
 
-fn repeated([a, b, c]: [u32; 3]) -> Option<u32> {
-    if a == b || a == c {
-        Some(a)
-    } else if b == c {
-        Some(b)
-    } else {
-        None
-    }
-}
-
-fn check_corners(triangles: &[[u32; 3]], ids: &[u32]) -> Result<(), Error> {
-    let broken = ids
-        .iter()
-        .filter_map(|&t| repeated(triangles[t as usize]).map(|v| (t, v)));
-    match broken.min() {
-        Some((t, v)) => Err(Error::RepeatedIndex {
-            triangle: t as usize,
-            vertex: v as usize,
-        }),
-        None => Ok(()),
-    }
-}
-
-fn finite(position: &[f64; 3]) -> bool {
-    position.iter().all(|x| x.is_finite())
-}
-
-fn check_finite(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
-    match ids.iter().filter(|&&v| !finite(&positions[v as usize])).min() {
-        Some(&v) => Err(Error::NotFinite { vertex: v as usize }),
-        None => check_range(positions, ids),
-    }
-}
-
-fn check_range(positions: &[[f64; 3]], ids: &[u32]) -> Result<(), Error> {
-    let largest = |v: u32| {
-        let [x, y, z] = positions[v as usize];
-        [y, z]
-            .into_iter()
-            .fold(x, |a, b| if b.abs() > a.abs() { b } else { a })
-    };
-    match ids
-        .iter()
-        .filter(|&&v| largest(v).abs() > LARGEST_COORDINATE)
-        .min()
-    {
-        Some(&v) => Err(Error::CoordinateTooLarge {
-            vertex: v as usize,
-            coordinate: largest(v),
-        }),
-        None => Ok(()),
-    }
-}
-
-/// That no vertex has too many of these triangles.
-fn check_valence(
-    triangles: &[[u32; 3]],
-    region_triangles: &[u32],
-    local: &[u32],
-    ids: &[u32],
-) -> Result<(), Error> {
-    let mut valence = vec![0; ids.len()];
-    for v in region_triangles.iter().flat_map(|&t| triangles[t as usize]) {
-        valence[local[v as usize] as usize] += 1;
-    }
-    let crowded = ids
-        .iter()
-        .zip(valence)
-        .filter(|(_, valence)| *valence > MOST_VALENCE);
-    match crowded.min() {
-        Some((&v, valence)) => Err(Error::ValenceTooLarge {
-            vertex: v as usize,
-            valence,
-        }),
-        None => Ok(()),
-    }
-}
-
 /// How far [`Region::beyond`] reaches.
-const RINGS_BEYOND: usize = 2;
+pub(super) const RINGS_BEYOND: usize = 2;
 
 /// Gathers [`Region::beyond`] and numbers its vertices that have no number yet.
 fn add_beyond(
@@ -460,54 +464,4 @@ fn reach_beyond(
             .for_each(|&v| reached[v as usize] = true);
     }
     beyond
-}
-
-/// Numbers the components by smallest free vertex, and checks that each has a fixed vertex.
-fn components(
-    half_edges: &HalfEdges,
-    free: usize,
-    boundary: usize,
-    vertex_ids: &[u32],
-) -> Result<(Vec<u32>, usize), Error> {
-    let mut sets = DisjointSets::new(free + boundary);
-    for &[a, b, c] in &half_edges.triangles[..half_edges.region_triangles] {
-        sets.unite(a, b);
-        sets.unite(b, c);
-    }
-    let mut number = vec![NONE; free];
-    let mut count = 0;
-    for v in 0..free {
-        // It comes first, and is free.
-        let smallest = sets.smallest(v as u32) as usize;
-        if smallest == v {
-            number[v] = count;
-            count += 1;
-        } else {
-            number[v] = number[smallest];
-        }
-    }
-    let mut fixed = vec![false; count as usize];
-    for b in free..free + boundary {
-        fixed[number[sets.smallest(b as u32) as usize] as usize] = true;
-    }
-    match number.iter().position(|&c| !fixed[c as usize]) {
-        Some(v) => Err(Error::NothingFixed {
-            vertex: vertex_ids[v] as usize,
-        }),
-        None => Ok((number, count as usize)),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn repeated_corners() {
-        assert_eq!(repeated([1, 2, 3]), None);
-        assert_eq!(
-            [[4, 4, 1], [4, 1, 4], [1, 4, 4], [4; 3]].map(repeated),
-            [Some(4); 4]
-        );
-    }
 }

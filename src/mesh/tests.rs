@@ -540,7 +540,7 @@ fn sphere_with_a_hole_and_sphere_with_one_fixed_vertex() {
 }
 
 #[test]
-fn components_join_at_common_vertices() {
+fn components_join_along_edges_only() {
     let mesh = grid(12);
     let (region, _) = sound(&mesh, Selection::Vertices(&[26, 116, 117]));
     assert_eq!(
@@ -549,7 +549,7 @@ fn components_join_at_common_vertices() {
     );
     // (2, 2) and (4, 4) have the fixed vertex (3, 3) in common, which then has two region fans.
     let (region, rings) = sound(&mesh, Selection::Vertices(&[26, 52]));
-    assert_eq!(region.components, 1);
+    assert_eq!(region.components, 2);
     let at = region.vertex_ids.iter().position(|&v| v == 39).unwrap() - region.free;
     assert_eq!((rings.boundary_ring(at).len(), rings.closed[at]), (6, false));
     assert_eq!(rings.boundary_triangles(at).len(), 4);
@@ -557,6 +557,72 @@ fn components_join_at_common_vertices() {
     // The common boundary vertex connects the two in S_I D S_I^T, though they are no neighbours.
     assert_eq!(rings.two_ring_pattern().row(1), [0, 1]);
     assert_eq!(rings.graph().row(1), [1]);
+}
+
+/// Around an island and around fixed vertices inside, all belongs together, unless they have normals.
+#[test]
+fn components_join_around_fixed_vertices_inside() {
+    let mesh = grid(13);
+    let count = |fixed: &[u32], given: &[u32]| {
+        let mut list = inner(13, 2);
+        list.retain(|v| !fixed.contains(v));
+        let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
+            given.contains(&v)
+        });
+        region.unwrap().components
+    };
+    // A column that ends at the boundary; its outermost vertices are not inside.
+    let column: Vec<u32> = (1..12).map(|y| 13 * y + 6).collect();
+    assert_eq!(count(&column, &[]), 1);
+    assert_eq!(count(&column, &column), 2);
+    // One vertex of it without a normal.
+    assert_eq!(count(&column, &column[..6]), 1);
+    // A ring around the vertex (6, 6), and around the island of (6, 6), (7, 6) and (7, 7).
+    let ring = [
+        5 * 13 + 5,
+        5 * 13 + 6,
+        6 * 13 + 7,
+        7 * 13 + 7,
+        7 * 13 + 6,
+        6 * 13 + 5,
+    ];
+    assert_eq!(count(&ring, &[]), 1);
+    assert_eq!(count(&ring, &ring), 2);
+    let island = [6 * 13 + 6, 6 * 13 + 7, 7 * 13 + 7];
+    assert_eq!(count(&island, &[]), 1);
+    assert_eq!(count(&island, &island), 1);
+}
+
+/// Far from the origin the surroundings reach further.
+#[test]
+fn regions_of_components_far_from_the_origin() {
+    let mut mesh = grid(24);
+    for p in &mut mesh.0 {
+        *p = p.map(|c| f64::from((1e4 + 0.001 * c) as f32));
+    }
+    let list = [24 * 11 + 11, 24 * 11 + 12, 24 * 14 + 15];
+    let regions = agree_alone(&mesh, &list, |_| false);
+    assert_eq!(regions.len(), 2);
+    assert!(regions.iter().all(|r| r.is_rounded));
+}
+
+/// The regions of components, each of which is that of its free vertices alone.
+fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<Region> {
+    let regions = Region::of_components(&mesh.0, &mesh.1, Selection::Vertices(list), &given).unwrap();
+    let mut free: Vec<u32> = Vec::new();
+    for region in &regions {
+        assert_eq!(region.components, 1);
+        let own = free_ids(region);
+        let alone = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&own), &given).unwrap();
+        assert_eq!(format!("{region:?}"), format!("{alone:?}"));
+        free.extend(own);
+    }
+    free.sort_unstable();
+    let mut asked = list.to_vec();
+    asked.sort_unstable();
+    assert_eq!(free, asked);
+    assert!(regions.is_sorted_by_key(|r| r.vertex_ids[0]));
+    regions
 }
 
 #[test]
@@ -893,6 +959,23 @@ proptest! {
             let mut ids = region.vertex_ids[region.free..region.region_vertices()].to_vec();
             ids.dedup();
             prop_assert_eq!(&ids[..], &whole.vertex_ids[whole.free..whole.region_vertices()]);
+        }
+    }
+
+    /// The regions of components are those of their vertices alone, whatever is selected and has normals.
+    #[test]
+    fn any_selection_has_independent_components(
+        n in 5u32..12,
+        bits in prop::collection::vec(any::<bool>(), 128),
+        dense in any::<bool>(),
+        most in any::<bool>(),
+    ) {
+        let mesh = grid(n);
+        let pick = |k: u32| bits[(k as usize * 3) % 128] || (dense && bits[(k as usize * 7 + 1) % 128]);
+        let given = |k: u32| most && bits[(k as usize * 5 + 3) % 128];
+        let list: Vec<u32> = inner(n, 1).into_iter().filter(|&v| pick(v)).collect();
+        if !list.is_empty() {
+            agree_alone(&mesh, &list, given);
         }
     }
 

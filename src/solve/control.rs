@@ -13,7 +13,7 @@ pub(crate) struct Tally {
     /// Nonlinear iterations so far.
     pub iterations: usize,
     /// The fraction last reported.
-    fraction: f64,
+    pub fraction: f64,
     /// The step norm last reported.
     pub step: f64,
 }

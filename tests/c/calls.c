@@ -267,6 +267,30 @@ static void one_shot(void) {
     }
     OK(fairmesh_result_free(result));
 
+    /* Two free vertices that nothing connects. */
+    {
+        const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
+        fairmesh_selection apart;
+        fairmesh_component part;
+        memset(&apart, 0, sizeof apart);
+        apart.struct_size = sizeof apart;
+        apart.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
+        apart.data = two;
+        apart.count = 2;
+        options = quick();
+        OK(fairmesh_fair(&cap.mesh, &apart, &options, NULL, &report, &result, &error));
+        CHECK(report.free_vertices == 2 && report.component_count == 2);
+        part.struct_size = sizeof part;
+        for (v = 0; v < 2; v++) {
+            OK(fairmesh_result_component(result, 0, v, &part, &error));
+            CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
+            CHECK(part.iterations <= report.iterations && part.diagonal <= report.diagonal);
+        }
+        CHECK(fairmesh_result_component(result, 0, 2, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+        CHECK(fairmesh_result_component(result, 1, 0, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+        OK(fairmesh_result_free(result));
+    }
+
     numbers = scalars_out_of(h, cap.vertices);
     OK(fairmesh_mean_curvature(&cap.mesh, &numbers, &error));
     for (v = 0; v < cap.vertices; v++) CHECK(h[v] == h[v]);

@@ -6,6 +6,7 @@ mod fairing;
 mod accuracy;
 mod boundary;
 mod coincident;
+mod components;
 mod golden;
 mod holes;
 mod independence;

@@ -452,54 +452,6 @@ fn interpolated_point() {
     bars.finish();
 }
 
-/// Both meshes in one, the second after the first.
-fn joined(a: &Shape, b: &Shape) -> Shape {
-    let mut both = a.clone();
-    let n = a.positions.len() as u32;
-    both.positions.extend(&b.positions);
-    both.normals.extend(&b.normals);
-    both.free.extend(&b.free);
-    both.triangles
-        .extend(b.triangles.iter().map(|t| t.map(|v| v + n)));
-    both
-}
-
-/// Regions that have nothing in common. Together they have another frame and another step norm, so that they
-/// agree only to the tolerance times what it is short of the error, not to the bit.
-#[test]
-fn two_regions_are_two_problems() {
-    let mut bars = Bars::default();
-    let beside = Similarity::new([0.0, 1.0, 0.0], 0.4, 0.8, [5.0, 0.5, -1.0]);
-    let cylinder = cylinder_band(1_000, irregular(2), OUTSIDE).transformed(&beside);
-    let cap = sphere_cap(60.0, 1_500, irregular(1), OUTSIDE);
-    for tolerance in [1e-10, 1e-12] {
-        let [a, b] = [&cap, &cylinder].map(|s| solve(s, &s.positions, options(tolerance)));
-        let both = joined(&cap, &cylinder);
-        let together = solve(&both, &both.positions, options(tolerance));
-        let (first, second) = together.positions.split_at(cap.positions.len());
-        let gaps = [
-            apart(first, &a.positions) / a.report.diagonal,
-            apart(second, &b.positions) / b.report.diagonal,
-        ];
-        println!(
-            "two regions at {tolerance:.0e}: {:.2e} and {:.2e} apart; {}, {}, {}",
-            gaps[0],
-            gaps[1],
-            together.report.outcome.name(),
-            a.report.outcome.name(),
-            b.report.outcome.name()
-        );
-        bars.converged(format!("both at {tolerance:.0e}"), &together);
-        bars.at_most(format!("cap at {tolerance:.0e}"), gaps[0], 1e-9);
-        bars.at_most(format!("cylinder at {tolerance:.0e}"), gaps[1], 1e-9);
-        assert_eq!(
-            together.report.free_vertices,
-            a.report.free_vertices + b.report.free_vertices
-        );
-    }
-    bars.finish();
-}
-
 /// Euler characteristic of the triangles with a free vertex.
 fn euler_characteristic(shape: &Shape) -> i64 {
     let (mut vertices, mut edges, mut count) = (HashMap::new(), HashMap::new(), 0);

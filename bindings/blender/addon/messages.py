@@ -75,7 +75,16 @@ def faired(report):
         Outcome.NORMALS_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of the way)",
         Outcome.TARGET_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of it)",
     }.get(report.outcome, "")
-    return "WARNING", f"{vertices}: {report.text}{figures}. {_sentence(report.remedy)}"
+    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {_sentence(report.remedy)}"
+
+
+def _components(report):
+    """How many components of the region are fair, where some are and some are not."""
+    fair = sum(component.outcome.is_success for component in report.components)
+    if fair == 0:
+        return ""
+    first = next(component for component in report.components if not component.outcome.is_success)
+    return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {first.vertex})"
 
 
 def filled(loops):

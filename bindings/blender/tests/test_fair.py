@@ -3,6 +3,7 @@
 
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.path.insert(0, str(Path(__file__).parent))
 import bpy  # isort: skip
@@ -30,6 +31,23 @@ def test_uv_sphere():
         assert radial_error(obj, free) > 0.5
         assert fair() == {"FINISHED"}
         assert radial_error(obj, free) < BAR, radial_error(obj, free)
+
+
+def test_components_are_counted_where_some_are_not_fair():
+    outcome = part("fairmesh").Outcome
+
+    def told(*outcomes):
+        components = [SimpleNamespace(outcome=o, vertex=10 * k) for k, o in enumerate(outcomes)]
+        worst = SimpleNamespace(
+            outcome=outcomes[-1], components=components, free_vertices=9, iterations=5, text="text", remedy="remedy"
+        )
+        return part("messages").faired(worst)
+
+    good, bad = outcome.CONVERGED, outcome.NOT_CONVERGED
+    assert told(good, good) == ("INFO", "9 vertices faired in 5 iterations")
+    assert told(bad) == ("WARNING", "9 vertices faired in 5 iterations: text. Remedy")
+    kind, text = told(good, good, bad)
+    assert kind == "WARNING" and "(2 of 3 separate parts are fair; one that is not is at vertex 20)" in text
 
 
 def test_irregular_sphere():

@@ -278,6 +278,24 @@ def test_a_remeshed_region_is_faired():
     assert few.new_vertex_count <= 30
 
 
+def test_components_are_independent():
+    vertices, faces, free, _ = dented_sphere()
+    n = len(vertices)
+    both = np.concatenate([vertices, 1e-3 * vertices + [50, 0, 0]])
+    result = fairmesh.fair(both, np.concatenate([faces, faces + n]), free=np.concatenate([free, free]))
+    components = result.report.components
+    assert [c.vertex for c in components] == [np.flatnonzero(free)[0], n + np.flatnonzero(free)[0]]
+    assert all(c.outcome.is_success and c.free_vertices == free.sum() and c.step < 1e-8 for c in components)
+    assert components[1].diagonal == pytest.approx(1e-3 * components[0].diagonal, rel=1e-6)
+    alone = fairmesh.fair(vertices, faces, free=free)
+    assert np.array_equal(result.vertices[:n], alone.vertices)
+    assert alone.report.components[0] == components[0]
+    with fairmesh.Solver(both, np.concatenate([faces, faces + n]), free=np.concatenate([free, free])) as solver:
+        report = solver.run()
+        assert [c.outcome for c in report.components] == ["converged", "converged"]
+        assert report.components == solver.report.components
+
+
 def test_the_papers_own_scheme():
     vertices, faces, free, _ = dented_sphere()
     result = fairmesh.fair(vertices, faces, free=free, solver="paper", discretization="paper", paper_levels=2)

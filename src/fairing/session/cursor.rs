@@ -1,20 +1,23 @@
-//! Where a [`Session`](super::Session) stands: the solve that [`fair`](crate::fair) runs through, held up between two
-//! iterations.
+//! Where a [`Session`](super::Session) stands with one component: the solve that [`fair`](crate::fair) runs through, held up
+//! between two iterations.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use super::Input;
+use nalgebra::Vector3;
+
 use crate::discrete::target::Target;
 use crate::error::Error;
+use crate::fairing::component_solution::ComponentSolution;
 use crate::fairing::conclusion::Found;
-use crate::fairing::normals::boundary_normals;
+use crate::fairing::normals::{GivenNormals, boundary_normals};
 use crate::fairing::prepared::Prepared;
-use crate::fairing::{Seconds, Solution};
+use crate::fairing::shares::Shares;
+use crate::fairing::{Options, OutputPrecision, Seconds};
 use crate::mesh::Region;
 use crate::quality::NEEDLE;
-use crate::solve::control::{Callback, Tally};
+use crate::solve::control::Tally;
 use crate::solve::ladder::{Ladder, Step};
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, SolveResult, SolveStatus, System};
@@ -31,22 +34,23 @@ pub(super) struct Cursor {
 }
 
 impl Cursor {
-    /// Checks the input, orders and analyses the matrices, and measures the given surface.
-    pub(super) fn new(input: &Input) -> Result<(Self, Solution), Error> {
+    /// Orders and analyses the matrices, and measures the given surface. It was prepared in so many seconds.
+    pub(super) fn new(
+        prepared: Prepared,
+        output_precision: OutputPrecision,
+        preparation: f64,
+    ) -> (Self, ComponentSolution) {
         let clock = Instant::now();
-        let prepared = input.prepared()?;
         let problem = prepared.problem();
         let (result, state) = problem.unmoved();
         let system = System::new(&problem);
         let seconds = Seconds {
-            setup: clock.elapsed().as_secs_f64(),
+            setup: preparation + clock.elapsed().as_secs_f64(),
             ..Seconds::default()
         };
         let found = Found {
-            positions: &input.positions,
-            triangles: &input.triangles,
             prepared: &prepared,
-            options: &input.options,
+            output_precision,
             result: &SolveResult {
                 status: SolveStatus::IterationLimit,
                 ..result
@@ -64,7 +68,17 @@ impl Cursor {
             is_over: false,
             seconds,
         };
-        Ok((cursor, solution))
+        (cursor, solution)
+    }
+
+    /// How many vertices of the component are free.
+    pub(super) fn free(&self) -> usize {
+        self.prepared.free()
+    }
+
+    /// How far it is, from 0 to 1.
+    pub(super) fn fraction(&self) -> f64 {
+        if self.is_over { 1.0 } else { self.tally.fraction }
     }
 
     /// Nothing is left to be done, until something is changed.
@@ -79,22 +93,20 @@ impl Cursor {
     }
 
     /// At most this many iterations, or one if the callback asks to stop.
-    pub(super) fn run<'a>(
+    pub(super) fn run(
         &mut self,
-        input: &Input,
+        options: &Options,
         iterations: usize,
-        told: Option<&'a mut Callback<'a>>,
-    ) -> Result<Solution, Error> {
+        shares: &mut Shares<'_>,
+    ) -> Result<ComponentSolution, Error> {
         let clock = Instant::now();
-        let result = self.advance(input, iterations, told);
-        let result = result.map_err(|Collapsed| Error::NothingFixed { vertex: 0 })?;
+        let result = self.advance(options, iterations, shares);
+        let result = result.map_err(|Collapsed| self.prepared.nothing_fixed())?;
         self.seconds.start += result.start_seconds;
         self.seconds.iterate += clock.elapsed().as_secs_f64() - result.start_seconds;
         let found = Found {
-            positions: &input.positions,
-            triangles: &input.triangles,
             prepared: &self.prepared,
-            options: &input.options,
+            output_precision: options.output_precision,
             result: &result,
             state: self.system.state(),
             levels: Vec::new(),
@@ -103,21 +115,20 @@ impl Cursor {
         Ok(found.conclude())
     }
 
-    fn advance<'a>(
+    fn advance(
         &mut self,
-        input: &Input,
+        options: &Options,
         iterations: usize,
-        mut told: Option<&'a mut Callback<'a>>,
+        shares: &mut Shares<'_>,
     ) -> Result<SolveResult, Collapsed> {
+        let free = self.free();
         let is_held = Cell::new(false);
         // The solve itself is never stopped by the callback, but held up after the next iteration.
         let mut tell = |fraction, iterations, step, phase| {
-            if let (false, Some(told)) = (is_held.get(), &mut told) {
-                is_held.set(told(fraction, iterations, step, phase).is_break());
-            }
+            let told = shares.tell(free, (fraction, iterations, step, phase));
+            is_held.set(told.is_break());
             ControlFlow::Continue(())
         };
-        let options = &input.options;
         let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
         control.tally = self.tally;
         let before = self.tally.iterations;
@@ -170,17 +181,20 @@ impl Cursor {
         }
     }
 
-    /// Takes the boundary normals of the options, on the same region.
-    pub(super) fn set_boundary_normals(&mut self, input: &Input) -> Result<(), Error> {
-        let options = &input.options;
-        let (normals, smooth_interior) = boundary_normals(
-            &self.prepared.domain,
-            &options.boundary_normals,
-            options.interior_normals,
-        )?;
+    /// The boundary normals of the options, on the same region, and where the surface passes smoothly instead.
+    pub(super) fn boundary_normals(
+        &self,
+        options: &Options,
+        given: &GivenNormals,
+    ) -> Result<(Vec<Vector3<f64>>, Vec<bool>), Error> {
+        let domain = &self.prepared.domain;
+        boundary_normals(domain, &options.boundary_normals, given, options.interior_normals)
+    }
+
+    /// Takes other boundary normals.
+    pub(super) fn prescribe(&mut self, normals: Vec<Vector3<f64>>, smooth_interior: Vec<bool>) {
         self.change();
         self.system.prescribe(normals, smooth_interior);
-        Ok(())
     }
 
     /// Takes another right-hand side.

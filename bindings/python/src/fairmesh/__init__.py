@@ -12,9 +12,10 @@ from ._intersections import self_intersections
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Level, Report
+from ._reports import Component, Level, Report
 
 __all__ = [
+    "Component",
     "ElementKind",
     "FairingOptions",
     "FairmeshError",

@@ -333,6 +333,7 @@ class fairmesh_report(Structure):
         ("seconds_iterate", c_double),
         ("seconds_quality", c_double),
         ("seconds_total", c_double),
+        ("component_count", c_uint64),
     )
 
 
@@ -344,6 +345,31 @@ class fairmesh_level(Structure):
         ("triangles", c_uint64),
         ("updates", c_uint64),
         ("defect", c_double),
+    )
+
+
+class fairmesh_component(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("outcome", c_uint32),
+        ("loose_reason", c_uint32),
+        ("linear_surface", c_uint32),
+        ("vertex", c_uint64),
+        ("free_vertices", c_uint64),
+        ("iterations", c_uint64),
+        ("defect", c_double),
+        ("step", c_double),
+        ("diagonal", c_double),
+        ("reached", c_double),
+        ("flipped_count", c_uint64),
+        ("needle_count", c_uint64),
+        ("worst_angle", c_double),
+        ("worst_triangle", c_uint64),
+        ("h_inside", c_double * 2),
+        ("h_boundary", c_double * 2),
+        ("normal_deviation", c_double),
+        ("normal_deviation_vertex", c_uint64),
+        ("normal_deviation_rms", c_double),
     )
 
 
@@ -572,6 +598,15 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_solver_component": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_component),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_solver_result": (
         c_int32,
         (
@@ -632,6 +667,16 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             c_void_p,
             c_uint64,
             POINTER(fairmesh_level),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_component": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            c_uint64,
+            POINTER(fairmesh_component),
             POINTER(fairmesh_error),
         ),
     ),

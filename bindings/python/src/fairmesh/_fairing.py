@@ -250,7 +250,7 @@ class Solver:
         call(self._library, function, self._address, *arguments)
 
     def run(self, iterations: int | None = None) -> Report:
-        """Runs at most so many nonlinear iterations, at least one; None: to the end.
+        """Runs at most so many nonlinear iterations of each component, at least one; None: to the end.
 
         The outcome ITERATION_LIMIT or CANCELLED says that a further run goes on from here; after any other one the end
         is reached, and a further run does nothing until something is changed.
@@ -259,7 +259,7 @@ class Solver:
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
-        return report_of(report)
+        return report_of(report, self._component)
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
@@ -289,7 +289,10 @@ class Solver:
         """The report of the last run; before the first one, of the input."""
         made = sized(_abi.fairmesh_report)
         self._call("fairmesh_solver_report", ctypes.byref(made))
-        return report_of(made)
+        return report_of(made, self._component)
+
+    def _component(self, number: int, to: Any) -> None:
+        self._call("fairmesh_solver_component", number, to)
 
     def result(self) -> Result:
         """A copy of everything that is known of the surface as it stands."""

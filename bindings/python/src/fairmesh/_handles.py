@@ -46,7 +46,7 @@ class ResultHandle:
         """The report of the fairing (of the loop with this index)."""
         made = sized(_abi.fairmesh_report)
         self.read("fairmesh_result_report", index, ctypes.byref(made))
-        return report_of(made)
+        return report_of(made, lambda number, to: self.read("fairmesh_result_component", index, number, to))
 
     def positions(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:
         """All vertices, (count, 3)."""

@@ -46,9 +46,9 @@ class FairingOptions(TypedDict, total=False):
             any input.
         interior_normals: Normals of fixed vertices inside the region that have none given: "smooth" (default), the
             surface's own; "input", the average of their faces in the input.
-        tolerance: Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the region's
+        tolerance: Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's
             bounding box) is below this; from 1e-15, below 1. Default 1e-8; 1e-6 is enough for interactive use.
-        max_iterations: At most this many nonlinear iterations, at least 1. Default 500.
+        max_iterations: At most this many nonlinear iterations for each component, at least 1. Default 500.
         threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
             bits.
         intersections: "check" (default): the final surface is searched for triangles that intersect each other or the

@@ -24,9 +24,9 @@ class Progress:
 
     #: What is being done, in a word or two; English.
     phase: str
-    #: Nonlinear iterations so far.
+    #: Nonlinear iterations so far, of the component of the region that is at work.
     iteration: int
-    #: The last step norm, in diagonals of the region's bounding box; NaN before the first iteration.
+    #: Its last step norm, in diagonals of its bounding box; NaN before the first iteration.
     step_norm: float
     #: Between 0 and 1, never falling.
     fraction: float

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
+import ctypes
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 from . import _abi
 from ._enums import LooseReason, Outcome
 
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 
 @dataclass(frozen=True)
 class Report:
-    """How a fairing went. Lengths are in the unit of the vertices, angles in degrees, times in wall seconds."""
+    """How a fairing went. Lengths are in the unit of the vertices, angles in degrees, times in wall seconds.
+
+    Where the region has several components, the whole has their worst outcome and largest figures.
+    """
 
     outcome: Outcome
-    #: Nonlinear iterations.
+    #: Nonlinear iterations: the most of any component.
     iterations: int
     #: max_i |sum_j w_ij (H_i - H_j) + (2 A_i / 3) rhs_i| / sum_j |w_ij|, times the diagonal.
     defect: float
     #: The last step norm, in diagonals; NaN if there was none.
     step: float
-    #: The diagonal of the region's bounding box.
+    #: The diagonal of the bounding box; the largest of any component.
     diagonal: float
     #: How much of the boundary normals or the target was reached, 0 to 1.
     reached: float
@@ -70,6 +78,8 @@ class Report:
     intersections_in_input: int
     #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
     loose_reason: LooseReason
+    #: The components of the region, by their smallest free vertices; at least one.
+    components: tuple[Component, ...]
 
     @property
     def text(self) -> str:
@@ -86,9 +96,55 @@ class Report:
         return self.loose_reason if self.outcome is Outcome.CONVERGED_LOOSELY else self.outcome
 
 
-def report_of(struct: _abi.fairmesh_report) -> Report:
-    """The library's report."""
-    fields = {name: getattr(struct, name) for name in Report.__dataclass_fields__}
+@dataclass(frozen=True)
+class Component:
+    """What came of one component of the region. Units are those of `Report`.
+
+    Components are independent problems: free vertices that are connected by edges, or lie around a fixed vertex inside
+    the region whose normal is not given. Each has the result that it has in a call where it alone is selected.
+    """
+
+    outcome: Outcome
+    #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
+    loose_reason: LooseReason
+    #: The surface is that of the linear problem.
+    linear_surface: bool
+    #: The free vertex with the smallest index.
+    vertex: int
+    free_vertices: int
+    iterations: int
+    #: As in `Report`, with the component's diagonal.
+    defect: float
+    step: float
+    #: The diagonal of the component's bounding box.
+    diagonal: float
+    #: How much of the boundary normals or the target was reached, 0 to 1.
+    reached: float
+    flipped_count: int
+    needle_count: int
+    worst_angle: float
+    worst_triangle: int | None
+    h_inside: tuple[float, float]
+    h_boundary: tuple[float, float]
+    normal_deviation: float
+    normal_deviation_vertex: int | None
+    normal_deviation_rms: float
+
+
+def report_of(struct: _abi.fairmesh_report, component: Callable[[int, Any], None]) -> Report:
+    """The library's report; `component` writes the component with a number to an address."""
+    components = []
+    for number in range(struct.component_count):
+        made = _abi.fairmesh_component()
+        made.struct_size = ctypes.sizeof(made)
+        component(number, ctypes.byref(made))
+        components.append(Component(**_fields(made, Component)))
+    return Report(**_fields(struct, Report), components=tuple(components))
+
+
+def _fields(struct: Any, of: type[Report | Component]) -> dict[str, Any]:
+    """What both dataclasses have in common with their structs, in Python's types."""
+    fields = {name: getattr(struct, name) for name in of.__dataclass_fields__ if name != "components"}
     fields.update(
         outcome=Outcome.of(struct.outcome),
         linear_surface=bool(struct.linear_surface),
@@ -100,7 +156,7 @@ def report_of(struct: _abi.fairmesh_report) -> Report:
         intersections_checked=bool(struct.intersections_checked),
         loose_reason=LooseReason.of(struct.loose_reason),
     )
-    return Report(**fields)
+    return fields
 
 
 def element_or_none(number: int) -> int | None:

@@ -1,0 +1,80 @@
+//! One run from 0 to 1 over all components: each has a share in it that is as large as its free vertices are many.
+
+use std::ops::ControlFlow;
+
+use crate::solve::control::{Callback, Interrupt};
+
+/// Components with a smaller share are told of together: for each of thousands, the callback would take longer than the work.
+const SMALLEST: f64 = 1e-3;
+
+/// What is told of all components.
+pub(super) struct Shares<'a> {
+    callback: Option<&'a mut Callback<'a>>,
+    interrupt: Interrupt,
+    free_vertices: usize,
+    /// What is done of the components that are not at work.
+    done: f64,
+    /// The fraction last told.
+    told: f64,
+    /// The callback has asked to stop.
+    is_stopped: bool,
+}
+
+impl<'a> Shares<'a> {
+    /// Of components with so many free vertices, of which such a fraction is done.
+    pub(super) fn new(
+        callback: Option<&'a mut Callback<'a>>,
+        interrupt: &Interrupt,
+        components: impl Iterator<Item = (usize, f64)> + Clone,
+    ) -> Self {
+        let free_vertices: usize = components.clone().map(|(free, _)| free).sum();
+        let done = components.map(|(free, fraction)| fraction * share(free, free_vertices));
+        Self {
+            callback,
+            interrupt: interrupt.clone(),
+            free_vertices,
+            done: done.sum(),
+            told: 0.0,
+            is_stopped: false,
+        }
+    }
+
+    /// A component of so many free vertices is now where `fraction` says.
+    pub(super) fn tell(
+        &mut self,
+        free: usize,
+        (fraction, iterations, step, phase): (f64, usize, f64, &'static str),
+    ) -> ControlFlow<()> {
+        let share = share(free, self.free_vertices);
+        let fraction = (self.done + share * fraction).min(1.0);
+        let is_due = share >= SMALLEST || fraction >= self.told + SMALLEST;
+        self.is_stopped |= self.interrupt.is_set();
+        if let (true, false, Some(callback)) = (is_due, self.is_stopped, &mut self.callback) {
+            self.told = self.told.max(fraction);
+            self.is_stopped |= callback(self.told, iterations, step, phase).is_break();
+        }
+        match self.is_stopped {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+
+    /// A component of so many free vertices is at work from this fraction on.
+    pub(super) fn begin(&mut self, free: usize, fraction: f64) {
+        self.done -= fraction * share(free, self.free_vertices);
+    }
+
+    /// It has come as far as this fraction.
+    pub(super) fn end(&mut self, free: usize, fraction: f64) {
+        self.done += fraction * share(free, self.free_vertices);
+    }
+
+    /// Whether the callback has asked to stop.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.is_stopped
+    }
+}
+
+fn share(free: usize, of: usize) -> f64 {
+    free as f64 / of as f64
+}
