@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::types::*;
 use super::views::{
-    AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_reserved, entries, indices_in,
-    read_struct, try_with_capacity,
+    AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_pointer, check_reserved, entries,
+    indices_in, read_struct, try_with_capacity,
 };
 use fairmesh::{BoundaryNormals, Selection};
 
