@@ -487,6 +487,10 @@ enum fairmesh_outcome
      * The progress callback stopped the run; the best surface so far is returned, before there is one the input.
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
+    /**
+     * Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
+     */
+    FAIRMESH_OUTCOME_SELF_INTERSECTING = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -586,6 +590,10 @@ enum fairmesh_fill_outcome
      * Left as it was; the reason says why.
      */
     FAIRMESH_FILL_OUTCOME_LEFT_OPEN = 3,
+    /**
+     * Filled, but the patch intersects itself or the mesh, as did all others that were tried.
+     */
+    FAIRMESH_FILL_OUTCOME_SELF_INTERSECTING = 4,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -647,6 +655,10 @@ enum fairmesh_fill_reason
      * The fairing found no sound surface; its report says how it ended.
      */
     FAIRMESH_FILL_REASON_UNSOUND = 35,
+    /**
+     * Faired, the patch would intersect itself or the mesh.
+     */
+    FAIRMESH_FILL_REASON_INTERSECTING = 36,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -680,6 +692,10 @@ enum fairmesh_result_kind
      * A mesh with a new triangulation of a region.
      */
     FAIRMESH_RESULT_KIND_REMESHED = 3,
+    /**
+     * Pairs of intersecting triangles.
+     */
+    FAIRMESH_RESULT_KIND_INTERSECTIONS = 4,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -717,6 +733,10 @@ enum fairmesh_list
      * Boundary vertices whose normals stood farthest away, worst first.
      */
     FAIRMESH_LIST_UNREACHED_VERTICES = 4,
+    /**
+     * Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
+     */
+    FAIRMESH_LIST_INTERSECTIONS = 5,
     /**
      * Faired meshes: the boundary vertices, ascending.
      */
@@ -1066,6 +1086,15 @@ typedef struct fairmesh_options {
      * At most this many updates on all levels. Default 20000. At least 1.
      */
     uint64_t paper_max_updates;
+    /**
+     * A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
+     * less than a tenth of the run.
+     */
+    uint32_t intersections;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } fairmesh_options;
 
 /**
@@ -1317,6 +1346,22 @@ typedef struct fairmesh_report {
      * All of it.
      */
     double seconds_total;
+    /**
+     * Pairs of intersecting triangles: the list INTERSECTIONS has two entries for each. The search ends at 10000.
+     */
+    uint64_t intersection_count;
+    /**
+     * How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if there are none now.
+     */
+    uint64_t intersections_in_input;
+    /**
+     * Not 0: intersections were looked for, which is not done if the options say so or if the run was held up.
+     */
+    uint32_t intersections_checked;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } fairmesh_report;
 
 /**
@@ -1549,6 +1594,10 @@ typedef struct fairmesh_fill_report {
      * Wall seconds.
      */
     double seconds;
+    /**
+     * Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
+     */
+    uint64_t intersection_count;
 } fairmesh_fill_report;
 
 /**
@@ -1720,6 +1769,20 @@ FAIRMESH_API
 fairmesh_status fairmesh_mean_curvature(const struct fairmesh_mesh *mesh,
                                         const struct fairmesh_scalars_out *out,
                                         struct fairmesh_error *error);
+
+/**
+ * Pairs of triangles of a mesh that intersect: that have more in common than a vertex of both or an edge of both, where
+ * vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles without area take
+ * no part. The mesh need not be a manifold.
+ *
+ * `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `result` gets a handle, whose
+ * list INTERSECTIONS has two entries for each pair, the smaller number first, ascending; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_self_intersections(const struct fairmesh_mesh *mesh,
+                                            const struct fairmesh_indices *among,
+                                            struct fairmesh_result **result,
+                                            struct fairmesh_error *error);
 
 /**
  * Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in

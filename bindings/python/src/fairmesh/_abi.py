@@ -72,6 +72,7 @@ class fairmesh_outcome(enum.IntEnum):
     NOT_CONVERGED = 5
     ITERATION_LIMIT = 6
     CANCELLED = 7
+    SELF_INTERSECTING = 8
 
 
 class fairmesh_loose_reason(enum.IntEnum):
@@ -87,6 +88,7 @@ class fairmesh_fill_outcome(enum.IntEnum):
     LINEAR = 1
     FLAT = 2
     LEFT_OPEN = 3
+    SELF_INTERSECTING = 4
 
 
 class fairmesh_fill_reason(enum.IntEnum):
@@ -101,6 +103,7 @@ class fairmesh_fill_reason(enum.IntEnum):
     NO_INNER_VERTEX = 33
     REFUSED = 34
     UNSOUND = 35
+    INTERSECTING = 36
 
 
 class fairmesh_loop_kind(enum.IntEnum):
@@ -148,6 +151,11 @@ class fairmesh_estimate(enum.IntEnum):
     CONJUGATE_GRADIENTS = 2
 
 
+class fairmesh_intersections(enum.IntEnum):
+    CHECK = 0
+    SKIP = 1
+
+
 class fairmesh_element(enum.IntEnum):
     NONE = 0
     VERTEX = 1
@@ -175,6 +183,7 @@ class fairmesh_result_kind(enum.IntEnum):
     LOOPS = 1
     FILLED = 2
     REMESHED = 3
+    INTERSECTIONS = 4
 
 
 class fairmesh_list(enum.IntEnum):
@@ -183,6 +192,7 @@ class fairmesh_list(enum.IntEnum):
     NEEDLES = 2
     SUSPICIOUS_NORMALS = 3
     UNREACHED_VERTICES = 4
+    INTERSECTIONS = 5
     BOUNDARY_VERTICES = 16
     LOOP_VERTICES = 32
     LOOP_TOUCHING = 33
@@ -326,6 +336,10 @@ class fairmesh_report(Structure):
         ("seconds_iterate", c_double),
         ("seconds_quality", c_double),
         ("seconds_total", c_double),
+        ("intersection_count", c_uint64),
+        ("intersections_in_input", c_uint64),
+        ("intersections_checked", c_uint32),
+        ("reserved", c_uint32),
     )
 
 
@@ -371,6 +385,7 @@ class fairmesh_fill_report(Structure):
         ("coarsened", c_uint32),
         ("has_report", c_uint32),
         ("seconds", c_double),
+        ("intersection_count", c_uint64),
     )
 
 
@@ -423,6 +438,8 @@ class fairmesh_options(Structure):
         ("paper_defect", c_double),
         ("paper_laplacian", c_double),
         ("paper_max_updates", c_uint64),
+        ("intersections", c_uint32),
+        ("reserved", c_uint32),
     )
 
 
@@ -503,6 +520,15 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (
             POINTER(fairmesh_mesh),
             POINTER(fairmesh_scalars_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_self_intersections": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(c_void_p),
             POINTER(fairmesh_error),
         ),
     ),
