@@ -102,6 +102,8 @@ pub enum fairmesh_outcome {
     IterationLimit = 6,
     /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled = 7,
+    /// Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
+    SelfIntersecting = 8,
 }
 
 /// What is to be said of a surface that converged loosely. Numbers are never reused.
@@ -134,6 +136,8 @@ pub enum fairmesh_fill_outcome {
     Flat = 2,
     /// Left as it was; the reason says why.
     LeftOpen = 3,
+    /// Filled, but the patch intersects itself or the mesh, as did all others that were tried.
+    SelfIntersecting = 4,
 }
 
 /// Why a loop was left open (numbers below 32) or a patch is flat. Numbers are never reused.
@@ -163,6 +167,8 @@ pub enum fairmesh_fill_reason {
     Refused = 34,
     /// The fairing found no sound surface; its report says how it ended.
     Unsound = 35,
+    /// Faired, the patch would intersect itself or the mesh.
+    Intersecting = 36,
 }
 
 /// What kind of gap a boundary loop is. Numbers are never reused.
@@ -272,6 +278,17 @@ pub enum fairmesh_estimate {
     GaussSeidel = 1,
     /// Conjugate gradient iterations.
     ConjugateGradients = 2,
+}
+
+/// Whether a surface is checked for triangles that intersect each other or the rest of the mesh. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_intersections {
+    /// The surface is checked against itself and the rest of the mesh; one that intersects is no success.
+    Check = 0,
+    /// Not checked: a surface that intersects may count as a success.
+    Skip = 1,
 }
 
 impl fairmesh_status {

@@ -69,16 +69,14 @@ impl<'m> Neighbours<'m> {
         }
     }
 
-    /// Keeps a patch, or one made by other means if this one intersects; the one with the fewest intersections, if all do.
+    /// Keeps a patch, or one made by other means if this one intersects and that one does not.
     pub(super) fn settle(&mut self, of: usize, task: &Task<'_>, first: Piece) -> Piece {
         let mut best = self.judged(of, first);
         if !best.crossings.is_empty() {
             for other in task.other_means(&best) {
                 let other = self.judged(of, other);
-                if other.crossings.len() < best.crossings.len() {
+                if other.crossings.is_empty() {
                     best = other;
-                }
-                if best.crossings.is_empty() {
                     break;
                 }
             }

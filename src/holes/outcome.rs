@@ -62,8 +62,8 @@ pub enum FillOutcome {
         /// Why.
         reason: FlatReason,
     },
-    /// Filled, but whatever was tried, the patch intersects itself or the mesh; the one with the fewest intersections is
-    /// kept, faired or not.
+    /// Filled, but whatever was tried, the patch intersects itself or the mesh; the one made as asked is kept,
+    /// faired or not.
     SelfIntersecting,
     /// Left as it was.
     LeftOpen(OpenReason),

@@ -244,7 +244,7 @@ fn a_patch_that_would_intersect_is_made_by_other_means() {
             reason: FlatReason::Intersecting
         }
     );
-    assert_eq!(report.self_intersections, []);
+    assert!(report.self_intersections.is_empty());
     assert_eq!(
         self_intersections(&filled.positions, &filled.triangles, None),
         Ok(Vec::new())
@@ -252,7 +252,7 @@ fn a_patch_that_would_intersect_is_made_by_other_means() {
 
     let unchecked = fill_largest(&through_the_dome, Intersections::Skip);
     assert_eq!(unchecked.loops[0].outcome, FillOutcome::Faired);
-    assert_eq!(unchecked.loops[0].self_intersections, []);
+    assert!(unchecked.loops[0].self_intersections.is_empty());
     assert!(
         !self_intersections(&unchecked.positions, &unchecked.triangles, None)
             .unwrap()

@@ -274,6 +274,13 @@ class Outcome(NamedOutcome):
         "the progress callback stopped the run; the best surface so far is returned, before there is one the input",
         "run it again, to its end",
     )
+    #: Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
+    SELF_INTERSECTING = (
+        8,
+        "self_intersecting",
+        "tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh",
+        "look at these triangles; select more, prescribe other normals, or fill the region as a hole",
+    )
     #: A value that this version of the package does not know.
     OTHER = (
         4294967295,
@@ -360,6 +367,13 @@ class FillOutcome(Named):
         "left_open",
         "left as it was; the reason says why",
         "see the remedy of the reason",
+    )
+    #: Filled, but the patch intersects itself or the mesh, as did all others that were tried.
+    SELF_INTERSECTING = (
+        4,
+        "self_intersecting",
+        "filled, but the patch intersects itself or the mesh, as did all others that were tried",
+        "look at these triangles; clean the boundary of the hole, or remove faces around it, and fill it again",
     )
     #: A value that this version of the package does not know.
     OTHER = (
@@ -449,6 +463,13 @@ class FillReason(Named):
         "unsound",
         "the fairing found no sound surface; its report says how it ended",
         "see the remedy of the fairing's outcome",
+    )
+    #: Faired, the patch would intersect itself or the mesh.
+    INTERSECTING = (
+        36,
+        "intersecting",
+        "faired, the patch would intersect itself or the mesh",
+        "clean the boundary of the hole, or remove faces around it",
     )
     #: A value that this version of the package does not know.
     OTHER = (
