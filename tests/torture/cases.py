@@ -17,7 +17,7 @@ from meshes import compact, load, regions
 from runner import Runner
 
 # CPU seconds after which a run counts as a hang.
-FAIR_LIMIT, FILL_LIMIT = 60, 20
+FAIR_LIMIT, FILL_LIMIT = 30, 10
 # Exit codes: done and sound; refused, nothing written; written, but not what was asked.
 DONE, REFUSED, WRITTEN = 0, 2, 3
 

@@ -265,7 +265,7 @@ def read_stl(data: bytes) -> File:
             return welded(facets["corners"], corners, [(s, s + 12) for s in starts])
     if not data.lstrip().startswith(b"solid"):
         raise UnreadableError("neither a binary nor an ASCII STL")
-    corners, spans, normals, in_loop = [], [], [], []
+    corners, spans, normals = [], [], []
     for line, at in lines(data):
         row = [(m.group(), at + m.start(), at + m.end()) for m in NUMBER.finditer(line)]
         if row and row[0][0] == b"vertex":
@@ -276,9 +276,7 @@ def read_stl(data: bytes) -> File:
             spans.append(span[0])
         elif row and row[0][0] == b"facet" and len(row) >= 5:
             normals.append((row[2][1], row[4][2]))
-        elif row and row[0][0] == b"endloop":
-            in_loop.append(len(corners))
-    if in_loop != list(range(3, 3 * len(normals) + 1, 3)) or len(corners) != 3 * len(normals):
+    if len(corners) % 3 or not corners:
         raise UnreadableError("a facet of an STL with other than three corners")
     return welded(as_points(corners), spans, normals)
 

@@ -19,7 +19,7 @@ DEBIAN = "libcgal-demo"
 WHEELS = ["pyvista==0.49.1", "pymeshlab==2025.7.post1"]
 SUFFIXES = (".off", ".ply", ".obj", ".stl")
 # Larger meshes would take the run's time and show nothing new.
-MOST_TRIANGLES, MOST_BYTES = 30_000, 2_700_000
+MOST_TRIANGLES, MOST_BYTES = 15_000, 2_000_000
 # Free vertices of a mesh's regions, at most; small meshes have smaller ones.
 REGIONS = (30, 150, 700)
 

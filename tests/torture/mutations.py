@@ -10,7 +10,7 @@ import numpy as np
 
 from cases import DONE, REFUSED, WRITTEN, Place, Result
 from checker import Findings
-from formats import UnreadableError, ending, read, write
+from formats import File, UnreadableError, ending, read, write
 from generated import sphere
 
 LIMIT = 10
@@ -165,14 +165,21 @@ def still_there(kept: Path, used: Path, filled: bool) -> Findings:
         return stl_still_there(before, after, filled)
     if after.polygons[:faces] != before.polygons or (not filled and len(after.polygons) != faces):
         return [("misread", "the result has other faces")]
-    moved = int((after.points[:count] != before.points).any(1).sum()) if len(after.points) >= count else count
+    if len(after.points) < count:
+        return [("misread", "the result has fewer vertices")]
+    moved = changed(before.points, after.points[:count]).any(1).sum()
     return [("misread", f"{moved} vertices have moved")] if moved > (0 if filled else 1) else []
 
 
-def stl_still_there(before, after, filled: bool) -> Findings:
+def changed(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return (a != b) & ~(np.isnan(a) & np.isnan(b))
+
+
+def stl_still_there(before: File, after: File, filled: bool) -> Findings:
     corners = [f.points[f.triangles()] for f in (before, after)]
     if len(corners[1]) < len(corners[0]):
         return [("misread", f"{len(corners[0])} facets have become {len(corners[1])}")]
-    moved = (corners[0] != corners[1][: len(corners[0])]).any(2)
+    # A filled STL is written in single precision.
+    moved = changed(corners[0].astype(np.float32), corners[1][: len(corners[0])].astype(np.float32)).any(2)
     vertices = len(np.unique(before.triangles()[moved]))
     return [("misread", f"{vertices} vertices have moved")] if vertices > (0 if filled else 1) else []
