@@ -8,7 +8,16 @@ from pathlib import Path
 import numpy as np
 
 from formats import File, UnreadableError, read, without
-from geometry import angle_between, cross_products, folds, half_edges, kinks, smallest_angles, undirected
+from geometry import (
+    angle_between,
+    cross_products,
+    folds,
+    half_edges,
+    kinks,
+    smallest_angles,
+    undirected,
+    without_islands,
+)
 from intersections import crossing, crossing_pairs
 
 Findings = list[tuple[str, str]]
@@ -122,6 +131,8 @@ def judge_fair(before: Path, after: Path, free: np.ndarray, report: dict, name: 
     triangles = old.triangles()
     touched = np.isin(triangles, free)
     inside, outside = triangles[touched.any(1)], triangles[~touched.any(1)]
+    # The surface passes an island, it does not end there.
+    outside = without_islands(inside, outside)
     findings += figures(x, inside, outside, report, normals)
     if success(report):
         findings += sound(old.points, x, inside, outside)
@@ -289,7 +300,7 @@ def filled_kinks(x: np.ndarray, own: np.ndarray, patch: np.ndarray, loop: dict, 
     at, after = kinks(x, patch, own)
     before = sharpness(x, own, at)
     if was is not None:
-        before = np.array([was.get(key, 0.0) for key in position_keys(x[at])])
+        before = np.array([was.get(key, around) for key, around in zip(position_keys(x[at]), before, strict=True)])
     bad = (after > KINK) & (after > before + KINK_MORE)
     if not bad.any():
         return []

@@ -87,3 +87,22 @@ def kinks(x: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> tuple[np.nd
     shared = np.intersect1d(np.unique(inside), np.unique(outside))
     a, b = vertex_sums(x, inside), vertex_sums(x, outside)
     return shared, angle_between(a[shared], b[shared])
+
+
+def without_islands(inside: np.ndarray, outside: np.ndarray, most: int = 6) -> np.ndarray:
+    """The `outside` triangles that are not of islands: up to `most` vertices among the `inside` triangles."""
+    shared = set(np.intersect1d(np.unique(inside), np.unique(outside)).tolist())
+    near = outside[np.isin(outside, list(shared)).any(1)]
+    of: dict[int, list] = {}
+    for corners in near.tolist():
+        for v in corners:
+            of.setdefault(v, []).append(corners)
+    islands: set[int] = set()
+    for v in shared - islands:
+        found, front = {v}, [v]
+        while front and len(found) <= most and found <= shared:
+            front = [w for u in front for corners in of[u] for w in corners if w not in found]
+            found.update(front)
+        if len(found) <= most and found <= shared:
+            islands |= found
+    return outside[~np.isin(outside, list(islands)).any(1)] if islands else outside

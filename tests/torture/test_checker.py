@@ -13,7 +13,7 @@ from cases import Place, fair, fill
 from checker import clean, judge_fair, judge_fill, kinks_before, tells_intersections
 from formats import FORMATS, UnreadableError, ending, read, write
 from generated import hub, slot, sphere
-from geometry import irregular_vertices, smallest_angles
+from geometry import irregular_vertices, smallest_angles, without_islands
 from intersections import crossing_pairs, sides
 from meshes import Surroundings
 from mutations import mutate, pristine, still_there
@@ -308,3 +308,15 @@ def test_reading_by_arrays_is_reading_word_by_word(tmp_path, form):
     assert np.array_equal(quick.points, slow.points)
     assert quick.polygons == slow.polygons
     assert (quick.spans, quick.facet_spans, quick.single) == (slow.spans, slow.facet_spans, slow.single)
+
+
+def test_an_island_is_no_outside():
+    x, triangles, free = cap()
+    pole = free[np.argmax(x[free, 2])]
+    island = triangles[(triangles == pole).any(1)][0]
+    touched = np.isin(triangles, np.setdiff1d(free, island)).any(1)
+    kept = without_islands(triangles[touched], triangles[~touched])
+    assert len(triangles[~touched]) - len(kept) == 1
+    assert not np.isin(kept, island).any()
+    # A sheet that ends at the region's boundary is no island.
+    assert len(without_islands(triangles[touched], kept)) == len(kept)
