@@ -13,7 +13,7 @@ import numpy as np
 from checker import Findings, clean, judge_fair, judge_fill, kinks_before, load_report, success
 from formats import FORMATS, ending, read, write
 from generated import hub, slot, sphere
-from meshes import compact, load, regions
+from meshes import Surroundings, are_apart, compact, load, regions
 from runner import Runner
 
 # CPU seconds after which a run counts as a hang.
@@ -54,14 +54,14 @@ class Place:
         folder.mkdir(parents=True)
         return folder
 
-    def call(self, group: str, folder: Path, words: list, limit: int, judge) -> Result:
+    def call(self, group: str, folder: Path, words: list, limit: int, judge, keep: bool = False) -> Result:
         """Runs and judges; the folder stays if something was found, so that the command can be repeated."""
         command = [self.program, *words, "--json", folder / "report.json", "--threads", "1"]
         run = self.runner.run(command, limit)
         result = Result(group, folder.name, "", cpu=run["cpu"], kilobytes=run["kilobytes"])
         result.command = " ".join(str(word) for word in command)
         result.outcome, result.findings = judged(run, folder, limit, judge)
-        if not result.findings:
+        if not result.findings and not keep:
             shutil.rmtree(folder)
         return result
 
@@ -97,11 +97,13 @@ def fair(
 
     def judge(report: dict, done: bool) -> tuple[str, Findings]:
         wrong = [("code", f"exit 0 is {done}, the outcome {report['outcome']}")] if done != success(report) else []
+        if "seen" in how:
+            how["seen"].update(zip(free.tolist(), read(after).points[free].tolist(), strict=True))
         findings = judge_fair(before, after, free, report, how["format"], how.get("normals", "fitted"))
         return report["outcome"], wrong + findings
 
     words = ["fair", before, "-o", after, "--free", folder / "free.txt", *options]
-    return place.call(group, folder, words, FAIR_LIMIT, judge)
+    return place.call(group, folder, words, FAIR_LIMIT, judge, "seen" in how)
 
 
 def fill(
@@ -137,6 +139,8 @@ def mesh_cases(place: Place, path: Path) -> list[Result]:
             if k == 2 and weights == "conformal":
                 how["out"] = FORMATS[(form + 3) % len(FORMATS)]
             results.append(fair(place, "fair", f"{path.stem}_region{k}_{weights}", x, triangles, region, how))
+    if len(grown) == 3 and are_apart(Surroundings(len(x), triangles), grown[0], grown[1], APART):
+        results += together(place, f"{path.stem}_together", x, triangles, grown[0], grown[1])
     results.append(fill(place, "holes", f"{path.stem}_holes", x, triangles, FORMATS[form], None))
     for k, region in enumerate(grown[1:], 1):
         inside = np.isin(triangles, region).any(1)
@@ -146,6 +150,34 @@ def mesh_cases(place: Place, path: Path) -> list[Result]:
             fill(place, "deleted", f"{path.stem}_deleted{k}", *compact(x, triangles[~inside]), FORMATS[form], was)
         )
     return results
+
+
+# Rings between two regions, so that no normal, fitted to eight, depends on the other region.
+APART = 10
+
+
+def together(
+    place: Place, name: str, x: np.ndarray, triangles: np.ndarray, a: np.ndarray, b: np.ndarray
+) -> list[Result]:
+    """Two regions in one call have the positions that each has alone, to the last bit."""
+    alone: dict[int, list] = {}
+    both: dict[int, list] = {}
+    form = {"format": "ply-binary-double"}
+    runs = [
+        fair(place, "together", f"{name}_{k}", x, triangles, r, form | {"seen": alone}) for k, r in enumerate((a, b))
+    ]
+    last = fair(place, "together", f"{name}_both", x, triangles, np.union1d(a, b), form | {"seen": both})
+    different = [v for v in both if v in alone and alone[v] != both[v]]
+    if different:
+        told = (
+            f"{len(different)} vertices, first {min(different)}, are elsewhere than when their region is faired alone"
+        )
+        last.findings.append(("component", f"{told} ({', '.join(r.outcome for r in runs)})"))
+    else:
+        for run in (*runs, last):
+            if not run.findings:
+                shutil.rmtree(place.folder / run.name)
+    return [*runs, last]
 
 
 def slot_case(place: Place, around_end: int, along: int, ratio: float) -> Result:

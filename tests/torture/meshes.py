@@ -104,6 +104,15 @@ class Surroundings:
         return np.array(sorted(region))
 
 
+def are_apart(around: Surroundings, a: np.ndarray, b: np.ndarray, rings: int) -> bool:
+    """Whether so many rings around region `a` do not reach region `b`."""
+    reached, front = set(a.tolist()), a.tolist()
+    for _ in range(rings):
+        front = [v for v in around.ring(front) if v not in reached]
+        reached.update(front)
+    return reached.isdisjoint(b.tolist())
+
+
 def regions(x: np.ndarray, triangles: np.ndarray, rng: random.Random) -> list[np.ndarray]:
     around = Surroundings(len(x), triangles)
     grown = [around.grow(rng, min(wanted, len(x) // 5)) for wanted in REGIONS]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import random
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cases import Place, fair, fill
+from cases import Place, fair, fill, together
 from checker import clean, judge_fair, judge_fill, kinks_before, tells_intersections
 from formats import FORMATS, UnreadableError, ending, read, write
 from generated import hub, slot, sphere
@@ -320,3 +321,27 @@ def test_an_island_is_no_outside():
     assert not np.isin(kept, island).any()
     # A sheet that ends at the region's boundary is no island.
     assert len(without_islands(triangles[touched], kept)) == len(kept)
+
+
+@pytest.mark.parametrize(("move", "kinds"), [(0.0, []), (1e-9, ["component"])])
+def test_a_component_that_depends_on_another_one_is_found(tmp_path, move, kinds):
+    x, triangles = sphere(3)
+    a, b = (np.flatnonzero(sign * x[:, 2] > 0.9) for sign in (1, -1))
+    # Writes what it reads, moved by so much if more vertices are free than of one region.
+    program = f"""#!{sys.executable}
+import json, struct, sys
+data, free = open(sys.argv[2], "rb").read(), open(sys.argv[6]).read().split()
+at = data.index(b"end_header") + 11
+if len(free) > {len(a)}:
+    at += 24 * int(free[0])
+    data = data[:at] + struct.pack("<d", struct.unpack_from("<d", data, at)[0] + {move}) + data[at + 8 :]
+open(sys.argv[4], "wb").write(data)
+report = {{"outcome": "not_converged", "quality": {{"worst_angle": {{ANGLE}}, "normal_deviation": 180}}}}
+json.dump(report, open(sys.argv[sys.argv.index("--json") + 1], "w"))
+sys.exit(3)
+"""
+    angle = min(smallest_angles(x, triangles[np.isin(triangles, r).any(1)]).min() for r in (a, b))
+    place = script(tmp_path, "")
+    place.program.write_text(program.replace("{ANGLE}", repr(float(angle))))
+    assert [kind for run in together(place, "case", x, triangles, a, b) for kind, _ in run.findings] == kinds
+    assert (place.folder / "case_both").exists() == bool(kinds)
