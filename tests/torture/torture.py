@@ -22,6 +22,8 @@ from formats import FORMATS
 from runner import Runner
 
 ROOT = Path(__file__).resolve().parents[2]
+# Of fairings, fillings, and damaged files.
+SUCCESS = ("converged", "filled", "done")
 place: cases.Place
 
 
@@ -63,6 +65,8 @@ def summary(results: list[cases.Result], seconds: float) -> dict:
         groups[name] = {
             "runs": len(group),
             "outcomes": dict(Counter(r.outcome for r in group).most_common()),
+            "successes": sum(r.outcome in SUCCESS for r in group),
+            "false": sum(r.outcome in SUCCESS and bool(r.findings) for r in group),
             "failed": sum(bool(r.findings) for r in group),
             "findings": dict(Counter(kind for r in group for kind, _ in r.findings).most_common()),
             "cpu": round(sum(r.cpu for r in group), 1),
@@ -75,11 +79,10 @@ def summary(results: list[cases.Result], seconds: float) -> dict:
 def table(total: dict) -> None:
     limits = f"fair {cases.FAIR_LIMIT}, fill {cases.FILL_LIMIT}, damaged files {mutations.LIMIT}"
     print(f"\nlimits in CPU seconds: {limits}")
-    print(f"{'':10} {'runs':>5} {'failed':>6} {'CPU s':>7} {'slowest':>7} {'MB':>5}")
+    print(f"{'':10} {'runs':>5} {'success':>7} {'false':>5} {'failed':>6} {'CPU s':>7} {'slowest':>7} {'MB':>5}")
     for name, group in total["groups"].items():
-        figures = (
-            f"{group['runs']:5} {group['failed']:6} {group['cpu']:7.1f} {group['slowest']:7.2f} {group['megabytes']:5}"
-        )
+        counts = f"{group['runs']:5} {group['successes']:7} {group['false']:5}"
+        figures = counts + f" {group['failed']:6} {group['cpu']:7.1f} {group['slowest']:7.2f} {group['megabytes']:5}"
         print(f"{name:10} {figures}")
         print("           ends:     " + ", ".join(f"{v} {k}" for k, v in group["outcomes"].items()))
         if group["findings"]:
