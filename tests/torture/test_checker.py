@@ -169,6 +169,7 @@ def test_reports_of_intersections():
     assert tells_intersections({"quality": {"self_intersections": {"count": 1, "list": [[1, 2]]}}})
     assert tells_intersections({"loops": [{"intersections": [[3, 4]]}]})
     assert not tells_intersections({"quality": {"self_intersections": []}, "outcome": "converged"})
+    assert not tells_intersections({"intersections": {"count": 0, "list": [], "in_input": 5}})
 
 
 def test_sides_are_exact():
