@@ -258,7 +258,8 @@ STL_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("bytes"
 def read_stl(data: bytes) -> File:
     if len(data) >= 84:
         count = int.from_bytes(data[80:84], "little")
-        if len(data) == 84 + 50 * count:
+        # Some programs write more behind the last facet.
+        if count and len(data) >= 84 + 50 * count and (len(data) == 84 + 50 * count or not data.startswith(b"solid")):
             facets = np.frombuffer(data, STL_FACET, count, 84)
             starts = [84 + 50 * i for i in range(count)]
             corners = [(s + 12 * k, s + 12 * k + 12) for s in starts for k in (1, 2, 3)]
