@@ -2,8 +2,8 @@
 # Runs the tests and installs what they need (Debian 12). Stops at the first failure; logs are in target/test/.
 #   ./test.sh          everything that has to pass before a change goes in: what continuous integration runs
 #   ./test.sh quick    what needs Rust alone: formatting, clippy, documentation, `cargo test`
-#   ./test.sh long     everything, then the long tier: a million vertices, a hundred meshes, many seeds, and fuzzing
-#                      for FUZZ_SECONDS a target (default 600)
+#   ./test.sh long     everything, then the long tier: a million vertices, a hundred meshes, many seeds, the torture run,
+#                      and fuzzing for FUZZ_SECONDS a target (default 600)
 set -euo pipefail
 cd "$(dirname "$0")"
 logs=target/test
@@ -113,6 +113,7 @@ full() {
 
 long() {
     step long cargo test --release --locked --test library -- --ignored long::
+    step torture tests/torture/run.sh --json target/test/torture.json
     step long_fuzzing env FUZZ_SEED=0 fuzz/run.sh "${FUZZ_SECONDS:-600}"
 }
 
