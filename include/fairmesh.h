@@ -516,6 +516,10 @@ enum fairmesh_outcome
      * The progress callback stopped the run; the best surface so far is returned, before there is one the input.
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
+    /**
+     * Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
+     */
+    FAIRMESH_OUTCOME_SELF_INTERSECTING = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -615,6 +619,10 @@ enum fairmesh_fill_outcome
      * Left as it was; the reason says why.
      */
     FAIRMESH_FILL_OUTCOME_LEFT_OPEN = 3,
+    /**
+     * Filled, but the patch intersects itself or the mesh, as did all others that were tried.
+     */
+    FAIRMESH_FILL_OUTCOME_SELF_INTERSECTING = 4,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -676,6 +684,10 @@ enum fairmesh_fill_reason
      * The fairing found no sound surface; its report says how it ended.
      */
     FAIRMESH_FILL_REASON_UNSOUND = 35,
+    /**
+     * Faired, the patch would intersect itself or the mesh.
+     */
+    FAIRMESH_FILL_REASON_INTERSECTING = 36,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -709,6 +721,10 @@ enum fairmesh_result_kind
      * A mesh with a new triangulation of a region.
      */
     FAIRMESH_RESULT_KIND_REMESHED = 3,
+    /**
+     * Pairs of intersecting triangles.
+     */
+    FAIRMESH_RESULT_KIND_INTERSECTIONS = 4,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -746,6 +762,14 @@ enum fairmesh_list
      * Boundary vertices whose normals stood farthest away, worst first.
      */
     FAIRMESH_LIST_UNREACHED_VERTICES = 4,
+    /**
+     * Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
+     */
+    FAIRMESH_LIST_INTERSECTIONS = 5,
+    /**
+     * Boundary vertices where the surface has a crease, where the outcome is about them.
+     */
+    FAIRMESH_LIST_CREASED_VERTICES = 6,
     /**
      * Faired meshes: the boundary vertices, ascending. A vertex where components have different normals stands there with each.
      */
@@ -1048,7 +1072,7 @@ typedef struct fairmesh_options {
     uint32_t threads;
     /**
      * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding
-     * box) is below this. Default 1e-8; 1e-6 is enough for interactive use. Greater than 0, less than 1.
+     * box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, less than 1.
      */
     double tolerance;
     /**
@@ -1095,6 +1119,20 @@ typedef struct fairmesh_options {
      * At most this many updates on all levels. Default 20000. At least 1.
      */
     uint64_t paper_max_updates;
+    /**
+     * A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
+     * less than a tenth of the run.
+     */
+    uint32_t intersections;
+    /**
+     * A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
+     * the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
+     */
+    uint32_t output_precision;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } fairmesh_options;
 
 /**
@@ -1354,6 +1392,39 @@ typedef struct fairmesh_report {
      */
     double seconds_total;
     /**
+     * Pairs of intersecting triangles: the list INTERSECTIONS has two entries for each. The search ends at 10000.
+     */
+    uint64_t intersection_count;
+    /**
+     * How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if there are none now.
+     */
+    uint64_t intersections_in_input;
+    /**
+     * Not 0: intersections were looked for, which is not done if the options say so or if the run was held up.
+     */
+    uint32_t intersections_checked;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The largest kink, in degrees: the angle at a boundary vertex between the mean normals of the triangles of the region and
+     * of those outside, or where nothing is outside, the boundary normal.
+     */
+    double boundary_kink;
+    /**
+     * The same in the input, at the same vertex.
+     */
+    double boundary_kink_before;
+    /**
+     * The vertex that has it; of a surface with a BOUNDARY_CREASE, the worst one of the crease.
+     */
+    uint64_t boundary_kink_vertex;
+    /**
+     * Size of the list CREASED_VERTICES.
+     */
+    uint64_t creased_vertex_count;
+    /**
      * Components of the region, at least one; see `fairmesh_result_component`, `fairmesh_solver_component`.
      */
     uint64_t component_count;
@@ -1413,44 +1484,6 @@ typedef struct fairmesh_scalars_out {
      */
     uint32_t reserved;
 } fairmesh_scalars_out;
-
-/**
- * The sizes of a result. Set `struct_size` before the call.
- */
-typedef struct fairmesh_info {
-    /**
-     * `sizeof(fairmesh_result_info)`.
-     */
-    uint32_t struct_size;
-    /**
-     * A `fairmesh_result_kind`.
-     */
-    uint32_t kind;
-    /**
-     * Vertices of the mesh; 0 for loops.
-     */
-    uint64_t vertex_count;
-    /**
-     * Triangles of the mesh; 0 for loops, and where they are those given.
-     */
-    uint64_t triangle_count;
-    /**
-     * The last so many of the vertices are new.
-     */
-    uint64_t new_vertex_count;
-    /**
-     * The last so many of the triangles are new.
-     */
-    uint64_t new_triangle_count;
-    /**
-     * Loops found, or filled.
-     */
-    uint64_t loop_count;
-    /**
-     * Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
-     */
-    uint64_t boundary_vertex_count;
-} fairmesh_info;
 
 /**
  * What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
@@ -1539,6 +1572,44 @@ typedef struct fairmesh_component {
      */
     double normal_deviation_rms;
 } fairmesh_component;
+
+/**
+ * The sizes of a result. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_info {
+    /**
+     * `sizeof(fairmesh_result_info)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_result_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Vertices of the mesh; 0 for loops.
+     */
+    uint64_t vertex_count;
+    /**
+     * Triangles of the mesh; 0 for loops, and where they are those given.
+     */
+    uint64_t triangle_count;
+    /**
+     * The last so many of the vertices are new.
+     */
+    uint64_t new_vertex_count;
+    /**
+     * The last so many of the triangles are new.
+     */
+    uint64_t new_triangle_count;
+    /**
+     * Loops found, or filled.
+     */
+    uint64_t loop_count;
+    /**
+     * Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
+     */
+    uint64_t boundary_vertex_count;
+} fairmesh_info;
 
 /**
  * What was done on one level of the paper's scheme. Set `struct_size` before the call.
@@ -1677,6 +1748,10 @@ typedef struct fairmesh_fill_report {
      * Wall seconds.
      */
     double seconds;
+    /**
+     * Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
+     */
+    uint64_t intersection_count;
 } fairmesh_fill_report;
 
 /**
@@ -1848,6 +1923,20 @@ FAIRMESH_API
 fairmesh_status fairmesh_mean_curvature(const struct fairmesh_mesh *mesh,
                                         const struct fairmesh_scalars_out *out,
                                         struct fairmesh_error *error);
+
+/**
+ * Pairs of triangles of a mesh that intersect: that have more in common than a vertex of both or an edge of both, where
+ * vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles without area take
+ * no part. The mesh need not be a manifold.
+ *
+ * `among` may be NULL: all pairs. Otherwise triangles, and only pairs with at least one of them. `result` gets a handle, whose
+ * list INTERSECTIONS has two entries for each pair, the smaller number first, ascending; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_self_intersections(const struct fairmesh_mesh *mesh,
+                                            const struct fairmesh_indices *among,
+                                            struct fairmesh_result **result,
+                                            struct fairmesh_error *error);
 
 /**
  * Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in

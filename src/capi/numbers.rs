@@ -75,8 +75,10 @@ pub enum fairmesh_status {
     BufferTooSmall = 30,
     /// A number is not what this version asks for: reserved fields have to be zero.
     BadReserved = 31,
+    /// A coordinate is so large that lengths exceed the range of doubles.
+    CoordinateTooLarge = 32,
     /// A vertex has more than 1,000 triangles in the region.
-    ValenceTooLarge = 32,
+    ValenceTooLarge = 33,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -102,8 +104,12 @@ pub enum fairmesh_outcome {
     IterationLimit = 6,
     /// The progress callback stopped the run; the best surface so far is returned, before there is one the input.
     Cancelled = 7,
+    /// Tolerance met, but the surface has a crease along the boundary, at the vertices that the report names.
+    BoundaryCrease = 8,
     /// Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
-    SelfIntersecting = 8,
+    SelfIntersecting = 9,
+    /// Tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles.
+    PoorWhenRounded = 10,
 }
 
 /// What is to be said of a surface that converged loosely. Numbers are never reused.
@@ -121,6 +127,8 @@ pub enum fairmesh_loose_reason {
     FirstOrderCurvature = 3,
     /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
     Bump = 4,
+    /// The steps have become as small as double precision allows here, but stay above the tolerance.
+    Tolerance = 5,
 }
 
 /// How the filling of a loop ended. Numbers are never reused.
@@ -245,6 +253,17 @@ pub enum fairmesh_inner_fairness {
     Convex = 2,
 }
 
+/// The precision of the numbers that a result will be written in. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_output_precision {
+    /// Double: 53 bits.
+    Double = 0,
+    /// Single: 24 bits; far from the origin that is coarse.
+    Single = 1,
+}
+
 /// How normals and mean curvature are discretized. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -327,7 +346,8 @@ impl fairmesh_status {
             29 => Self::NotAvailable,
             30 => Self::BufferTooSmall,
             31 => Self::BadReserved,
-            32 => Self::ValenceTooLarge,
+            32 => Self::CoordinateTooLarge,
+            33 => Self::ValenceTooLarge,
             99 => Self::Internal,
             _ => Self::Internal,
         }

@@ -60,7 +60,8 @@ class fairmesh_status(enum.IntEnum):
     NOT_AVAILABLE = 29
     BUFFER_TOO_SMALL = 30
     BAD_RESERVED = 31
-    VALENCE_TOO_LARGE = 32
+    COORDINATE_TOO_LARGE = 32
+    VALENCE_TOO_LARGE = 33
     INTERNAL = 99
 
 
@@ -73,6 +74,9 @@ class fairmesh_outcome(enum.IntEnum):
     NOT_CONVERGED = 5
     ITERATION_LIMIT = 6
     CANCELLED = 7
+    BOUNDARY_CREASE = 8
+    SELF_INTERSECTING = 9
+    POOR_WHEN_ROUNDED = 10
 
 
 class fairmesh_loose_reason(enum.IntEnum):
@@ -81,6 +85,7 @@ class fairmesh_loose_reason(enum.IntEnum):
     ROUNDING = 2
     FIRST_ORDER_CURVATURE = 3
     BUMP = 4
+    TOLERANCE = 5
 
 
 class fairmesh_fill_outcome(enum.IntEnum):
@@ -88,6 +93,7 @@ class fairmesh_fill_outcome(enum.IntEnum):
     LINEAR = 1
     FLAT = 2
     LEFT_OPEN = 3
+    SELF_INTERSECTING = 4
 
 
 class fairmesh_fill_reason(enum.IntEnum):
@@ -102,6 +108,7 @@ class fairmesh_fill_reason(enum.IntEnum):
     NO_INNER_VERTEX = 33
     REFUSED = 34
     UNSOUND = 35
+    INTERSECTING = 36
 
 
 class fairmesh_loop_kind(enum.IntEnum):
@@ -138,6 +145,11 @@ class fairmesh_inner_fairness(enum.IntEnum):
     CONVEX = 2
 
 
+class fairmesh_output_precision(enum.IntEnum):
+    DOUBLE = 0
+    SINGLE = 1
+
+
 class fairmesh_discretization(enum.IntEnum):
     SECOND_ORDER = 0
     PAPER = 1
@@ -152,6 +164,11 @@ class fairmesh_estimate(enum.IntEnum):
     ALTERNATING = 0
     GAUSS_SEIDEL = 1
     CONJUGATE_GRADIENTS = 2
+
+
+class fairmesh_intersections(enum.IntEnum):
+    CHECK = 0
+    SKIP = 1
 
 
 class fairmesh_element(enum.IntEnum):
@@ -181,6 +198,7 @@ class fairmesh_result_kind(enum.IntEnum):
     LOOPS = 1
     FILLED = 2
     REMESHED = 3
+    INTERSECTIONS = 4
 
 
 class fairmesh_list(enum.IntEnum):
@@ -189,6 +207,8 @@ class fairmesh_list(enum.IntEnum):
     NEEDLES = 2
     SUSPICIOUS_NORMALS = 3
     UNREACHED_VERTICES = 4
+    INTERSECTIONS = 5
+    CREASED_VERTICES = 6
     BOUNDARY_VERTICES = 16
     LOOP_VERTICES = 32
     LOOP_TOUCHING = 33
@@ -333,18 +353,15 @@ class fairmesh_report(Structure):
         ("seconds_iterate", c_double),
         ("seconds_quality", c_double),
         ("seconds_total", c_double),
-        ("component_count", c_uint64),
-    )
-
-
-class fairmesh_level(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
+        ("intersection_count", c_uint64),
+        ("intersections_in_input", c_uint64),
+        ("intersections_checked", c_uint32),
         ("reserved", c_uint32),
-        ("vertices", c_uint64),
-        ("triangles", c_uint64),
-        ("updates", c_uint64),
-        ("defect", c_double),
+        ("boundary_kink", c_double),
+        ("boundary_kink_before", c_double),
+        ("boundary_kink_vertex", c_uint64),
+        ("creased_vertex_count", c_uint64),
+        ("component_count", c_uint64),
     )
 
 
@@ -370,6 +387,17 @@ class fairmesh_component(Structure):
         ("normal_deviation", c_double),
         ("normal_deviation_vertex", c_uint64),
         ("normal_deviation_rms", c_double),
+    )
+
+
+class fairmesh_level(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("vertices", c_uint64),
+        ("triangles", c_uint64),
+        ("updates", c_uint64),
+        ("defect", c_double),
     )
 
 
@@ -404,6 +432,7 @@ class fairmesh_fill_report(Structure):
         ("coarsened", c_uint32),
         ("has_report", c_uint32),
         ("seconds", c_double),
+        ("intersection_count", c_uint64),
     )
 
 
@@ -456,6 +485,9 @@ class fairmesh_options(Structure):
         ("paper_defect", c_double),
         ("paper_laplacian", c_double),
         ("paper_max_updates", c_uint64),
+        ("intersections", c_uint32),
+        ("output_precision", c_uint32),
+        ("reserved", c_uint32),
     )
 
 
@@ -536,6 +568,15 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (
             POINTER(fairmesh_mesh),
             POINTER(fairmesh_scalars_out),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_self_intersections": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(c_void_p),
             POINTER(fairmesh_error),
         ),
     ),

@@ -201,9 +201,15 @@ class Status(Numbered):
         "a number is not what this version asks for: reserved fields have to be zero",
         "",
     )
+    #: A coordinate is so large that lengths exceed the range of doubles.
+    COORDINATE_TOO_LARGE = (
+        32,
+        "a coordinate is so large that lengths exceed the range of doubles",
+        "scale the mesh down",
+    )
     #: A vertex has more than 1,000 triangles in the region.
     VALENCE_TOO_LARGE = (
-        32,
+        33,
         "a vertex has more than 1,000 triangles in the region",
         "split some of its edges, or leave its neighbours out of the selection",
     )
@@ -274,12 +280,26 @@ class Outcome(NamedOutcome):
         "the progress callback stopped the run; the best surface so far is returned, before there is one the input",
         "run it again, to its end",
     )
+    #: Tolerance met, but the surface has a crease along the boundary, at the vertices that the report names.
+    BOUNDARY_CREASE = (
+        8,
+        "boundary_crease",
+        "tolerance met, but the surface has a crease along the boundary, at the vertices that the report names",
+        "move the boundary away from sharp features or noise: select more or less there; or refine the mesh there",
+    )
     #: Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
     SELF_INTERSECTING = (
-        8,
+        9,
         "self_intersecting",
         "tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh",
         "look at these triangles; select more, prescribe other normals, or fill the region as a hole",
+    )
+    #: Tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles.
+    POOR_WHEN_ROUNDED = (
+        10,
+        "poor_when_rounded",
+        "tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles",
+        "write the mesh in double precision, or move it near to the origin",
     )
     #: A value that this version of the package does not know.
     OTHER = (
@@ -327,6 +347,13 @@ class LooseReason(Named):
         "bump",
         "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
         "look at it; a larger region, or one with a smoother boundary, usually cures it",
+    )
+    #: The steps have become as small as double precision allows here, but stay above the tolerance.
+    TOLERANCE = (
+        5,
+        "tolerance",
+        "the steps have become as small as double precision allows here, but stay above the tolerance",
+        "ask for a larger tolerance: the last step in the report is the smallest that can be met here",
     )
     #: A value that this version of the package does not know.
     OTHER = (
