@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::fairing::{Outcome, Report};
+use crate::quality::Quality;
 use crate::table::table;
 
 /// Why a loop was left open.
@@ -139,15 +140,27 @@ pub struct LoopReport {
 
 /// Turns the numbers in a report into others.
 pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangle: impl Fn(u32) -> u32) {
-    let quality = &mut report.quality;
+    renumber_judgement(&mut report.quality, &mut report.outcome, &vertex, &triangle);
+    for component in &mut report.components {
+        component.vertex = vertex(component.vertex as u32) as usize;
+        renumber_judgement(&mut component.quality, &mut component.outcome, &vertex, &triangle);
+    }
+    report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));
+}
+
+fn renumber_judgement(
+    quality: &mut Quality,
+    outcome: &mut Outcome,
+    vertex: impl Fn(u32) -> u32,
+    triangle: impl Fn(u32) -> u32,
+) {
     quality.worst_triangle = triangle(quality.worst_triangle as u32) as usize;
     quality.normal_deviation_vertex = vertex(quality.normal_deviation_vertex as u32) as usize;
     quality.boundary_kink_vertex = vertex(quality.boundary_kink_vertex as u32) as usize;
     for list in [&mut quality.flipped, &mut quality.needles] {
         list.iter_mut().for_each(|t| *t = triangle(*t));
     }
-    report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));
-    match &mut report.outcome {
+    match outcome {
         Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
             triangles.iter_mut().for_each(|t| *t = triangle(*t))
         }

@@ -18,6 +18,7 @@ use crate::fairing::{
     BoundaryNormals, Coincident, Intersections, Options, Outcome, OutputPrecision, Progress,
     ProgressCallback, Report, Selection, Solution, Target, fair_with_progress,
 };
+use crate::quality::Quality;
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
 const COARSE_GROWTH: f64 = 0.5;
@@ -447,57 +448,24 @@ impl Task<'_> {
     }
 
     /// An error with the mesh's numbers.
-    fn in_mesh(&self, mut error: Error) -> Error {
+    fn in_mesh(&self, error: Error) -> Error {
         let around = self.surroundings;
-        let number = |ids: &[u32], i: &mut usize| {
-            if let Some(&id) = ids.get(*i) {
-                *i = id as usize;
-            }
-        };
-        let vertex = |v: &mut usize| number(&around.ids, v);
-        let face = |t: &mut usize| number(&around.triangle_ids, t);
-        match &mut error {
-            Error::NotFinite { vertex: v }
-            | Error::CoordinateTooLarge { vertex: v, .. }
-            | Error::NonManifoldVertex { vertex: v }
-            | Error::BadNormal { vertex: v }
-            | Error::NoNormal { vertex: v }
-            | Error::ValenceTooLarge { vertex: v, .. } => vertex(v),
-            Error::NonManifoldEdge { a, b, triangle } => {
-                vertex(a);
-                vertex(b);
-                face(triangle);
-            }
-            Error::InconsistentOrientation {
-                a,
-                b,
-                triangle,
-                other,
-            } => {
-                vertex(a);
-                vertex(b);
-                face(triangle);
-                face(other);
-            }
-            Error::DuplicateTriangle { triangle, other } => {
-                face(triangle);
-                face(other);
-            }
-            _ => {}
-        }
-        error
+        let number = |ids: &[u32], i: usize| ids.get(i).map_or(i, |&id| id as usize);
+        error.renumbered(|v| number(&around.ids, v), |t| number(&around.triangle_ids, t))
     }
 
     /// A report in the caller's units.
     fn in_units(&self, mut report: Report) -> Report {
         let scale = self.surroundings.scale();
-        report.diagonal *= scale;
-        let quality = &mut report.quality;
-        quality
-            .h_inside
-            .iter_mut()
-            .chain(&mut quality.h_boundary)
-            .for_each(|h| *h /= scale);
+        let in_units = |diagonal: &mut f64, quality: &mut Quality| {
+            *diagonal *= scale;
+            let h = quality.h_inside.iter_mut().chain(&mut quality.h_boundary);
+            h.for_each(|h| *h /= scale);
+        };
+        in_units(&mut report.diagonal, &mut report.quality);
+        for component in &mut report.components {
+            in_units(&mut component.diagonal, &mut component.quality);
+        }
         report
     }
 }

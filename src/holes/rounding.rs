@@ -63,6 +63,10 @@ impl<'a> Rounded<'a> {
             let triangles = report.quality.poor();
             report.outcome = Outcome::PoorWhenRounded { triangles };
         }
+        if let [only] = &mut report.components[..] {
+            only.outcome = report.outcome.clone();
+            only.quality = report.quality.clone();
+        }
     }
 }
 

@@ -85,7 +85,9 @@ fn least(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (nalgebra::Vector3::from(a) - nalgebra::Vector3::from(b)).norm()
+    // Squares would overflow far away.
+    let [x, y, z] = [0, 1, 2].map(|k| a[k] - b[k]);
+    x.hypot(y).hypot(z)
 }
 
 #[cfg(test)]

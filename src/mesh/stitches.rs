@@ -156,8 +156,9 @@ fn is_fan(v: u32, fan: &mut [[u32; 2]]) -> bool {
         .or(fan.first())
         .map_or(v, |entry| entry[0]);
     let mut at = first;
-    for _ in 0..fan.len() {
+    for step in 0..fan.len() {
         match after(at) {
+            Some(_) if step > 0 && at == first => return false,
             Some(next) => at = next,
             None => return false,
         }

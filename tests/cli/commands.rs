@@ -201,7 +201,7 @@ fn an_option_out_of_range_is_named() {
     refused(
         &directory,
         &args,
-        "--tolerance 2: it must be greater than 0 and less than 1",
+        "--tolerance 2: it must be at least 1e-15, the precision of double numbers, and less than 1",
     );
 }
 
