@@ -181,7 +181,7 @@ impl Surface<'_> {
         let deviations = self.normal_deviations();
         let mut marked: Vec<bool> = (0..self.region.boundary)
             .map(|b| {
-                let outside = average(input, free + b, rings.outside_triangles(b));
+                let outside = self.final_outside(rings, input, b);
                 outside.is_some_and(|o| o.dot(&normals[b]) < 0.0) || deviations[b] > 90.0
             })
             .collect();
@@ -197,6 +197,23 @@ impl Surface<'_> {
             .filter(|&b| marked[b])
             .map(|b| ids[b])
             .collect()
+    }
+
+    /// The mean normal of the outside at a boundary vertex, as far as it stays where it is.
+    pub(crate) fn final_outside(
+        &self,
+        rings: &Rings,
+        input: &[Vector3<f64>],
+        b: usize,
+    ) -> Option<Vector3<f64>> {
+        let (v, moves) = (self.region.free + b, &self.region.moves_elsewhere);
+        let outside = rings.outside_triangles(b);
+        if moves.is_empty() {
+            return average(input, v, outside);
+        }
+        let stays = |t: &&[u32; 2]| !t.iter().any(|&j| moves[j as usize]);
+        let staying: Vec<[u32; 2]> = outside.iter().filter(stays).copied().collect();
+        average(input, v, &staying)
     }
 
     /// Per boundary vertex the angle in degrees between its prescribed normal and the sum of its region triangles' cross

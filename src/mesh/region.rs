@@ -51,6 +51,9 @@ pub(crate) struct Region {
     pub component: Vec<u32>,
     /// How many components there are. More than one only where the region is not to be solved as it is.
     pub components: usize,
+    /// Per local vertex whether it is outside and free in another component: where it is given says nothing of the final
+    /// surface. Empty: none is.
+    pub moves_elsewhere: Vec<bool>,
 }
 
 impl Region {
@@ -108,9 +111,16 @@ impl Region {
         for (&c, &v) in draft.components.number.iter().zip(&draft.vertex_ids) {
             members[c as usize].push(v);
         }
+        let is_free: Vec<bool> = draft.role.iter().map(|role| *role == Role::Free).collect();
         drop(draft);
         let mut excerpts = Excerpts::new(positions, triangles);
-        let regions = members.iter().map(|free| excerpts.region(free, &prescribed));
+        let regions = members.iter().map(|free| {
+            let mut region = excerpts.region(free, &prescribed)?;
+            let outside = region.vertex_ids.iter().skip(region.free);
+            let moves = outside.map(|&v| is_free[v as usize]);
+            region.moves_elsewhere = std::iter::repeat_n(false, region.free).chain(moves).collect();
+            Ok(region)
+        });
         regions.collect()
     }
 
@@ -270,6 +280,7 @@ impl Draft {
             is_rounded,
             component: components.number,
             components: components.count,
+            moves_elsewhere: Vec::new(),
         })
     }
 }

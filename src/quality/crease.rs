@@ -52,14 +52,30 @@ impl Kink {
 }
 
 /// The kinks at all boundary vertices but those inside the region: there no side is another's outside.
+///
+/// Against the outside as it will be: what other components move is left out.
 pub(crate) fn kinks(surface: &Surface<'_>, rings: &Rings, input: &[Vector3<f64>]) -> Vec<Kink> {
+    let outside = (0..rings.boundary()).map(|b| surface.final_outside(rings, input, b));
+    against(surface, rings, input, &outside.collect::<Vec<_>>())
+}
+
+/// The same against the outside as it is given, which is all that what is tried may depend on: so a component's surface is
+/// the same whatever else moves.
+pub(crate) fn kinks_as_given(surface: &Surface<'_>, rings: &Rings, input: &[Vector3<f64>]) -> Vec<Kink> {
     let free = surface.region.free;
-    let outside: Vec<Option<Vector3<f64>>> = (0..rings.boundary())
-        .map(|b| average(input, free + b, rings.outside_triangles(b)))
-        .collect();
+    let outside = (0..rings.boundary()).map(|b| average(input, free + b, rings.outside_triangles(b)));
+    against(surface, rings, input, &outside.collect::<Vec<_>>())
+}
+
+fn against(
+    surface: &Surface<'_>,
+    rings: &Rings,
+    input: &[Vector3<f64>],
+    outside: &[Option<Vector3<f64>>],
+) -> Vec<Kink> {
     (0..rings.boundary())
         .filter(|&b| !rings.closed[b])
-        .map(|b| kink(surface, rings, input, &outside, b))
+        .map(|b| kink(surface, rings, input, outside, b))
         .collect()
 }
 

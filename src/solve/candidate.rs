@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::quasi_newton::IterationStatus;
 use super::system::System;
 use crate::quality::NEEDLE;
-use crate::quality::crease::{certain_creases, kinks};
+use crate::quality::crease::{certain_creases, kinks_as_given};
 
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
 const ROUNDING_FLOOR: f64 = 1e-9;
@@ -39,7 +39,7 @@ impl Candidate {
         let surface = system.surface(&x);
         let domain = &system.domain;
         Self {
-            creases: certain_creases(&kinks(&surface, &domain.rings, &domain.input)),
+            creases: certain_creases(&kinks_as_given(&surface, &domain.rings, &domain.input)),
             status,
             step,
             poor: surface.poor(NEEDLE),

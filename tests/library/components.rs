@@ -103,7 +103,6 @@ impl Case {
         assert_eq!(component.vertex, free[0] as usize);
         assert_eq!(told(component), told(&alone.report.components[0]));
         assert_eq!(component.outcome, alone.report.outcome);
-        assert_eq!(component.quality, alone.report.quality);
         assert_eq!(component.iterations, alone.report.iterations);
         for &(v, n) in &alone.boundary_normals {
             assert!(together.boundary_normals.contains(&(v, n)));
@@ -115,8 +114,12 @@ fn bits(p: &[f64; 3]) -> [u64; 3] {
     p.map(f64::to_bits)
 }
 
-/// Everything, such that what is not a number equals itself.
+/// Everything, such that what is not a number equals itself; but for the kinks: they are against the outside as it will be.
 fn told(component: &ComponentReport) -> String {
+    let mut component = component.clone();
+    let quality = &mut component.quality;
+    (quality.boundary_kink, quality.boundary_kink_before) = (0.0, 0.0);
+    quality.boundary_kink_vertex = 0;
     format!("{component:?}")
 }
 
@@ -170,7 +173,11 @@ fn sizes_and_distances_of_others_do_not_matter() {
 #[test]
 fn a_component_that_fails_spoils_no_other() {
     let shapes = [
-        sphere_cap(60.0, 300, irregular(1), OUTSIDE),
+        moved(
+            &sphere_cap(60.0, 300, irregular(1), OUTSIDE),
+            1.0,
+            [10.0, 0.0, 0.0],
+        ),
         cylinder_band(300, irregular(1), OUTSIDE),
     ];
     let mut case = Case::of(&shapes);

@@ -576,7 +576,19 @@ fn a_contradictory_normal_ends_in_a_loose_sound_surface() {
                 let sound = is_sound(&shape, &solution.positions);
                 bars.check(&what, sound, "an unsound surface".to_owned());
                 let small = (name, k, axis[0]) == ("blend", 11, 0.3);
-                let outcome = if small { "converged" } else { "converged_loosely" };
+                // Off by a right angle or less, the surface meets the normals around and has a crease at this one.
+                let creased = [
+                    ("cap", 7, 0.3),
+                    ("cylinder", 7, 0.3),
+                    ("blend", 3, 0.3),
+                    ("blend", 3, 1.0),
+                    ("blend", 7, 1.0),
+                ];
+                let outcome = match small {
+                    true => "converged",
+                    false if creased.contains(&(name, k, axis[0])) => "boundary_crease",
+                    false => "converged_loosely",
+                };
                 bars.ends(&what, &solution, outcome);
                 assert_usable(&shape, &shape.positions, &solution);
             }
