@@ -182,9 +182,13 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BAD_RESERVED = 31,
     /**
+     * A coordinate is so large that lengths exceed the range of doubles.
+     */
+    FAIRMESH_STATUS_COORDINATE_TOO_LARGE = 32,
+    /**
      * A vertex has more than 1,000 triangles in the region.
      */
-    FAIRMESH_STATUS_VALENCE_TOO_LARGE = 32,
+    FAIRMESH_STATUS_VALENCE_TOO_LARGE = 33,
     /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
@@ -517,9 +521,17 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_CANCELLED = 7,
     /**
+     * Tolerance met, but the surface has a crease along the boundary, at the vertices that the report names.
+     */
+    FAIRMESH_OUTCOME_BOUNDARY_CREASE = 8,
+    /**
      * Tolerance met, and no triangle is poor, but triangles of the surface intersect each other or the rest of the mesh.
      */
-    FAIRMESH_OUTCOME_SELF_INTERSECTING = 8,
+    FAIRMESH_OUTCOME_SELF_INTERSECTING = 9,
+    /**
+     * Tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles.
+     */
+    FAIRMESH_OUTCOME_POOR_WHEN_ROUNDED = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -557,6 +569,10 @@ enum fairmesh_loose_reason
      * The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
      */
     FAIRMESH_LOOSE_REASON_BUMP = 4,
+    /**
+     * The steps have become as small as double precision allows here, but stay above the tolerance.
+     */
+    FAIRMESH_LOOSE_REASON_TOLERANCE = 5,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1129,10 +1145,6 @@ typedef struct fairmesh_options {
      * the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
      */
     uint32_t output_precision;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
 } fairmesh_options;
 
 /**

@@ -64,8 +64,6 @@ pub struct fairmesh_options {
     /// A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
     /// the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
     pub output_precision: u32,
-    /// Zero.
-    pub reserved: u32,
 }
 
 /// The library's defaults, which are the C interface's.
@@ -112,7 +110,6 @@ pub(crate) fn default_options() -> fairmesh_options {
         paper_max_updates: paper.max_updates as u64,
         intersections: options.intersections.entry().number(),
         output_precision: options.output_precision.entry().number(),
-        reserved: 0,
     }
 }
 

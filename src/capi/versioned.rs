@@ -23,16 +23,16 @@ macro_rules! versioned {
 const WORD: usize = size_of::<usize>();
 
 versioned! {
-    fairmesh_mesh 16 + 6 * WORD,
+    fairmesh_mesh 24 + 6 * WORD,
     fairmesh_selection 8 + 3 * WORD,
-    fairmesh_options 128 + 8 * WORD,
-    fairmesh_report 232,
+    fairmesh_options 136 + 8 * WORD,
+    fairmesh_report 296,
     fairmesh_level 40,
     fairmesh_component 160,
     fairmesh_fill_options 32 + 3 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_loop 56,
-    fairmesh_fill_report 96,
+    fairmesh_fill_report 104,
     fairmesh_info 56,
 }
 

@@ -487,7 +487,6 @@ class fairmesh_options(Structure):
         ("paper_max_updates", c_uint64),
         ("intersections", c_uint32),
         ("output_precision", c_uint32),
-        ("reserved", c_uint32),
     )
 
 
