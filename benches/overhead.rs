@@ -51,7 +51,7 @@ fn c(bencher: divan::Bencher<'_, '_>) {
     options.threads = 2;
     let mesh = fairmesh_mesh {
         struct_size: size_of::<fairmesh_mesh>() as u32,
-        reserved: 0,
+        coincident: fairmesh_coincident::Join as u32,
         positions: fairmesh_points {
             data: start.as_ptr().cast(),
             count: start.len(),
@@ -64,6 +64,7 @@ fn c(bencher: divan::Bencher<'_, '_>) {
             count: shape.triangles.len(),
             stride: 0,
         },
+        coincident_within: 0.0,
     };
     let selection = fairmesh_selection {
         struct_size: size_of::<fairmesh_selection>() as u32,
