@@ -613,7 +613,7 @@ fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<Re
     for region in &regions {
         assert_eq!(region.components, 1);
         let own = free_ids(region);
-        let alone = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&own), &given).unwrap();
+        let alone = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(own), &given).unwrap();
         assert_eq!(format!("{region:?}"), format!("{alone:?}"));
         free.extend(own);
     }
