@@ -79,7 +79,25 @@ impl Input {
         Prepared::of_components(&self.positions, &self.triangles, self.selection(), &self.options)
     }
 
-    /// The solution of all components.
+    /// All components at their beginning, and their solution.
+    fn begin(&self) -> Result<(Components, Solution), Error> {
+        let components = Components::new(self)?;
+        let solution = self.whole(&components);
+        Ok((components, solution))
+    }
+
+    /// All components so many iterations on, and their solution.
+    fn run<'t>(
+        &self,
+        components: &mut Components,
+        iterations: usize,
+        told: Option<&'t mut Callback<'t>>,
+    ) -> Result<Solution, Error> {
+        components.run(self, iterations, told)?;
+        Ok(self.whole(components))
+    }
+
+    /// The solution of all components. On the workers: it looks for intersections on all of them.
     fn whole(&self, components: &Components) -> Solution {
         let mut solution = whole(
             &self.positions,
@@ -178,11 +196,11 @@ impl Session {
             copies,
         };
         let workers = Workers::new(options.threads)?;
-        let components = workers
-            .install(|| Components::new(&input))
+        let (components, solution) = workers
+            .install(|| input.begin())
             .map_err(|error| in_given(error, &input.copies, &options.boundary_normals))?;
         Ok(Self {
-            solution: input.whole(&components),
+            solution,
             input,
             components,
             broken: None,
@@ -211,15 +229,15 @@ impl Session {
         let iterations = iterations.max(1);
         let (input, components) = (&self.input, &mut self.components);
         let ran = match progress {
-            None => self.workers.install(|| components.run(input, iterations, None)),
+            None => self.workers.install(|| input.run(components, iterations, None)),
             // A run that is held up goes on later: no factorization is to be broken off.
             Some(callback) => relay(&self.workers, callback, |told, _| {
-                components.run(input, iterations, Some(told))
+                input.run(components, iterations, Some(told))
             })?,
         };
         match ran {
-            Ok(()) => {
-                self.solution = input.whole(components);
+            Ok(solution) => {
+                self.solution = solution;
                 Ok(&self.solution)
             }
             Err(error) => {
@@ -250,11 +268,8 @@ impl Session {
             self.workers
                 .install(|| components.set_boundary_normals(&input.options, &prescribed))
         } else {
-            let anew = self.workers.install(|| Components::new(input));
-            anew.map(|anew| {
-                self.solution = input.whole(&anew);
-                self.components = anew;
-            })
+            let anew = self.workers.install(|| input.begin());
+            anew.map(|anew| (self.components, self.solution) = anew)
         };
         if changed.is_err() {
             self.input.options.boundary_normals = before;

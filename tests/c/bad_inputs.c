@@ -839,7 +839,7 @@ static void not_available(void) {
     cases += 4;
     for (which = 0; which < 100; which++) {
         int32_t status = fairmesh_result_list(result, which, 0, NULL, 0, &size, &error);
-        int known = which <= 4 || which == 16 || which == 48 || which == 49 || (which >= 64 && which <= 66);
+        int known = which <= 6 || which == 16 || which == 48 || which == 49 || (which >= 64 && which <= 66);
         int mine = which == 32 || which == 33;
         cases++;
         CHECK(status == (mine ? FAIRMESH_STATUS_OK : known ? FAIRMESH_STATUS_NOT_AVAILABLE : FAIRMESH_STATUS_BAD_ENUM));

@@ -407,6 +407,13 @@ static void in_steps(void) {
         OK(fairmesh_solver_report(solver, &again, &error));
         CHECK(memcmp(&again, &report, sizeof report) == 0);
     }
+    {
+        fairmesh_component all;
+        all.struct_size = sizeof all;
+        OK(fairmesh_solver_component(solver, 0, &all, &error));
+        CHECK(all.free_vertices == report.free_vertices && all.outcome == report.outcome);
+        CHECK(fairmesh_solver_component(solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    }
     OK(fairmesh_solver_result(solver, &result, &error));
     OK(fairmesh_solver_free(solver));
     CHECK(fairmesh_solver_free(solver) == FAIRMESH_STATUS_BAD_HANDLE);

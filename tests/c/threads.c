@@ -1,6 +1,7 @@
 /* Several threads on handles of their own get the same bits; on one handle they get OK or BUSY, and nothing else. */
 #define _POSIX_C_SOURCE 200809L
 #include "common.h"
+#include <dirent.h>
 #include <pthread.h>
 
 #define THREADS 4
@@ -102,6 +103,30 @@ static void start(void *(*work)(void *), size_t counts[THREADS][2]) {
     for (k = 0; k < THREADS; k++) CHECK(pthread_join(threads[k], NULL) == 0);
 }
 
+/* Threads of this process. */
+static int running(void) {
+    DIR *tasks = opendir("/proc/self/task");
+    int count = -2; /* "." and ".." */
+    CHECK(tasks != NULL);
+    while (readdir(tasks) != NULL) count++;
+    closedir(tasks);
+    return count;
+}
+
+/* A thread that outlives its call would run on in a library that is unloaded. */
+static void none_is_left(void) {
+    double *numbers = (double *)must(malloc(24 * cap.vertices));
+    fairmesh_scalars_out h = scalars_out_of(numbers, cap.vertices);
+    fairmesh_result *result = NULL;
+    OK(fairmesh_mean_curvature(&cap.mesh, &h, NULL));
+    OK(fairmesh_self_intersections(&cap.mesh, NULL, &result, NULL));
+    OK(fairmesh_result_free(result));
+    OK(fairmesh_fill_holes(&cap.mesh, NULL, NULL, &result, NULL));
+    OK(fairmesh_result_free(result));
+    free(numbers);
+    CHECK(running() == 1);
+}
+
 int main(void) {
     fairmesh_options options = options_of(1);
     fairmesh_points_out to;
@@ -128,6 +153,7 @@ int main(void) {
     OK(fairmesh_solver_free(in.solver));
     OK(fairmesh_result_free(common));
     free(expected);
+    none_is_left();
     cap_free(&cap);
     puts("threads: passed");
     return 0;
