@@ -133,6 +133,7 @@ fn stl_is_read_by_its_words() {
     let sample = &samples()[3];
     check_way(&directory, sample, |text| text.replace('\n', " "));
     check_way(&directory, sample, |text| format!("# made by hand\n\n{text}"));
+    check_way(&directory, sample, |text| text.replace("endsolid a cap\n", ""));
     check_way(&directory, sample, |text| {
         format!("{text}some other program's remark\n")
     });
@@ -291,7 +292,7 @@ fn what_has_no_face_is_refused_and_left_alone() {
 #[test]
 fn what_is_not_read_is_refused_with_its_cause() {
     let directory = directory("causes");
-    let no_end = stl().replace("endsolid a cap\n", "");
+    let cut = stl().replace("endfacet\nendsolid a cap\n", "");
     let fewer = binary_stl(|n| n - 3, b"");
     let more = binary_stl(|n| n + 1, b"");
     let none = binary_stl(|_| 0, b"");
@@ -301,7 +302,7 @@ fn what_is_not_read_is_refused_with_its_cause() {
         .collect();
     let strips = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
         element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    let cases: [(&str, &[u8], &str); 13] = [
+    let cases: [(&str, &[u8], &str); 14] = [
         (
             "a.ply.gz",
             b"",
@@ -316,8 +317,13 @@ fn what_is_not_read_is_refused_with_its_cause() {
         ("a.obj", &utf16, "this text is encoded as UTF-16"),
         ("b.off", b"OFF BINARY\n\0\0\0\x03", "binary OFF is not supported"),
         ("c.off", b"4OFF\n1 1 1\n", "'4OFF' is not supported"),
+        (
+            "d.off",
+            b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n",
+            "the number of corners is -1",
+        ),
         ("b.ply", strips, "triangle strips are not supported"),
-        ("b.stl", no_end.as_bytes(), "the file ends before 'endsolid'"),
+        ("b.stl", cut.as_bytes(), "the file ends within a facet"),
         ("c.stl", &fewer, "triangles take"),
         ("d.stl", &more, "triangles take"),
         (

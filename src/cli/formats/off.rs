@@ -184,7 +184,14 @@ fn read_face(
 ) -> Result<(), Malformed> {
     corners.clear();
     let word = words.next().unwrap_or(at..at);
+    let start = word.start;
     let count = text::integer(bytes, word, "number of corners")?;
+    if count < 0 {
+        return Err(Malformed::text(
+            start,
+            format!("the number of corners is {count}"),
+        ));
+    }
     for corner in 0..count {
         let word = words.next().ok_or_else(|| {
             Malformed::text(
