@@ -23,7 +23,7 @@
 
 namespace fairmesh {
 
-/** Where the region comes from. Whatever is said, vertices stay that are locked or on the boundary of the mesh. */
+/** Where the region comes from. Whatever is said, vertices stay that are locked or on the boundary of the surface. */
 enum class openmesh_region {
     /** Vertices whose status says selected. */
     selected_vertices,
@@ -39,6 +39,11 @@ struct openmesh_options : options {
     /** Vertices stay that are features, or corners of feature edges or feature faces. The surface passes feature edges
      *  inside the region as `interior_normals` says. Without it features are not looked at. */
     bool features = true;
+    /** Whether boundary edges of the mesh that lie on each other are one edge of the surface, as at the seams of a mesh that was cut
+     *  for its texture: the copies of a vertex then move alike, if all are in the region. Else the mesh ends where OpenMesh says. */
+    fairmesh_coincident coincident = FAIRMESH_COINCIDENT_JOIN;
+    /** They lie on each other up to this distance; see fairmesh_mesh. */
+    double coincident_within = 0.0;
     /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the boundary of the region,
      *  0 0 0 where none is given. Empty: `boundary_normals` says where they come from. */
     std::string boundary_normals_property;
@@ -72,15 +77,16 @@ template <class Mesh> class openmesh_view {
 public:
     using scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
 
-    explicit openmesh_view(const Mesh &mesh) : mesh_(mesh) {
+    openmesh_view(const Mesh &mesh, const openmesh_options &asked)
+        : mesh_(mesh), coincident_(asked.coincident), within_(asked.coincident_within) {
         copy_points();
         copy_faces();
     }
 
-    /** Vertices at the same place are as many vertices: OpenMesh says what is joined, and what is on the boundary of the mesh. */
     fairmesh_mesh mesh() const {
         auto made = fairmesh::mesh(points(positions_.data(), positions_.size() / 3), indices(corners_.data(), corners_.size() / 3));
-        made.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+        made.coincident = coincident_;
+        made.coincident_within = within_;
         return made;
     }
 
@@ -98,10 +104,13 @@ public:
             throw std::invalid_argument("no face can be selected: see request_face_status()");
         }
         std::vector<std::uint8_t> free(mesh_.n_vertices());
+        bool has_boundary = false;
         for (std::size_t v = 0; v < free.size(); v++) {
             auto vertex = openmesh_vertex(v);
-            free[v] = !deleted(vertex) && !mesh_.is_boundary(vertex) && in_region(vertex, asked.region) && !locked(vertex);
+            free[v] = !deleted(vertex) && !mesh_.is_isolated(vertex) && in_region(vertex, asked.region) && !locked(vertex);
+            has_boundary = has_boundary || (free[v] && mesh_.is_boundary(vertex));
         }
+        if (has_boundary) fix_boundary(free);
         if (asked.features) fix_features(free);
         return free;
     }
@@ -119,6 +128,8 @@ public:
 
 private:
     const Mesh &mesh_;
+    fairmesh_coincident coincident_;
+    double within_;
     std::vector<scalar> positions_;
     std::vector<std::uint32_t> corners_;
     std::vector<OpenMesh::FaceHandle> faces_;
@@ -156,6 +167,17 @@ private:
             for (auto corner = mesh_.cfv_begin(face); corner.is_valid(); ++corner) {
                 corners_.push_back(static_cast<std::uint32_t>(corner->idx()));
             }
+        }
+    }
+
+    void fix_boundary(std::vector<std::uint8_t> &free) const {
+        if (coincident_ == FAIRMESH_COINCIDENT_SEPARATE) {
+            for (std::size_t v = 0; v < free.size(); v++) free[v] = free[v] && !mesh_.is_boundary(openmesh_vertex(v));
+            return;
+        }
+        const auto loops = boundary_loops(mesh());
+        for (std::size_t loop = 0; loop < loops.info().loop_count; loop++) {
+            for (auto v : loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop)) free[v] = 0;
         }
     }
 
@@ -247,6 +269,15 @@ template <class View> [[noreturn]] void openmesh_rethrow(const View &view, const
     throw error(why);
 }
 
+/** The view's free vertices, with errors about OpenMesh's faces. */
+template <class View> std::vector<std::uint8_t> openmesh_free(const View &view, const openmesh_options &asked) {
+    try {
+        return view.free(asked);
+    } catch (const error &caught) {
+        openmesh_rethrow(view, caught);
+    }
+}
+
 template <class Handle> std::vector<Handle> openmesh_handles(const std::vector<std::uint32_t> &indices) {
     std::vector<Handle> handles;
     handles.reserve(indices.size());
@@ -293,8 +324,8 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
     detail::openmesh_check<Mesh>();
     using view_of = detail::openmesh_view<Mesh>;
     using scalar = typename view_of::scalar;
-    const view_of view(mesh);
-    const auto free = view.free(asked);
+    const view_of view(mesh, asked);
+    const auto free = detail::openmesh_free(view, asked);
     detail::openmesh_numbers<Mesh> curvature(mesh, asked.mean_curvature);
 
     options plain = asked;

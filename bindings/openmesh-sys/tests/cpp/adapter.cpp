@@ -5,6 +5,8 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -190,6 +192,49 @@ void floats_and_doubles() {
         auto q = floats.point(VertexHandle(v));
         for (std::size_t k = 0; k < 3; k++) CHECK(q[k] == static_cast<float>(p[k]));
     }
+}
+
+/** The dented cap, cut along its middle row: every vertex of it is there twice. */
+Doubles cut_cap() {
+    auto mesh = selected_cap<Doubles>();
+    constexpr int middle = side / 2;
+    std::vector<VertexHandle> twins;
+    for (int i = 0; i < side; i++) {
+        twins.push_back(mesh.add_vertex(mesh.point(VertexHandle(middle * side + i))));
+        mesh.status(twins.back()).set_selected(dented(middle * side + i));
+    }
+    std::vector<std::array<VertexHandle, 3>> below;
+    for (auto f : mesh.faces()) {
+        std::array<VertexHandle, 3> corners;
+        std::copy(mesh.cfv_begin(f), mesh.cfv_end(f), corners.begin());
+        // Two triangles a cell, row by row.
+        if (f.idx() / (2 * (side - 1)) < middle) continue;
+        for (auto &v : corners) {
+            if (v.idx() / side == middle) v = twins[std::size_t(v.idx() % side)];
+        }
+        below.push_back(corners);
+        mesh.delete_face(f, false);
+    }
+    for (const auto &corners : below) CHECK(mesh.add_face(corners[0], corners[1], corners[2]).is_valid());
+    return mesh;
+}
+
+void seams() {
+    auto joined = cut_cap();
+    CHECK(joined.is_boundary(VertexHandle(10 * side + 10)));
+    const auto report = fairmesh::fair(joined);
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED && off_sphere(joined) < 1e-7);
+    for (int i = 0; i < side; i++) CHECK(joined.point(VertexHandle(10 * side + i)) == joined.point(VertexHandle(side * side + i)));
+    // What only one of the copies is asked for stays.
+    auto half = cut_cap();
+    for (int i = 0; i < side; i++) half.status(VertexHandle(side * side + i)).set_selected(false);
+    const auto before = half.point(VertexHandle(10 * side + 10));
+    CHECK(fairmesh::fair(half).free_vertices == 72 && half.point(VertexHandle(10 * side + 10)) == before);
+    // The boundaries that OpenMesh sees.
+    auto apart = cut_cap();
+    fairmesh::openmesh_options options;
+    options.coincident = FAIRMESH_COINCIDENT_SEPARATE;
+    CHECK(fairmesh::fair(apart, options).free_vertices == 72 && apart.point(VertexHandle(10 * side + 10)) == before);
 }
 
 void regions() {
@@ -510,6 +555,7 @@ int main() {
     fairing<Mixed>(1e-7);
     floats_and_doubles();
     regions();
+    seams();
     fixed();
     by_hand();
     normals();
