@@ -1041,7 +1041,7 @@ typedef struct fairmesh_progress {
     /**
      * What is being done, in a word or two; English. Valid during the callback.
      */
-    const char *stage;
+    const char *phase;
 } fairmesh_progress;
 
 /**
