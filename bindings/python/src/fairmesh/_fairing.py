@@ -82,7 +82,7 @@ class Result:
 
     @cached_property
     def intersections(self) -> NDArray[np.intp]:
-        """Pairs of triangles that intersect, (p, 2), the smaller index first; at least one of each has a free vertex."""
+        """Pairs of triangles that intersect, (p, 2), the smaller index first; one or both have a free vertex."""
         return self._handle.list(_lists.INTERSECTIONS).reshape(-1, 2)
 
     @cached_property
