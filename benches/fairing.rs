@@ -1,4 +1,4 @@
-//! Whole solves: seconds per stage, iterations and memory, by size and shape.
+//! Whole solves: seconds per phase, iterations and memory, by size and shape.
 //!
 //! `cargo bench --bench fairing` runs 1,000, 13,000 and 100,000 free vertices; other sizes, such as 1000000, and
 //! `threads=N` go after `--`:

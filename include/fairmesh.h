@@ -427,6 +427,56 @@ typedef uint32_t fairmesh_discretization;
 #endif // __cplusplus
 
 /**
+ * Whether a surface is checked for triangles that intersect each other or the rest of the mesh. Numbers are never reused.
+ */
+enum fairmesh_intersections
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The surface is checked against itself and the rest of the mesh; one that intersects is no success.
+     */
+    FAIRMESH_INTERSECTIONS_CHECK = 0,
+    /**
+     * Not checked: a surface that intersects may count as a success.
+     */
+    FAIRMESH_INTERSECTIONS_SKIP = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_intersections fairmesh_intersections;
+#else
+typedef uint32_t fairmesh_intersections;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The precision of the numbers that a result will be written in. Numbers are never reused.
+ */
+enum fairmesh_output_precision
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Double: 53 bits.
+     */
+    FAIRMESH_OUTPUT_PRECISION_DOUBLE = 0,
+    /**
+     * Single: 24 bits; far from the origin that is coarse.
+     */
+    FAIRMESH_OUTPUT_PRECISION_SINGLE = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_output_precision fairmesh_output_precision;
+#else
+typedef uint32_t fairmesh_output_precision;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * How the equations are solved. Numbers are never reused.
  */
 enum fairmesh_solver_kind
@@ -1041,7 +1091,7 @@ typedef struct fairmesh_progress {
     /**
      * What is being done, in a word or two; English. Valid during the callback.
      */
-    const char *stage;
+    const char *phase;
 } fairmesh_progress;
 
 /**

@@ -31,7 +31,7 @@ static void make_bowl(void) {
 
 static int32_t show(const fairmesh_progress *progress, void *user_data) {
     (void)user_data;
-    printf("%3.0f %%  %s\n", 100.0 * progress->fraction, progress->stage);
+    printf("%3.0f %%  %s\n", 100.0 * progress->fraction, progress->phase);
     return 0; /* anything else would stop the run */
 }
 

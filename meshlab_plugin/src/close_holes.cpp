@@ -42,6 +42,8 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
 Values told(const fairmesh::result &filled, const fairmesh::result &loops, const Host &host) {
     const fairmesh_info info = filled.info();
     int open = 0, unfair = 0;
+    // Of the first hole that did not become fair.
+    std::uint32_t outcome = FAIRMESH_FILL_OUTCOME_FAIRED, fairing = FAIRMESH_OUTCOME_CONVERGED;
     double defect = 0, solve = 0;
     std::uint64_t iterations = 0;
     for (std::uint64_t i = 0; i < info.loop_count; ++i) {
@@ -54,7 +56,9 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
             iterations = std::max(iterations, report.iterations);
             if (report.outcome != FAIRMESH_OUTCOME_CONVERGED && but.empty()) but = "closed; " + reservation(report);
             fair = fair && report.outcome == FAIRMESH_OUTCOME_CONVERGED;
+            if (open + unfair == 0 && !fair) fairing = report.outcome;
         }
+        if (open + unfair == 0 && !fair) outcome = hole.outcome;
         solve += hole.seconds;
         open += hole.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN;
         unfair += hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && !fair;
@@ -67,7 +71,10 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
     host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
                   static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count), open,
                   unfair));
-    return {{"closed", closed},
+    return {{"converged", open + unfair == 0},
+            {"outcome", static_cast<int>(fairing)},
+            {"fill_outcome", static_cast<int>(outcome)},
+            {"closed", closed},
             {"left_open", open},
             {"not_fair", unfair},
             {"new_vertices", static_cast<int>(info.new_vertex_count)},
@@ -97,7 +104,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     const std::vector<std::uint32_t> close = chosen(loops, selected, asked, host);
     if (close.empty()) {
         host.warn("Warning, no hole was found that is to be closed.");
-        return {{"closed", 0}, {"left_open", 0}, {"not_fair", 0}, {"new_vertices", 0}, {"new_faces", 0}, {"seconds_solve", 0.0}};
+        return {{"converged", true}, {"closed", 0}, {"left_open", 0}, {"not_fair", 0}, {"new_vertices", 0}, {"new_faces", 0}, {"seconds_solve", 0.0}};
     }
     asked.fill.loops = fairmesh::indices(close.data(), close.size());
     bool cancelled = false;

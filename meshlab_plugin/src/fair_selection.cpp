@@ -10,7 +10,7 @@ fairmesh::progress shown(const Host &host, bool &cancelled) {
     if (!host.progress) return {};
     return [progress = host.progress, &cancelled](const fairmesh_progress &how_far) {
         // The library may tell more before it ends; a host that has once said no is not asked again.
-        cancelled = cancelled || !progress(static_cast<int>(100 * how_far.fraction), how_far.stage);
+        cancelled = cancelled || !progress(static_cast<int>(100 * how_far.fraction), how_far.phase);
         return !cancelled;
     };
 }

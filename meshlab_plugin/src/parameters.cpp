@@ -89,7 +89,7 @@ void add_fair_parameters(RichParameterList &list) {
 
 void add_close_parameters(RichParameterList &list) {
     const fairmesh::fill_options standard;
-    list.addParam(RichInt("max_edges", as_int(standard.max_edges), "Edges of a hole, at most", "Holes of more edges stay open."));
+    list.addParam(RichInt("max_edges", 0, "Edges of a hole, at most", "Holes of more edges stay open. 0: holes of any size are closed."));
     list.addParam(RichBool("touching_selection", false, "Only holes at the selection",
                            "Closes the holes that have a vertex of a selected face, or a selected vertex, on their boundary."));
     list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
@@ -117,7 +117,7 @@ FairParameters read_fair_parameters(const RichParameterList &list) {
 
 CloseParameters read_close_parameters(const RichParameterList &list) {
     CloseParameters asked;
-    asked.fill.max_edges = at_least(list, "max_edges", 3);
+    if (list.getInt("max_edges") != 0) asked.fill.max_edges = at_least(list, "max_edges", 3);
     asked.touching_selection = list.getBool("touching_selection");
     asked.outer_boundaries = list.getBool("outer_boundaries");
     asked.fill.density = list.getFloat("density");

@@ -49,6 +49,7 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"boundary_kink", report.boundary_kink},
         {"boundary_kink_vertex", number(report.boundary_kink_vertex)},
         {"intersections", number(report.intersection_count)},
+        {"creased_vertices", number(report.creased_vertex_count)},
         {"seconds_solve", report.seconds_total},
         {"components", number(report.component_count)},
     };
@@ -112,7 +113,7 @@ std::string reservation(const fairmesh_fill_report &report) {
                     fairmesh_fill_reason_text(report.reason));
     }
     if (report.outcome == FAIRMESH_FILL_OUTCOME_SELF_INTERSECTING)
-        return text("closed, but the patch intersects itself or the mesh (%llu pairs of triangles); %s.",
+        return text("%s (%llu pairs of triangles); %s.", fairmesh_fill_outcome_text(report.outcome),
                     static_cast<unsigned long long>(report.intersection_count), fairmesh_fill_outcome_remedy(report.outcome));
     if (report.outcome == FAIRMESH_FILL_OUTCOME_LINEAR) return "closed with the surface of a linear problem, which is not fair.";
     if (report.coarsened) return "closed with a coarser patch, to keep to the number of new vertices.";

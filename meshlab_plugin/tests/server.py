@@ -19,6 +19,7 @@ SOLVER = {
     "target": ("RichEnum", 0, 3),
     "target_constant": ("RichFloat", 0),
     "tolerance": ("RichFloat", 1e-8),
+    "check_intersections": ("RichBool", "true"),
     "max_iterations": ("RichInt", 500),
 }
 PARAMETERS = {
@@ -29,7 +30,7 @@ PARAMETERS = {
         "curvature_to_quality": ("RichBool", "false"),
     },
     CLOSE: {
-        "max_edges": ("RichInt", 2147483647),
+        "max_edges": ("RichInt", 0),
         "touching_selection": ("RichBool", "false"),
         "outer_boundaries": ("RichBool", "false"),
         "density": ("RichFloat", 1.41421356),

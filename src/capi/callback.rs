@@ -22,7 +22,7 @@ pub struct fairmesh_progress {
     /// Its last step norm, in its diagonals; NaN before the first iteration.
     pub step: f64,
     /// What is being done, in a word or two; English. Valid during the callback.
-    pub stage: *const c_char,
+    pub phase: *const c_char,
 }
 
 /// Called after every iteration (of components that are less than a thousandth of the region, now and then), on the thread that made the call. 0 goes on, anything else stops. It may not throw or
@@ -65,14 +65,14 @@ impl HostCallback {
         let Some(function) = self.progress else {
             return ControlFlow::Continue(());
         };
-        let stage = Text::<48>::new(format_args!("{}", progress.stage)).characters();
+        let phase = Text::<48>::new(format_args!("{}", progress.phase)).characters();
         let told = fairmesh_progress {
             struct_size: size_of::<fairmesh_progress>() as u32,
             reserved: 0,
             fraction: progress.fraction,
             iterations: progress.iterations as u64,
             step: progress.step,
-            stage: stage.as_ptr(),
+            phase: phase.as_ptr(),
         };
         // SAFETY: the caller's function, with what its documentation says.
         let answer = unsafe { function(&raw const told, self.user_data) };

@@ -36,7 +36,7 @@ impl Bar {
         self.0
             .set_position((progress.fraction.clamp(0.0, 1.0) * Self::LENGTH as f64) as u64);
         self.0
-            .set_message(format!("{}, iteration {}", progress.stage, progress.iterations));
+            .set_message(format!("{}, iteration {}", progress.phase, progress.iterations));
         ControlFlow::Continue(())
     }
 }

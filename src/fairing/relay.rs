@@ -21,12 +21,12 @@ pub(super) fn relay<T: Send>(
 ) -> Result<T, Error> {
     let (to_caller, messages) = mpsc::channel::<Progress>();
     let (answer, answers) = mpsc::channel::<ControlFlow<()>>();
-    let mut tell = move |fraction, iterations, step, stage| {
+    let mut tell = move |fraction, iterations, step, phase| {
         let sent = to_caller.send(Progress {
             fraction,
             iterations,
             step,
-            stage,
+            phase,
         });
         // Nobody listens any more: the callback has panicked, so stop.
         sent.ok()
@@ -48,7 +48,7 @@ pub(super) fn relay<T: Send>(
             fraction: 0.0,
             iterations: 0,
             step: f64::NAN,
-            stage: "setup",
+            phase: "setup",
         };
         loop {
             let message = messages.recv_timeout(TICK);

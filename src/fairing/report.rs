@@ -19,7 +19,7 @@ pub struct Progress {
     /// Its last step norm, in diagonals.
     pub step: f64,
     /// What is being done, in a word or two.
-    pub stage: &'static str,
+    pub phase: &'static str,
 }
 
 /// What is told how far a run is; `Break` stops it.
@@ -269,7 +269,7 @@ impl Outcome {
     }
 }
 
-/// Wall seconds per stage.
+/// Wall seconds per phase.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
     /// Half-edges, rings, boundary normals.
@@ -343,7 +343,7 @@ pub struct Report {
     pub defect: f64,
     /// The last step norm, in the component's diagonals; the largest of any component.
     pub step: f64,
-    /// Seconds per stage, of all components.
+    /// Seconds per phase, of all components.
     pub seconds: Seconds,
     /// Soundness of the result.
     pub quality: Quality,

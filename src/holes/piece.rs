@@ -168,7 +168,7 @@ fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
         fraction,
         iterations: 0,
         step: f64::NAN,
-        stage: "triangulation",
+        phase: "triangulation",
     })
     .is_break()
 }

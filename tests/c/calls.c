@@ -38,7 +38,7 @@ static int32_t watch(const fairmesh_progress *progress, void *user_data) {
     Watch *w = (Watch *)user_data;
     CHECK(progress->struct_size == sizeof *progress);
     CHECK(progress->fraction >= w->fraction && progress->fraction <= 1.0);
-    CHECK(progress->iterations >= w->last && strlen(progress->stage) > 3);
+    CHECK(progress->iterations >= w->last && strlen(progress->phase) > 3);
     w->fraction = progress->fraction;
     w->last = progress->iterations;
     w->calls++;

@@ -34,6 +34,25 @@ fn generated_header_is_what_the_source_says() {
     crate::committed::check("include/fairmesh.h", &generated());
 }
 
+/// cbindgen leaves out what no function mentions, unless cbindgen.toml names it.
+#[test]
+fn every_enumeration_is_in_the_header() {
+    let header = generated();
+    let mut seen = 0;
+    for file in SOURCES {
+        let text = std::fs::read_to_string(path(&format!("src/capi/{file}.rs"))).unwrap();
+        for name in text.lines().filter_map(|line| line.strip_prefix("pub enum ")) {
+            let name = name.trim_end_matches([' ', '{']);
+            assert!(
+                header.contains(&format!("enum {name}\n")),
+                "{name} is not in cbindgen.toml"
+            );
+            seen += 1;
+        }
+    }
+    assert!(seen > 15, "{seen}");
+}
+
 #[test]
 fn every_function_struct_and_field_of_the_header_is_described() {
     let header = generated();

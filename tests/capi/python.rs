@@ -39,7 +39,7 @@ const ENUMS_HEAD: &str = r#""""What the library answers with. Made of the librar
 # ruff: noqa: E501
 from __future__ import annotations
 
-from ._named import Named, NamedOutcome, Numbered
+from ._named import Named, Numbered
 "#;
 
 #[test]
@@ -73,7 +73,7 @@ fn generated_python_enumerations_are_those_of_the_tables() {
     {
         let (class, base) = match table.name {
             "fairmesh_status" => ("Status", "Numbered"),
-            "fairmesh_outcome" => ("Outcome", "NamedOutcome"),
+            "fairmesh_outcome" => ("Outcome", "Named"),
             "fairmesh_loose_reason" => ("LooseReason", "Named"),
             "fairmesh_fill_outcome" => ("FillOutcome", "Named"),
             "fairmesh_fill_reason" => ("FillReason", "Named"),
@@ -96,8 +96,27 @@ fn generated_python_enumerations_are_those_of_the_tables() {
             let text = "a value that this version of the package does not know";
             member(&mut made, u32::MAX, "other", text, "", base);
         }
+        if class == "Outcome" {
+            successes(&mut made);
+        }
     }
     crate::committed::check("bindings/python/src/fairmesh/_enums.py", &made);
+}
+
+/// Which outcomes are successes, as `fairmesh::Outcome::is_success` says it.
+fn successes(made: &mut String) {
+    let outcomes = tables::outcomes();
+    let names: Vec<String> = outcomes
+        .iter()
+        .filter(|outcome| outcome.is_success())
+        .map(|outcome| format!("Outcome.{}", outcome.name().to_uppercase()))
+        .collect();
+    let doc = "Whether the tolerance is met and the surface is sound, without reservation.";
+    let _ = write!(
+        made,
+        "\n    @property\n    def is_success(self) -> bool:\n        \"\"\"{doc}\"\"\"\n        return self in ({},)\n",
+        names.join(", ")
+    );
 }
 
 fn member(made: &mut String, number: u32, name: &str, text: &str, remedy: &str, base: &str) {

@@ -21,6 +21,35 @@ pub(crate) struct Table {
     pub has_texts: bool,
 }
 
+/// Every outcome once, with whatever it tells left empty.
+pub(crate) fn outcomes() -> Vec<Outcome> {
+    let outcomes = vec![
+        Outcome::Converged,
+        Outcome::ConvergedPoorTriangles {
+            triangles: Vec::new(),
+        },
+        Outcome::ConvergedLoosely {
+            reason: LooseReason::Rounding,
+        },
+        Outcome::NormalsNotReachable {
+            reached: 0.0,
+            vertices: Vec::new(),
+        },
+        Outcome::TargetNotReachable { reached: 0.0 },
+        Outcome::NotConverged,
+        Outcome::IterationLimit,
+        Outcome::Cancelled,
+        Outcome::BoundaryCrease { vertices: Vec::new() },
+        Outcome::SelfIntersecting { pairs: 0 },
+        Outcome::PoorWhenRounded {
+            triangles: Vec::new(),
+        },
+    ];
+    let entries: Vec<Entry> = outcomes.iter().map(|outcome| *outcome.entry()).collect();
+    assert_eq!(entries, Outcome::TABLE);
+    outcomes
+}
+
 /// All of them.
 pub(crate) fn all() -> Vec<Table> {
     let table = |name, doc, parts: &[&[Entry]], has_texts| {

@@ -167,7 +167,7 @@ fn progress_never_falls() {
         assert!(told.windows(2).all(|w| w[0].iterations <= w[1].iterations));
         assert!(told.windows(2).all(|w| w[1].iterations <= w[0].iterations + 1));
         assert_eq!(told.last().unwrap().iterations, solution.report.iterations);
-        assert!(told.iter().all(|p| !p.stage.is_empty()));
+        assert!(told.iter().all(|p| !p.phase.is_empty()));
         // Being watched changes nothing.
         let unwatched = solve(shape, &shape.flat(), options(1e-8));
         assert!(unwatched.positions == solution.positions, "{name}");

@@ -4,6 +4,7 @@
 An add-on for Blender 3.4 to 4.1 (`bl_info`) and an extension for 4.2 and later (blender_manifest.toml).
 """
 
+import importlib.util
 import sys
 
 bl_info = {
@@ -12,10 +13,13 @@ bl_info = {
     "author": "fairmesh developers",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
-    "location": "Edit Mode: Mesh > Clean Up, Vertex menu, Sidebar > Fairmesh",
+    "location": "Edit Mode: Mesh > Clean Up, Vertex, Face and context menus, Sidebar > Fairmesh",
     "category": "Mesh",
     "support": "COMMUNITY",
 }
+
+if importlib.util.find_spec("numpy") is None:
+    raise ImportError("Fairmesh needs numpy, which this Blender comes without: apt-get install python3-numpy")
 
 # Blender reloads this file alone after an update: without this the old modules would stay in use.
 for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:

@@ -27,14 +27,15 @@ class Region:
 
 
 class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
-    """Replace the selected region by the smoothest surface that meets its surroundings tangentially.
-
-    In face select mode the boundary of the selected faces stays where it is and the vertices inside move.
-    In vertex and edge select mode, also if combined with faces, the selected vertices move.
-    The boundary of the mesh, hidden vertices and vertices of hidden faces stay"""
+    """Fairs the selected region of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_fair"
     bl_label = "Fair Selection"
+    # Blender cuts what is longer than 239 bytes.
+    bl_description = (
+        "Replace the selected region by the smoothest surface that meets its surroundings tangentially. "
+        "In face select mode the vertices inside the selected faces move, otherwise the selected vertices"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     region: EnumProperty(
@@ -134,13 +135,21 @@ def _remember(part):
         vertices = result.unreached_vertices
         what = f"{len(vertices)} boundary vertices with unreachable normals"
         found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
+    elif len(result.intersections):
+        faces = np.unique(mesh.face_of[result.intersections])
+        found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} intersecting faces", faces=faces))
 
 
 def _menu(self, context):
     self.layout.operator(MESH_OT_fairmesh_fair.bl_idname)
 
 
-_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_vertices")
+_MENUS = (
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_vertices",
+    "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)
 
 
 def register():

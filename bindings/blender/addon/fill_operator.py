@@ -24,12 +24,14 @@ class Holes:
 
 
 class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator):
-    """Close holes with new triangles as large as those around them, on a surface that goes on smoothly.
-
-    Selected are holes all of whose edges are selected; if there is none, holes with a selected edge or vertex"""
+    """Fills holes of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_fill_holes"
     bl_label = "Fill Hole and Fair"
+    bl_description = (
+        "Close holes with new triangles as large as those around them, on a surface that goes on smoothly: "
+        "holes all of whose edges are selected; if there is none, holes with a selected edge or vertex"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     scope: EnumProperty(
@@ -140,7 +142,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
             for count, why in holes.skipped:
                 return f"Nothing was filled, {count} left open: {why}"
         if self.scope == "SELECTED":
-            return "No hole is selected: select boundary edges of a hole (Alt-click on one), or set Holes to All"
+            return "No hole is selected: select boundary edges of a hole (Alt-click on one), or use Fill All Holes in the sidebar"
         return "The mesh has no hole"
 
     def finish(self, context, chosen):
@@ -188,11 +190,16 @@ def _menu(self, context):
     self.layout.operator(MESH_OT_fairmesh_fill_holes.bl_idname)
 
 
+_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_faces", "VIEW3D_MT_edit_mesh_context_menu")
+
+
 def register():
     bpy.utils.register_class(MESH_OT_fairmesh_fill_holes)
-    bpy.types.VIEW3D_MT_edit_mesh_clean.append(_menu)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).append(_menu)
 
 
 def unregister():
-    bpy.types.VIEW3D_MT_edit_mesh_clean.remove(_menu)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).remove(_menu)
     bpy.utils.unregister_class(MESH_OT_fairmesh_fill_holes)

@@ -111,7 +111,7 @@ def _is_rough(loop):
 
 def _reason(loop):
     if loop.outcome is FillOutcome.SELF_INTERSECTING:
-        return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles)"
+        return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles); {loop.outcome.remedy}"
     if loop.reason is FillReason.NONE and loop.report is not None:
         return faired(loop.report)[1]
     return f"{loop.reason.text} ({loop.edge_count} edges)"

@@ -27,6 +27,9 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
         settings = context.scene.fairmesh
         for operator, icon in ((MESH_OT_fairmesh_fair, "MOD_SMOOTH"), (MESH_OT_fairmesh_fill_holes, "MESH_DATA")):
             settings.hand_to(column.operator(operator.bl_idname, icon=icon))
+        fill_all = column.operator(MESH_OT_fairmesh_fill_holes.bl_idname, text="Fill All Holes", icon="MESH_DATA")
+        settings.hand_to(fill_all)
+        fill_all.scope = "ALL"
         column.operator(MESH_OT_fairmesh_show_curvature.bl_idname, icon="COLOR")
         if context.mode != "EDIT_MESH":
             column.label(text="Fairing and filling: in Edit mode")

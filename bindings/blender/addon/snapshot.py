@@ -73,7 +73,9 @@ class Snapshot:
 
     def unseen(self, positions):
         """Such positions in the object's coordinates."""
-        return positions if self.shape is None else np.linalg.solve(self.shape, positions.T).T
+        if self.shape is None:
+            return positions
+        return (positions[:, None, :] * np.linalg.inv(self.shape)).sum(axis=2)  # as above
 
 
 def read(obj):

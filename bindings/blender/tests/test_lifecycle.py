@@ -13,7 +13,12 @@ import runner
 
 ZIP = runner.arguments()[0]
 OPERATORS = ("fairmesh_fair", "fairmesh_fill_holes", "fairmesh_show_curvature", "fairmesh_select_found")
-MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_vertices")
+MENUS = (
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_vertices",
+    "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)
 
 
 def registered():

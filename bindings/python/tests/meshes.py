@@ -102,6 +102,29 @@ def sphere(level=3, radius=1.0):
     return vertices * (radius / np.linalg.norm(vertices, axis=1))[:, None], faces
 
 
+def cube(cells):
+    """The surface of a cube, normals outward, in so many cells along each edge; free is what lies inside the top."""
+    u, v = np.meshgrid(np.arange(cells + 1), np.arange(cells + 1), indexing="ij")
+    sides, faces = [], []
+    for axis in range(3):
+        for height in (0, cells):
+            side = np.stack(np.roll([np.full(u.shape, height), u, v], axis, axis=0), axis=-1).reshape(-1, 3)
+            of_side = grid(cells + 1, cells + 1)
+            faces.append((of_side if height else of_side[:, ::-1]) + sum(map(len, sides)))
+            sides.append(side)
+    vertices, number = np.unique(np.concatenate(sides), axis=0, return_inverse=True)
+    free = (vertices[:, 2] == cells) & (vertices[:, :2] % cells != 0).all(axis=1)
+    return Region(vertices.astype(float), number.ravel()[np.concatenate(faces)], free, vertices)
+
+
+def smallest_angle(vertices, faces):
+    """In degrees, in double precision."""
+    corners = vertices.astype(float)[faces]
+    first, second = (np.roll(corners, -k, axis=1) - corners for k in (1, 2))
+    sine = np.linalg.norm(np.cross(first, second), axis=2)
+    return np.degrees(np.arctan2(sine, (first * second).sum(axis=2))).min()
+
+
 def sphere_with_hole(level=4, above=0.8, radius=1.0):
     """A sphere without the triangles above a height; vertices that no triangle names are left out."""
     vertices, faces = sphere(level, radius)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import fairmesh
-from meshes import dented_cylinder, dented_sphere, disc, off_sphere, sphere, sphere_with_hole
+from meshes import cube, dented_cylinder, dented_sphere, disc, off_sphere, smallest_angle, sphere, sphere_with_hole
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -30,6 +30,54 @@ def test_float32_is_as_good_as_its_rounding():
     # Computed in double precision: the same as of the same numbers as doubles, rounded.
     double = fairmesh.fair(single.astype(np.float64), faces, free=free)
     assert np.array_equal(result.vertices, double.vertices.astype(np.float32))
+
+
+def test_the_report_is_of_the_vertices_that_are_returned():
+    vertices, faces, free, _ = dented_sphere()
+    inside = faces[free[faces].any(axis=1)]
+    double = fairmesh.fair(vertices + 2**19, faces, free=free)
+    assert double.outcome is fairmesh.Outcome.CONVERGED
+    rounded = fairmesh.fair(vertices + 2**19, faces, free=free, output_precision="single")
+    assert rounded.outcome is fairmesh.Outcome.POOR_WHEN_ROUNDED and not rounded.outcome.is_success
+    assert rounded.report.poor_triangle_count == len(rounded.poor_triangles) > 0
+    assert np.array_equal(rounded.vertices[free], rounded.vertices[free].astype(np.float32))
+    # Of an array of float32 the figures are those of its floats, unless doubles are asked for.
+    floats = (vertices + 2**14).astype(np.float32)
+    single = fairmesh.fair(floats, faces, free=free)
+    for result in (double, rounded, single):
+        assert abs(result.report.worst_angle - smallest_angle(result.vertices, inside)) < 1e-4
+    unrounded = fairmesh.fair(floats, faces, free=free, output_precision="double").report.worst_angle
+    assert abs(unrounded - single.report.worst_angle) > 1e-3
+
+
+def test_only_a_surface_without_reservation_is_a_success():
+    assert [outcome for outcome in fairmesh.Outcome if outcome.is_success] == [fairmesh.Outcome.CONVERGED]
+
+
+def test_a_crease_along_the_boundary_is_no_success():
+    # The top of a coarse cube cannot meet the normals of its walls.
+    vertices, faces, free, _ = cube(4)
+    result = fairmesh.fair(vertices, faces, free=free)
+    assert result.outcome is fairmesh.Outcome.BOUNDARY_CREASE and not result.outcome.is_success
+    report = result.report
+    assert report.creased_vertex_count == len(result.creased_vertices) > 0
+    assert report.boundary_kink > 45 and report.boundary_kink_vertex in result.creased_vertices
+    assert report.remedy == result.outcome.remedy != ""
+
+
+def test_a_surface_that_runs_into_what_stands_there_is_no_success():
+    vertices, faces, free, _ = dented_sphere()
+    needle = [[0.11, 0.07, 0.9], [0.13, 0.08, 0.9], [0.12, 0.1, 0.9], [0.12, 0.085, 1.5]]
+    sides = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]) + len(vertices)
+    with_needle = np.concatenate([vertices, needle]), np.concatenate([faces, sides])
+    may_move = np.append(free, [False] * 4)
+    result = fairmesh.fair(*with_needle, free=may_move)
+    assert result.outcome is fairmesh.Outcome.SELF_INTERSECTING and not result.outcome.is_success
+    assert result.report.intersection_count == len(result.intersections) >= 3
+    assert result.report.intersections_in_input == 0 and result.intersections[:, 1].min() >= len(faces)
+    unseen = fairmesh.fair(*with_needle, free=may_move, intersections="skip")
+    assert unseen.outcome is fairmesh.Outcome.CONVERGED and not unseen.report.intersections_checked
+    assert np.array_equal(unseen.vertices, result.vertices)
 
 
 def test_a_cylinder_with_given_normals():

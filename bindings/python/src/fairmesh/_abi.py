@@ -456,7 +456,7 @@ class fairmesh_progress(Structure):
         ("fraction", c_double),
         ("iterations", c_uint64),
         ("step", c_double),
-        ("stage", c_char_p),
+        ("phase", c_char_p),
     )
 
 

@@ -3,7 +3,7 @@
 # ruff: noqa: E501
 from __future__ import annotations
 
-from ._named import Named, NamedOutcome, Numbered
+from ._named import Named, Numbered
 
 
 class Status(Numbered):
@@ -221,7 +221,7 @@ class Status(Numbered):
     )
 
 
-class Outcome(NamedOutcome):
+class Outcome(Named):
     """How a run ended that did what it was asked. The positions are usable in every case."""
 
     #: Tolerance met, and the surface is sound.
@@ -308,6 +308,11 @@ class Outcome(NamedOutcome):
         "a value that this version of the package does not know",
         "",
     )
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the tolerance is met and the surface is sound, without reservation."""
+        return self in (Outcome.CONVERGED,)
 
 
 class LooseReason(Named):

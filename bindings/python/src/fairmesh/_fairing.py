@@ -82,7 +82,7 @@ class Result:
 
     @cached_property
     def intersections(self) -> NDArray[np.intp]:
-        """Pairs of triangles that intersect, (p, 2), the smaller index first; at least one of each has a free vertex."""
+        """Pairs of triangles that intersect, (p, 2), the smaller index first; one or both have a free vertex."""
         return self._handle.list(_lists.INTERSECTIONS).reshape(-1, 2)
 
     @cached_property
@@ -149,7 +149,7 @@ def fair(
             texture seams: "join" (default) where their coordinates are equal; a distance that they may be apart; or
             "separate". All copies of a free vertex move alike. Indices name a vertex by any of its copies; a mask
             frees it where it frees all of them.
-        progress: Called with a `Progress` after every iteration and at stages of the preparation, on this thread. False
+        progress: Called with a `Progress` after every iteration and at phases of the preparation, on this thread. False
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
             run before the next iteration, with the outcome CANCELLED.

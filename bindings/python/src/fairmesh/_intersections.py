@@ -16,10 +16,10 @@ from ._library import load
 def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike | None = None) -> NDArray[np.intp]:
     """Pairs of faces that intersect, (p, 2), the smaller index first, ascending.
 
-    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`; ``among``: indices of faces or a mask, and only pairs with at least one of
-    them. Two triangles intersect if they have more in common than a vertex of both or an edge of both, where vertices at the
-    same position are one; also if they only touch. Exact for the positions given. Triangles without area take no part. The
-    mesh need not be a manifold.
+    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`; ``among``: indices of faces or a mask, and only pairs with at
+    least one of them. Two triangles intersect if they have more in common than a vertex of both or an edge of both,
+    where vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles
+    without area take no part. The mesh need not be a manifold.
 
     Raises:
         InputError: An index or a coordinate is wrong; it says where.

@@ -57,12 +57,3 @@ class Named(str, enum.Enum):
             if member.number == number:
                 return member
         return cls["OTHER"]
-
-
-class NamedOutcome(Named):
-    """How a fairing ended."""
-
-    @property
-    def is_success(self) -> bool:
-        """Converged, with or without reservation."""
-        return self.name in ("CONVERGED", "CONVERGED_POOR_TRIANGLES", "CONVERGED_LOOSELY")

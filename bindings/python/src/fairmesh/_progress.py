@@ -100,7 +100,7 @@ class Monitor:
         state.fraction = progress.fraction
         state.iteration = progress.iterations
         state.step_norm = progress.step
-        self._phase = progress.stage or b""
+        self._phase = progress.phase or b""
         return bool(state.cancelled)
 
 
@@ -171,7 +171,7 @@ class Relay:
             with InCallback():
                 stop = bool(self._cancel.is_set())
         if self._progress is not None:
-            phase = (progress.stage or b"").decode("utf-8", "replace")
+            phase = (progress.phase or b"").decode("utf-8", "replace")
             told = Progress(phase, progress.iterations, progress.step, progress.fraction)
             with InCallback():
                 answer = self._progress(told)

@@ -74,7 +74,7 @@ class Report:
     intersections_checked: bool
     #: Pairs of intersecting triangles, at most 10000; `Result.intersections` has them.
     intersection_count: int
-    #: How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if there are none now.
+    #: How many pairs there were in the input among the same triangles and the rest of the mesh; 0 if none are now.
     intersections_in_input: int
     #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
     loose_reason: LooseReason
@@ -142,26 +142,33 @@ def report_of(struct: _abi.fairmesh_report, component: Callable[[int, Any], None
     return Report(**_fields(struct, Report), components=tuple(components))
 
 
-def _fields(struct: Any, of: type[Report | Component]) -> dict[str, Any]:
-    """What both dataclasses have in common with their structs, in Python's types."""
-    fields = {name: getattr(struct, name) for name in of.__dataclass_fields__ if name != "components"}
-    fields.update(
-        outcome=Outcome.of(struct.outcome),
-        linear_surface=bool(struct.linear_surface),
-        worst_triangle=element_or_none(struct.worst_triangle),
-        normal_deviation_vertex=element_or_none(struct.normal_deviation_vertex),
-        boundary_kink_vertex=element_or_none(struct.boundary_kink_vertex),
-        h_inside=tuple(struct.h_inside),
-        h_boundary=tuple(struct.h_boundary),
-        intersections_checked=bool(struct.intersections_checked),
-        loose_reason=LooseReason.of(struct.loose_reason),
-    )
-    return fields
-
-
 def element_or_none(number: int) -> int | None:
     """None in place of the library's "no element"."""
     return None if number == _abi.NO_ELEMENT else number
+
+
+#: How fields of the structs become Python's; all others are as they are.
+_CONVERSIONS: dict[str, Callable[[Any], Any]] = {
+    "outcome": Outcome.of,
+    "loose_reason": LooseReason.of,
+    "linear_surface": bool,
+    "intersections_checked": bool,
+    "worst_triangle": element_or_none,
+    "normal_deviation_vertex": element_or_none,
+    "boundary_kink_vertex": element_or_none,
+    "h_inside": tuple,
+    "h_boundary": tuple,
+}
+
+
+def _fields(struct: Any, of: type[Report | Component]) -> dict[str, Any]:
+    """The fields of a dataclass, from its struct."""
+    names = [name for name in of.__dataclass_fields__ if name != "components"]
+    return {name: _CONVERSIONS.get(name, _as_it_is)(getattr(struct, name)) for name in names}
+
+
+def _as_it_is(value: Any) -> Any:
+    return value
 
 
 @dataclass(frozen=True)
