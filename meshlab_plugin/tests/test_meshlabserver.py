@@ -280,7 +280,7 @@ class Refused(Case):
         moved = inside[faces].any(axis=1)
         self.assertAlmostEqual(told, meshes.smallest_angle(meshes.points(mesh), faces[moved]), delta=0.006)
         # Farther away rounding flips triangles.
-        file = self.case(vertices + 2.0**18, faces, selected)
+        file = self.case(vertices + 2.0**19, faces, selected)
         code, text, _ = self.run_script(file, (FAIR, {}))
         self.assertIn("Warning, poor_when_rounded: ", text)
         self.assertIn("write the mesh in double precision, or move it near to the origin", text)
