@@ -13,10 +13,10 @@ grep -q "\"version\": (${version//./, })," bindings/blender/addon/__init__.py
 
 library=$(bindings/python/build_library.sh)
 
-stage=$out/stage
-rm -rf "$stage"
+tree=$out/tree
+rm -rf "$tree"
 # Not "fairmesh": as an add-on it is a top-level module of Python, and would hide the Python package of that name.
-top=$stage/fairmesh_blender
+top=$tree/fairmesh_blender
 mkdir -p "$top/lib/linux-x64" "$top/fairmesh"
 cp bindings/blender/addon/*.py bindings/blender/addon/blender_manifest.toml bindings/blender/addon/LICENSE "$top"
 cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
@@ -25,5 +25,5 @@ cp "$library" "$top/lib/linux-x64/libfairmesh.so"
 
 zip=$out/fairmesh_blender-$version.zip
 rm -f "$zip"
-(cd "$stage" && python3 -m zipfile -c "$zip" fairmesh_blender)
+(cd "$tree" && python3 -m zipfile -c "$zip" fairmesh_blender)
 echo "$zip"

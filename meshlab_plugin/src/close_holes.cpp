@@ -104,7 +104,8 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     const std::vector<std::uint32_t> close = chosen(loops, selected, asked, host);
     if (close.empty()) {
         host.warn("Warning, no hole was found that is to be closed.");
-        return {{"converged", true}, {"closed", 0}, {"left_open", 0}, {"not_fair", 0}, {"new_vertices", 0}, {"new_faces", 0}, {"seconds_solve", 0.0}};
+        return {{"converged", true}, {"closed", 0},    {"left_open", 0},      {"not_fair", 0},
+                {"new_vertices", 0}, {"new_faces", 0}, {"seconds_solve", 0.0}};
     }
     asked.fill.loops = fairmesh::indices(close.data(), close.size());
     bool cancelled = false;

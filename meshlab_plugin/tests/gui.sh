@@ -96,7 +96,7 @@ logged 2 'Fairing converged'
 logged 1 'Applied filter Fair selection'
 shot applied
 
-click 338 148 # the number of iterations
+click 338 130 # the number of iterations
 xdotool key ctrl+a type 0
 click 401 22 # Apply
 window 'Filter Failure'

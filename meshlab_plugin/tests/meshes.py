@@ -45,6 +45,45 @@ def without(vertices, faces, drop):
     return vertices[used], numbers.reshape(-1, 3)
 
 
+def split_along(vertices, faces, beyond):
+    """The same surface with copies of the vertices between faces `beyond` and the others: (vertices, faces, originals)."""
+    seam = np.intersect1d(faces[beyond], faces[~beyond])
+    number = np.arange(len(vertices))
+    number[seam] = len(vertices) + np.arange(len(seam))
+    split_faces = faces.copy()
+    split_faces[beyond] = number[faces[beyond]]
+    return np.vstack([vertices, vertices[seam]]), split_faces, seam
+
+
+def needle(low, high):
+    """A closed thin needle along the z axis: (vertices, faces)."""
+    vertices = np.array([[0.11, 0.07, low], [0.13, 0.08, low], [0.12, 0.1, low], [0.12, 0.085, high]])
+    return vertices, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+
+
+def cube(cells):
+    """The surface of a cube in so many cells along each edge: (vertices, faces), outward orientation."""
+    u, v = np.meshgrid(np.arange(cells + 1), np.arange(cells + 1), indexing="ij")
+    i = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
+    a, b, c, d = (part.ravel() for part in (i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]))
+    side = np.vstack([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    points, faces = [], []
+    for axis in range(3):
+        for height in (0, cells):
+            faces.append((side if height else side[:, ::-1]) + len(points) * i.size)
+            points.append(np.stack(np.roll([np.full(u.shape, height), u, v], axis, axis=0), axis=-1).reshape(-1, 3))
+    vertices, number = np.unique(np.vstack(points), axis=0, return_inverse=True)
+    return vertices.astype(float), number.ravel()[np.vstack(faces)]
+
+
+def smallest_angle(vertices, faces):
+    """In degrees."""
+    corners = vertices[faces]
+    first, second = (np.roll(corners, -k, axis=1) - corners for k in (1, 2))
+    sine = np.linalg.norm(np.cross(first, second), axis=2)
+    return np.degrees(np.arctan2(sine, (first * second).sum(axis=2))).min()
+
+
 def open_sphere(level=5, seed=7):
     """Irregular unit sphere without the cap z > 0.75."""
     vertices, faces = icosphere(level)

@@ -2,6 +2,7 @@
 """The plugin in Debian's meshlabserver (2020.09, float): python test_meshlabserver.py PLUGIN FAIRMESH"""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -270,6 +271,19 @@ class Refused(Case):
         self.refused(file, FAIR, "Parameter max_iterations is 0", max_iterations=0)
         self.refused(file, FAIR, "no per-vertex attribute 'there'", boundary_normals=3, normal_attribute="there")
         self.refused(file, CLOSE, "Parameter max_edges is 2", max_edges=2)
+
+    def test_figures_are_those_of_the_floats_that_are_stored(self):
+        vertices, faces, selected, inside = dented_sphere()
+        file = self.case(vertices + 2.0**14, faces, selected)
+        mesh, text = self.applied(file, (FAIR, {}))
+        told = float(re.search(r"Smallest angle ([0-9.]+) degrees", text).group(1))
+        moved = inside[faces].any(axis=1)
+        self.assertAlmostEqual(told, meshes.smallest_angle(meshes.points(mesh), faces[moved]), delta=0.006)
+        # Farther away rounding flips triangles.
+        file = self.case(vertices + 2.0**19, faces, selected)
+        code, text, _ = self.run_script(file, (FAIR, {}))
+        self.assertIn("Warning, poor_when_rounded: ", text)
+        self.assertIn("write the mesh in double precision, or move it near to the origin", text)
 
     def test_warning(self):
         vertices, faces, selected, _ = dented_sphere()

@@ -113,10 +113,32 @@ class Sphere(Case):
         self.assertEqual(values["free_vertices"], ms.current_mesh().vertex_number() - old)
         self.on_sphere(ms, 1e-6, "Close Holes, then Fair selection")
 
+    def test_a_seam_across_the_dent(self):
+        ms, _ = dented_sphere()
+        vertices, faces = ms.current_mesh().vertex_matrix(), ms.current_mesh().face_matrix()
+        selected = ms.current_mesh().face_selection_array().astype(float)
+        vertices, faces, seam = meshes.split_along(vertices, faces, vertices[faces].mean(axis=1)[:, 0] > 0)
+        old = len(vertices) - len(seam)
+
+        def faired(**parameters):
+            ms = mesh_set(vertices, faces, f_scalar_array=selected)
+            ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+            values = ms.apply_filter(FAIR, **parameters)
+            return values, ms.current_mesh().vertex_matrix()
+
+        values, after = faired()
+        self.assertTrue(values["converged"])
+        self.assertEqual(after[seam].tobytes(), after[old:].tobytes())
+        self.assertLess(np.abs(np.linalg.norm(after, axis=1) - 1).max(), 1e-6)
+        self.assertGreater((after[seam] != vertices[seam]).any(axis=1).sum(), 10)
+        _, apart = faired(join_distance=-1)
+        self.assertEqual(apart[seam].tobytes(), vertices[seam].tobytes())
+
     def test_own_filling(self):
         ms = mesh_set(*meshes.open_sphere())
         values = ms.apply_filter(CLOSE)
         self.assertEqual((values["closed"], values["left_open"], values["not_fair"]), (1, 0, 0))
+        self.assertEqual((values["converged"], values["outcome"], values["fill_outcome"]), (True, 0, 0))
         self.assertGreater(values["new_vertices"], 500)
         self.assertEqual(ms.current_mesh().selected_face_number(), values["new_faces"])
         self.on_sphere(ms, 1e-6, "Close holes and fair")
@@ -379,7 +401,8 @@ class Refused(Case):
 
     def test_parameters(self):
         ms, _ = dented_sphere()
-        self.refused(ms, FAIR, "Option tolerance is 2: it must be at least 1e-15, the precision of double numbers, and less than 1", tolerance=2.0)
+        range_ = "it must be at least 1e-15, the precision of double numbers, and less than 1"
+        self.refused(ms, FAIR, f"Option tolerance is 2: {range_}", tolerance=2.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=0.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
@@ -390,6 +413,7 @@ class Refused(Case):
         ms = mesh_set(*meshes.open_sphere(3))
         self.refused(ms, CLOSE, "Option density is", density=1000.0)
         self.refused(ms, CLOSE, "max_edges is 2", "at least 3", max_edges=2)
+        self.refused(ms, CLOSE, "max_edges is -1", "at least 3", max_edges=-1)
         self.refused(ms, CLOSE, "max_new_vertices is -1", max_new_vertices=-1)
         ms, _ = dented_sphere()
         for wrong in ({"inner_fairness": "None such"}, {"boundary_normals": 17}, {"tolerance": "small"}, {"no_such": 1}):
@@ -420,11 +444,41 @@ class Outcomes(Case):
         self.assertLess(values["reached"], 1)
         self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())
 
+    def test_a_crease_is_no_success(self):
+        # The top of a coarse cube cannot meet the normals of its walls.
+        ms = mesh_set(*meshes.cube(4))
+        ms.compute_selection_by_condition_per_face(condselect="(z0+z1+z2)/3 > 3.9")
+        values = ms.apply_filter(FAIR)
+        self.assertEqual((values["outcome"], values["converged"]), (8, False))
+        self.assertGreater(values["creased_vertices"], 0)
+        self.assertGreater(values["boundary_kink"], 45)
+
+    def test_a_surface_that_intersects_is_no_success(self):
+        ms, _ = dented_sphere()
+        vertices, faces = ms.current_mesh().vertex_matrix(), ms.current_mesh().face_matrix()
+        selected = np.append(ms.current_mesh().face_selection_array(), [False] * 4).astype(float)
+        needle, sides = meshes.needle(0.95, 1.5)
+        both = np.vstack([vertices, needle]), np.vstack([faces, sides + len(vertices)])
+
+        def faired(**parameters):
+            ms = mesh_set(*both, f_scalar_array=selected)
+            ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+            return ms.apply_filter(FAIR, **parameters)
+
+        values = faired()
+        self.assertEqual((values["outcome"], values["converged"]), (9, False))
+        self.assertGreaterEqual(values["intersections"], 3)
+        unseen = faired(check_intersections=False)
+        self.assertEqual((unseen["outcome"], unseen["converged"], unseen["intersections"]), (0, True, 0))
+
     def test_iterations_run_out(self):
         ms, _ = dented_sphere()
         values = ms.apply_filter(FAIR, max_iterations=1)
         self.assertEqual(values["outcome"], 6)
         self.assertFalse(values["converged"])
+        ms = mesh_set(*meshes.open_sphere(4))
+        values = ms.apply_filter(CLOSE, max_iterations=1)
+        self.assertEqual((values["converged"], values["not_fair"], values["outcome"]), (False, 1, 6))
 
     def test_values(self):
         ms, inside = dented_sphere()

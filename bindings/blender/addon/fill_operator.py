@@ -142,7 +142,10 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
             for count, why in holes.skipped:
                 return f"Nothing was filled, {count} left open: {why}"
         if self.scope == "SELECTED":
-            return "No hole is selected: select boundary edges of a hole (Alt-click on one), or use Fill All Holes in the sidebar"
+            return (
+                "No hole is selected: select boundary edges of a hole (Alt-click on one), "
+                "or use Fill All Holes in the sidebar"
+            )
         return "The mesh has no hole"
 
     def finish(self, context, chosen):

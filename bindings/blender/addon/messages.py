@@ -17,6 +17,17 @@ _ADVICE = {
 }
 
 
+# How much of it there is. `r` is the report.
+_FIGURES = {
+    Outcome.CONVERGED_POOR_TRIANGLES: " ({r.poor_triangle_count} triangles)",
+    Outcome.POOR_WHEN_ROUNDED: " ({r.poor_triangle_count} triangles)",
+    Outcome.BOUNDARY_CREASE: " ({r.creased_vertex_count} vertices, up to {r.boundary_kink:.0f} degrees)",
+    Outcome.SELF_INTERSECTING: " ({r.intersection_count} pairs, {r.intersections_in_input} before the fairing)",
+    Outcome.NORMALS_NOT_REACHABLE: " ({reached:.0f} % of the way)",
+    Outcome.TARGET_NOT_REACHABLE: " ({reached:.0f} % of it)",
+}
+
+
 @contextmanager
 def about(subject):
     """Notes in errors which `Snapshot` they are about."""
@@ -65,16 +76,7 @@ def faired(report):
     vertices = f"{report.free_vertices} vertices faired in {report.iterations} iterations"
     if report.outcome is Outcome.CONVERGED:
         return "INFO", vertices
-    figures = {
-        Outcome.CONVERGED_POOR_TRIANGLES: f" ({report.poor_triangle_count} triangles)",
-        Outcome.POOR_WHEN_ROUNDED: f" ({report.poor_triangle_count} triangles)",
-        Outcome.BOUNDARY_CREASE: f" ({report.creased_vertex_count} vertices, up to {report.boundary_kink:.0f} degrees)",
-        Outcome.SELF_INTERSECTING: (
-            f" ({report.intersection_count} pairs, {report.intersections_in_input} before the fairing)"
-        ),
-        Outcome.NORMALS_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of the way)",
-        Outcome.TARGET_NOT_REACHABLE: f" ({100 * report.reached:.0f} % of it)",
-    }.get(report.outcome, "")
+    figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
     return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {_sentence(report.remedy)}"
 
 

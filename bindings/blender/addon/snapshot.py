@@ -58,13 +58,14 @@ class Snapshot:
     def on_surface_boundary(self):
         """The vertices on the boundary of the surface, (n,), where edges that lie on each other are one."""
         mask = self.on_boundary
-        places, place, copies = np.unique(self.vertices[mask] + 0.0, axis=0, return_inverse=True, return_counts=True)
+        places, place = np.unique(self.vertices[mask] + 0.0, axis=0, return_inverse=True)
         if len(places) == np.count_nonzero(mask):
             return mask
         place = place.ravel()
         of_vertex = np.full(len(mask), -1)
         of_vertex[mask] = place
-        is_open = copies == 1
+        # Not all that have no copy: a slit ends in one, and is none where its sides lie on each other.
+        is_open = np.zeros(len(places), bool)
         for loop in fairmesh.boundary_loops(self.seen(), self.triangles):
             is_open[of_vertex[loop.vertices]] = True
         made = mask.copy()

@@ -43,7 +43,7 @@ def zebra():
     return material
 
 
-def stage():
+def set_scene():
     """Camera, background, Cycles."""
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
@@ -66,7 +66,7 @@ def render(obj, path):
     obj.data.polygons.foreach_set("use_smooth", np.ones(len(obj.data.polygons), bool))
     obj.data.materials.clear()
     obj.data.materials.append(zebra())
-    stage()
+    set_scene()
     bpy.context.scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
 

@@ -39,7 +39,13 @@ def test_components_are_counted_where_some_are_not_fair():
     def told(*outcomes):
         components = [SimpleNamespace(outcome=o, vertex=10 * k) for k, o in enumerate(outcomes)]
         worst = SimpleNamespace(
-            outcome=outcomes[-1], components=components, free_vertices=9, iterations=5, text="text", remedy="remedy"
+            outcome=outcomes[-1],
+            components=components,
+            free_vertices=9,
+            iterations=5,
+            reached=1.0,
+            text="text",
+            remedy="remedy",
         )
         return part("messages").faired(worst)
 
@@ -103,7 +109,103 @@ def test_a_seam_across_the_region():
     assert len(split) > len(joined) + 20
     bpy.context.tool_settings.mesh_select_mode = (False, False, True)
     assert fair() == {"FINISHED"}
-    assert np.abs(np.linalg.norm(coordinates(obj), axis=1) - 1).max() < BAR
+    after = coordinates(obj)
+    assert np.abs(np.linalg.norm(after, axis=1) - 1).max() < BAR
+    assert len(np.unique(after, axis=0)) == len(joined), "copies of a vertex have come apart"
+
+
+def test_doubles_of_a_stretched_object_move_alike():
+    obj, _ = dented()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    bmesh.ops.split_edges(mesh, edges=[e for e in mesh.edges if all(abs(v.co.y) < 1e-6 for v in e.verts)])
+    bmesh.update_edit_mesh(obj.data)
+    common.select_faces(obj, lambda f: f.select)
+    before = coordinates(obj)
+    obj.scale = (1, 2, 0.7)
+    obj.rotation_euler = (0.3, 0.2, 0.1)
+    bpy.context.view_layer.update()
+    assert fair() == {"FINISHED"}
+    after = coordinates(obj)
+    assert not np.array_equal(before, after)
+    assert len(np.unique(after, axis=0)) == len(np.unique(before, axis=0)) < len(before)
+
+
+def last_run():
+    """The report of the last run, and the message: (report, kind, text)."""
+    report = part("fair_operator").last_reports[0]
+    return report, *part("messages").faired(report)
+
+
+def test_the_report_is_of_what_blender_stores():
+    obj = irregular_sphere(57)
+    free = flatten_cap(obj, offset=(1000, 0, 0))
+    fair()
+    report, _, _ = last_run()
+    is_free = np.zeros(len(obj.data.vertices), bool)
+    is_free[free] = True
+    faces = np.array([[v.index for v in f.verts] for f in bmesh.from_edit_mesh(obj.data).faces])
+    corners = coordinates(obj)[faces[is_free[faces].any(axis=1)]]
+    first, second = (np.roll(corners, -k, axis=1) - corners for k in (1, 2))
+    sine = np.linalg.norm(np.cross(first, second), axis=2)
+    angles = np.degrees(np.arctan2(sine, (first * second).sum(axis=2)))
+    assert abs(report.worst_angle - angles.min()) < 1e-4, (report.worst_angle, angles.min())
+
+
+def test_rounding_that_spoils_triangles_is_told():
+    obj = irregular_sphere(57)
+    flatten_cap(obj, offset=(2**17, 0, 0))
+    fair()
+    report, kind, text = last_run()
+    assert report.outcome == "poor_when_rounded", report.outcome
+    assert kind == "WARNING" and f"({report.poor_triangle_count} triangles)" in text and "near to the origin" in text
+    assert "poor faces" in part("found").last(bpy.context).what
+
+
+def test_a_crease_is_told_and_can_be_selected():
+    # The top of a coarse cube cannot meet the normals of its walls.
+    bpy.ops.mesh.primitive_cube_add(size=2)
+    obj = bpy.context.object
+    edit(obj)
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.subdivide(number_cuts=3)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    common.select_faces(obj, lambda f: f.calc_center_median().z > 0.99)
+    fair()
+    report, kind, text = last_run()
+    assert report.outcome == "boundary_crease", report.outcome
+    assert kind == "WARNING" and "crease along the boundary" in text and "Move the boundary" in text
+    assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
+    chosen = [v for v in bmesh.from_edit_mesh(obj.data).verts if v.select]
+    assert len(chosen) == report.creased_vertex_count > 0
+
+
+def dented_below_a_needle():
+    """The same below a needle that the sphere runs through."""
+    obj, _ = dented()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    corners = ((0.11, 0.07, 0.9), (0.13, 0.08, 0.9), (0.12, 0.1, 0.9), (0.12, 0.085, 1.5))
+    needle = [mesh.verts.new(corner) for corner in corners]
+    for sides in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)):
+        mesh.faces.new([needle[k] for k in sides])
+    bmesh.update_edit_mesh(obj.data)
+    return obj
+
+
+def test_faces_that_intersect_are_told_and_can_be_selected():
+    obj = dented_below_a_needle()
+    fair()
+    report, kind, text = last_run()
+    assert report.outcome == "self_intersecting", report.outcome
+    assert kind == "WARNING" and f"({report.intersection_count} pairs, 0 before" in text
+    assert "Look at these triangles" in text
+    assert bpy.ops.mesh.fairmesh_select_found() == {"FINISHED"}
+    chosen = [f for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
+    assert 3 <= len(chosen) < 20
+    common.clear()
+    dented_below_a_needle()
+    fair(check_intersections=False)
+    report, kind, _ = last_run()
+    assert kind == "INFO" and not report.intersections_checked
 
 
 def test_invoke_from_a_script_runs_at_once():
@@ -373,7 +475,9 @@ def suzanne(cuts, quads):
     bpy.ops.object.mode_set(mode="EDIT")
     assert fair() == {"FINISHED"}
     report = part("fair_operator").last_reports[0]
-    assert report.outcome.is_success, report
+    # Triangles of the coarse head turn by more than 45 degrees from one to the next, beside the region as well.
+    is_coarse = report.outcome == "boundary_crease" and report.boundary_kink > 45 and not cuts
+    assert report.outcome.is_success or is_coarse, report
     print(f"        {report.outcome} {report.text}, {report.free_vertices} free vertices, {report.worst_angle:.1f} degrees")
     assert report.flipped_count == 0 and report.worst_angle > 5
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -243,7 +243,7 @@ def test_scaled_objects():
 def test_nothing_selected():
     obj, _ = holed()
     before = coordinates(obj)
-    runner.raises(fill, "No hole is selected", "Alt-click")
+    runner.raises(fill, "No hole is selected", "Alt-click", "Fill All Holes")
     assert np.array_equal(coordinates(obj), before)
 
 

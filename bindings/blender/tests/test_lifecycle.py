@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on disabled, enabled, updated over itself and removed, while it has been and is being used: no crash."""
 
+import importlib
 import sys
 import threading
 import time
+import unittest.mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -112,7 +114,25 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        assert len(ours) == (3 if menu.endswith("clean") else 1), ours
+        assert len(ours) == {"clean": 3, "vertices": 1, "faces": 2, "menu": 2}[menu.rpartition("_")[2]], ours
+
+
+def test_tooltips_are_short_enough_for_blender():
+    for name in OPERATORS:
+        # Blender keeps 239 bytes.
+        text = getattr(bpy.ops.mesh, name).get_rna_type().description
+        assert 20 < len(text.encode()) < 239, text
+
+
+def test_without_numpy_it_says_what_to_install():
+    with unittest.mock.patch.dict(sys.modules, {"numpy": None}):
+        try:
+            importlib.reload(module())
+        except ImportError as why:
+            assert "apt-get install python3-numpy" in str(why)
+        else:
+            raise AssertionError("numpy was not missed")
+    use()
 
 
 def test_removed():

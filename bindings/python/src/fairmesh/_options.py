@@ -66,7 +66,7 @@ class FairingOptions(TypedDict, total=False):
         paper_laplacian: And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite.
         paper_max_updates: At most this many updates on all levels. Default 20000.
         output_precision: What the result will be written in, "double" or "single": new positions are rounded to it, and
-            the report is of the rounded surface. Default: None, the precision of the array of vertices.
+            the report is of the rounded surface. Default: None; then that of the array of vertices.
     """
 
     boundary_normals: Normals | None
