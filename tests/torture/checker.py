@@ -262,27 +262,30 @@ def judge_loop(new: File, faces: int, loop: dict, was: dict | None) -> Findings:
 def closed(x: np.ndarray, triangles: np.ndarray, patch: np.ndarray, loop: dict) -> Findings:
     """Every edge of the patch has two triangles, which run through it in opposite directions.
 
-    Where the mesh has several vertices at one place, their numbers may differ.
+    Where the mesh has several vertices at one place, their numbers may differ, and a second sheet may lie there.
     """
-    _, place = np.unique(x, axis=0, return_inverse=True)
+    _, place, copies = np.unique(x, axis=0, return_inverse=True, return_counts=True)
     place = place.reshape(-1)
-    if (is_shut(triangles, patch) | is_shut(place[triangles], place[patch])).all():
+    edges, _ = half_edges(patch)
+    has_copies = (copies[place[edges]] > 1).any(1)
+    meets = directions(place[triangles], place[patch])[1] > 0
+    if ((directions(triangles, patch) == 1).all(0) | (has_copies & meets)).all():
         return []
     return [("open", f"loop {loop['index']}: edges of the patch have other than two triangles, one each way")]
 
 
-def is_shut(triangles: np.ndarray, patch: np.ndarray) -> np.ndarray:
-    """Per edge of the patch, in its order, whether one triangle runs through it in each direction."""
+def directions(triangles: np.ndarray, patch: np.ndarray) -> np.ndarray:
+    """Per edge of the patch, how many triangles run through it forwards, and how many backwards."""
     everywhere, _ = half_edges(triangles)
     edges, _ = half_edges(patch)
     size = int(everywhere.max()) + 1
     keys, counts = np.unique(everywhere @ [size, 1], return_counts=True)
 
-    def is_once(wanted: np.ndarray) -> np.ndarray:
+    def count(wanted: np.ndarray) -> np.ndarray:
         at = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
-        return (keys[at] == wanted) & (counts[at] == 1)
+        return np.where(keys[at] == wanted, counts[at], 0)
 
-    return is_once(edges @ [size, 1]) & is_once(edges @ [1, size])
+    return np.stack([count(edges @ [size, 1]), count(edges @ [1, size])])
 
 
 def numbers(x: np.ndarray, own: np.ndarray, patch: np.ndarray, loop: dict) -> Findings:
