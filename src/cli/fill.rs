@@ -17,6 +17,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::Output;
+use crate::report::creased;
 use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// What `fairmesh fill` is asked.
@@ -256,7 +257,7 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
         .map(|pair| pair.iter().map(|&t| face(t)).collect())
         .collect();
     let fairing = report.fairing.as_ref().map(|f| {
-        json!({ "outcome": f.outcome.name(), "iterations": f.iterations, "step": f.step, "defect": f.defect,
+        json!({ "outcome": f.outcome.name(), "creased_vertices": creased(f), "iterations": f.iterations, "step": f.step, "defect": f.defect,
             "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
             "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals })
     });

@@ -64,14 +64,6 @@ impl Summary<'_> {
         }
     }
 
-    /// The vertices of a crease along the boundary.
-    fn creased(&self) -> &[u32] {
-        match &self.report.outcome {
-            Outcome::BoundaryCrease { vertices } => vertices,
-            _ => &[],
-        }
-    }
-
     /// Lines for people.
     pub fn readable(&self) -> String {
         let mut table = Table(format!("{}\n", explain::outcome(self.report)));
@@ -185,8 +177,8 @@ impl Summary<'_> {
         if !self.blamed().is_empty() {
             table.row("normals far off", listed(self.blamed(), VERTICES));
         }
-        if !self.creased().is_empty() {
-            table.row("crease at", listed(self.creased(), VERTICES));
+        if !creased(self.report).is_empty() {
+            table.row("crease at", listed(creased(self.report), VERTICES));
         }
         if !report.suspicious_normals.is_empty() {
             let vertices = listed(&report.suspicious_normals, VERTICES);
@@ -232,7 +224,7 @@ impl Summary<'_> {
             "linear_surface": report.linear_surface,
             "suspicious_normals": report.suspicious_normals,
             "unreachable_normals": self.blamed(),
-            "creased_vertices": self.creased(),
+            "creased_vertices": creased(self.report),
             "reached": reached,
             "fallback_weights": report.fallback_weights,
             "stale_normals": self.stale_normals,
@@ -291,6 +283,14 @@ impl Summary<'_> {
             "boundary_kink_vertex": quality.boundary_kink_vertex,
             "boundary_kink_before": quality.boundary_kink_before,
         })
+    }
+}
+
+/// The vertices of a crease along the boundary.
+pub fn creased(report: &Report) -> &[u32] {
+    match &report.outcome {
+        Outcome::BoundaryCrease { vertices } => vertices,
+        _ => &[],
     }
 }
 

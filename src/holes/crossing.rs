@@ -116,12 +116,10 @@ impl<'m> Neighbours<'m> {
         let first = (self.triangles.len() + self.made.len()) as u32;
         members.iter_mut().for_each(|member| member.number += first);
         members.extend(self.meeting(of, &bounds));
-        let owned = |t: u32| match t.checked_sub(self.triangles.len() as u32) {
-            None => Owned::Mesh(t),
-            Some(k) => self.made.get(k as usize).copied().unwrap_or(Owned::Patch {
-                of,
-                triangle: t - first,
-            }),
+        let owned = |t: u32| match (t.checked_sub(first), t.checked_sub(self.triangles.len() as u32)) {
+            (Some(triangle), _) => Owned::Patch { of, triangle },
+            (None, Some(k)) => self.made[k as usize],
+            (None, None) => Owned::Mesh(t),
         };
         let found = pairs(members, SelfIntersections::MOST);
         piece.crossings = found.into_iter().map(|pair| pair.map(owned)).collect();

@@ -6,12 +6,14 @@ use std::time::Instant;
 
 use super::crossing::{Neighbours, Owned};
 use super::loops::{BoundaryLoop, Links, LoopKind};
-use super::outcome::{LoopReport, OpenReason, renumber};
+use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task, local_options};
 use super::surroundings::Surroundings;
 use crate::error::Error;
-use crate::fairing::{Intersections, Options, Progress, ProgressCallback, Workers, joined_options};
+use crate::fairing::{
+    Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, joined_options,
+};
 use crate::mesh::{Joined, NONE};
 
 /// Which loops are filled.
@@ -37,7 +39,7 @@ pub struct FillOptions {
     pub max_new_vertices: usize,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
-    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 100 iterations.
+    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
     /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
     /// copy in the triangle beside them.
     pub fairing: Options,
@@ -194,7 +196,8 @@ fn run<'a>(
         parents: Vec::new(),
         loops: Vec::with_capacity(numbers.len()),
     };
-    let pieces: Vec<(Piece, f64)> = pieces.into_iter().flatten().collect();
+    let mut pieces: Vec<(Piece, f64)> = pieces.into_iter().flatten().collect();
+    tell_both(&mut pieces);
     let crossings = crossings(&pieces, triangles.len() as u32);
     for ((index, (piece, seconds)), pairs) in numbers.into_iter().zip(pieces).zip(crossings) {
         let edges = loops[index].vertices.len();
@@ -204,6 +207,27 @@ fn run<'a>(
         }
     }
     Ok(filled)
+}
+
+/// Where a patch intersects one made earlier, that one says so, too.
+fn tell_both(pieces: &mut [(Piece, f64)]) {
+    let mut earlier = Vec::new();
+    for (i, (piece, _)) in pieces.iter().enumerate() {
+        for pair in &piece.crossings {
+            let others = pair.iter().filter_map(|owned| match owned {
+                Owned::Patch { of, .. } if *of != i => Some((*of, *pair)),
+                _ => None,
+            });
+            earlier.extend(others);
+        }
+    }
+    for (of, pair) in earlier {
+        let piece = &mut pieces[of].0;
+        piece.outcome = FillOutcome::SelfIntersecting;
+        if piece.crossings.len() < SelfIntersections::MOST {
+            piece.crossings.push(pair);
+        }
+    }
 }
 
 /// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.

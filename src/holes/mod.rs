@@ -1,5 +1,6 @@
 //! Holes: boundary loops, their triangulation, refinement and fairing in one call.
 
+mod creases;
 mod crossing;
 mod fill;
 mod lenses;

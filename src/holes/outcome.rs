@@ -63,8 +63,8 @@ pub enum FillOutcome {
         /// Why.
         reason: FlatReason,
     },
-    /// Filled, but whatever was tried, the patch intersects itself or the mesh; the one made as asked is kept,
-    /// faired or not.
+    /// Filled, but whatever was tried, the patch intersects itself, the mesh or the patch of another loop, which says so,
+    /// too; the one made as asked is kept, faired or not.
     SelfIntersecting,
     /// Left as it was.
     LeftOpen(OpenReason),
@@ -130,7 +130,7 @@ pub struct LoopReport {
     /// The limit on new vertices was met: the patch is coarser inside than asked for.
     pub coarsened: bool,
     /// Pairs of triangles of the filled mesh that intersect, the smaller number first, ascending; at least one of each is
-    /// new, and of the patch that was made later. Not looked for if the fairing's
+    /// of this patch. Not looked for if the fairing's
     /// [`Options::intersections`](crate::Options::intersections) says so. No more than
     /// [`SelfIntersections::MOST`](crate::SelfIntersections::MOST).
     pub self_intersections: Vec<[u32; 2]>,

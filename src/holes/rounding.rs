@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::creases::creases;
 use super::patch::Patch;
 use super::surroundings::Surroundings;
 use crate::fairing::{Outcome, OutputPrecision, Report};
@@ -10,14 +11,16 @@ use crate::quality::{NEEDLE, smallest_angle};
 /// A patch with all its vertices rounded, in the frame of the surroundings.
 pub(super) struct Rounded<'a> {
     patch: &'a Patch,
+    around: &'a Surroundings,
     x: Vec<Vector3<f64>>,
 }
 
 impl<'a> Rounded<'a> {
-    pub(super) fn new(patch: &'a Patch, around: &Surroundings, precision: OutputPrecision) -> Self {
+    pub(super) fn new(patch: &'a Patch, around: &'a Surroundings, precision: OutputPrecision) -> Self {
         let round = |p| around.place(precision.round(around.leave(p)));
         Self {
             patch,
+            around,
             x: patch.x.iter().map(round).collect(),
         }
     }
@@ -42,8 +45,10 @@ impl<'a> Rounded<'a> {
         side < 0.0 || side.is_nan()
     }
 
-    /// The report of a fairing that ended with this patch before it was rounded; its triangles follow the first `known` ones.
-    pub(super) fn tell(&self, report: &mut Report, known: u32) {
+    /// The report of a fairing that ended with this patch before it was rounded; boundary normals that were given, by
+    /// vertex, ascending.
+    pub(super) fn tell(&self, report: &mut Report, given: &[(u32, [f64; 3])]) {
+        let known = self.around.triangles.len() as u32;
         let quality = &mut report.quality;
         quality.worst_angle = f64::INFINITY;
         for (id, t) in (known..).zip(&self.patch.triangles) {
@@ -62,6 +67,15 @@ impl<'a> Rounded<'a> {
         if is_met && was_sound && !report.quality.is_sound() {
             let triangles = report.quality.poor();
             report.outcome = Outcome::PoorWhenRounded { triangles };
+        }
+        if matches!(
+            report.outcome,
+            Outcome::Converged | Outcome::ConvergedLoosely { .. }
+        ) {
+            let vertices = creases(self.patch, &self.x, self.around, given);
+            if !vertices.is_empty() {
+                report.outcome = Outcome::BoundaryCrease { vertices };
+            }
         }
         if let [only] = &mut report.components[..] {
             only.outcome = report.outcome.clone();

@@ -19,9 +19,9 @@ use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::Rings;
 
 /// A kink up to this many degrees is that of a coarse mesh.
-const KINK: f64 = 45.0;
+pub(crate) const KINK: f64 = 45.0;
 /// So many more than the kinks it is compared with, too.
-const EXCESS: f64 = 15.0;
+pub(crate) const EXCESS: f64 = 15.0;
 /// No surface that deviates from a boundary normal by more than this many degrees meets it.
 const DEVIATION: f64 = 60.0;
 

@@ -534,10 +534,58 @@ static void holes(void) {
     cap_free(&cap);
 }
 
+/* A vertex with more triangles than one may have in a region, on a sphere. */
+static void hub(void) {
+    enum { VALENCE = 5000, ROWS = 4 };
+    size_t count = 1 + (size_t)ROWS * VALENCE, used = 0, k, row;
+    double *positions = (double *)must(calloc(3 * count, sizeof *positions));
+    uint32_t *corners = (uint32_t *)must(malloc((size_t)VALENCE * (2 * ROWS - 1) * 3 * sizeof *corners));
+    uint8_t *mask = (uint8_t *)must(calloc(count, 1));
+    fairmesh_points_out out = points_out_of(positions, count);
+    Cap cap = cap_new(15);
+    fairmesh_mesh mesh = cap.mesh;
+    fairmesh_selection selection = cap.selection;
+    fairmesh_error error;
+    positions[2] = 1;
+    for (row = 0; row < ROWS; row++) {
+        for (k = 0; k < VALENCE; k++) {
+            double *p = positions + 3 * (1 + row * VALENCE + k), turn = 6.283185307179586 * (double)k / VALENCE;
+            double tilt = 0.2 + 0.1 * (double)row;
+            p[0] = sin(tilt) * cos(turn);
+            p[1] = sin(tilt) * sin(turn);
+            p[2] = cos(tilt);
+        }
+    }
+    for (k = 0; k < VALENCE; k++) {
+        uint32_t a = (uint32_t)(1 + k), b = (uint32_t)(1 + (k + 1) % VALENCE);
+        uint32_t tip[3] = {0, a, b};
+        memcpy(corners + used, tip, sizeof tip);
+        used += 3;
+        for (row = 1; row < ROWS; row++, a += VALENCE, b += VALENCE) {
+            uint32_t quad[6] = {a, a + VALENCE, b + VALENCE, a, b + VALENCE, b};
+            memcpy(corners + used, quad, sizeof quad);
+            used += 6;
+        }
+    }
+    memset(mask, 1, 1 + VALENCE);
+    mesh.positions = points_of(positions, count);
+    mesh.triangles.data = corners;
+    mesh.triangles.count = used / 3;
+    selection.data = mask;
+    selection.count = count;
+    CHECK(fairmesh_fair(&mesh, &selection, NULL, &out, NULL, NULL, &error) == FAIRMESH_STATUS_VALENCE_TOO_LARGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
+    free(positions);
+    free(corners);
+    free(mask);
+    cap_free(&cap);
+}
+
 int main(void) {
     versions();
     one_shot();
     intersections();
+    hub();
     in_steps();
     holes();
     puts("calls: passed");

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::fs;
 
-use crate::common::{SIDE, cap, directory, expect, is_selected, obj, off_sphere, quads, write_lists};
+use crate::common::{SIDE, cap, directory, expect, is_selected, list, obj, off_sphere, quads, write_lists};
 use serde_json::Value;
 
 /// The cap without its middle, as text: its vertices with more properties, and all its quads but the selected ones.
@@ -289,4 +289,63 @@ fn off_and_stl_are_filled_in_their_own_format() {
         let (out, _) = expect(&directory, &["holes", &filled], 0);
         assert!(!out.contains(" hole") && out.contains("outer boundary"), "{out}");
     }
+}
+
+/// A sphere's cap around a vertex of this valence, as OBJ with or without the triangles at that vertex.
+fn hub(valence: usize, whole: bool) -> String {
+    let mut text = String::from("v 0 0 1\n");
+    for row in 0..4 {
+        for k in 0..valence {
+            let (tilt, turn) = (
+                0.2 + 0.1 * row as f64,
+                std::f64::consts::TAU * k as f64 / valence as f64,
+            );
+            let [x, y] = [turn.cos(), turn.sin()].map(|c| tilt.sin() * c);
+            let _ = writeln!(text, "v {x} {y} {}", tilt.cos());
+        }
+    }
+    for k in 0..valence {
+        let (mut a, mut b) = (2 + k, 2 + (k + 1) % valence);
+        if whole {
+            let _ = writeln!(text, "f 1 {a} {b}");
+        }
+        for _ in 0..3 {
+            let _ = writeln!(text, "f {a} {} {} {b}", a + valence, b + valence);
+            (a, b) = (a + valence, b + valence);
+        }
+    }
+    text
+}
+
+#[test]
+fn a_hub_is_refused_by_name_and_the_hole_without_it_is_filled() {
+    let directory = directory("hub");
+    for valence in [5_000, 20_000] {
+        fs::write(directory.join("hub.obj"), hub(valence, true)).unwrap();
+        fs::write(directory.join("free.txt"), list(0..=valence)).unwrap();
+        let (_, err) = expect(
+            &directory,
+            &["fair", "hub.obj", "-o", "out.obj", "--free", "free.txt"],
+            2,
+        );
+        let told = format!("vertex 0 has {valence} triangles in the region: more than 1000");
+        assert!(err.contains(&told), "{err}");
+        assert!(!directory.join("out.obj").exists());
+    }
+    let valence = 2_000;
+    fs::write(directory.join("hole.obj"), hub(valence, false)).unwrap();
+    let (out, _) = expect(
+        &directory,
+        &["fill", "hole.obj", "-o", "out.obj", "--json", "r.json"],
+        0,
+    );
+    let report: Value = serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+    let filled = report["loops"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|l| l["outcome"] == "faired");
+    let vertices = &filled.expect(&out)["vertices"];
+    let new = vertices[1].as_u64().unwrap() - vertices[0].as_u64().unwrap();
+    assert!(new <= 2 * valence as u64, "{new}");
 }

@@ -273,3 +273,42 @@ fn a_patch_that_cannot_but_intersect_says_so() {
     let all = self_intersections(&filled.positions, &filled.triangles, None).unwrap();
     assert_eq!(report.self_intersections, all);
 }
+
+/// A tube of five rows of vertices about the z axis, open at both ends, from `near` on towards greater heights or lower ones.
+fn tube(n: u32, radius: f64, near: f64, upwards: bool) -> Mesh {
+    let step = if upwards { 0.25 } else { -0.25 };
+    let (x, mut t) = sheet(4, n, |row, k| {
+        let a = std::f64::consts::TAU * k / f64::from(n);
+        [radius * a.cos(), radius * a.sin(), near + step * row]
+    });
+    // The last column is the first one again.
+    let of_column = |v: u32| v / (n + 1) * (n + 1) + v % (n + 1) % n;
+    t.iter_mut().flatten().for_each(|v| *v = of_column(*v));
+    if upwards {
+        t.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    (x, t)
+}
+
+/// The domes over two tubes that face each other run through each other: both are found, and the first one said so alone.
+#[test]
+fn two_patches_that_intersect_both_say_so() {
+    let (x, t) = join(tube(24, 1.0, -0.25, false), tube(20, 0.9, 0.25, true));
+    let filled = fill_holes(&x, &t, &FillOptions::default()).unwrap();
+    let all = self_intersections(&filled.positions, &filled.triangles, None).unwrap();
+    assert!(!all.is_empty());
+    let (crossed, others): (Vec<_>, Vec<_>) = filled
+        .loops
+        .iter()
+        .partition(|report| report.outcome == FillOutcome::SelfIntersecting);
+    assert_eq!((crossed.len(), others.len()), (2, 2));
+    for report in crossed {
+        assert_eq!(report.self_intersections, all);
+        let own = |pair: &[u32; 2]| pair.iter().any(|&t| report.triangles.contains(&t));
+        assert!(all.iter().all(own));
+    }
+    for report in others {
+        assert_eq!(report.outcome, FillOutcome::Faired);
+        assert!(report.self_intersections.is_empty());
+    }
+}

@@ -15,7 +15,6 @@ from geometry import (
     half_edges,
     kinks,
     smallest_angles,
-    undirected,
     without_islands,
 )
 from intersections import crossing, crossing_pairs
@@ -243,7 +242,7 @@ def judge_loop(new: File, faces: int, loop: dict, was: dict | None) -> Findings:
     findings: Findings = []
     if told is None or abs(found - told) > ANGLE_ERROR + ANGLE_ERROR * found:
         findings.append(("figures", f"loop {loop['index']}: smallest angle {told} reported, {found:.6g} in the file"))
-    findings += closed(triangles, patch, loop) + numbers(x, triangles[:faces], patch, loop)
+    findings += closed(x, triangles, patch, loop) + numbers(x, triangles[:faces], patch, loop)
     if clean(loop) and not tells_intersections(loop):
         pairs = crossing_pairs(x, triangles, np.arange(begin, end))
         if len(pairs):
@@ -255,22 +254,38 @@ def judge_loop(new: File, faces: int, loop: dict, was: dict | None) -> Findings:
     if (angles > FOLD).any():
         worst = angles.argmax()
         findings.append(("fold", f"loop {loop['index']}: edge {edges[worst].tolist()}: {angles[worst]:.1f} degrees"))
-    return findings + thin(x, patch) + filled_kinks(x, triangles[:faces], patch, loop, was)
+    # The boundary alone decides on faces without a new vertex.
+    new_faces = patch[(patch >= loop["vertices"][0]).any(1)] if "vertices" in loop else patch
+    return findings + thin(x, new_faces) + filled_kinks(x, triangles[:faces], patch, loop, was)
 
 
-def closed(triangles: np.ndarray, patch: np.ndarray, loop: dict) -> Findings:
-    """Every edge of the patch has two triangles, which run through it in opposite directions."""
+def closed(x: np.ndarray, triangles: np.ndarray, patch: np.ndarray, loop: dict) -> Findings:
+    """Every edge of the patch has two triangles, which run through it in opposite directions.
+
+    Where the mesh has several vertices at one place, their numbers may differ, and a second sheet may lie there.
+    """
+    _, place, copies = np.unique(x, axis=0, return_inverse=True, return_counts=True)
+    place = place.reshape(-1)
     edges, _ = half_edges(patch)
+    has_copies = (copies[place[edges]] > 1).any(1)
+    meets = directions(place[triangles], place[patch])[1] > 0
+    if ((directions(triangles, patch) == 1).all(0) | (has_copies & meets)).all():
+        return []
+    return [("open", f"loop {loop['index']}: edges of the patch have other than two triangles, one each way")]
+
+
+def directions(triangles: np.ndarray, patch: np.ndarray) -> np.ndarray:
+    """Per edge of the patch, how many triangles run through it forwards, and how many backwards."""
     everywhere, _ = half_edges(triangles)
+    edges, _ = half_edges(patch)
     size = int(everywhere.max()) + 1
-    ends, _, _ = undirected(edges)
-    keys = ends[:, 0] * size + ends[:, 1]
-    forward = np.isin(everywhere[:, 0] * size + everywhere[:, 1], keys)
-    backward = np.isin(everywhere[:, 1] * size + everywhere[:, 0], keys)
-    runs = [np.sort(everywhere[forward] @ [size, 1]), np.sort(everywhere[backward] @ [1, size])]
-    if len(runs[0]) != len(keys) or not np.array_equal(runs[0], keys) or not np.array_equal(runs[1], keys):
-        return [("open", f"loop {loop['index']}: edges of the patch have other than two triangles, one each way")]
-    return []
+    keys, counts = np.unique(everywhere @ [size, 1], return_counts=True)
+
+    def count(wanted: np.ndarray) -> np.ndarray:
+        at = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
+        return np.where(keys[at] == wanted, counts[at], 0)
+
+    return np.stack([count(edges @ [size, 1]), count(edges @ [1, size])])
 
 
 def numbers(x: np.ndarray, own: np.ndarray, patch: np.ndarray, loop: dict) -> Findings:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cases import Place, fair, fill, together
-from checker import clean, judge_fair, judge_fill, kinks_before, tells_intersections
+from checker import clean, closed, judge_fair, judge_fill, kinks_before, tells_intersections
 from formats import FORMATS, UnreadableError, ending, read, write
 from generated import hub, slot, sphere
 from geometry import irregular_vertices, smallest_angles, without_islands
@@ -155,6 +155,18 @@ def test_a_filling_is_judged_alike(tmp_path):
     assert filled(tmp_path, push_through) >= {"intersects"}
     assert filled(tmp_path, move_fixed) == {"fixed"}
     assert filled(tmp_path, added=20_000) == {"many"}
+
+
+def test_a_patch_may_have_its_own_numbers_for_vertices_at_the_same_place():
+    x, triangles, free = cap()
+    inside = np.isin(triangles, free).any(1)
+    own, patch = triangles[~inside], triangles[inside]
+    rim = np.intersect1d(own, patch)
+    number = np.arange(len(x))
+    number[rim] = len(x) + np.arange(len(rim))
+    both = np.concatenate([own, number[patch]])
+    assert closed(np.concatenate([x, x[rim]]), both, number[patch], {"index": 0}) == []
+    assert closed(np.concatenate([x, x[rim] + 1e-3]), both, number[patch], {"index": 0}) != []
 
 
 def test_exit_0_does_not_stand_beside_an_unfaired_loop():
