@@ -93,11 +93,30 @@ pub(crate) fn of_some(
         .filter_map(|&t| member(positions, triangles, t, true))
         .collect();
     let bounds = bounds_of(&region);
-    let mut members = members_near(positions, triangles, |b| bounds.intersects(b));
-    members
-        .iter_mut()
-        .for_each(|member| member.is_asked = is_asked[member.number as usize]);
+    let sides: Vec<u8> = positions.par_iter().map(|p| sides(p, &bounds)).collect();
+    let all_beside = |t: &[u32; 3]| {
+        t.iter()
+            .fold(u8::MAX, |all, &v| all & sides.get(v as usize).unwrap_or(&0))
+            != 0
+    };
+    let members = (0..triangles.len() as u32)
+        .into_par_iter()
+        .with_min_len(4096)
+        .filter(|&t| !all_beside(&triangles[t as usize]))
+        .filter_map(|t| member(positions, triangles, t, is_asked[t as usize]))
+        .collect();
     pairs(members, most)
+}
+
+/// A bit for each side of a box beyond which a position lies; none if it is not a number. What has a bit in common is beside
+/// the box.
+fn sides(p: &[f64; 3], bounds: &Bounds) -> u8 {
+    let (low, high) = (bounds.lower(), bounds.upper());
+    (0..3).fold(0, |sides, axis| {
+        let below = u8::from(p[axis] < low[axis]);
+        let above = u8::from(p[axis] > high[axis]);
+        sides | below << (2 * axis) | above << (2 * axis + 1)
+    })
 }
 
 /// The same of all triangles, and all pairs.
