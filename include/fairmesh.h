@@ -1187,7 +1187,7 @@ typedef struct fairmesh_options {
     uint64_t paper_max_updates;
     /**
      * A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
-     * less than a tenth of the run.
+     * about a tenth of the run, at most a fifth.
      */
     uint32_t intersections;
     /**

@@ -59,7 +59,7 @@ pub struct fairmesh_options {
     /// At most this many updates on all levels. Default 20000. At least 1.
     pub paper_max_updates: u64,
     /// A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
-    /// less than a tenth of the run.
+    /// about a tenth of the run, at most a fifth.
     pub intersections: u32,
     /// A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
     /// the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.

@@ -31,15 +31,15 @@ impl Found<'_> {
     /// Measures the surface, and takes it back.
     pub(super) fn conclude(self) -> ComponentSolution {
         let clock = Instant::now();
-        let surface = self.surface();
-        let written = self.written();
+        let (surface, written) = (self.surface(), self.written());
         let domain = &self.prepared.domain;
         let (rings, input) = (&domain.rings, &domain.input);
-        let mut quality = self.quality(&Surface {
+        let surface = Surface {
             x: &written,
             ..surface
-        });
-        let kinks = kinks(&surface, rings, input);
+        };
+        let mut quality = self.quality(&surface);
+        let kinks = kinks(&surface, rings, input, &self.prepared.has_given_normal);
         let creases = creases(&kinks);
         self.tell_kink(&mut quality, if creases.is_empty() { &kinks } else { &creases });
         let suspicious_normals = surface.suspicious_normals(rings, input);

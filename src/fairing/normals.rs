@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
+use crate::mesh::Region;
 use crate::solve::Domain;
 use crate::table::{choices, table};
 
@@ -64,6 +65,12 @@ impl GivenNormals {
         let first = self.0.partition_point(|(v, _)| *v < vertex);
         let count = self.0[first..].iter().take_while(|(v, _)| *v == vertex).count();
         &self.0[first..first + count]
+    }
+
+    /// Which boundary vertices of a region have one.
+    pub(super) fn at_boundary(&self, region: &Region) -> Vec<bool> {
+        let boundary = &region.vertex_ids[region.free..region.region_vertices()];
+        boundary.iter().map(|&v| self.has(v)).collect()
     }
 
     /// Whether a vertex has one.

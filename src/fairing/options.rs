@@ -114,7 +114,7 @@ pub struct Options {
     pub output_precision: OutputPrecision,
     /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
     pub threads: usize,
-    /// Whether the final surface is checked for self-intersections. Default: yes; it takes less than a tenth of the run.
+    /// Whether the final surface is checked for self-intersections. Default: yes; it takes about a tenth of the run, at most a fifth.
     pub intersections: Intersections,
     /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
     pub coincident: Coincident,

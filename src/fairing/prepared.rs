@@ -23,6 +23,8 @@ pub(super) struct Prepared {
     pub(super) normalization: Normalization,
     /// Prescribed normals.
     boundary_normals: Vec<Vector3<f64>>,
+    /// Which boundary vertices have theirs from the caller.
+    pub(super) has_given_normal: Vec<bool>,
     /// Where the surface passes smoothly instead; empty: nowhere.
     smooth_interior: Vec<bool>,
     pub(super) weights: Arc<FairnessWeights>,
@@ -81,6 +83,7 @@ impl Prepared {
             Some(weigh) => weigh(&domain.batches, &domain.input),
         };
         Ok(Self {
+            has_given_normal: given.at_boundary(&domain.region),
             right_hand_side: options.target.right_hand_side(normalization.scale),
             domain: Arc::new(domain),
             normalization,

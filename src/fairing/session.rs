@@ -161,8 +161,8 @@ impl Components {
     fn set_boundary_normals(&mut self, options: &Options, given: &GivenNormals) -> Result<(), Error> {
         let normals = self.cursors.iter().map(|c| c.boundary_normals(options, given));
         let normals: Vec<_> = normals.collect::<Result<_, _>>()?;
-        for (cursor, (normals, smooth_interior)) in self.cursors.iter_mut().zip(normals) {
-            cursor.prescribe(normals, smooth_interior);
+        for (cursor, normals) in self.cursors.iter_mut().zip(normals) {
+            cursor.prescribe(given, normals);
         }
         Ok(())
     }

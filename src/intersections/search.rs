@@ -7,6 +7,8 @@ use super::triangles::{Corners, intersect, projection};
 
 /// Triangles that a thread takes at once.
 const CHUNK: usize = 512;
+/// Triangles that are neighbours in the tree.
+const GROUP: usize = 8;
 
 /// An upright box in space.
 pub(crate) type Bounds = AABB<[f64; 3]>;
@@ -91,11 +93,30 @@ pub(crate) fn of_some(
         .filter_map(|&t| member(positions, triangles, t, true))
         .collect();
     let bounds = bounds_of(&region);
-    let mut members = members_near(positions, triangles, |b| bounds.intersects(b));
-    members
-        .iter_mut()
-        .for_each(|member| member.is_asked = is_asked[member.number as usize]);
+    let sides: Vec<u8> = positions.par_iter().map(|p| sides(p, &bounds)).collect();
+    let all_beside = |t: &[u32; 3]| {
+        t.iter()
+            .fold(u8::MAX, |all, &v| all & sides.get(v as usize).unwrap_or(&0))
+            != 0
+    };
+    let members = (0..triangles.len() as u32)
+        .into_par_iter()
+        .with_min_len(4096)
+        .filter(|&t| !all_beside(&triangles[t as usize]))
+        .filter_map(|t| member(positions, triangles, t, is_asked[t as usize]))
+        .collect();
     pairs(members, most)
+}
+
+/// A bit for each side of a box beyond which a position lies; none if it is not a number. What has a bit in common is beside
+/// the box.
+fn sides(p: &[f64; 3], bounds: &Bounds) -> u8 {
+    let (low, high) = (bounds.lower(), bounds.upper());
+    (0..3).fold(0, |sides, axis| {
+        let below = u8::from(p[axis] < low[axis]);
+        let above = u8::from(p[axis] > high[axis]);
+        sides | below << (2 * axis) | above << (2 * axis + 1)
+    })
 }
 
 /// The same of all triangles, and all pairs.
@@ -112,11 +133,11 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
         *x *= unit;
     }
     members.retain(|member| projection(&member.corners).is_some());
-    let asked: Vec<Member> = members.iter().filter(|m| m.is_asked).cloned().collect();
-    let tree = RTree::bulk_load(members);
-    let found: Vec<Vec<[u32; 2]>> = asked
-        .par_chunks(CHUNK)
-        .map(|chunk| pairs_with(chunk, &tree, most))
+    let groups = groups(&members);
+    let tree = RTree::bulk_load(groups.clone());
+    let found: Vec<Vec<[u32; 2]>> = groups
+        .par_chunks(CHUNK / GROUP)
+        .map(|chunk| pairs_with(chunk, &tree, &members, most))
         .collect();
     let mut pairs = found.concat();
     pairs.par_sort_unstable();
@@ -124,14 +145,83 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     pairs
 }
 
-/// The pairs of some triangles that are asked for with those that are not, or that have greater numbers.
-fn pairs_with(chunk: &[Member], tree: &RTree<Member>, most: usize) -> Vec<[u32; 2]> {
+/// Neighbouring triangles, which the tree knows by their box alone: it is eight times as small, and what is left to compare
+/// is compared in a row.
+#[derive(Clone)]
+struct Group {
+    members: Vec<(Bounds, u32)>,
+    bounds: Bounds,
+    has_asked: bool,
+}
+
+impl RTreeObject for Group {
+    type Envelope = Bounds;
+
+    fn envelope(&self) -> Bounds {
+        self.bounds
+    }
+}
+
+/// All triangles in groups of at most [`GROUP`], halved again and again across the longest side of the box around their
+/// centres.
+fn groups(members: &[Member]) -> Vec<Group> {
+    let centred = |(m, member): (u32, &Member)| {
+        let bounds = member.bounds();
+        (bounds.center(), (bounds, m))
+    };
+    let mut all: Vec<Centred> = (0..).zip(members).map(centred).collect();
+    let mut runs = vec![&mut all[..]];
+    let mut groups = Vec::with_capacity(members.len().div_ceil(GROUP / 2));
+    while let Some(run) = runs.pop() {
+        if run.len() > GROUP {
+            let axis = longest_side(run);
+            let middle = run.len() / 2;
+            run.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]));
+            let (low, high) = run.split_at_mut(middle);
+            runs.extend([low, high]);
+        } else if !run.is_empty() {
+            groups.push(group(run, members));
+        }
+    }
+    groups
+}
+
+/// The middle of a triangle's box, the box, and the triangle's place in the list.
+type Centred = ([f64; 3], (Bounds, u32));
+
+fn longest_side(run: &[Centred]) -> usize {
+    let mut bounds = Bounds::new_empty();
+    run.iter()
+        .for_each(|(centre, _)| bounds.merge(&Bounds::from_point(*centre)));
+    let side = |axis: usize| bounds.upper()[axis] - bounds.lower()[axis];
+    (1..3).fold(
+        0,
+        |longest, axis| {
+            if side(axis) > side(longest) { axis } else { longest }
+        },
+    )
+}
+
+fn group(run: &[Centred], members: &[Member]) -> Group {
+    let mut bounds = Bounds::new_empty();
+    run.iter().for_each(|(_, (own, _))| bounds.merge(own));
+    Group {
+        members: run.iter().map(|(_, member)| *member).collect(),
+        bounds,
+        has_asked: run.iter().any(|(_, (_, m))| members[*m as usize].is_asked),
+    }
+}
+
+/// The pairs of the triangles of some groups that are asked for with those that are not, or that have greater numbers.
+fn pairs_with(chunk: &[Group], tree: &RTree<Group>, members: &[Member], most: usize) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
-    for member in chunk {
-        for other in tree.locate_in_envelope_intersecting(&member.bounds()) {
-            let is_elsewhere = other.is_asked && other.number <= member.number;
-            if !is_elsewhere && intersect(&member.corners, &other.corners) {
-                pairs.push([member.number.min(other.number), member.number.max(other.number)]);
+    for group in chunk.iter().filter(|group| group.has_asked) {
+        for others in tree.locate_in_envelope_intersecting(&group.bounds) {
+            for (bounds, m) in &group.members {
+                let member = &members[*m as usize];
+                if member.is_asked && bounds.intersects(&others.bounds) {
+                    add_pairs(member, bounds, others, members, &mut pairs);
+                }
             }
         }
         if pairs.len() >= most {
@@ -139,6 +229,27 @@ fn pairs_with(chunk: &[Member], tree: &RTree<Member>, most: usize) -> Vec<[u32; 
         }
     }
     pairs
+}
+
+/// The pairs of one triangle that is asked for with those of a group.
+fn add_pairs(
+    member: &Member,
+    bounds: &Bounds,
+    others: &Group,
+    members: &[Member],
+    pairs: &mut Vec<[u32; 2]>,
+) {
+    for (_, m) in others
+        .members
+        .iter()
+        .filter(|(other, _)| other.intersects(bounds))
+    {
+        let other = &members[*m as usize];
+        let is_elsewhere = other.is_asked && other.number <= member.number;
+        if !is_elsewhere && intersect(&member.corners, &other.corners) {
+            pairs.push([member.number.min(other.number), member.number.max(other.number)]);
+        }
+    }
 }
 
 /// A power of two that brings the coordinates to about one: products of three neither overflow nor vanish.

@@ -88,11 +88,39 @@ fn no_corner_in_common(a: &Corners, b: &Corners) -> bool {
 
 /// Both begin at the common corner. What they have in common beyond it reaches, seen from there, the opposite edge of one.
 fn corner_in_common(a: &Corners, b: &Corners) -> bool {
+    if are_told_apart(a, b) {
+        return false;
+    }
     let is_beside = |t: &Corners, other: &Corners| agree(&[side(t, &other[1]), side(t, &other[2])]);
     if is_beside(a, b) || is_beside(b, a) {
         return false;
     }
     meets(&a[1], &a[2], b) || meets(&b[1], &b[2], a)
+}
+
+/// Twenty times the relative error of a dot product of differences.
+const MARGIN: f64 = 1e-14;
+/// What is larger has not underflowed.
+const SMALLEST: f64 = 1e-200;
+
+/// Whether a plane through the common first corner has them on either side, beyond any rounding: so are most triangles around a
+/// vertex, and this is found much sooner than by determinants.
+fn are_told_apart(a: &Corners, b: &Corners) -> bool {
+    let edges = |t: &Corners| [1, 2].map(|k| [0, 1, 2].map(|axis| t[k][axis] - t[0][axis]));
+    let (a, b) = (edges(a), edges(b));
+    let middle = |[e, f]: &[[f64; 3]; 2]| {
+        let sum = [0, 1, 2].map(|axis| e[axis] + f[axis]);
+        let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+        sum.map(|x| x / length)
+    };
+    let (to_a, to_b) = (middle(&a), middle(&b));
+    let normal = [0, 1, 2].map(|axis| to_a[axis] - to_b[axis]);
+    let is_beyond = |edge: &[f64; 3], side: f64| {
+        let terms = [0, 1, 2].map(|axis| side * normal[axis] * edge[axis]);
+        let size: f64 = terms.iter().map(|x| x.abs()).sum();
+        terms.iter().sum::<f64>() > MARGIN * size + SMALLEST
+    };
+    a.iter().all(|edge| is_beyond(edge, 1.0)) && b.iter().all(|edge| is_beyond(edge, -1.0))
 }
 
 /// Folded over: in one plane, and on the same side of the common edge.

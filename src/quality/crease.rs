@@ -2,15 +2,14 @@
 //!
 //! A *kink* is the angle between the surface's two sides at a boundary vertex: between the sum of the cross products of the
 //! region's triangles there and that of the triangles outside; where nothing is outside, between the former and the
-//! boundary normal. It is a crease if it is wider than a coarse mesh accounts for, and wider than two others:
+//! boundary normal. It is a crease if it is wider than [`KINK`], and wider by more than [`EXCESS`] than both of:
 //!
-//! - the kink that is asked for, between the boundary normal and the outside: small where normals are fitted, wide where they
-//!   are given for a crease;
+//! - the kink that is asked for, between a given boundary normal and the outside. A fitted normal asks for none;
 //! - the kink of the input, but not more than the outside itself turns from this vertex to its neighbours on the boundary:
 //!   beside a jagged outside no surface is without kinks, but a destroyed interior excuses none.
 //!
 //! What is tried and returned must not depend on the interior of the input, so the solver counts as much for the
-//! input as any input could account for. The verdict may depend on it.
+//! input as any input could account for, and every normal as given. The verdict may depend on them.
 
 use nalgebra::Vector3;
 
@@ -34,7 +33,7 @@ pub(crate) struct Kink {
     pub kink: f64,
     /// The same in the input.
     pub before: f64,
-    /// Between the boundary normal and the outside; 0 where nothing is outside.
+    /// Between a given boundary normal and the outside; 0 where none is given, or nothing is outside.
     asked: f64,
     /// By which the outside turns to the next boundary vertices.
     turn: f64,
@@ -53,10 +52,19 @@ impl Kink {
 
 /// The kinks at all boundary vertices but those inside the region: there no side is another's outside.
 ///
-/// Against the outside as it will be: what other components move is left out.
-pub(crate) fn kinks(surface: &Surface<'_>, rings: &Rings, input: &[Vector3<f64>]) -> Vec<Kink> {
+/// Against the outside as it will be: what other components move is left out. `is_given` says where normals are given.
+pub(crate) fn kinks(
+    surface: &Surface<'_>,
+    rings: &Rings,
+    input: &[Vector3<f64>],
+    is_given: &[bool],
+) -> Vec<Kink> {
     let outside = (0..rings.boundary()).map(|b| surface.final_outside(rings, input, b));
-    against(surface, rings, input, &outside.collect::<Vec<_>>())
+    let mut kinks = against(surface, rings, input, &outside.collect::<Vec<_>>());
+    for kink in kinks.iter_mut().filter(|kink| !is_given[kink.b]) {
+        kink.asked = 0.0;
+    }
+    kinks
 }
 
 /// The same against the outside as it is given, which is all that what is tried may depend on: so a component's surface is
@@ -137,4 +145,51 @@ fn select(kinks: &[Kink], is_crease: impl Fn(&Kink) -> bool) -> Vec<Kink> {
         return Vec::new();
     }
     kinks.iter().copied().filter(is_crease).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_crease(kink: f64, before: f64, turn: f64, asked: f64, deviation: f64) -> bool {
+        let of = Kink {
+            b: 0,
+            kink,
+            before,
+            asked,
+            turn,
+            deviation,
+            is_reversed: false,
+        };
+        !creases(&[of]).is_empty()
+    }
+
+    #[test]
+    fn a_crease_is_wide_by_itself_and_against_what_accounts_for_it() {
+        assert!(!is_crease(45.0, 0.0, 0.0, 0.0, 45.0));
+        assert!(is_crease(45.1, 0.0, 0.0, 0.0, 45.1));
+        // The input's kink, on a jagged outside: 15 degrees more are too many.
+        assert!(!is_crease(65.0, 50.0, 90.0, 0.0, 0.0));
+        assert!(is_crease(65.1, 50.0, 90.0, 0.0, 0.0));
+        // The outside does not turn: the input's kink was its interior's.
+        assert!(is_crease(50.0, 90.0, 20.0, 0.0, 50.0));
+        // Given normals ask for it, and the surface has them.
+        assert!(!is_crease(90.0, 0.0, 0.0, 90.0, 0.0));
+        assert!(is_crease(90.0, 0.0, 0.0, 90.0, 60.1));
+    }
+
+    #[test]
+    fn no_interior_of_the_input_accounts_for_a_certain_crease() {
+        let of = |kink| Kink {
+            b: 0,
+            kink,
+            before: 0.0,
+            asked: 0.0,
+            turn: 40.0,
+            deviation: 0.0,
+            is_reversed: false,
+        };
+        assert_eq!(certain_creases(&[of(50.0), of(55.1)]), 1);
+        assert_eq!(creases(&[of(50.0), of(55.1)]).len(), 2);
+    }
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryNormals, Error, InnerFairness, Options, Outcome, OutputPrecision, Selection, Session, Solution,
-    fair,
+    BoundaryNormals, Error, FillOptions, FillOutcome, InnerFairness, Loops, Options, Outcome,
+    OutputPrecision, Selection, Session, Solution, boundary_loops, fair, fill_holes,
 };
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
@@ -153,6 +153,19 @@ fn a_crease_that_given_normals_ask_for_is_a_success() {
     }
 }
 
+/// A session that gets other normals knows anew which are given.
+#[test]
+fn a_session_knows_which_normals_are_given() {
+    let cube = Cube::new(6);
+    let up: Vec<_> = cube.boundary.iter().map(|&v| (v, [0.0, 0.0, 1.0])).collect();
+    let selection = Selection::Vertices(&cube.free);
+    let mut session = Session::new(&cube.positions, &cube.triangles, selection, &Options::default()).unwrap();
+    session.run(500, None).unwrap();
+    let given = BoundaryNormals::Given(up);
+    session.set_boundary_normals(given).unwrap();
+    assert_eq!(session.run(500, None).unwrap().report.outcome, Outcome::Converged);
+}
+
 /// A cap moved so far that the rounding of floats is as long as its edges.
 fn far_cap() -> Shape {
     let mut shape = sphere_cap(60.0, 300, irregular(1), OUTSIDE);
@@ -271,6 +284,47 @@ fn a_fixed_triangle_has_no_part_in_the_figures() {
     let quality = &solution.report.quality;
     assert_ne!(quality.worst_triangle, 0);
     assert!(!quality.needles.contains(&0) && !quality.flipped.contains(&0));
+}
+
+/// A round hole with one edge of nearly no length, in line with the next one: the patch has a face without an angle, which
+/// no free vertex touches.
+#[test]
+fn a_patch_with_a_null_face_is_no_success() {
+    let n = 40;
+    let at = |k: usize, radius: f64| {
+        let a = std::f64::consts::TAU * k as f64 / f64::from(n);
+        [radius * a.cos(), radius * a.sin(), 0.0]
+    };
+    let ring = |radius: f64| {
+        let mut ring: Vec<[f64; 3]> = (0..n as usize).map(|k| at(k, radius)).collect();
+        let [p, q] = [ring[0], ring[1]];
+        ring.insert(1, [0, 1, 2].map(|k| p[k] + 1e-8 * (q[k] - p[k])));
+        ring
+    };
+    let positions = [ring(1.0), ring(1.2)].concat();
+    let count = n as u32 + 1;
+    let quads = (0..count).map(|i| (i, (i + 1) % count));
+    let triangles: Vec<[u32; 3]> = quads
+        .flat_map(|(i, j)| [[i, count + i, count + j], [i, count + j, j]])
+        .collect();
+    let loops = boundary_loops(&positions, &triangles).unwrap();
+    let inner = loops.iter().position(|l| l.vertices.contains(&0)).unwrap();
+    let filled = fill_holes(
+        &positions,
+        &triangles,
+        &FillOptions {
+            loops: Loops::Chosen(vec![inner]),
+            ..FillOptions::default()
+        },
+    )
+    .unwrap();
+    let [report] = &filled.loops[..] else {
+        panic!("{:?}", filled.loops)
+    };
+    assert!(report.worst_angle < 1e-6, "{}", report.worst_angle);
+    let fairing = report.fairing.as_ref().map(|f| &f.outcome);
+    let is_success = report.outcome == FillOutcome::Faired && fairing.is_some_and(Outcome::is_success);
+    assert!(!is_success, "{report:?}");
 }
 
 #[test]

@@ -191,9 +191,14 @@ impl Cursor {
         boundary_normals(domain, &options.boundary_normals, given, options.interior_normals)
     }
 
-    /// Takes other boundary normals.
-    pub(super) fn prescribe(&mut self, normals: Vec<Vector3<f64>>, smooth_interior: Vec<bool>) {
+    /// Takes other boundary normals, of which these are given.
+    pub(super) fn prescribe(
+        &mut self,
+        given: &GivenNormals,
+        (normals, smooth_interior): (Vec<Vector3<f64>>, Vec<bool>),
+    ) {
         self.change();
+        self.prepared.has_given_normal = given.at_boundary(&self.prepared.domain.region);
         self.system.prescribe(normals, smooth_interior);
     }
 

@@ -52,7 +52,7 @@ class FairingOptions(TypedDict, total=False):
         threads: Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same
             bits.
         intersections: "check" (default): the final surface is searched for triangles that intersect each other or the
-            rest of the mesh, and is no success if there are any; "skip": not searched. Less than a tenth of the run.
+            rest of the mesh, and is no success if there are any; "skip": not searched. About a tenth of the run.
         discretization: Of normals and mean curvature: "second_order" (default) on irregular meshes; "paper", that
             of Schneider and Kobbelt (2001).
         solver: "fast" (default); "paper", the scheme of Schneider and Kobbelt (2001): slow, a yardstick.
