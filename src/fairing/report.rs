@@ -73,8 +73,8 @@ pub enum Outcome {
     },
     /// Tolerance met and no triangle is poor, but along the boundary the surface has a crease against the outside, or against
     /// the normals that were given: a kink of more than 45 degrees that exceeds by more than 15 degrees what given normals ask
-    /// for and what the input has there (of which no more counts than the outside turns to the next boundary vertices), or
-    /// a deviation from the boundary normal of more than 60 degrees.
+    /// for and what the input has there (of which no more counts than 45 degrees, or than the outside turns to the next
+    /// boundary vertices), or a deviation from the boundary normal of more than 60 degrees.
     BoundaryCrease {
         /// The boundary vertices where it has, ascending.
         vertices: Vec<u32>,

@@ -5,11 +5,11 @@
 //! boundary normal. It is a crease if it is wider than [`KINK`], and wider by more than [`EXCESS`] than both of:
 //!
 //! - the kink that is asked for, between a given boundary normal and the outside. A fitted normal asks for none;
-//! - the kink of the input, but not more than the outside itself turns from this vertex to its neighbours on the boundary:
-//!   beside a jagged outside no surface is without kinks, but a destroyed interior excuses none.
+//! - the kink of the input, but not more than a coarse mesh has, or the outside itself turns from this vertex to its neighbours
+//!   on the boundary: beside a jagged outside no surface is without kinks, but a destroyed interior excuses no wide one.
 //!
-//! What is tried and returned must not depend on the interior of the input, so the solver counts as much for the
-//! input as any input could account for, and every normal as given. The verdict may depend on them.
+//! What is tried and returned must not depend on the interior of the input, so the solver goes by the outside alone, and takes
+//! every normal as given. The verdict may depend on them.
 
 use nalgebra::Vector3;
 
@@ -45,7 +45,7 @@ pub(crate) struct Kink {
 
 impl Kink {
     fn is_crease(&self, before: f64) -> bool {
-        let expected = self.asked.max(before.min(self.turn));
+        let expected = self.asked.max(before.min(self.turn.max(KINK)));
         self.kink > KINK.max(expected + EXCESS) || self.deviation > DEVIATION
     }
 }
@@ -135,9 +135,9 @@ pub(crate) fn creases(kinks: &[Kink]) -> Vec<Kink> {
     select(kinks, |k| k.is_crease(k.before))
 }
 
-/// How many there are whatever the interior of the input.
-pub(crate) fn certain_creases(kinks: &[Kink]) -> usize {
-    select(kinks, |k| k.is_crease(f64::INFINITY)).len()
+/// How many there are if the input has the kinks of its outside, whatever its interior.
+pub(crate) fn creases_by_outside(kinks: &[Kink]) -> usize {
+    select(kinks, |k| k.is_crease(k.turn)).len()
 }
 
 fn select(kinks: &[Kink], is_crease: impl Fn(&Kink) -> bool) -> Vec<Kink> {
@@ -171,25 +171,30 @@ mod tests {
         // The input's kink, on a jagged outside: 15 degrees more are too many.
         assert!(!is_crease(65.0, 50.0, 90.0, 0.0, 0.0));
         assert!(is_crease(65.1, 50.0, 90.0, 0.0, 0.0));
-        // The outside does not turn: the input's kink was its interior's.
-        assert!(is_crease(50.0, 90.0, 20.0, 0.0, 50.0));
+        // The outside does not turn: the input's kink is a coarse mesh's, or its interior's.
+        assert!(!is_crease(60.0, 90.0, 20.0, 0.0, 50.0));
+        assert!(is_crease(60.1, 90.0, 20.0, 0.0, 50.0));
+        assert!(is_crease(50.0, 34.9, 20.0, 0.0, 50.0));
         // Given normals ask for it, and the surface has them.
         assert!(!is_crease(90.0, 0.0, 0.0, 90.0, 0.0));
         assert!(is_crease(90.0, 0.0, 0.0, 90.0, 60.1));
     }
 
     #[test]
-    fn no_interior_of_the_input_accounts_for_a_certain_crease() {
-        let of = |kink| Kink {
+    fn what_is_tried_does_not_depend_on_the_interior_of_the_input() {
+        let of = |kink, before| Kink {
             b: 0,
             kink,
-            before: 0.0,
+            before,
             asked: 0.0,
             turn: 40.0,
             deviation: 0.0,
             is_reversed: false,
         };
-        assert_eq!(certain_creases(&[of(50.0), of(55.1)]), 1);
-        assert_eq!(creases(&[of(50.0), of(55.1)]).len(), 2);
+        for before in [0.0, 50.0, 180.0] {
+            assert_eq!(creases_by_outside(&[of(50.0, before), of(55.1, before)]), 1);
+        }
+        assert_eq!(creases(&[of(50.0, 0.0), of(55.1, 0.0)]).len(), 2);
+        assert_eq!(creases(&[of(50.0, 50.0), of(55.1, 50.0)]).len(), 0);
     }
 }

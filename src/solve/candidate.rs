@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::quasi_newton::IterationStatus;
 use super::system::System;
 use crate::quality::NEEDLE;
-use crate::quality::crease::{certain_creases, kinks_as_given};
+use crate::quality::crease::{creases_by_outside, kinks_as_given};
 
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
 const ROUNDING_FLOOR: f64 = 1e-9;
@@ -25,7 +25,7 @@ pub(crate) struct Candidate {
     pub curvature_overshoot: bool,
     /// It stands off single boundary normals far more than off the others.
     pub detached_from_normals: bool,
-    /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), whatever the interior of the input.
+    /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), going by the outside, not by the interior of the input.
     pub creases: usize,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
     /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
@@ -39,7 +39,7 @@ impl Candidate {
         let surface = system.surface(&x);
         let domain = &system.domain;
         Self {
-            creases: certain_creases(&kinks_as_given(&surface, &domain.rings, &domain.input)),
+            creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
             status,
             step,
             poor: surface.poor(NEEDLE),
