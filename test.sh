@@ -63,7 +63,7 @@ demo() {
     local out=target/test/demo
     rm -rf $out &&
         cargo run --release --locked --quiet -- demo $out &&
-        [ "$(ls $out | sort | tr '\n' ' ')" = "blend.png result.ply start.ply " ] &&
+        [ "$(ls $out | sort | tr '\n' ' ')" = "blend.png free.txt normals.txt result.ply start.ply " ] &&
         [ -s $out/start.ply ] && [ -s $out/blend.png ] &&
         head -c 3 $out/result.ply | grep -q '^ply' &&
         cargo run --release --locked --quiet -- fair docs/dented.ply -o $out/sphere.ply --selection free
