@@ -124,7 +124,7 @@ fn parse_binary(bytes: &[u8], count: u32) -> (Geometry, Stl) {
     (geometry, Stl::Binary)
 }
 
-/// Reads a text by its words, wherever its lines end: there are files of one line, and such without `endsolid`.
+/// Reads a text by its words, wherever its lines end: there are files of one line.
 fn parse_ascii(bytes: &[u8]) -> Result<(Geometry, Stl), Malformed> {
     let mut geometry = Geometry::default();
     let mut weld = Weld::default();
@@ -145,6 +145,13 @@ fn parse_ascii(bytes: &[u8]) -> Result<(Geometry, Stl), Malformed> {
             is_open = is_one_of(bytes, &word, &["solid"]);
             pass_name(bytes, &mut words);
         }
+    }
+    // Some readers take it, but it looks as a file does that was cut off behind a facet.
+    if is_open {
+        return Err(Malformed::text(
+            bytes.len(),
+            "the file ends before 'endsolid': some of it may be missing",
+        ));
     }
     Ok((geometry, Stl::Ascii(facets)))
 }
