@@ -82,8 +82,9 @@ pub struct GenerateArgs {
     /// Deviation of --start noise, in edge lengths
     #[arg(long, default_value_t = 0.15, value_name = "X")]
     noise: f64,
-    /// Half-angle of sphere-cap and sphere-hole, in degrees
-    #[arg(long, value_name = "DEGREES")]
+    /// Half-angle of sphere-cap (1 to 150) and sphere-hole (1 to 170; a small hole
+    /// is as wide as two and a half edges), in degrees
+    #[arg(long, value_name = "DEGREES", verbatim_doc_comment)]
     angle: Option<f64>,
     /// Rings of fixed triangles around the free region, at most 16; blend and
     /// tetra thing have none
@@ -165,9 +166,7 @@ fn check(args: &GenerateArgs) -> Result<(), Failure> {
             args.noise
         )));
     }
-    if args.angle.is_some() && !matches!(args.kind, ShapeKind::SphereCap | ShapeKind::SphereHole) {
-        return Err(Failure::new("--angle: only sphere-cap and sphere-hole have one"));
-    }
+    check_angle(args)?;
     let mut paths: Vec<&Path> = [&args.exact, &args.free, &args.normals]
         .into_iter()
         .flatten()
@@ -183,6 +182,21 @@ fn check(args: &GenerateArgs) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+fn check_angle(args: &GenerateArgs) -> Result<(), Failure> {
+    let Some(angle) = args.angle else {
+        return Ok(());
+    };
+    let most = match args.kind {
+        ShapeKind::SphereCap => 150.0,
+        ShapeKind::SphereHole => 170.0,
+        _ => return Err(Failure::new("--angle: only sphere-cap and sphere-hole have one")),
+    };
+    if (1.0..=most).contains(&angle) {
+        return Ok(());
+    }
+    Err(Failure::new(format!("--angle {angle}: give 1 to {most} degrees")))
 }
 
 fn make(args: &GenerateArgs) -> Shape {

@@ -488,6 +488,14 @@ fn what_cannot_be_generated_or_shown_is_refused() {
         "--angle",
     );
     refused(
+        &["generate", "sphere-cap", "-o", "a.ply", "--angle", "160"],
+        "--angle 160: give 1 to 150 degrees",
+    );
+    refused(
+        &["generate", "sphere-hole", "-o", "a.ply", "--angle", "171"],
+        "--angle 171: give 1 to 170 degrees",
+    );
+    refused(
         &["generate", "cylinder", "-o", "a.ply", "--free", "a.ply"],
         "two different files",
     );
