@@ -50,9 +50,14 @@ impl Candidate {
         }
     }
 
-    /// A bump or a crease at the boundary: the coarse equations admit it, but no smooth surface has it.
+    /// The coarse equations admit it, but no smooth surface has it.
     pub(crate) fn has_bump(&self) -> bool {
-        self.curvature_overshoot || self.detached_from_normals || self.creases > 0
+        self.curvature_overshoot || self.detached_from_normals
+    }
+
+    /// Something may be better. Whether a crease is told is decided at the end, by the input as well.
+    pub(crate) fn is_flawed(&self) -> bool {
+        self.has_bump() || self.creases > 0
     }
 
     /// Tolerance met.
@@ -64,7 +69,7 @@ impl Candidate {
     /// that could be seen.
     pub(crate) fn is_at_rounding(&self) -> bool {
         let is_near = self.status == IterationStatus::Stalled && self.step < ROUNDING_FLOOR;
-        is_near && self.poor.is_empty() && !self.has_bump()
+        is_near && self.poor.is_empty() && !self.is_flawed()
     }
 
     /// Limit or cancel.
@@ -72,9 +77,9 @@ impl Candidate {
         self.status == IterationStatus::Stopped
     }
 
-    /// Converged, with sound triangles and no bump.
+    /// Converged, with sound triangles, and no flaw.
     pub(crate) fn is_sound(&self) -> bool {
-        self.is_converged() && self.poor.is_empty() && !self.has_bump()
+        self.is_converged() && self.poor.is_empty() && !self.is_flawed()
     }
 
     /// The smaller the better.
@@ -82,7 +87,7 @@ impl Candidate {
         (
             !self.is_converged(),
             self.poor.len(),
-            self.has_bump(),
+            self.is_flawed(),
             self.creases,
         )
     }
@@ -90,7 +95,7 @@ impl Candidate {
     /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.
     pub(crate) fn has_only_needles(&self, system: &System, most: usize) -> bool {
         let is_folded = || !system.poor(&self.x, 0.0).is_empty();
-        self.is_converged() && !self.has_bump() && self.poor.len() <= most && !is_folded()
+        self.is_converged() && !self.is_flawed() && self.poor.len() <= most && !is_folded()
     }
 
     /// Whether nothing better is to be looked for.

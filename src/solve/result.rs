@@ -13,7 +13,7 @@ pub(crate) enum SolveStatus {
     AboveTolerance,
     /// Tolerance met with plain (first-order) curvature only.
     FirstOrder,
-    /// Tolerance met by a surface that has a bump or a crease, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).
+    /// Tolerance met by a surface that has a bump, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).
     Bump,
     /// No sound nonlinear surface; the linear one.
     Failed,

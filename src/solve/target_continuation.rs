@@ -50,7 +50,7 @@ impl TargetContinuation {
 
     /// After the iteration with the part that was tried.
     pub(crate) fn next(&mut self, last: Candidate, system: &mut System, control: &Control<'_>) -> Next {
-        if self.tried >= 1.0 && (last.is_converged() && !last.has_bump() || last.is_stopped()) {
+        if self.tried >= 1.0 && (last.is_converged() && !last.is_flawed() || last.is_stopped()) {
             return Next::Done(last);
         }
         match &mut self.x {
@@ -60,7 +60,7 @@ impl TargetContinuation {
                 }
                 self.x = Some(last.x);
             }
-            Some(x) if last.is_converged() && !last.has_bump() => {
+            Some(x) if last.is_converged() && !last.is_flawed() => {
                 *x = last.x;
                 self.reached = self.tried;
                 self.step *= 2.0;
