@@ -114,7 +114,7 @@ static int running(void) {
 }
 
 /* A thread that outlives its call would run on in a library that is unloaded. */
-static void none_is_left(void) {
+static void none_is_left(int before) {
     double *numbers = (double *)must(malloc(24 * cap.vertices));
     fairmesh_scalars_out h = scalars_out_of(numbers, cap.vertices);
     fairmesh_result *result = NULL;
@@ -124,7 +124,7 @@ static void none_is_left(void) {
     OK(fairmesh_fill_holes(&cap.mesh, NULL, NULL, &result, NULL));
     OK(fairmesh_result_free(result));
     free(numbers);
-    CHECK(running() == 1);
+    CHECK(running() == before);
 }
 
 int main(void) {
@@ -132,7 +132,8 @@ int main(void) {
     fairmesh_points_out to;
     size_t counts[THREADS][2], good = 0, busy = 0;
     Inside in = {NULL, 0};
-    int k;
+    /* A sanitizer may have one of its own. */
+    int k, before = running();
     cap = cap_new(21);
     expected = (double *)must(malloc(24 * cap.vertices));
     to = points_out_of(expected, cap.vertices);
@@ -153,7 +154,7 @@ int main(void) {
     OK(fairmesh_solver_free(in.solver));
     OK(fairmesh_result_free(common));
     free(expected);
-    none_is_left();
+    none_is_left(before);
     cap_free(&cap);
     puts("threads: passed");
     return 0;
