@@ -292,6 +292,8 @@ fn what_has_no_face_is_refused_and_left_alone() {
 fn what_is_not_read_is_refused_with_its_cause() {
     let directory = directory("causes");
     let no_end = stl().replace("endsolid a cap\n", "");
+    let longer = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 2\n";
     let fewer = binary_stl(|n| n - 3, b"");
     let more = binary_stl(|n| n + 1, b"");
     let none = binary_stl(|_| 0, b"");
@@ -301,7 +303,7 @@ fn what_is_not_read_is_refused_with_its_cause() {
         .collect();
     let strips = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
         element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    let cases: [(&str, &[u8], &str); 14] = [
+    let cases: [(&str, &[u8], &str); 15] = [
         (
             "a.ply.gz",
             b"",
@@ -320,6 +322,11 @@ fn what_is_not_read_is_refused_with_its_cause() {
             "d.off",
             b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n",
             "the number of corners is -1",
+        ),
+        (
+            "c.ply",
+            longer.as_bytes(),
+            "this row of element 'face' has more numbers than the header says",
         ),
         ("b.ply", strips, "triangle strips are not supported"),
         ("b.stl", no_end.as_bytes(), "the file ends before 'endsolid'"),

@@ -95,6 +95,14 @@ impl Rows<'_> {
             };
             visit(property, field)?;
         }
+        // The header says all that a row has: one number more, and nobody knows which.
+        if self.layout == Layout::Lines && words.clone().next().is_some() {
+            let what = format!(
+                "this row of element '{}' has more numbers than the header says",
+                self.element.name
+            );
+            return Err(self.malformed(at, what));
+        }
         Ok(self.layout.next(self.bytes, &words))
     }
 
