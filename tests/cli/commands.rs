@@ -479,28 +479,24 @@ fn what_cannot_be_generated_or_shown_is_refused() {
         let (_, err) = expect(&directory, args, 2);
         assert!(err.contains(what), "{args:?}: {err}");
     };
-    refused(
-        &["generate", "saddle", "-o", "a.ply", "--exact", "b.ply"],
-        "no exact surface",
-    );
-    refused(
-        &["generate", "cylinder", "-o", "a.ply", "--angle", "3"],
-        "--angle",
-    );
-    refused(
-        &["generate", "sphere-cap", "-o", "a.ply", "--angle", "160"],
+    let generate = |kind: &str, more: &[&str], what: &str| {
+        refused(&[&["generate", kind, "-o", "a.ply"], more].concat(), what);
+    };
+    generate("saddle", &["--exact", "b.ply"], "no exact surface");
+    generate("cylinder", &["--angle", "3"], "--angle");
+    generate(
+        "sphere-cap",
+        &["--angle", "160"],
         "--angle 160: give 1 to 150 degrees",
     );
-    refused(
-        &["generate", "sphere-hole", "-o", "a.ply", "--angle", "171"],
+    generate(
+        "sphere-hole",
+        &["--angle", "171"],
         "--angle 171: give 1 to 170 degrees",
     );
-    refused(
-        &["generate", "cylinder", "-o", "a.ply", "--free", "a.ply"],
-        "two different files",
-    );
-    refused(&["generate", "cylinder", "-o", "a.ply", "--noise=-1"], "--noise");
-    refused(&["generate", "cone", "-o", "a.ply"], "cone");
+    generate("cylinder", &["--free", "a.ply"], "two different files");
+    generate("cylinder", &["--noise=-1"], "--noise");
+    generate("cone", &[], "cone");
     assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
     expect(
         &directory,
