@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::patch::Patch;
 use super::surroundings::Surroundings;
 use crate::discrete::boundary_normals::angle;
-use crate::quality::crease::{EXCESS, KINK};
+use crate::quality::crease::is_too_wide;
 
 /// The loop's vertices where the patch, with its vertices at `x`, has a kink wider than a coarse mesh accounts for. `given`:
 /// boundary normals by vertex, ascending.
@@ -31,7 +31,7 @@ pub(super) fn creases(
             .map_or(0.0, |at| {
                 angle(&Vector3::from(given[at].1).normalize(), &outside).to_degrees()
             });
-        angle(&inside, &outside).to_degrees() > KINK.max(asked + EXCESS)
+        is_too_wide(angle(&inside, &outside).to_degrees(), asked)
     };
     (0..count as u32).filter(is_crease).collect()
 }

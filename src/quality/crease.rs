@@ -18,11 +18,16 @@ use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::Rings;
 
 /// A kink up to this many degrees is that of a coarse mesh.
-pub(crate) const KINK: f64 = 45.0;
+const KINK: f64 = 45.0;
 /// So many more than the kinks it is compared with, too.
-pub(crate) const EXCESS: f64 = 15.0;
+const EXCESS: f64 = 15.0;
 /// No surface that deviates from a boundary normal by more than this many degrees meets it.
 const DEVIATION: f64 = 60.0;
+
+/// Whether a kink is wider than that of a coarse mesh, and than one that is expected; in degrees.
+pub(crate) fn is_too_wide(kink: f64, expected: f64) -> bool {
+    kink > KINK.max(expected + EXCESS)
+}
 
 /// The angles at one boundary vertex, in degrees.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +51,7 @@ pub(crate) struct Kink {
 impl Kink {
     fn is_crease(&self, before: f64) -> bool {
         let expected = self.asked.max(before.min(self.turn.max(KINK)));
-        self.kink > KINK.max(expected + EXCESS) || self.deviation > DEVIATION
+        is_too_wide(self.kink, expected) || self.deviation > DEVIATION
     }
 }
 
