@@ -51,6 +51,25 @@ impl FairnessWeights {
         })
     }
 
+    /// The weights that `of(i)` gives for the neighbours of each free vertex `i`, by their numbers, positive and with any sum.
+    pub(crate) fn given<I: Iterator<Item = (u32, f64)>>(
+        batches: &ValenceBatches,
+        of: impl Fn(usize) -> I,
+    ) -> Self {
+        Self::of_input(batches, |weights, i| {
+            let (slots, lane) = batches.ring_slots(i);
+            let ring = &batches.neighbour[slots.clone()];
+            let weights = &mut weights.slots(batches)[slots];
+            let valence = ring.len() as f64;
+            for (j, w) in of(i) {
+                if let Some(k) = ring.iter().position(|n| n[lane] == j) {
+                    weights[k][lane] = w * valence;
+                }
+            }
+            false
+        })
+    }
+
     /// Weights that `set` gives vertex by vertex; it returns whether it had to clamp.
     fn of_input(batches: &ValenceBatches, set: impl Fn(&mut Self, usize) -> bool) -> Self {
         let mut weights = Self::uniform();

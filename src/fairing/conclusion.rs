@@ -201,6 +201,7 @@ impl Found<'_> {
                 vertices.dedup();
                 return Outcome::BoundaryCrease { vertices };
             }
+            SolveStatus::NearestMember(weight) => return Outcome::NearestMember { weight: *weight },
             SolveStatus::Bump => LooseReason::Bump,
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,

@@ -71,6 +71,13 @@ pub enum Outcome {
         /// Those triangles.
         triangles: Vec<u32>,
     },
+    /// No sound harmonic surface was found between these boundary conditions. The surface solves `Delta_B H = -2 w H (H^2 - K)`
+    /// to the tolerance instead, of the family between the harmonic equation (`w` = 0) and that of minimal energy (`w` = 1) the
+    /// member nearest to harmonic that was found sound. It meets the boundary normals as a harmonic surface does.
+    NearestMember {
+        /// Its `w`, over 0 and at most 1.
+        weight: f64,
+    },
     /// Tolerance met and no triangle is poor, but along the boundary the surface has a crease against the outside, or against
     /// the normals that were given: a kink of more than 45 degrees that exceeds by more than 15 degrees what given normals ask
     /// for and what the input has there (of which no more counts than 45 degrees, or than the outside turns to the next
@@ -135,6 +142,9 @@ table!(Outcome {
     10 "poor_when_rounded" Outcome::PoorWhenRounded { .. } =>
         "tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles",
         "write the mesh in double precision, or move it near to the origin";
+    11 "nearest_member" Outcome::NearestMember { .. } =>
+        "no harmonic surface was found; a smooth one with the same normals, between harmonic and minimal energy, is returned",
+        "look at it: it is fair, but bends by another equation; less extreme normals, or another region, may have a harmonic surface";
 });
 
 impl Outcome {
@@ -159,6 +169,7 @@ impl Outcome {
             Self::Converged
                 | Self::ConvergedPoorTriangles { .. }
                 | Self::ConvergedLoosely { .. }
+                | Self::NearestMember { .. }
                 | Self::BoundaryCrease { .. }
                 | Self::PoorWhenRounded { .. }
         )
@@ -222,15 +233,16 @@ impl Outcome {
                 LooseReason::SuspiciousNormals => 4,
                 LooseReason::Bump => 5,
             },
-            Self::SelfIntersecting { .. } => 6,
-            Self::BoundaryCrease { .. } => 7,
-            Self::PoorWhenRounded { .. } => 8,
-            Self::ConvergedPoorTriangles { .. } => 9,
-            Self::NormalsNotReachable { .. } => 10,
-            Self::TargetNotReachable { .. } => 11,
-            Self::NotConverged => 12,
-            Self::IterationLimit => 13,
-            Self::Cancelled => 14,
+            Self::NearestMember { .. } => 6,
+            Self::SelfIntersecting { .. } => 7,
+            Self::BoundaryCrease { .. } => 8,
+            Self::PoorWhenRounded { .. } => 9,
+            Self::ConvergedPoorTriangles { .. } => 10,
+            Self::NormalsNotReachable { .. } => 11,
+            Self::TargetNotReachable { .. } => 12,
+            Self::NotConverged => 13,
+            Self::IterationLimit => 14,
+            Self::Cancelled => 15,
         }
     }
 

@@ -188,6 +188,50 @@ impl EditableMesh {
         self.set_first(r, previous(o));
     }
 
+    /// The half-edge on the other side of `h`; [`NONE`] on the boundary of the mesh.
+    #[inline]
+    pub(crate) fn opposite(&self, h: u32) -> u32 {
+        self.opposite[h as usize]
+    }
+
+    /// Whether `h` is there and its edge may be turned to run between the apices beside it: both triangles are of the region, the mesh
+    /// stays a 2-manifold, every triangle keeps a free vertex, and no vertex gets too few or too many triangles.
+    pub(crate) fn can_flip(&self, h: u32) -> bool {
+        let o = self.opposite[h as usize];
+        if o == NONE || !self.alive[h as usize / 3] || !self.in_region(h) || !self.in_region(o) {
+            return false;
+        }
+        let (a, b, c, d) = (self.origin(h), self.target(h), self.apex(h), self.apex(o));
+        let keeps_free = self.is_free(c) || self.is_free(d) || self.is_free(a) && self.is_free(b);
+        let count = |v: u32| self.outgoing_in_region(v).count();
+        let fewest = |v: u32| if self.is_closed(v) { FEWEST_CLOSED } else { FEWEST_OPEN };
+        keeps_free
+            && c != d
+            && count(a) > fewest(a)
+            && count(b) > fewest(b)
+            && count(c) < MOST
+            && count(d) < MOST
+            && !self.are_neighbours(c, d)
+    }
+
+    /// Turns the edge of `h`, which runs from its first apex's side to the other's afterwards: `h` from its origin to the apex across.
+    /// [`Self::can_flip`] must hold, and no collapse before can be undone.
+    pub(crate) fn flip(&mut self, h: u32) {
+        let o = self.opposite[h as usize];
+        let (a, b, c, d) = (self.origin(h), self.target(h), self.apex(h), self.apex(o));
+        let (beyond_h, beyond_o) = (self.opposite[next(h) as usize], self.opposite[next(o) as usize]);
+        for (g, v) in [(next(h), d), (next(o), c)] {
+            self.triangles[g as usize / 3][g as usize % 3] = v;
+        }
+        self.opposite[h as usize] = beyond_o;
+        self.opposite[o as usize] = beyond_h;
+        self.link(beyond_o, h);
+        self.link(beyond_h, o);
+        self.link(next(h), next(o));
+        self.set_first(a, h);
+        self.set_first(b, o);
+    }
+
     fn around(&self, h: u32) -> Around {
         let o = self.opposite[h as usize];
         let across = |g: u32| self.opposite[g as usize];

@@ -1,6 +1,7 @@
 //! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
 mod checks;
+pub(crate) mod coarsening;
 pub(crate) mod coincident;
 mod components;
 mod cut;

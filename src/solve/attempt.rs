@@ -12,6 +12,8 @@ pub(crate) struct Attempt {
     /// What it is called.
     #[cfg_attr(not(test), expect(dead_code, reason = "for the readers of the table"))]
     pub name: &'static str,
+    /// On which meshes it is tried.
+    pub mesh: Mesh,
     /// When it is tried.
     pub condition: Condition,
     /// The inner fairness that it begins with.
@@ -28,6 +30,17 @@ pub(crate) struct Attempt {
     pub kept: Kept,
 }
 
+/// On which meshes an attempt is tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mesh {
+    /// On every one.
+    Any,
+    /// Where there is a coarse level.
+    Fine,
+    /// Where there is none: on small meshes, and on coarse levels.
+    Coarsest,
+}
+
 /// When an attempt is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Condition {
@@ -39,6 +52,8 @@ pub(crate) enum Condition {
     SecondOrder,
     /// With other inner fairness than uniform, while iterations are left.
     NotUniform,
+    /// With a harmonic surface asked; also where a sound one is found whose total curvature leaves room for another.
+    Harmonic,
 }
 
 impl Condition {
@@ -51,6 +66,7 @@ impl Condition {
                 matches!(system.asked_curvature(), FreeCurvature::GradientCorrected { .. })
             }
             Self::NotUniform => system.asks_for_weights() && !control.exhausted(),
+            Self::Harmonic => !system.asks_for_target() && !control.exhausted(),
         }
     }
 }
@@ -84,8 +100,14 @@ pub(crate) enum Start {
     Linear,
     /// The linear surface on the metric of a membrane.
     MembraneMetric,
+    /// The surface found on the coarse mesh,
+    Coarse,
+    /// where that is harmonic no more.
+    CoarseMember,
     /// The surface with plain curvature.
     PlainSolution,
+    /// The surface of minimal energy.
+    MinimalEnergy,
     /// The linear surface with the inner fairness of the attempt.
     LinearAnew,
 }
@@ -101,6 +123,8 @@ pub(crate) enum Kept {
     Sound,
     /// It is where other attempts begin.
     Start,
+    /// The same, as the surface of minimal energy.
+    MinimalEnergy,
 }
 
 /// Quasi-Newton steps to the tolerance.
@@ -128,6 +152,7 @@ const COARSE: f64 = 1e-4;
 pub(crate) const LADDER: &[Attempt] = &[
     Attempt {
         name: "goes on",
+        mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         curvature: Curvature::Asked,
@@ -140,7 +165,30 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Sound,
     },
     Attempt {
+        name: "from the coarse mesh",
+        mesh: Mesh::Fine,
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Coarse,
+        procedure: Procedure::RepairHere,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "member of the coarse mesh",
+        mesh: Mesh::Fine,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::CoarseMember,
+        procedure: Procedure::Retreat,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "direct",
+        mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::Asked,
         curvature: Curvature::Asked,
@@ -151,6 +199,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "target continuation",
+        mesh: Mesh::Any,
         condition: Condition::Target,
         weights: Weights::Asked,
         curvature: Curvature::Asked,
@@ -164,7 +213,34 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Result,
     },
     Attempt {
+        name: "minimal energy",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::MinimalEnergy,
+        options: IterateOptions {
+            tolerance_floor: COARSE,
+            phase: "minimal energy",
+            ..DIRECT
+        },
+        kept: Kept::MinimalEnergy,
+    },
+    Attempt {
+        name: "from minimal energy",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::MinimalEnergy,
+        procedure: Procedure::RepairHere,
+        options: DIRECT,
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "membrane metric",
+        mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
         curvature: Curvature::Asked,
@@ -178,6 +254,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "plain curvature",
+        mesh: Mesh::Any,
         condition: Condition::SecondOrder,
         weights: Weights::Asked,
         curvature: Curvature::Plain,
@@ -191,6 +268,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "jump to second order",
+        mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         curvature: Curvature::Asked,
@@ -204,6 +282,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "pseudo-time to second order",
+        mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         curvature: Curvature::Asked,
@@ -214,6 +293,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "plain curvature to the end",
+        mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         curvature: Curvature::Plain,
@@ -224,6 +304,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "pseudo-time",
+        mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
         curvature: Curvature::Asked,
@@ -234,6 +315,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "uniform inner fairness",
+        mesh: Mesh::Any,
         condition: Condition::NotUniform,
         weights: Weights::Uniform,
         curvature: Curvature::Asked,
@@ -244,6 +326,7 @@ pub(crate) const LADDER: &[Attempt] = &[
     },
     Attempt {
         name: "normal continuation",
+        mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
         curvature: Curvature::Asked,
@@ -258,6 +341,20 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Result,
     },
+    Attempt {
+        name: "nearest member",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::MinimalEnergy,
+        procedure: Procedure::Approach,
+        options: IterateOptions {
+            phase: "nearest member",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
 ];
 
 #[cfg(test)]
@@ -266,11 +363,17 @@ mod tests {
 
     /// A line of the table in ARCHITECTURE.md.
     fn line(attempt: &Attempt) -> String {
+        let mesh = match attempt.mesh {
+            Mesh::Any => "",
+            Mesh::Fine => "fine",
+            Mesh::Coarsest => "coarsest",
+        };
         let condition = match attempt.condition {
             Condition::Always => "",
             Condition::Target => "right-hand side not zero",
             Condition::SecondOrder => "second-order curvature asked",
             Condition::NotUniform => "weights asked, iterations left",
+            Condition::Harmonic => "harmonic surface asked, iterations left",
         };
         let weights = match attempt.weights {
             Weights::Asked => "asked",
@@ -285,13 +388,20 @@ mod tests {
             Start::AtHand => "surface at hand",
             Start::Linear => "linear",
             Start::MembraneMetric => "linear, membrane's metric",
+            Start::Coarse => "of the coarse mesh",
+            Start::CoarseMember => "member of the coarse mesh",
             Start::PlainSolution => "plain solution",
+            Start::MinimalEnergy => "minimal energy",
             Start::LinearAnew => "linear, these weights",
         };
         let procedure = match attempt.procedure {
             Procedure::Iteration => "iteration",
             Procedure::WeightRepair => "iteration, weight repair",
             Procedure::PseudoTime => "pseudo-time, iteration",
+            Procedure::RepairHere => "iteration, weight repair from there",
+            Procedure::MinimalEnergy => "iteration, weight repair, minimal energy",
+            Procedure::Approach => "members of the family, towards harmonic",
+            Procedure::Retreat => "members of the family, from that of the coarse mesh",
             Procedure::TargetContinuation => "parts of the right-hand side",
             Procedure::NormalContinuation => "normals turned from the membrane's",
         };
@@ -316,11 +426,11 @@ mod tests {
             Kept::Result => "result",
             Kept::FirstOrder => "first-order result",
             Kept::Sound => "if sound",
-            Kept::Start => "as start",
+            Kept::Start | Kept::MinimalEnergy => "as start",
         };
         let name = attempt.name;
         format!(
-            "| {name} | {condition} | {weights} | {curvature} | {start} | {procedure} | {tolerance} | {divergence_factor} | {matrix} | {kept} |"
+            "| {name} | {mesh} | {condition} | {weights} | {curvature} | {start} | {procedure} | {tolerance} | {divergence_factor} | {matrix} | {kept} |"
         )
     }
 

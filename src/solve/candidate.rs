@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::quasi_newton::IterationStatus;
 use super::system::System;
+use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
 
@@ -27,6 +28,10 @@ pub(crate) struct Candidate {
     pub detached_from_normals: bool,
     /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), going by the outside, not by the interior of the input.
     pub creases: usize,
+    /// Its bending energy, the integral of `H^2`,
+    pub bending_energy: f64,
+    /// and its total curvature, that of `kappa_1^2 + kappa_2^2`.
+    pub total_curvature: f64,
     /// All that is wrong are needles that the start has, too, and that no repair of the weights widens: they come from the
     /// connectivity, such as at the pole of a sphere with hundreds of meridians. No other attempt would end without.
     pub needles_from_input: bool,
@@ -38,7 +43,10 @@ impl Candidate {
         system.evaluate(&x);
         let surface = system.surface(&x);
         let domain = &system.domain;
+        let (bending_energy, total_curvature) = energies(system.state());
         Self {
+            bending_energy,
+            total_curvature,
             creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
             status,
             step,
@@ -102,4 +110,13 @@ impl Candidate {
     pub(crate) fn is_settled(&self) -> bool {
         self.is_sound() || self.is_stopped() || self.needles_from_input
     }
+}
+
+/// The integrals of `H^2` and of `kappa_1^2 + kappa_2^2` over the free vertices: a third of its 1-disk belongs to each.
+fn energies(state: &State) -> (f64, f64) {
+    let vertices = state.h.iter().zip(&state.k).zip(&state.area);
+    vertices.fold((0.0, 0.0), |(bending, total), ((h, k), area)| {
+        let own = area / 3.0;
+        (bending + own * h * h, total + own * (4.0 * h * h - 2.0 * k))
+    })
 }

@@ -80,6 +80,27 @@ impl<'a> Control<'a> {
         self.tell(fraction, d, phase);
     }
 
+    /// A run within this one, with limits of its own: its iterations are not counted here, but it can be stopped.
+    pub(crate) fn within<T>(
+        &mut self,
+        phase: &'static str,
+        tolerance: f64,
+        max_iterations: usize,
+        run: impl FnOnce(&mut Control<'_>) -> T,
+    ) -> T {
+        let interrupt = self.interrupt.clone();
+        let mut tell = |_, _, _, _| {
+            if self.checkpoint(phase) {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        };
+        let mut within = Control::new(tolerance, max_iterations, Some(&mut tell));
+        within.interrupt = interrupt;
+        run(&mut within)
+    }
+
     fn tell(&mut self, fraction: f64, d: f64, phase: &'static str) {
         self.tally.fraction = self.tally.fraction.max(fraction);
         self.tally.step = d;

@@ -6,11 +6,13 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 
-use super::attempt::{Attempt, Curvature, Kept, LADDER, Start, Weights};
+use super::attempt::{Attempt, Curvature, Kept, LADDER, Mesh, Start, Weights};
 use super::candidate::Candidate;
+use super::coarse::CoarseLevel;
 use super::control::Control;
 use super::initial::PHASE;
-use super::procedure::{Next, Run, Underway};
+use super::problem::diagonal;
+use super::procedure::{Next, Procedure, Run, Underway};
 use super::result::{SolveResult, SolveStatus};
 use super::system::{Collapsed, System};
 use crate::discrete::curvature::NO_TILT;
@@ -29,6 +31,27 @@ pub(crate) enum Step {
     Unmoved,
 }
 
+/// What the coarse mesh has led to.
+#[derive(Debug)]
+enum Search {
+    /// There is none.
+    NoCoarseMesh,
+    /// A surface, on the fine mesh, and the member of the family that it is: 0 for what is asked.
+    Found(Vec<Vector3<f64>>, f64),
+    /// None.
+    Missed,
+}
+
+/// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a
+/// half-sphere. (The shortest tube between whose ends there are two surfaces has three times as much.)
+const ONLY_ONE_BELOW: f64 = 4.0 * std::f64::consts::PI;
+/// Of two surfaces the later one is taken if its bending energy is less by this part.
+const LESS_ENERGY: f64 = 1e-3;
+/// Step norm of surfaces on the coarse mesh.
+const COARSE_TOLERANCE: f64 = 1e-5;
+/// Iterations there.
+const COARSE_ITERATIONS: usize = 600;
+
 /// A solve under way.
 #[derive(Debug, Default)]
 pub(crate) struct Ladder {
@@ -38,6 +61,12 @@ pub(crate) struct Ladder {
     linear: Option<Vec<Vector3<f64>>>,
     /// The solution with plain curvature, if there is one.
     plain: Option<Vec<Vector3<f64>>>,
+    /// The surface of minimal energy, if there is one.
+    minimal_energy: Option<Vec<Vector3<f64>>>,
+    /// What the coarse mesh has led to, once it was asked.
+    coarse: Option<Search>,
+    /// A sound surface, while another one is looked for that may be better.
+    sound: Option<(Candidate, SolveStatus)>,
     /// Attempts begun or passed over.
     attempts: usize,
     underway: Option<Underway>,
@@ -99,10 +128,17 @@ impl Ladder {
         }
         // The next run: of this attempt, or of another.
         loop {
+            if let (Some(c), true) = (&ended, std::env::var_os("FM_TRACE").is_some()) {
+                eprintln!(
+                    "  n={} {} -> {:?} d={:.1e} poor={} over={} det={} creases={} E={:.5} T={:.3} it={} rhs={:?}",
+                    system.free(), LADDER[self.attempts.max(1) - 1].name, c.status, c.step, c.poor.len(), c.curvature_overshoot, c.detached_from_normals, c.creases, c.bending_energy, c.total_curvature, control.tally.iterations, system.right_hand_side()
+                );
+            }
             let next = match (ended.take(), &mut self.underway) {
                 (Some(candidate), Some(underway)) => underway.next(candidate, system, control),
                 _ => match self.next_attempt(system, control)? {
                     Some(next) => next,
+                    None if self.sound.is_some() => return Ok(Step::Ended(self.settle(system, control))),
                     None if self.linear.is_none() => return Ok(Step::Unmoved),
                     None => return Ok(Step::Ended(self.give_up(system, control))),
                 },
@@ -124,6 +160,10 @@ impl Ladder {
                         return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
                     }
                 }
+                Next::Member(candidate, w) => {
+                    let status = SolveStatus::NearestMember(w);
+                    return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
+                }
                 Next::Short(SolveStatus::Failed) => {}
                 Next::Short(status) => {
                     self.shortfall.get_or_insert(status);
@@ -142,7 +182,7 @@ impl Ladder {
         self.underway = None;
         while let Some(attempt) = LADDER.get(self.attempts) {
             self.attempts += 1;
-            if !attempt.condition.holds(system, control) {
+            if !self.is_due(attempt, system, control) {
                 continue;
             }
             system.reset();
@@ -150,12 +190,50 @@ impl Ladder {
                 return Ok(None);
             }
             if let Some(x) = self.set_up(attempt, system, control) {
-                let (underway, next) = attempt.procedure.begin(x, attempt.options, system, control);
+                let (underway, next) = attempt.procedure.begin(x, attempt.options, self.member(), system, control);
                 self.underway = Some(underway);
                 return Ok(Some(next));
             }
         }
         Ok(None)
+    }
+
+    /// Whether an attempt is to be made.
+    fn is_due(&mut self, attempt: &Attempt, system: &System, control: &mut Control<'_>) -> bool {
+        // Beside a sound surface only those that may find another one.
+        let is_rival = matches!(attempt.start, Start::MinimalEnergy) && attempt.kept == Kept::Result
+            || attempt.kept == Kept::MinimalEnergy;
+        if self.sound.is_some() && (!is_rival || matches!(attempt.procedure, Procedure::Approach)) {
+            return false;
+        }
+        attempt.condition.holds(system, control)
+            && match attempt.mesh {
+                Mesh::Any => true,
+                Mesh::Fine => !self.is_coarsest(system, control),
+                Mesh::Coarsest => self.is_coarsest(system, control),
+            }
+    }
+
+    /// Whether there is no coarser mesh. Searches it the first time.
+    fn is_coarsest(&mut self, system: &System, control: &mut Control<'_>) -> bool {
+        let search = self.coarse.get_or_insert_with(|| search(system, control));
+        matches!(search, Search::NoCoarseMesh)
+    }
+
+    /// The member of the family that the coarse mesh has.
+    fn member(&self) -> f64 {
+        match self.coarse {
+            Some(Search::Found(_, w)) => w,
+            _ => 0.0,
+        }
+    }
+
+    /// The coarse mesh's surface, if it is harmonic or not, as asked.
+    fn of_coarse_mesh(&self, harmonic: bool) -> Option<Vec<Vector3<f64>>> {
+        match &self.coarse {
+            Some(Search::Found(x, w)) if (*w == 0.0) == harmonic => Some(x.clone()),
+            _ => None,
+        }
     }
 
     /// Makes the linear surface, if it is not there yet. Returns whether it is; if not, the run was stopped.
@@ -197,6 +275,13 @@ impl Ladder {
         let start = match attempt.start {
             Start::AtHand => self.at_hand.take(),
             Start::Linear => self.linear.clone(),
+            Start::Coarse | Start::CoarseMember => {
+                let mut x = self.of_coarse_mesh(attempt.start == Start::Coarse)?;
+                system.diagonal = diagonal(&x);
+                system.tangential_steps(&mut x, control);
+                Some(x)
+            }
+            Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::PlainSolution => self.plain.clone(),
             Start::LinearAnew => system.start(control).ok(),
             Start::MembraneMetric => {
@@ -221,8 +306,10 @@ impl Ladder {
         };
         if kept == Kept::Start && !candidate.is_stopped() {
             self.plain = candidate.is_converged().then_some(candidate.x);
+        } else if kept == Kept::MinimalEnergy && !candidate.is_stopped() {
+            self.minimal_energy = (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
         } else if candidate.is_settled() {
-            return Some((candidate, status));
+            return self.best_of((candidate, status));
         } else if kept != Kept::Start && candidate.is_at_rounding() {
             return Some((candidate, SolveStatus::AboveTolerance));
         } else if kept != Kept::Sound && candidate.is_converged() {
@@ -233,6 +320,31 @@ impl Ladder {
             }
         }
         None
+    }
+
+    /// Of two sound surfaces the one of less bending energy; the first one alone where it may be the only one.
+    fn best_of(&mut self, found: (Candidate, SolveStatus)) -> Option<(Candidate, SolveStatus)> {
+        let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
+        match self.sound.take() {
+            _ if found.0.is_stopped() => Some(found),
+            Some(first) if found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy => Some(found),
+            Some(first) => Some(first),
+            None if is_coarsest && found.0.is_sound() && found.0.total_curvature > ONLY_ONE_BELOW => {
+                self.sound = Some(found);
+                None
+            }
+            None => Some(found),
+        }
+    }
+
+    /// The sound surface that no other one was found to be better than.
+    fn settle(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
+        system.reset();
+        let (candidate, status) = match self.sound.take() {
+            Some((candidate, status)) => (Some(candidate), status),
+            None => (None, SolveStatus::Failed),
+        };
+        self.result(candidate, status, system, control)
     }
 
     /// After the last attempt: the best of what there is.
@@ -282,6 +394,26 @@ impl Ladder {
             x,
         }
     }
+}
+
+/// Searches the coarse mesh, if there is one.
+fn search(system: &System, control: &mut Control<'_>) -> Search {
+    let fine = system.problem();
+    let Some(level) = CoarseLevel::new(&fine) else {
+        return Search::NoCoarseMesh;
+    };
+    let found = control.within(PHASE, COARSE_TOLERANCE, COARSE_ITERATIONS, |control| {
+        super::solve(&level.problem(&fine), control)
+    });
+    let Ok((result, state)) = found else {
+        return Search::Missed;
+    };
+    let w = match result.status {
+        SolveStatus::Converged | SolveStatus::FirstOrder | SolveStatus::AboveTolerance => 0.0,
+        SolveStatus::NearestMember(w) => w,
+        _ => return Search::Missed,
+    };
+    Search::Found(level.prolongate(&fine, &result.x, &state.corrected), w)
 }
 
 #[cfg(test)]

@@ -6,10 +6,12 @@
 pub(crate) mod attempt;
 pub(crate) mod bilaplacian;
 pub(crate) mod candidate;
+pub(crate) mod coarse;
 pub(crate) mod control;
 pub(crate) mod curvature_bounds;
 pub(crate) mod direction;
 pub(crate) mod factor;
+pub(crate) mod family;
 pub(crate) mod initial;
 pub(crate) mod ladder;
 pub(crate) mod limited_step;

@@ -4,13 +4,14 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
+use super::family::Family;
 use super::normal_continuation::NormalContinuation;
 use super::pseudo_time::{FlowStatus, PseudoTime};
 use super::quasi_newton::{IterateOptions, Iteration, IterationStatus};
 use super::result::SolveStatus;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
-use super::weight_repair::WeightRepair;
+use super::weight_repair::{Anew, WeightRepair};
 
 /// Something that iterates.
 #[derive(Debug)]
@@ -92,6 +93,8 @@ pub(crate) enum Next {
     Run(Run),
     /// It is over, with this surface.
     Done(Candidate),
+    /// It is over, with this surface of member `w` of the family.
+    Member(Candidate, f64),
     /// It is over, without a surface: so far it came.
     Short(SolveStatus),
 }
@@ -103,12 +106,20 @@ pub(crate) enum Procedure {
     Iteration,
     /// An iteration, and again with repaired weights where triangles end folded or thin.
     WeightRepair,
+    /// The same, beginning at the surface given each time.
+    RepairHere,
     /// Pseudo-time, then one iteration.
     PseudoTime,
     /// Iterations along parts of the right-hand side.
     TargetContinuation,
     /// Iterations along boundary normals from the membrane's own to the prescribed ones.
     NormalContinuation,
+    /// The same as [`Self::WeightRepair`], with minimal energy as the target.
+    MinimalEnergy,
+    /// Members of the family between the harmonic equation and minimal energy, towards harmonic.
+    Approach,
+    /// The member of the family that the coarse mesh has, or one further from harmonic.
+    Retreat,
 }
 
 /// A procedure under way.
@@ -122,14 +133,17 @@ pub(crate) enum Underway {
     TargetContinuation(Box<TargetContinuation>),
     /// See [`Procedure::NormalContinuation`].
     NormalContinuation(Box<NormalContinuation>),
+    /// See [`Procedure::Approach`] and [`Procedure::Retreat`].
+    Family(Box<Family>),
 }
 
 impl Procedure {
-    /// Begins at `x`.
+    /// Begins at `x`; `member` is the coarse mesh's, for [`Self::Retreat`].
     pub(crate) fn begin(
         self,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
+        member: f64,
         system: &mut System,
         control: &mut Control<'_>,
     ) -> (Underway, Next) {
@@ -142,8 +156,16 @@ impl Procedure {
                 let run = Run::Flow(PseudoTime::new(system, x), options);
                 (Underway::Single, Next::Run(run))
             }
-            Self::WeightRepair => {
-                let (repair, next) = WeightRepair::begin(x, options, system, control);
+            Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere => {
+                let anew = if self == Self::RepairHere {
+                    Anew::FromSurface
+                } else {
+                    Anew::FromLinear
+                };
+                if self == Self::MinimalEnergy {
+                    system.use_member(1.0);
+                }
+                let (repair, next) = WeightRepair::begin(x, options, anew, system, control);
                 (Underway::WeightRepair(Box::new(repair)), next)
             }
             Self::TargetContinuation => {
@@ -153,6 +175,14 @@ impl Procedure {
             Self::NormalContinuation => {
                 let (continuation, next) = NormalContinuation::begin(x, options, system, control);
                 (Underway::NormalContinuation(Box::new(continuation)), next)
+            }
+            Self::Approach => {
+                let (family, next) = Family::approach(x, options, system, control);
+                (Underway::Family(Box::new(family)), next)
+            }
+            Self::Retreat => {
+                let (family, next) = Family::retreat(x, options, member, system, control);
+                (Underway::Family(Box::new(family)), next)
             }
         }
     }
@@ -166,6 +196,7 @@ impl Underway {
             Self::WeightRepair(repair) => repair.next(last, system, control),
             Self::TargetContinuation(continuation) => continuation.next(last, system, control),
             Self::NormalContinuation(continuation) => continuation.next(last, system, control),
+            Self::Family(family) => family.next(last, system, control),
         }
     }
 }

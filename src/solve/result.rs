@@ -15,6 +15,8 @@ pub(crate) enum SolveStatus {
     FirstOrder,
     /// Tolerance met by a surface that has a bump, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).
     Bump,
+    /// No sound harmonic surface; the member `w` of the family `Delta_B H = -2 w H (H^2 - K)` that is nearest to it.
+    NearestMember(f64),
     /// No sound nonlinear surface; the linear one.
     Failed,
     /// Boundary normals reached only to a fraction of the way; the linear surface.

@@ -196,6 +196,14 @@ impl System {
         };
     }
 
+    /// Takes the member `w` of the family between the harmonic equation and minimal energy, until [`System::reset`].
+    pub(crate) fn use_member(&mut self, w: f64) {
+        self.right_hand_side = RightHandSide {
+            constant: 0.0,
+            energy: w,
+        };
+    }
+
     /// Takes these inner-fairness weights, until [`System::use_asked_weights`].
     pub(crate) fn use_weights(&mut self, weights: Arc<FairnessWeights>) -> Result<(), Collapsed> {
         let Domain { rings, batches, .. } = &*self.domain;
@@ -240,6 +248,19 @@ impl System {
     /// The right-hand side in force.
     pub(crate) fn right_hand_side(&self) -> RightHandSide {
         self.right_hand_side
+    }
+
+    /// What is asked, on this mesh.
+    pub(crate) fn problem(&self) -> Problem<'_> {
+        Problem {
+            domain: &self.domain,
+            boundary_normals: self.prescribed.as_ref().unwrap_or(&self.boundary_normals),
+            smooth_interior: &self.smooth_interior,
+            weights: &self.asked.weights,
+            weigh: None,
+            curvature: self.asked.curvature,
+            right_hand_side: self.asked.right_hand_side,
+        }
     }
 
     /// The last evaluation.

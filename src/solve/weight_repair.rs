@@ -31,10 +31,12 @@ impl WeightRepair {
     pub(crate) fn begin(
         mut x: Vec<Vector3<f64>>,
         options: IterateOptions,
+        anew: Anew,
         system: &mut System,
         control: &mut Control<'_>,
     ) -> (Self, Next) {
-        let mut marks = Marks::new(system);
+        let surface = (anew == Anew::FromSurface).then(|| x.clone());
+        let mut marks = Marks::new(system, surface);
         system.evaluate(&x);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
@@ -119,9 +121,20 @@ impl WeightRepair {
     }
 }
 
+/// Where an iteration with repaired weights begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Anew {
+    /// At the linear surface with these weights.
+    FromLinear,
+    /// At the first one, spread by these weights.
+    FromSurface,
+}
+
 /// Vertices marked so far.
 #[derive(Debug)]
 struct Marks {
+    /// The surface to begin at; `None`: the linear one.
+    surface: Option<Vec<Vector3<f64>>>,
     /// The weights before any repair.
     asked: Arc<FairnessWeights>,
     marked: Vec<bool>,
@@ -130,8 +143,9 @@ struct Marks {
 
 impl Marks {
     /// Nothing marked.
-    fn new(system: &System) -> Self {
+    fn new(system: &System, surface: Option<Vec<Vector3<f64>>>) -> Self {
         Self {
+            surface,
             asked: system.weights().clone(),
             marked: vec![false; system.free()],
             round: 0,
@@ -147,7 +161,14 @@ impl Marks {
     ) -> Option<Vec<Vector3<f64>>> {
         let weights = self.next(system, x)?;
         system.use_weights(weights.into()).ok()?;
-        system.start(control).ok()
+        match &self.surface {
+            None => system.start(control).ok(),
+            Some(surface) => {
+                let mut x = surface.clone();
+                system.tangential_steps(&mut x, control);
+                Some(x)
+            }
+        }
     }
 
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:

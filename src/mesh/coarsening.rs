@@ -1,0 +1,314 @@
+//! A coarse mesh of a region, made of its connectivity and lengths of its edges alone: no position is looked at, so that
+//! the surface found on it does not depend on where the interior of the input lies.
+//!
+//! Free vertices are removed by half-edge collapses. Around the vertex the triangles are laid flat by their edge lengths (its
+//! angles are scaled to a full turn), the new edges get their lengths there, and the vertex keeps its mean value
+//! coordinates (M. Floater, "Mean value coordinates", CAGD 20, 2003) in the ring that it leaves. They bring it back.
+
+use super::{EditableMesh, NONE};
+use super::halfedge::{next, previous};
+use super::region::{Region, Selection};
+use super::rows::Rows;
+use crate::error::Error;
+
+/// A collapse leaves no triangle with less than this roundness: edges grow slowly away from the boundary, none of whose
+/// vertices are removed.
+const LEAST_ROUNDNESS: f64 = 0.4;
+/// From pass to pass, longer edges are collapsed by this factor.
+const GROWTH: f64 = 1.3;
+/// An edge is turned where the angles opposite to it exceed this, a little over 180 degrees,
+const DELAUNAY: f64 = std::f64::consts::PI + 1e-6;
+/// and those at its ends do not exceed this part of 180 degrees.
+const CONVEX: f64 = 0.95;
+/// No edge is made longer than this many times the shortest of the region.
+const LONGEST: f64 = 1e6;
+
+/// A vertex that was removed.
+#[derive(Debug, Clone, Copy)]
+struct Removed {
+    /// Its number in the region.
+    vertex: u32,
+}
+
+/// A coarse mesh, and the way back.
+#[derive(Debug, Clone)]
+pub(crate) struct Coarsening {
+    mesh: EditableMesh,
+    /// The vertices removed, in this order,
+    removed: Vec<Removed>,
+    /// and the rings that they left, with the coordinates in them.
+    rings: Rows<(u32, f64)>,
+    /// The coordinates of the vertices that are left in their rings.
+    left: Rows<(u32, f64)>,
+    free: usize,
+}
+
+/// Removes free vertices of `region` until at most `target` are left, or none can go without thin triangles. `length` is that of
+/// the edge between two neighbours, in any unit.
+pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) -> f64) -> Coarsening {
+    let mesh = EditableMesh::new(region);
+    let mut lengths = vec![0.0; 3 * region.triangles().len()];
+    for (h, l) in lengths.iter_mut().enumerate() {
+        *l = length(mesh.origin(h as u32), mesh.target(h as u32));
+    }
+    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut work = Work {
+        coarsening: Coarsening {
+            mesh,
+            removed: Vec::new(),
+            rings: Rows::default(),
+            left: Rows::default(),
+            free: region.free,
+        },
+        lengths,
+        disk: Disk::default(),
+    };
+    let mut left: Vec<u32> = (0..region.free as u32).collect();
+    let mut limit = shortest * GROWTH;
+    while left.len() > target && limit < shortest * LONGEST {
+        let most = left.len() - target;
+        let mut gone = 0;
+        left.retain(|&u| {
+            let goes = gone < most && work.remove(u, limit);
+            gone += usize::from(goes);
+            !goes
+        });
+        work.flip_to_delaunay();
+        limit *= GROWTH;
+    }
+    for &u in &left {
+        work.keep_left(u);
+    }
+    work.coarsening
+}
+
+impl Coarsening {
+    /// How many free vertices are left.
+    pub(crate) fn free(&self) -> usize {
+        self.free - self.removed.len()
+    }
+
+    /// The coarse region with the same outside; its `vertex_ids` are the numbers of the region that it was made from.
+    /// `positions` are those of all vertices of that region, those of its outside and beyond it.
+    ///
+    /// # Errors
+    /// None is expected: a coarse mesh is as sound as the mesh that it was made from.
+    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Result<Region, Error> {
+        let triangles = self.mesh.triangles().map(|(_, corners)| corners);
+        let triangles: Vec<[u32; 3]> = triangles.chain(region.beyond.iter().copied()).collect();
+        let mut is_free = vec![true; self.free];
+        self.removed.iter().for_each(|r| is_free[r.vertex as usize] = false);
+        let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_free[v as usize]).collect();
+        Region::new(positions, &triangles, Selection::Vertices(&free))
+    }
+
+    /// Per free vertex that is left, in the order of their numbers, its neighbours and its coordinates among them: how the vertices of
+    /// the fine mesh are spread, seen on the coarse one.
+    pub(crate) fn coordinates(&self) -> &Rows<(u32, f64)> {
+        &self.left
+    }
+
+    /// The removed vertices, the last one first, each with the ring that it left and its coordinates there: they sum to one.
+    pub(crate) fn returning(&self) -> impl Iterator<Item = (u32, &[(u32, f64)])> {
+        let removed = self.removed.iter().enumerate().rev();
+        removed.map(|(k, removed)| (removed.vertex, self.rings.row(k)))
+    }
+}
+
+/// Coarsening under way.
+struct Work {
+    coarsening: Coarsening,
+    /// Of the half-edges of the region.
+    lengths: Vec<f64>,
+    disk: Disk,
+}
+
+/// The triangles around a vertex, laid flat around it.
+#[derive(Debug, Default)]
+struct Disk {
+    /// The half-edges that leave the vertex.
+    spokes: Vec<u32>,
+    /// Where they end.
+    points: Vec<[f64; 2]>,
+    /// Angles at the vertex, scaled.
+    angles: Vec<f64>,
+    /// Collapses along edges that are short enough: their least roundness and number.
+    choices: Vec<(f64, usize)>,
+}
+
+impl Work {
+    /// Removes `u` along the edge no longer than `limit` whose collapse leaves the roundest triangles. Returns whether there is one.
+    fn remove(&mut self, u: u32, limit: f64) -> bool {
+        let (mesh, lengths) = (&self.coarsening.mesh, &self.lengths);
+        let is_short = |h: u32| lengths[h as usize] <= limit;
+        if !mesh.outgoing(u).any(is_short) || !self.disk.lay_flat(mesh, lengths, u) {
+            return false;
+        }
+        let disk = &mut self.disk;
+        disk.rank_choices(lengths, limit);
+        let allowed = disk.choices.iter().find(|(_, j)| mesh.can_collapse(disk.spokes[*j]));
+        let Some(&(_, j)) = allowed else {
+            return false;
+        };
+        self.disk.coordinates(mesh, &mut self.coarsening.rings);
+        self.coarsening.removed.push(Removed { vertex: u });
+        self.set_lengths(j);
+        self.coarsening.mesh.collapse(self.disk.spokes[j]);
+        true
+    }
+
+    /// Turns edges that are not Delaunay by their lengths, in one sweep.
+    fn flip_to_delaunay(&mut self) {
+        for h in 0..self.lengths.len() as u32 {
+            let o = self.coarsening.mesh.opposite(h);
+            if h < o && o != NONE && self.coarsening.mesh.can_flip(h) {
+                self.flip_if_long(h, o);
+            }
+        }
+    }
+
+    fn flip_if_long(&mut self, h: u32, o: u32) {
+        let length = |h: u32| self.lengths[h as usize];
+        let [ab, bc, ca] = [length(h), length(next(h)), length(previous(h))];
+        let [ad, db] = [length(next(o)), length(previous(o))];
+        let angle = |opposite: f64, p: f64, q: f64| {
+            let cosine = (p * p + q * q - opposite * opposite) / (2.0 * p * q);
+            cosine.clamp(-1.0, 1.0).acos()
+        };
+        let at_a = angle(bc, ab, ca) + angle(db, ab, ad);
+        let at_b = angle(ca, ab, bc) + angle(ad, ab, db);
+        if at_a.max(at_b) > CONVEX * std::f64::consts::PI || angle(ab, bc, ca) + angle(ab, ad, db) <= DELAUNAY {
+            return;
+        }
+        let cd = (ca * ca + ad * ad - 2.0 * ca * ad * at_a.cos()).max(0.0).sqrt();
+        self.coarsening.mesh.flip(h);
+        for (h, l) in [(h, ad), (o, bc), (next(h), cd), (next(o), cd)] {
+            self.lengths[h as usize] = l;
+        }
+    }
+
+    /// Keeps the coordinates of a vertex that stays; equal ones where its ring is too narrow.
+    fn keep_left(&mut self, u: u32) {
+        let (mesh, left) = (&self.coarsening.mesh, &mut self.coarsening.left);
+        if self.disk.lay_flat(mesh, &self.lengths, u) {
+            self.disk.coordinates(mesh, left);
+        } else {
+            let share = 1.0 / mesh.outgoing(u).count() as f64;
+            mesh.outgoing(u).for_each(|h| left.push((mesh.target(h), share)));
+            left.end_row();
+        }
+    }
+
+    /// Gives the triangles that are left the lengths that they have once the vertex has moved to the end of spoke `j`.
+    fn set_lengths(&mut self, j: usize) {
+        let Disk { spokes, points, .. } = &self.disk;
+        let lengths = &mut self.lengths;
+        let m = spokes.len();
+        let (after, before) = ((j + 1) % m, (j + m - 1) % m);
+        let beside = [
+            lengths[next(spokes[j]) as usize],
+            lengths[next(spokes[before]) as usize],
+        ];
+        let to = |k: usize| match k {
+            k if k == after => beside[0],
+            k if k == before => beside[1],
+            k => distance(points[j], points[k]),
+        };
+        for k in (0..m).filter(|&k| k != j && k != before) {
+            lengths[spokes[k] as usize] = to(k);
+            lengths[previous(spokes[k]) as usize] = to((k + 1) % m);
+        }
+    }
+}
+
+impl Disk {
+    /// Lays the triangles around `u` flat; false where their lengths are those of no triangles.
+    fn lay_flat(&mut self, mesh: &EditableMesh, lengths: &[f64], u: u32) -> bool {
+        self.spokes.clear();
+        self.spokes.extend(mesh.outgoing(u));
+        self.angles.clear();
+        let mut turn = 0.0;
+        for &h in &self.spokes {
+            let [a, b, c] = [h, previous(h), next(h)].map(|h| lengths[h as usize]);
+            let cosine = (a * a + b * b - c * c) / (2.0 * a * b);
+            let angle = cosine.clamp(-1.0, 1.0).acos();
+            turn += angle;
+            self.angles.push(angle);
+        }
+        if turn.is_nan() || turn <= 0.0 {
+            return false;
+        }
+        let scale = std::f64::consts::TAU / turn;
+        self.points.clear();
+        let mut at = 0.0f64;
+        for (angle, &h) in self.angles.iter_mut().zip(&self.spokes) {
+            let (sin, cos) = at.sin_cos();
+            let r = lengths[h as usize];
+            self.points.push([r * cos, r * sin]);
+            *angle *= scale;
+            at += *angle;
+        }
+        // Else a mean value coordinate would not be positive.
+        self.angles.iter().all(|a| *a < 0.95 * std::f64::consts::PI)
+    }
+
+    /// Mean value coordinates of the vertex in its ring, as another row.
+    fn coordinates(&self, mesh: &EditableMesh, rows: &mut Rows<(u32, f64)>) {
+        let m = self.spokes.len();
+        let half_tangent = |k: usize| (0.5 * self.angles[k]).tan();
+        let weight = |k: usize| (half_tangent(k) + half_tangent((k + m - 1) % m)) / norm(self.points[k]);
+        let sum: f64 = (0..m).map(weight).sum();
+        for k in 0..m {
+            rows.push((mesh.target(self.spokes[k]), weight(k) / sum));
+        }
+        rows.end_row();
+    }
+
+    /// The collapses along spokes up to `limit` that leave round triangles, the best first.
+    fn rank_choices(&mut self, lengths: &[f64], limit: f64) {
+        self.choices.clear();
+        for (j, &h) in self.spokes.iter().enumerate() {
+            if lengths[h as usize] <= limit {
+                let roundness = self.least_roundness(j);
+                if roundness >= LEAST_ROUNDNESS {
+                    self.choices.push((roundness, j));
+                }
+            }
+        }
+        self.choices.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    }
+
+    /// Of the triangles that are left when the vertex moves to the end of spoke `j`.
+    fn least_roundness(&self, j: usize) -> f64 {
+        let m = self.points.len();
+        let mut least = f64::INFINITY;
+        for k in 0..m {
+            let next = (k + 1) % m;
+            if k != j && next != j {
+                least = least.min(roundness([self.points[j], self.points[k], self.points[next]]));
+                if least < LEAST_ROUNDNESS {
+                    return least;
+                }
+            }
+        }
+        least
+    }
+}
+
+fn norm(a: [f64; 2]) -> f64 {
+    (a[0] * a[0] + a[1] * a[1]).sqrt()
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    norm([b[0] - a[0], b[1] - a[1]])
+}
+
+/// `4 sqrt(3)` times the area over the sum of the squared edges: 1 for an equilateral triangle, at most 0 for one that is not
+/// counter-clockwise.
+fn roundness([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    let bc = [c[0] - b[0], c[1] - b[1]];
+    let square = |e: [f64; 2]| e[0] * e[0] + e[1] * e[1];
+    let sum = square(ab) + square(ac) + square(bc);
+    2.0 * 3f64.sqrt() * (ab[0] * ac[1] - ab[1] * ac[0]) / sum
+}

@@ -1,0 +1,145 @@
+//! The coarse level: the same problem with fewer free vertices, and the way back to the fine mesh.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::problem::{Domain, Problem};
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::mesh::coarsening::{Coarsening, coarsen};
+use crate::mesh::{NONE, Region};
+
+/// Regions with fewer free vertices have no coarse level: they are one.
+const SMALLEST_FINE: usize = 2000;
+/// Free vertices of the fine mesh for each of the coarse one,
+const RATIO: usize = 10;
+/// but at least so many, or the shape is not resolved,
+const FEWEST: usize = 300;
+/// and besides so many for each vertex of the boundary, none of which is left out.
+const PER_BOUNDARY_VERTEX: usize = 2;
+/// More than this many suffice for any shape that a start needs.
+const MOST: usize = 3000;
+/// Edges of the input count as at least so long, in mean edges.
+const SHORTEST: f64 = 0.01;
+/// A mesh that keeps more than this part of its free vertices is no coarse one.
+const LARGEST_PART: f64 = 0.6;
+
+/// A coarse mesh of a region with the same boundary, and the problem on it.
+pub(crate) struct CoarseLevel {
+    domain: Arc<Domain>,
+    weights: Arc<FairnessWeights>,
+    coarsening: Coarsening,
+}
+
+impl CoarseLevel {
+    /// The coarse level of a problem; `None` where it is small itself, or cannot be made coarser.
+    pub(crate) fn new(problem: &Problem<'_>) -> Option<Self> {
+        let Domain { region, input, .. } = &**problem.domain;
+        if region.free < SMALLEST_FINE {
+            return None;
+        }
+        let beside_boundary = PER_BOUNDARY_VERTEX * region.boundary;
+        let target = (region.free / RATIO).clamp(FEWEST, MOST) + beside_boundary;
+        // Uniform weights make all edges alike; others spread the vertices as in the input.
+        let is_uniform = problem.weights.slots.is_none();
+        let shortest = SHORTEST * mean_edge(region, input);
+        let coarsening = coarsen(region, target, |u, v| {
+            if is_uniform {
+                1.0
+            } else {
+                (input[u as usize] - input[v as usize]).norm().max(shortest)
+            }
+        });
+        if coarsening.free() as f64 > LARGEST_PART * region.free as f64 {
+            return None;
+        }
+        let positions: Vec<[f64; 3]> = input.iter().map(|p| (*p).into()).collect();
+        let mut coarse = coarsening.region(region, &positions).ok()?;
+        if coarse.boundary != region.boundary || coarse.components != region.components {
+            return None;
+        }
+        if !region.moves_elsewhere.is_empty() {
+            let moves = coarse.vertex_ids.iter().map(|&v| region.moves_elsewhere[v as usize]);
+            coarse.moves_elsewhere = moves.collect();
+        }
+        let input = coarse.vertex_ids.iter().map(|&v| input[v as usize]).collect();
+        let domain = Domain::new(coarse, input);
+        let weights = spread_alike(&domain, &coarsening, region.region_vertices());
+        Some(Self {
+            domain: Arc::new(domain),
+            weights: Arc::new(weights),
+            coarsening,
+        })
+    }
+
+    /// The problem on the coarse mesh: that of the fine one but for the inner fairness.
+    pub(crate) fn problem<'a>(&'a self, fine: &Problem<'a>) -> Problem<'a> {
+        Problem {
+            domain: &self.domain,
+            weights: &self.weights,
+            weigh: None,
+            ..*fine
+        }
+    }
+
+    /// The surface `x` of the coarse mesh with unit normals `normal` (free, boundary), on the fine mesh.
+    ///
+    /// Vertices come back one by one, each where its ring's tangent planes want it: at the mean `p` of the ring by the coordinates
+    /// that it had, less half the mean of `<p - q_j, n_j> n_j`, which is exact where the ring lies on a paraboloid around it.
+    pub(crate) fn prolongate(
+        &self,
+        fine: &Problem<'_>,
+        x: &[Vector3<f64>],
+        normal: &[Vector3<f64>],
+    ) -> Vec<Vector3<f64>> {
+        if let Some(path) = std::env::var_os("FM_DUMP") {
+            let mut text = String::new();
+            for p in x {
+                text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+            }
+            for t in self.domain.region.triangles() {
+                text += &format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+            }
+            std::fs::write(path, text).unwrap();
+        }
+        let mut surface = fine.domain.surface().to_vec();
+        let mut normals = vec![Vector3::zeros(); surface.len()];
+        for (k, (p, n)) in x.iter().zip(normal).enumerate() {
+            let v = self.domain.region.vertex_ids[k] as usize;
+            normals[v] = *n;
+            if v < fine.domain.region.free {
+                surface[v] = *p;
+            }
+        }
+        for (u, ring) in self.coarsening.returning() {
+            let mean = |of: &dyn Fn(usize) -> Vector3<f64>| -> Vector3<f64> {
+                ring.iter().map(|&(j, w)| of(j as usize) * w).sum()
+            };
+            let p = mean(&|j| surface[j]);
+            let bend = mean(&|j| normals[j] * (p - surface[j]).dot(&normals[j]));
+            let n = mean(&|j| normals[j]);
+            surface[u as usize] = p - 0.5 * bend;
+            normals[u as usize] = n.try_normalize(1e-9).unwrap_or(n);
+        }
+        surface
+    }
+}
+
+/// Inner fairness that spreads the coarse vertices as the fine ones are. `vertices` are in the fine region.
+fn spread_alike(domain: &Domain, coarsening: &Coarsening, vertices: usize) -> FairnessWeights {
+    let region = &domain.region;
+    let mut number = vec![NONE; vertices];
+    for (k, &v) in region.vertex_ids[..region.region_vertices()].iter().enumerate() {
+        number[v as usize] = k as u32;
+    }
+    FairnessWeights::given(&domain.batches, |i| {
+        let row = coarsening.coordinates().row(i).iter();
+        row.map(|&(v, w)| (number[v as usize], w))
+    })
+}
+
+/// The mean length of the edges of the region's triangles.
+fn mean_edge(region: &Region, x: &[Vector3<f64>]) -> f64 {
+    let edges = |t: &[u32; 3]| (0..3).map(|k| (x[t[k] as usize] - x[t[(k + 1) % 3] as usize]).norm()).sum::<f64>();
+    region.triangles().iter().map(edges).sum::<f64>() / (3 * region.triangles().len()) as f64
+}
