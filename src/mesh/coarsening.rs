@@ -5,7 +5,7 @@
 //! angles are scaled to a full turn), the new edges get their lengths there, and the vertex keeps its mean value
 //! coordinates (M. Floater, "Mean value coordinates", CAGD 20, 2003) in the ring that it leaves. They bring it back.
 
-use super::{EditableMesh, NONE};
+use super::{EditableMesh, NONE, Rings};
 use super::halfedge::{next, previous};
 use super::region::{Region, Selection};
 use super::rows::Rows;
@@ -20,7 +20,13 @@ const GROWTH: f64 = 1.3;
 const DELAUNAY: f64 = std::f64::consts::PI + 1e-6;
 /// and those at its ends do not exceed this part of 180 degrees.
 const CONVEX: f64 = 0.95;
-/// No edge is made longer than this many times the shortest of the region.
+/// Nor is any angle of a ring that is laid flat less than this, in radians.
+const NARROWEST: f64 = 0.02;
+/// Sweeps over the radii of circles.
+const SWEEPS: usize = 6;
+/// The first edges that are collapsed are shorter than this many mean ones of the region,
+const FIRST: f64 = 0.6;
+/// and none is longer than this many.
 const LONGEST: f64 = 1e6;
 
 /// A vertex that was removed.
@@ -40,6 +46,8 @@ pub(crate) struct Coarsening {
     rings: Rows<(u32, f64)>,
     /// The coordinates of the vertices that are left in their rings.
     left: Rows<(u32, f64)>,
+    /// Of the half-edges of the region.
+    lengths: Vec<f64>,
     free: usize,
 }
 
@@ -47,25 +55,24 @@ pub(crate) struct Coarsening {
 /// the edge between two neighbours, in any unit.
 pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) -> f64) -> Coarsening {
     let mesh = EditableMesh::new(region);
-    let mut lengths = vec![0.0; 3 * region.triangles().len()];
-    for (h, l) in lengths.iter_mut().enumerate() {
-        *l = length(mesh.origin(h as u32), mesh.target(h as u32));
-    }
-    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
+    let triangles = region.triangles().iter();
+    let lengths = triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(u, v)| length(u, v)));
+    let lengths: Vec<f64> = lengths.collect();
+    let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
     let mut work = Work {
         coarsening: Coarsening {
             mesh,
             removed: Vec::new(),
             rings: Rows::default(),
             left: Rows::default(),
+            lengths,
             free: region.free,
         },
-        lengths,
         disk: Disk::default(),
     };
     let mut left: Vec<u32> = (0..region.free as u32).collect();
-    let mut limit = shortest * GROWTH;
-    while left.len() > target && limit < shortest * LONGEST {
+    let mut limit = FIRST * mean;
+    while left.len() > target && limit < LONGEST * mean {
         let most = left.len() - target;
         let mut gone = 0;
         left.retain(|&u| {
@@ -88,18 +95,26 @@ impl Coarsening {
         self.free - self.removed.len()
     }
 
-    /// The coarse region with the same outside; its `vertex_ids` are the numbers of the region that it was made from.
+    /// The coarse region with the same outside, and the lengths of its triangles' edges, from each corner to the next; its `vertex_ids` are the numbers of the region that it was made from.
     /// `positions` are those of all vertices of that region, those of its outside and beyond it.
     ///
     /// # Errors
     /// None is expected: a coarse mesh is as sound as the mesh that it was made from.
-    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Result<Region, Error> {
-        let triangles = self.mesh.triangles().map(|(_, corners)| corners);
-        let triangles: Vec<[u32; 3]> = triangles.chain(region.beyond.iter().copied()).collect();
+    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Result<(Region, Vec<[f64; 3]>), Error> {
+        let (numbers, triangles): (Vec<usize>, Vec<[u32; 3]>) = self.mesh.triangles().unzip();
+        let triangles = [&triangles[..], &region.beyond].concat();
         let mut is_free = vec![true; self.free];
         self.removed.iter().for_each(|r| is_free[r.vertex as usize] = false);
         let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_free[v as usize]).collect();
-        Region::new(positions, &triangles, Selection::Vertices(&free))
+        let coarse = Region::new(positions, &triangles, Selection::Vertices(&free))?;
+        let of_region = &coarse.half_edges.triangle_ids[..coarse.triangles().len()];
+        let length = |&t: &u32| {
+            let first = 3 * numbers[t as usize];
+            // A region's triangle keeps the order of its corners.
+            [self.lengths[first], self.lengths[first + 1], self.lengths[first + 2]]
+        };
+        let lengths = of_region.iter().map(length).collect();
+        Ok((coarse, lengths))
     }
 
     /// Per free vertex that is left, in the order of their numbers, its neighbours and its coordinates among them: how the vertices of
@@ -118,8 +133,6 @@ impl Coarsening {
 /// Coarsening under way.
 struct Work {
     coarsening: Coarsening,
-    /// Of the half-edges of the region.
-    lengths: Vec<f64>,
     disk: Disk,
 }
 
@@ -139,18 +152,21 @@ struct Disk {
 impl Work {
     /// Removes `u` along the edge no longer than `limit` whose collapse leaves the roundest triangles. Returns whether there is one.
     fn remove(&mut self, u: u32, limit: f64) -> bool {
-        let (mesh, lengths) = (&self.coarsening.mesh, &self.lengths);
+        let Coarsening {
+            mesh, lengths, rings, ..
+        } = &mut self.coarsening;
         let is_short = |h: u32| lengths[h as usize] <= limit;
         if !mesh.outgoing(u).any(is_short) || !self.disk.lay_flat(mesh, lengths, u) {
             return false;
         }
         let disk = &mut self.disk;
         disk.rank_choices(lengths, limit);
-        let allowed = disk.choices.iter().find(|(_, j)| mesh.can_collapse(disk.spokes[*j]));
+        let is_allowed = |j: usize| mesh.can_collapse(disk.spokes[j]) && !disk.joins_fixed(mesh, j);
+        let allowed = disk.choices.iter().find(|(_, j)| is_allowed(*j));
         let Some(&(_, j)) = allowed else {
             return false;
         };
-        self.disk.coordinates(mesh, &mut self.coarsening.rings);
+        self.disk.coordinates(mesh, rings);
         self.coarsening.removed.push(Removed { vertex: u });
         self.set_lengths(j);
         self.coarsening.mesh.collapse(self.disk.spokes[j]);
@@ -159,7 +175,7 @@ impl Work {
 
     /// Turns edges that are not Delaunay by their lengths, in one sweep.
     fn flip_to_delaunay(&mut self) {
-        for h in 0..self.lengths.len() as u32 {
+        for h in 0..self.coarsening.lengths.len() as u32 {
             let o = self.coarsening.mesh.opposite(h);
             if h < o && o != NONE && self.coarsening.mesh.can_flip(h) {
                 self.flip_if_long(h, o);
@@ -168,7 +184,7 @@ impl Work {
     }
 
     fn flip_if_long(&mut self, h: u32, o: u32) {
-        let length = |h: u32| self.lengths[h as usize];
+        let length = |h: u32| self.coarsening.lengths[h as usize];
         let [ab, bc, ca] = [length(h), length(next(h)), length(previous(h))];
         let [ad, db] = [length(next(o)), length(previous(o))];
         let angle = |opposite: f64, p: f64, q: f64| {
@@ -177,20 +193,24 @@ impl Work {
         };
         let at_a = angle(bc, ab, ca) + angle(db, ab, ad);
         let at_b = angle(ca, ab, bc) + angle(ad, ab, db);
-        if at_a.max(at_b) > CONVEX * std::f64::consts::PI || angle(ab, bc, ca) + angle(ab, ad, db) <= DELAUNAY {
+        let is_convex = |a: f64| (NARROWEST..CONVEX * std::f64::consts::PI).contains(&a);
+        let is_delaunay = angle(ab, bc, ca) + angle(ab, ad, db) <= DELAUNAY;
+        if is_delaunay || !is_convex(at_a) || !is_convex(at_b) {
             return;
         }
         let cd = (ca * ca + ad * ad - 2.0 * ca * ad * at_a.cos()).max(0.0).sqrt();
         self.coarsening.mesh.flip(h);
         for (h, l) in [(h, ad), (o, bc), (next(h), cd), (next(o), cd)] {
-            self.lengths[h as usize] = l;
+            self.coarsening.lengths[h as usize] = l;
         }
     }
 
     /// Keeps the coordinates of a vertex that stays; equal ones where its ring is too narrow.
     fn keep_left(&mut self, u: u32) {
-        let (mesh, left) = (&self.coarsening.mesh, &mut self.coarsening.left);
-        if self.disk.lay_flat(mesh, &self.lengths, u) {
+        let Coarsening {
+            mesh, lengths, left, ..
+        } = &mut self.coarsening;
+        if self.disk.lay_flat(mesh, lengths, u) {
             self.disk.coordinates(mesh, left);
         } else {
             let share = 1.0 / mesh.outgoing(u).count() as f64;
@@ -202,7 +222,7 @@ impl Work {
     /// Gives the triangles that are left the lengths that they have once the vertex has moved to the end of spoke `j`.
     fn set_lengths(&mut self, j: usize) {
         let Disk { spokes, points, .. } = &self.disk;
-        let lengths = &mut self.lengths;
+        let lengths = &mut self.coarsening.lengths;
         let m = spokes.len();
         let (after, before) = ((j + 1) % m, (j + m - 1) % m);
         let beside = [
@@ -248,8 +268,9 @@ impl Disk {
             *angle *= scale;
             at += *angle;
         }
-        // Else a mean value coordinate would not be positive.
-        self.angles.iter().all(|a| *a < 0.95 * std::f64::consts::PI)
+        // Else a mean value coordinate would not be positive, or not a number.
+        let is_fit = |a: &f64| (NARROWEST..CONVEX * std::f64::consts::PI).contains(a);
+        self.angles.iter().all(is_fit)
     }
 
     /// Mean value coordinates of the vertex in its ring, as another row.
@@ -276,6 +297,14 @@ impl Disk {
             }
         }
         self.choices.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    }
+
+    /// Whether the collapse along spoke `j` makes an edge between two fixed vertices: that could cut the region apart.
+    fn joins_fixed(&self, mesh: &EditableMesh, j: usize) -> bool {
+        let m = self.spokes.len();
+        let is_fixed = |k: usize| !mesh.is_free(mesh.target(self.spokes[k]));
+        let is_beside = |k: usize| k == j || k == (j + 1) % m || j == (k + 1) % m;
+        is_fixed(j) && (0..m).any(|k| !is_beside(k) && is_fixed(k))
     }
 
     /// Of the triangles that are left when the vertex moves to the end of spoke `j`.
@@ -311,4 +340,24 @@ fn roundness([a, b, c]: [[f64; 2]; 3]) -> f64 {
     let square = |e: [f64; 2]| e[0] * e[0] + e[1] * e[1];
     let sum = square(ab) + square(ac) + square(bc);
     2.0 * 3f64.sqrt() * (ab[0] * ac[1] - ab[1] * ac[0]) / sum
+}
+
+/// Radii of circles around the vertices of a region that touch their neighbours', about: then all edges are as alike as they can
+/// be on a flat surface, whatever the valences. Those of the boundary are 1. (C. Collins, K. Stephenson, "A circle packing
+/// algorithm", Computational Geometry 25, 2003; a few sweeps, which settle neighbours among themselves.)
+pub(crate) fn circles(rings: &Rings) -> Vec<f64> {
+    let mut radius = vec![1.0f64; rings.free() + rings.boundary()];
+    for _ in 0..SWEEPS {
+        for i in 0..rings.free() {
+            let ring = rings.ring(i);
+            let own = radius[i];
+            let part = |j: u32| -> f64 { radius[j as usize] / (own + radius[j as usize]) };
+            let m = ring.len();
+            let half_angles = (0..m).map(|k| (part(ring[k]) * part(ring[(k + 1) % m])).sqrt().asin());
+            let share = half_angles.sum::<f64>() / m as f64;
+            let (now, full) = (share.sin(), (std::f64::consts::PI / m as f64).sin());
+            radius[i] = own * now / (1.0 - now) * (1.0 - full) / full;
+        }
+    }
+    radius
 }

@@ -195,17 +195,16 @@ impl EditableMesh {
     }
 
     /// Whether `h` is there and its edge may be turned to run between the apices beside it: both triangles are of the region, the mesh
-    /// stays a 2-manifold, every triangle keeps a free vertex, and no vertex gets too few or too many triangles.
+    /// stays a 2-manifold, no new edge joins fixed vertices, and no vertex gets too few or too many triangles.
     pub(crate) fn can_flip(&self, h: u32) -> bool {
         let o = self.opposite[h as usize];
         if o == NONE || !self.alive[h as usize / 3] || !self.in_region(h) || !self.in_region(o) {
             return false;
         }
         let (a, b, c, d) = (self.origin(h), self.target(h), self.apex(h), self.apex(o));
-        let keeps_free = self.is_free(c) || self.is_free(d) || self.is_free(a) && self.is_free(b);
         let count = |v: u32| self.outgoing_in_region(v).count();
         let fewest = |v: u32| if self.is_closed(v) { FEWEST_CLOSED } else { FEWEST_OPEN };
-        keeps_free
+        (self.is_free(c) || self.is_free(d))
             && c != d
             && count(a) > fewest(a)
             && count(b) > fewest(b)

@@ -281,6 +281,20 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Result,
     },
     Attempt {
+        name: "nearest member",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::MinimalEnergy,
+        procedure: Procedure::Approach,
+        options: IterateOptions {
+            phase: "nearest member",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "pseudo-time to second order",
         mesh: Mesh::Coarsest,
         condition: Condition::Always,
@@ -337,20 +351,6 @@ pub(crate) const LADDER: &[Attempt] = &[
             // Each step is short.
             divergence_factor: 3.0,
             phase: "turning the normals",
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "nearest member",
-        mesh: Mesh::Coarsest,
-        condition: Condition::Harmonic,
-        weights: Weights::Asked,
-        curvature: Curvature::Asked,
-        start: Start::MinimalEnergy,
-        procedure: Procedure::Approach,
-        options: IterateOptions {
-            phase: "nearest member",
             ..DIRECT
         },
         kept: Kept::Result,

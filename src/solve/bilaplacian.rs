@@ -155,6 +155,46 @@ impl Metric {
         }
     }
 
+    /// `S` and `D` of the metric in which the region's triangles have these edges, from each corner to the next.
+    pub(crate) fn of_lengths(&mut self, region: &Region, rings: &Rings, lengths: &[[f64; 3]]) {
+        // Of six equilateral triangles with edges of length 1.
+        let hexagon = 1.5 * 3f64.sqrt();
+        let free = rings.free();
+        self.weight.clear();
+        self.weight.resize(rings.neighbour.values().len(), 0.0);
+        self.boundary_weight.clear();
+        self.boundary_weight
+            .resize(rings.boundary_neighbour.values().len(), 0.0);
+        let mut disk = vec![0.0; free + rings.boundary()];
+        for (corners, &[ab, bc, ca]) in region.triangles().iter().zip(lengths) {
+            let area = heron(ab, bc, ca).max(f64::MIN_POSITIVE);
+            for (k, opposite, beside) in [(0, bc, [ab, ca]), (1, ca, [bc, ab]), (2, ab, [ca, bc])] {
+                let squares = beside[0] * beside[0] + beside[1] * beside[1] - opposite * opposite;
+                let cotangent = squares / (4.0 * area);
+                let (u, v) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+                *self.slot(rings, u, v) += cotangent;
+                *self.slot(rings, v, u) += cotangent;
+                disk[corners[k] as usize] += area;
+            }
+        }
+        let total = |i: usize| self.weight[rings.neighbour.range(i)].iter().sum();
+        self.total = (0..free).map(total).collect();
+        self.d.clear();
+        let whole = (0..disk.len()).map(|v| if v < free { disk[v] } else { 2.0 * disk[v] });
+        self.d.extend(whole.map(|disk| hexagon / disk));
+    }
+
+    /// `w_uv` of two neighbours in the region.
+    fn slot(&mut self, rings: &Rings, u: u32, v: u32) -> &mut f64 {
+        let (u, free) = (u as usize, rings.free());
+        let place = rings.neighbours(u).iter().position(|&n| n == v).unwrap_or(0);
+        if u < free {
+            &mut self.weight[rings.neighbour.range(u).start + place]
+        } else {
+            &mut self.boundary_weight[rings.boundary_neighbour.range(u - free).start + place]
+        }
+    }
+
     /// `w_ij` of free vertex `i` and its neighbour `j`.
     fn weight_between(&self, rings: &Rings, i: usize, j: u32) -> f64 {
         let place = rings.ring(i).iter().position(|&n| n == j);
@@ -292,6 +332,15 @@ impl Metric {
                 *y = sum;
             });
     }
+}
+
+/// Area of a triangle with these edges (W. Kahan's order of Heron's formula).
+fn heron(a: f64, b: f64, c: f64) -> f64 {
+    let mut edges = [a, b, c];
+    edges.sort_by(|x, y| y.total_cmp(x));
+    let [a, b, c] = edges;
+    let product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+    0.25 * product.max(0.0).sqrt()
 }
 
 /// The surface with every free vertex moved a little along its normal.

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::problem::{Domain, Problem};
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::mesh::coarsening::{Coarsening, coarsen};
+use crate::mesh::coarsening::{Coarsening, circles, coarsen};
 use crate::mesh::{NONE, Region};
 
 /// Regions with fewer free vertices have no coarse level: they are one.
@@ -34,27 +34,35 @@ pub(crate) struct CoarseLevel {
 impl CoarseLevel {
     /// The coarse level of a problem; `None` where it is small itself, or cannot be made coarser.
     pub(crate) fn new(problem: &Problem<'_>) -> Option<Self> {
-        let Domain { region, input, .. } = &**problem.domain;
+        let Domain {
+            region, rings, input, ..
+        } = &**problem.domain;
         if region.free < SMALLEST_FINE {
             return None;
         }
         let beside_boundary = PER_BOUNDARY_VERTEX * region.boundary;
         let target = (region.free / RATIO).clamp(FEWEST, MOST) + beside_boundary;
         // Uniform weights make all edges alike; others spread the vertices as in the input.
-        let is_uniform = problem.weights.slots.is_none();
+        let radius = problem.weights.slots.is_none().then(|| circles(rings));
         let shortest = SHORTEST * mean_edge(region, input);
         let coarsening = coarsen(region, target, |u, v| {
-            if is_uniform {
-                1.0
-            } else {
-                (input[u as usize] - input[v as usize]).norm().max(shortest)
+            let [u, v] = [u as usize, v as usize];
+            match &radius {
+                Some(radius) => radius[u] + radius[v],
+                None => (input[u] - input[v]).norm().max(shortest),
             }
         });
+        if std::env::var_os("FM_TRACE").is_some() {
+            eprintln!("  coarse: {} of {} target {target} boundary {}", coarsening.free(), region.free, region.boundary);
+        }
         if coarsening.free() as f64 > LARGEST_PART * region.free as f64 {
             return None;
         }
         let positions: Vec<[f64; 3]> = input.iter().map(|p| (*p).into()).collect();
-        let mut coarse = coarsening.region(region, &positions).ok()?;
+        let (mut coarse, lengths) = coarsening.region(region, &positions).ok()?;
+        if std::env::var_os("FM_TRACE").is_some() {
+            eprintln!("  {} {} {} {}", coarse.boundary, region.boundary, coarse.components, region.components);
+        }
         if coarse.boundary != region.boundary || coarse.components != region.components {
             return None;
         }
@@ -63,7 +71,7 @@ impl CoarseLevel {
             coarse.moves_elsewhere = moves.collect();
         }
         let input = coarse.vertex_ids.iter().map(|&v| input[v as usize]).collect();
-        let domain = Domain::new(coarse, input);
+        let domain = Domain::new(coarse, input).with_lengths(lengths);
         let weights = spread_alike(&domain, &coarsening, region.region_vertices());
         Some(Self {
             domain: Arc::new(domain),

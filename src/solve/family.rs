@@ -88,13 +88,17 @@ impl Family {
         } else {
             self.missing = self.tried;
         }
+        if self.tried == 0.0 || self.found == 0.0 {
+            return self.end();
+        }
         if self.approaches {
             let between = 0.5 * (self.missing + self.found);
             if self.found - self.missing > RESOLUTION {
                 return self.run(between, system, control);
             }
+            // From so near a harmonic surface may be found after all.
             if self.best.is_some() {
-                return self.end();
+                return if self.missing > 0.0 { self.end() } else { self.run(0.0, system, control) };
             }
         }
         if self.missing < 1.0 {
@@ -110,6 +114,7 @@ impl Family {
 
     fn end(&mut self) -> Next {
         match self.best.take() {
+            Some(best) if self.found == 0.0 => Next::Done(best),
             Some(best) => Next::Member(best, self.found),
             None => Next::Short(SolveStatus::Failed),
         }

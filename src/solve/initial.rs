@@ -134,7 +134,17 @@ impl System {
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
-        metric.combinatorial(&self.domain.rings, &self.domain.batches, self.weights());
+        let Domain {
+            region,
+            rings,
+            batches,
+            lengths,
+            ..
+        } = &*self.domain;
+        match lengths {
+            Some(lengths) => metric.of_lengths(region, rings, lengths),
+            None => metric.combinatorial(rings, batches, self.weights()),
+        }
         self.metric = metric;
         self.refactor(|_| 0.0)?;
         self.linear_solve(control)

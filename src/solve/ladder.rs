@@ -91,6 +91,14 @@ impl Ladder {
         }
     }
 
+    /// A solve on a mesh that is coarse already.
+    pub(crate) fn on_coarsest() -> Self {
+        Self {
+            coarse: Some(Search::NoCoarseMesh),
+            ..Self::default()
+        }
+    }
+
     /// A solve of another problem close to this one, from where this one stands.
     pub(crate) fn renewed(self) -> Self {
         let x = self.run.map(Run::into_x).or(self.at_hand);
@@ -403,8 +411,11 @@ fn search(system: &System, control: &mut Control<'_>) -> Search {
         return Search::NoCoarseMesh;
     };
     let found = control.within(PHASE, COARSE_TOLERANCE, COARSE_ITERATIONS, |control| {
-        super::solve(&level.problem(&fine), control)
+        super::solve_on_coarsest(&level.problem(&fine), control)
     });
+    if let (Err(e), true) = (&found, std::env::var_os("FM_TRACE").is_some()) {
+        eprintln!("  search {e:?} {:?}", level.problem(&fine).weights.slots.as_ref().map(|s| s.iter().flatten().fold((f64::INFINITY, 0.0f64, 0), |a, w| (a.0.min(*w), a.1.max(*w), a.2 + usize::from(w.is_nan())))));
+    }
     let Ok((result, state)) = found else {
         return Search::Missed;
     };

@@ -43,6 +43,25 @@ pub(crate) fn solve(
     problem: &Problem<'_>,
     control: &mut Control<'_>,
 ) -> Result<(SolveResult, State), system::Collapsed> {
+    solve_by(Ladder::default(), problem, control)
+}
+
+/// The same on a coarse mesh.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_on_coarsest(
+    problem: &Problem<'_>,
+    control: &mut Control<'_>,
+) -> Result<(SolveResult, State), system::Collapsed> {
+    solve_by(Ladder::on_coarsest(), problem, control)
+}
+
+fn solve_by(
+    mut ladder: Ladder,
+    problem: &Problem<'_>,
+    control: &mut Control<'_>,
+) -> Result<(SolveResult, State), system::Collapsed> {
     if !control.phase(0.01, initial::PHASE) {
         return Ok(problem.unmoved());
     }
@@ -50,7 +69,6 @@ pub(crate) fn solve(
     let mut system = System::new(problem);
     let analysis_seconds = clock.elapsed().as_secs_f64();
     system.set_interrupt(&control.interrupt);
-    let mut ladder = Ladder::default();
     loop {
         match ladder.advance(&mut system, control)? {
             Step::Iterated => {}

@@ -23,6 +23,9 @@ pub(crate) struct Domain {
     pub batches: ValenceBatches,
     /// The given positions (free, boundary, outside).
     pub input: Vec<Vector3<f64>>,
+    /// On a coarse mesh the lengths of the edges of the region's triangles, from each corner to the next, in the metric that spreads the
+    /// vertices of the fine mesh; else all edges are alike in it.
+    pub lengths: Option<Vec<[f64; 3]>>,
 }
 
 impl Domain {
@@ -34,6 +37,15 @@ impl Domain {
             region,
             rings,
             input,
+            lengths: None,
+        }
+    }
+
+    /// The same with the lengths of a coarse mesh.
+    pub(crate) fn with_lengths(self, lengths: Vec<[f64; 3]>) -> Self {
+        Self {
+            lengths: Some(lengths),
+            ..self
         }
     }
 
