@@ -32,8 +32,8 @@ use prepared::Prepared;
 pub(crate) use relay::Workers;
 use relay::relay;
 pub use report::{
-    ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds, SelfIntersections,
-    Solution,
+    Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
+    SelfIntersections, Solution,
 };
 pub use session::Session;
 use shares::Shares;

@@ -37,6 +37,9 @@ pub struct Quality {
     pub normal_deviation_vertex: usize,
     /// The root mean square of those angles, in degrees.
     pub normal_deviation_rms: f64,
+    /// The bending energy, the integral of `H^2` over the free vertices, each with a third of its 1-disk; without unit. Of the solver's
+    /// surface, before it is rounded.
+    pub bending_energy: f64,
     /// The largest kink, in degrees: the angle at a boundary vertex between the area-weighted mean normals of the region's
     /// triangles and of those outside; where nothing is outside, between the former and the boundary normal.
     pub boundary_kink: f64,

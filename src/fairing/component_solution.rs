@@ -152,6 +152,7 @@ fn quality(components: &[ComponentSolution]) -> Quality {
             |c: &ComponentSolution| c.boundary as f64 * c.report.quality.normal_deviation_rms.powi(2);
         let count: usize = components.iter().map(|c| c.boundary).sum();
         let squares: f64 = components.iter().map(square).sum();
+        all.bending_energy = components.iter().map(|c| c.report.quality.bending_energy).sum();
         all.normal_deviation_rms = (squares / count.max(1) as f64).sqrt();
     }
     all

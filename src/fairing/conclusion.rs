@@ -7,11 +7,12 @@ use nalgebra::Vector3;
 use super::component_solution::ComponentSolution;
 use super::options::OutputPrecision;
 use super::prepared::Prepared;
-use super::report::{ComponentReport, LooseReason, Outcome, Seconds};
+use super::report::{Attempt, ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
 use crate::paper::LevelReport;
 use crate::quality::crease::{Kink, creases, kinks};
 use crate::quality::{Quality, Surface};
+use crate::solve::candidate::bending_energy;
 use crate::solve::problem::diagonal;
 use crate::solve::{SolveResult, SolveStatus};
 
@@ -84,6 +85,7 @@ impl Found<'_> {
         for h in quality.h_inside.iter_mut().chain(&mut quality.h_boundary) {
             *h /= self.prepared.normalization.scale;
         }
+        quality.bending_energy = bending_energy(self.state);
         quality
     }
 
@@ -164,6 +166,7 @@ impl Found<'_> {
             step: result.step,
             diagonal: diagonal(&result.x) * prepared.normalization.scale,
             linear_surface: result.status.is_linear(),
+            attempts: result.trials.iter().map(Attempt::new).collect(),
             quality,
         }
     }

@@ -7,6 +7,7 @@ use crate::discrete::target::Target;
 use crate::fairing::{Options, Solver};
 use crate::paper::LevelReport;
 use crate::quality::Quality;
+use crate::solve::{Trial, TrialEnd};
 use crate::table::{Entry, choices, table};
 
 /// How far a run is.
@@ -315,6 +316,50 @@ impl SelfIntersections {
     pub const MOST: usize = 10_000;
 }
 
+choices! {
+    /// How an attempt at a surface ended, see [`Attempt`].
+    #[non_exhaustive]
+    AttemptEnd {
+        0 "sound" Sound => "a sound surface that meets the tolerance of the attempt", "";
+        1 "unsound" Unsound => "a surface that meets the tolerance, but has poor triangles, a bump or a crease", "";
+        2 "not_converged" NotConverged => "no surface that meets the tolerance", "";
+        3 "stopped" Stopped => "stopped by the limit of iterations or by the caller", "";
+    }
+}
+
+/// An attempt at a surface. Those on the coarse mesh decide where the fine one begins; of two sound surfaces there that differ the one of
+/// less bending energy is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attempt {
+    /// The free vertices of its mesh: fewer than the component's on the coarse mesh.
+    pub free_vertices: usize,
+    /// What was tried, in a few words.
+    pub name: &'static str,
+    /// Nonlinear iterations.
+    pub iterations: usize,
+    /// How it ended.
+    pub end: AttemptEnd,
+    /// The bending energy of its surface, the integral of `H^2` over the free vertices, without unit; not a number where it has none.
+    pub bending_energy: f64,
+}
+
+impl Attempt {
+    pub(super) fn new(trial: &Trial) -> Self {
+        Self {
+            free_vertices: trial.free,
+            name: trial.name,
+            iterations: trial.iterations,
+            end: match trial.ended {
+                Some(TrialEnd::Sound) => AttemptEnd::Sound,
+                Some(TrialEnd::Unsound) => AttemptEnd::Unsound,
+                Some(TrialEnd::Stopped) => AttemptEnd::Stopped,
+                Some(TrialEnd::Unconverged) | None => AttemptEnd::NotConverged,
+            },
+            bending_energy: trial.bending_energy,
+        }
+    }
+}
+
 /// What came of one component of the region. Components are independent problems: free vertices belong to the same one where
 /// they are neighbours, or lie around a fixed vertex inside the region whose normal is not given. Any other fixed vertex
 /// separates; what is beyond it is outside. A component's result is, to the last bit, that of a call where its free vertices
@@ -337,6 +382,9 @@ pub struct ComponentReport {
     pub diagonal: f64,
     /// Its surface is the linear one: no sound nonlinear surface was found.
     pub linear_surface: bool,
+    /// What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for
+    /// [`Solver::Paper`].
+    pub attempts: Vec<Attempt>,
     /// Soundness of its surface.
     pub quality: Quality,
 }

@@ -5,10 +5,10 @@
 //! angles are scaled to a full turn), the new edges get their lengths there, and the vertex keeps its mean value
 //! coordinates (M. Floater, "Mean value coordinates", CAGD 20, 2003) in the ring that it leaves. They bring it back.
 
-use super::{EditableMesh, NONE, Rings};
 use super::halfedge::{next, previous};
 use super::region::{Region, Selection};
 use super::rows::Rows;
+use super::{EditableMesh, NONE, Rings};
 use crate::error::Error;
 
 /// A collapse leaves no triangle with less than this roundness: edges grow slowly away from the boundary, none of whose
@@ -100,18 +100,28 @@ impl Coarsening {
     ///
     /// # Errors
     /// None is expected: a coarse mesh is as sound as the mesh that it was made from.
-    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Result<(Region, Vec<[f64; 3]>), Error> {
+    pub(crate) fn region(
+        &self,
+        region: &Region,
+        positions: &[[f64; 3]],
+    ) -> Result<(Region, Vec<[f64; 3]>), Error> {
         let (numbers, triangles): (Vec<usize>, Vec<[u32; 3]>) = self.mesh.triangles().unzip();
         let triangles = [&triangles[..], &region.beyond].concat();
         let mut is_free = vec![true; self.free];
-        self.removed.iter().for_each(|r| is_free[r.vertex as usize] = false);
+        self.removed
+            .iter()
+            .for_each(|r| is_free[r.vertex as usize] = false);
         let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_free[v as usize]).collect();
         let coarse = Region::new(positions, &triangles, Selection::Vertices(&free))?;
         let of_region = &coarse.half_edges.triangle_ids[..coarse.triangles().len()];
         let length = |&t: &u32| {
             let first = 3 * numbers[t as usize];
             // A region's triangle keeps the order of its corners.
-            [self.lengths[first], self.lengths[first + 1], self.lengths[first + 2]]
+            [
+                self.lengths[first],
+                self.lengths[first + 1],
+                self.lengths[first + 2],
+            ]
         };
         let lengths = of_region.iter().map(length).collect();
         Ok((coarse, lengths))
@@ -296,7 +306,8 @@ impl Disk {
                 }
             }
         }
-        self.choices.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        self.choices
+            .sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     }
 
     /// Whether the collapse along spoke `j` makes an edge between two fixed vertices: that could cut the region apart.

@@ -203,7 +203,13 @@ impl EditableMesh {
         }
         let (a, b, c, d) = (self.origin(h), self.target(h), self.apex(h), self.apex(o));
         let count = |v: u32| self.outgoing_in_region(v).count();
-        let fewest = |v: u32| if self.is_closed(v) { FEWEST_CLOSED } else { FEWEST_OPEN };
+        let fewest = |v: u32| {
+            if self.is_closed(v) {
+                FEWEST_CLOSED
+            } else {
+                FEWEST_OPEN
+            }
+        };
         (self.is_free(c) || self.is_free(d))
             && c != d
             && count(a) > fewest(a)

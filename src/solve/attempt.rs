@@ -10,7 +10,6 @@ use crate::discrete::equations::FreeCurvature;
 #[derive(Debug)]
 pub(crate) struct Attempt {
     /// What it is called.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the readers of the table"))]
     pub name: &'static str,
     /// On which meshes it is tried.
     pub mesh: Mesh,
@@ -213,6 +212,20 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Result,
     },
     Attempt {
+        name: "membrane metric",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::MembraneMetric,
+        procedure: Procedure::WeightRepair,
+        options: IterateOptions {
+            measured_response: false,
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "minimal energy",
         mesh: Mesh::Coarsest,
         condition: Condition::Harmonic,
@@ -236,20 +249,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         start: Start::MinimalEnergy,
         procedure: Procedure::RepairHere,
         options: DIRECT,
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "membrane metric",
-        mesh: Mesh::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::Asked,
-        curvature: Curvature::Asked,
-        start: Start::MembraneMetric,
-        procedure: Procedure::WeightRepair,
-        options: IterateOptions {
-            measured_response: false,
-            ..DIRECT
-        },
         kept: Kept::Result,
     },
     Attempt {

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::quasi_newton::IterationStatus;
+use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
@@ -43,10 +44,9 @@ impl Candidate {
         system.evaluate(&x);
         let surface = system.surface(&x);
         let domain = &system.domain;
-        let (bending_energy, total_curvature) = energies(system.state());
         Self {
-            bending_energy,
-            total_curvature,
+            bending_energy: bending_energy(system.state()),
+            total_curvature: total_curvature(system.state()),
             creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
             status,
             step,
@@ -90,6 +90,16 @@ impl Candidate {
         self.is_converged() && self.poor.is_empty() && !self.is_flawed()
     }
 
+    /// How the attempt that has led here ended.
+    pub(crate) fn end(&self) -> TrialEnd {
+        match self.status {
+            IterationStatus::Stopped => TrialEnd::Stopped,
+            IterationStatus::Converged if self.is_sound() => TrialEnd::Sound,
+            IterationStatus::Converged => TrialEnd::Unsound,
+            _ => TrialEnd::Unconverged,
+        }
+    }
+
     /// The smaller the better.
     pub(crate) fn rank(&self) -> (bool, usize, bool, usize) {
         (
@@ -112,11 +122,16 @@ impl Candidate {
     }
 }
 
-/// The integrals of `H^2` and of `kappa_1^2 + kappa_2^2` over the free vertices: a third of its 1-disk belongs to each.
-fn energies(state: &State) -> (f64, f64) {
+/// The integral of `H^2` over the free vertices: a third of its 1-disk belongs to each.
+pub(crate) fn bending_energy(state: &State) -> f64 {
+    let vertices = state.h.iter().zip(&state.area);
+    vertices.map(|(h, area)| area / 3.0 * h * h).sum()
+}
+
+/// The same of `kappa_1^2 + kappa_2^2`.
+fn total_curvature(state: &State) -> f64 {
     let vertices = state.h.iter().zip(&state.k).zip(&state.area);
-    vertices.fold((0.0, 0.0), |(bending, total), ((h, k), area)| {
-        let own = area / 3.0;
-        (bending + own * h * h, total + own * (4.0 * h * h - 2.0 * k))
-    })
+    vertices
+        .map(|((h, k), area)| area / 3.0 * (4.0 * h * h - 2.0 * k))
+        .sum()
 }

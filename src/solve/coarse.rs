@@ -53,7 +53,12 @@ impl CoarseLevel {
             }
         });
         if std::env::var_os("FM_TRACE").is_some() {
-            eprintln!("  coarse: {} of {} target {target} boundary {}", coarsening.free(), region.free, region.boundary);
+            eprintln!(
+                "  coarse: {} of {} target {target} boundary {}",
+                coarsening.free(),
+                region.free,
+                region.boundary
+            );
         }
         if coarsening.free() as f64 > LARGEST_PART * region.free as f64 {
             return None;
@@ -61,13 +66,19 @@ impl CoarseLevel {
         let positions: Vec<[f64; 3]> = input.iter().map(|p| (*p).into()).collect();
         let (mut coarse, lengths) = coarsening.region(region, &positions).ok()?;
         if std::env::var_os("FM_TRACE").is_some() {
-            eprintln!("  {} {} {} {}", coarse.boundary, region.boundary, coarse.components, region.components);
+            eprintln!(
+                "  {} {} {} {}",
+                coarse.boundary, region.boundary, coarse.components, region.components
+            );
         }
         if coarse.boundary != region.boundary || coarse.components != region.components {
             return None;
         }
         if !region.moves_elsewhere.is_empty() {
-            let moves = coarse.vertex_ids.iter().map(|&v| region.moves_elsewhere[v as usize]);
+            let moves = coarse
+                .vertex_ids
+                .iter()
+                .map(|&v| region.moves_elsewhere[v as usize]);
             coarse.moves_elsewhere = moves.collect();
         }
         let input = coarse.vertex_ids.iter().map(|&v| input[v as usize]).collect();
@@ -148,6 +159,10 @@ fn spread_alike(domain: &Domain, coarsening: &Coarsening, vertices: usize) -> Fa
 
 /// The mean length of the edges of the region's triangles.
 fn mean_edge(region: &Region, x: &[Vector3<f64>]) -> f64 {
-    let edges = |t: &[u32; 3]| (0..3).map(|k| (x[t[k] as usize] - x[t[(k + 1) % 3] as usize]).norm()).sum::<f64>();
+    let edges = |t: &[u32; 3]| {
+        (0..3)
+            .map(|k| (x[t[k] as usize] - x[t[(k + 1) % 3] as usize]).norm())
+            .sum::<f64>()
+    };
     region.triangles().iter().map(edges).sum::<f64>() / (3 * region.triangles().len()) as f64
 }

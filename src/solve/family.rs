@@ -98,7 +98,11 @@ impl Family {
             }
             // From so near a harmonic surface may be found after all.
             if self.best.is_some() {
-                return if self.missing > 0.0 { self.end() } else { self.run(0.0, system, control) };
+                return if self.missing > 0.0 {
+                    self.end()
+                } else {
+                    self.run(0.0, system, control)
+                };
             }
         }
         if self.missing < 1.0 {

@@ -13,7 +13,7 @@ use super::control::Control;
 use super::initial::PHASE;
 use super::problem::diagonal;
 use super::procedure::{Next, Procedure, Run, Underway};
-use super::result::{SolveResult, SolveStatus};
+use super::result::{SolveResult, SolveStatus, Trial};
 use super::system::{Collapsed, System};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
@@ -65,6 +65,10 @@ pub(crate) struct Ladder {
     minimal_energy: Option<Vec<Vector3<f64>>>,
     /// What the coarse mesh has led to, once it was asked.
     coarse: Option<Search>,
+    /// What was tried so far,
+    trials: Vec<Trial>,
+    /// and the iterations until then.
+    iterations: usize,
     /// A sound surface, while another one is looked for that may be better.
     sound: Option<(Candidate, SolveStatus)>,
     /// Attempts begun or passed over.
@@ -139,7 +143,18 @@ impl Ladder {
             if let (Some(c), true) = (&ended, std::env::var_os("FM_TRACE").is_some()) {
                 eprintln!(
                     "  n={} {} -> {:?} d={:.1e} poor={} over={} det={} creases={} E={:.5} T={:.3} it={} rhs={:?}",
-                    system.free(), LADDER[self.attempts.max(1) - 1].name, c.status, c.step, c.poor.len(), c.curvature_overshoot, c.detached_from_normals, c.creases, c.bending_energy, c.total_curvature, control.tally.iterations, system.right_hand_side()
+                    system.free(),
+                    LADDER[self.attempts.max(1) - 1].name,
+                    c.status,
+                    c.step,
+                    c.poor.len(),
+                    c.curvature_overshoot,
+                    c.detached_from_normals,
+                    c.creases,
+                    c.bending_energy,
+                    c.total_curvature,
+                    control.tally.iterations,
+                    system.right_hand_side()
                 );
             }
             let next = match (ended.take(), &mut self.underway) {
@@ -151,6 +166,7 @@ impl Ladder {
                     None => return Ok(Step::Ended(self.give_up(system, control))),
                 },
             };
+            self.note(&next, system, control);
             match next {
                 Next::Run(mut run) => {
                     ended = run.begin(system, control);
@@ -180,6 +196,29 @@ impl Ladder {
         }
     }
 
+    /// Keeps in mind how an attempt has ended.
+    fn note(&mut self, next: &Next, system: &System, control: &Control<'_>) {
+        let candidate = match next {
+            Next::Run(_) => return,
+            Next::Done(candidate) | Next::Member(candidate, _) => Some(candidate),
+            Next::Short(_) => None,
+        };
+        let iterations = control.tally.iterations;
+        self.trials.push(Trial {
+            free: system.free(),
+            name: LADDER[self.attempts - 1].name,
+            iterations: iterations - self.iterations,
+            ended: candidate.map(Candidate::end),
+            bending_energy: candidate.map_or(f64::NAN, |c| c.bending_energy),
+        });
+        self.iterations = iterations;
+    }
+
+    /// What was tried so far, on the coarse mesh too.
+    pub(crate) fn trials(&self) -> &[Trial] {
+        &self.trials
+    }
+
     /// Begins the next attempt whose condition holds and that has a start. `None`: there is none, or the run was stopped
     /// while the linear surface was made.
     fn next_attempt(
@@ -198,7 +237,10 @@ impl Ladder {
                 return Ok(None);
             }
             if let Some(x) = self.set_up(attempt, system, control) {
-                let (underway, next) = attempt.procedure.begin(x, attempt.options, self.member(), system, control);
+                let (underway, next) =
+                    attempt
+                        .procedure
+                        .begin(x, attempt.options, self.member(), system, control);
                 self.underway = Some(underway);
                 return Ok(Some(next));
             }
@@ -224,7 +266,8 @@ impl Ladder {
 
     /// Whether there is no coarser mesh. Searches it the first time.
     fn is_coarsest(&mut self, system: &System, control: &mut Control<'_>) -> bool {
-        let search = self.coarse.get_or_insert_with(|| search(system, control));
+        let trials = &mut self.trials;
+        let search = self.coarse.get_or_insert_with(|| search(system, control, trials));
         matches!(search, Search::NoCoarseMesh)
     }
 
@@ -315,7 +358,8 @@ impl Ladder {
         if kept == Kept::Start && !candidate.is_stopped() {
             self.plain = candidate.is_converged().then_some(candidate.x);
         } else if kept == Kept::MinimalEnergy && !candidate.is_stopped() {
-            self.minimal_energy = (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
+            self.minimal_energy =
+                (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
         } else if candidate.is_settled() {
             return self.best_of((candidate, status));
         } else if kept != Kept::Start && candidate.is_at_rounding() {
@@ -335,7 +379,9 @@ impl Ladder {
         let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
         match self.sound.take() {
             _ if found.0.is_stopped() => Some(found),
-            Some(first) if found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy => Some(found),
+            Some(first) if found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy => {
+                Some(found)
+            }
             Some(first) => Some(first),
             None if is_coarsest && found.0.is_sound() && found.0.total_curvature > ONLY_ONE_BELOW => {
                 self.sound = Some(found);
@@ -398,6 +444,7 @@ impl Ladder {
             iterations: control.tally.iterations,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
             uniform_weights: self.uniform_weights,
+            trials: std::mem::take(&mut self.trials),
             start_seconds: self.start_seconds,
             x,
         }
@@ -405,7 +452,7 @@ impl Ladder {
 }
 
 /// Searches the coarse mesh, if there is one.
-fn search(system: &System, control: &mut Control<'_>) -> Search {
+fn search(system: &System, control: &mut Control<'_>, trials: &mut Vec<Trial>) -> Search {
     let fine = system.problem();
     let Some(level) = CoarseLevel::new(&fine) else {
         return Search::NoCoarseMesh;
@@ -414,11 +461,24 @@ fn search(system: &System, control: &mut Control<'_>) -> Search {
         super::solve_on_coarsest(&level.problem(&fine), control)
     });
     if let (Err(e), true) = (&found, std::env::var_os("FM_TRACE").is_some()) {
-        eprintln!("  search {e:?} {:?}", level.problem(&fine).weights.slots.as_ref().map(|s| s.iter().flatten().fold((f64::INFINITY, 0.0f64, 0), |a, w| (a.0.min(*w), a.1.max(*w), a.2 + usize::from(w.is_nan())))));
+        eprintln!(
+            "  search {e:?} {:?}",
+            level
+                .problem(&fine)
+                .weights
+                .slots
+                .as_ref()
+                .map(|s| s.iter().flatten().fold((f64::INFINITY, 0.0f64, 0), |a, w| (
+                    a.0.min(*w),
+                    a.1.max(*w),
+                    a.2 + usize::from(w.is_nan())
+                )))
+        );
     }
     let Ok((result, state)) = found else {
         return Search::Missed;
     };
+    trials.extend(&result.trials);
     let w = match result.status {
         SolveStatus::Converged | SolveStatus::FirstOrder | SolveStatus::AboveTolerance => 0.0,
         SolveStatus::NearestMember(w) => w,

@@ -32,7 +32,7 @@ use crate::discrete::equations::State;
 pub(crate) use control::Control;
 use ladder::{Ladder, Step};
 pub(crate) use problem::{Domain, Problem};
-pub(crate) use result::{SolveResult, SolveStatus};
+pub(crate) use result::{SolveResult, SolveStatus, Trial, TrialEnd};
 pub(crate) use system::System;
 
 /// Solves both fairness equations. Returns the surface, and its evaluation.

@@ -44,9 +44,39 @@ impl SolveStatus {
     }
 }
 
+/// What an attempt at a surface has led to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Trial {
+    /// Free vertices of its mesh.
+    pub free: usize,
+    /// Its name in the ladder.
+    pub name: &'static str,
+    /// Iterations.
+    pub iterations: usize,
+    /// How its last iteration ended; `None`: without a surface.
+    pub ended: Option<TrialEnd>,
+    /// Bending energy of the surface, the integral of `H^2`; not a number where there is none.
+    pub bending_energy: f64,
+}
+
+/// How an attempt ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum TrialEnd {
+    /// At a sound surface that meets its tolerance.
+    Sound,
+    /// At one with poor triangles, a bump or a crease.
+    Unsound,
+    /// Above the tolerance.
+    Unconverged,
+    /// Stopped.
+    Stopped,
+}
+
 /// What was found.
 #[derive(Debug, Clone)]
 pub(crate) struct SolveResult {
+    /// What was tried, in its order, that on the coarse mesh first.
+    pub trials: Vec<Trial>,
     /// The surface: free and boundary vertices.
     pub x: Vec<Vector3<f64>>,
     /// How it ended.

@@ -177,6 +177,7 @@ impl Cursor {
             defect: self.system.defect(),
             iterations: self.tally.iterations,
             uniform_weights: self.ladder.has_uniform_weights(),
+            trials: self.ladder.trials().to_vec(),
             start_seconds: 0.0,
         }
     }
