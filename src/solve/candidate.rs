@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::quasi_newton::IterationStatus;
 use super::system::System;
+use crate::profile::clock;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
 
@@ -36,6 +37,7 @@ impl Candidate {
     /// Evaluates and judges `x`, at which an iteration ended.
     pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>, status: IterationStatus, step: f64) -> Self {
         system.evaluate(&x);
+        let _clock = clock("poor triangles, judging");
         let surface = system.surface(&x);
         let domain = &system.domain;
         Self {
