@@ -37,6 +37,7 @@ impl Boxes {
     }
 
     /// A bit for each box that has a point in common with box `m` of others.
+    #[inline(always)]
     fn met_by(&self, others: &Self, m: usize) -> u8 {
         let mut meets = [true; SIZE];
         for ([low, high], [low_m, high_m]) in self.0.iter().zip(&others.0) {
@@ -83,6 +84,7 @@ impl Group {
     }
 
     /// The pairs of its triangles with those of another group.
+    #[inline(always)]
     pub(super) fn add_pairs(&self, other: &Self, pairs: &mut Vec<[u32; 2]>) {
         for m in 0..self.members.len() {
             self.add_pairs_of(m, other, u8::MAX, pairs);
@@ -90,6 +92,7 @@ impl Group {
     }
 
     /// The pairs within.
+    #[inline(always)]
     pub(super) fn add_own_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
         for m in 1..self.members.len() {
             self.add_pairs_of(m, self, u8::MAX >> (SIZE - m), pairs);
@@ -97,6 +100,7 @@ impl Group {
     }
 
     /// The pairs of one triangle with those of a group whose bits are set; of each pair one is asked for.
+    #[inline(always)]
     fn add_pairs_of(&self, m: usize, other: &Self, among: u8, pairs: &mut Vec<[u32; 2]>) {
         let member = &self.members[m];
         let among = if member.is_asked {

@@ -6,6 +6,7 @@ use rstar::{AABB, Envelope, RTree, RTreeObject};
 
 use super::groups::{Group, groups};
 use super::triangles::{Corners, projection};
+use fairmesh_linear::dispatch::vectorized;
 
 /// Groups that a thread takes at once.
 const CHUNK: usize = 64;
@@ -144,7 +145,12 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     let found: Vec<Vec<[u32; 2]>> = (0..groups.len())
         .into_par_iter()
         .step_by(CHUNK)
-        .map(|first| pairs_with(first, &tree, &groups, most))
+        .map(|first| {
+            vectorized(
+                #[inline(always)]
+                || pairs_with(first, &tree, &groups, most),
+            )
+        })
         .collect();
     let mut pairs = found.concat();
     pairs.par_sort_unstable();
@@ -154,6 +160,7 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
 
 /// The pairs of a run of groups with themselves and with those that follow them; those without a triangle that is asked for
 /// are met by the others.
+#[inline(always)]
 fn pairs_with(first: usize, tree: &Tree, groups: &[Group], most: usize) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
     for (g, group) in groups.iter().enumerate().skip(first).take(CHUNK) {
