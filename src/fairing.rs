@@ -21,6 +21,7 @@ use crate::mesh::Joined;
 pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::region::Selection;
 use crate::paper::{self, PaperResult};
+use crate::profile;
 use crate::solve::control::{Callback, Interrupt};
 use crate::solve::{self, Control};
 use component_solution::{ComponentSolution, whole};
@@ -121,7 +122,10 @@ fn run_joined<'a>(
     interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let clock = Instant::now();
-    let joined = Joined::new(positions, triangles, options.coincident)?;
+    let joined = {
+        let _clock = profile::clock("coincident vertices");
+        Joined::new(positions, triangles, options.coincident)?
+    };
     let selected = joined.copies.selection(selection);
     let asked = joined_options(&joined.copies, options);
     let seconds = clock.elapsed().as_secs_f64();
@@ -149,6 +153,7 @@ fn run<'a>(
     interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
     let clock = Instant::now();
+    let _clock = profile::clock("rest");
     let components = Prepared::of_components(positions, triangles, selection, options)?;
     let setup = clock.elapsed().as_secs_f64();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));

@@ -17,6 +17,7 @@ mod holes;
 mod intersections;
 mod mesh;
 mod paper;
+mod profile;
 mod quality;
 mod self_intersections;
 mod solve;
@@ -36,6 +37,8 @@ pub use holes::{
     fill_holes_with_progress, remesh_region,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
+#[cfg(feature = "profile")]
+pub use profile::take_profile;
 pub use quality::Quality;
 pub use self_intersections::self_intersections;
 pub use table::Entry;

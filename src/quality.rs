@@ -3,6 +3,7 @@
 pub(crate) mod crease;
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::{Region, Rings};
@@ -14,6 +15,9 @@ pub(crate) const NEEDLE: f64 = 1.0;
 const DETACHED_DEGREES: f64 = 15.0;
 /// See [`DETACHED_DEGREES`].
 const DETACHED_RATIO: f64 = 8.0;
+
+/// Triangles that a thread judges at once.
+const RUN: usize = 4096;
 
 /// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -79,6 +83,11 @@ pub(crate) struct Surface<'a> {
     pub h: &'a [f64],
 }
 
+/// The tangent of an angle in degrees.
+fn tangent(degrees: f64) -> f64 {
+    degrees.to_radians().tan()
+}
+
 /// The worst angle of a triangle in degrees.
 pub(crate) fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
     let edge = [0, 1, 2].map(|i| p[(i + 2) % 3] - p[(i + 1) % 3]);
@@ -101,45 +110,51 @@ impl Surface<'_> {
         }
     }
 
-    /// Calls `visit(triangle, folded, smallest angle)` for every region triangle (local number) that has moved: those of
-    /// fixed vertices alone are as they came.
-    pub(crate) fn triangles(&self, mut visit: impl FnMut(usize, bool, f64)) {
-        let half_edges = &self.region.half_edges;
-        for (t, corners) in half_edges.triangles[..half_edges.region_triangles]
-            .iter()
-            .enumerate()
-            .filter(|(_, corners)| corners.iter().any(|&v| self.region.is_free(v)))
-        {
-            let p = corners.map(|v| self.x[v as usize]);
-            let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
-            let sum: Vector3<f64> = corners.iter().map(|&v| self.normal(v)).sum();
-            // What is not a number counts as folded.
-            let side = cross.dot(&sum);
-            let folded = side < 0.0 || side.is_nan();
-            visit(t, folded, smallest_angle(&p));
+    /// Whether a region triangle is folded, and the tangent of its smallest angle. `None` where it has not moved: those of fixed
+    /// vertices alone are as they came.
+    fn judged(&self, corners: &[u32; 3]) -> Option<(bool, f64)> {
+        if !corners.iter().any(|&v| self.region.is_free(v)) {
+            return None;
         }
+        let [a, b, c] = corners.map(|v| self.x[v as usize]);
+        let cross = (b - a).cross(&(c - a));
+        let sum: Vector3<f64> = corners.iter().map(|&v| self.normal(v)).sum();
+        // What is not a number counts as folded.
+        let side = cross.dot(&sum);
+        let folded = side < 0.0 || side.is_nan();
+        // The smallest angle is opposite to the shortest edge; the law of cosines does not cancel there.
+        let squares = [a - b, b - c, c - a].map(|edge| edge.norm_squared());
+        let shortest = squares[0].min(squares[1]).min(squares[2]);
+        let tangent = 2.0 * cross.norm() / (squares[0] + squares[1] + squares[2] - 2.0 * shortest);
+        Some((folded, if tangent.is_finite() { tangent } else { 0.0 }))
     }
 
     /// All figures.
     pub(crate) fn quality(&self) -> Quality {
         let free = self.region.free;
-        let mut quality = Quality {
-            worst_angle: f64::INFINITY,
-            ..Quality::default()
-        };
-        self.triangles(|t, folded, angle| {
-            let id = self.region.half_edges.triangle_ids[t];
-            if angle < quality.worst_angle {
-                quality.worst_angle = angle;
+        let mut quality = Quality::default();
+        let (mut worst, needle) = (f64::INFINITY, tangent(NEEDLE));
+        for (corners, &id) in self
+            .region
+            .triangles()
+            .iter()
+            .zip(&self.region.half_edges.triangle_ids)
+        {
+            let Some((folded, tangent)) = self.judged(corners) else {
+                continue;
+            };
+            if tangent < worst {
+                worst = tangent;
                 quality.worst_triangle = id as usize;
             }
             if folded {
                 quality.flipped.push(id);
             }
-            if angle < NEEDLE {
+            if tangent < needle {
                 quality.needles.push(id);
             }
-        });
+        }
+        quality.worst_angle = worst.atan().to_degrees();
         if self.h.len() == self.x.len() {
             quality.h_inside = range(&self.h[..free]);
             quality.h_boundary = range(&self.h[free..]);
@@ -158,13 +173,14 @@ impl Surface<'_> {
 
     /// Region triangles (local numbers) that are folded or have an angle below `degrees`.
     pub(crate) fn poor(&self, degrees: f64) -> Vec<u32> {
-        let mut poor = Vec::new();
-        self.triangles(|t, folded, angle| {
-            if folded || angle < degrees {
-                poor.push(t as u32);
-            }
-        });
-        poor
+        let least = tangent(degrees);
+        let is_poor = |corners| {
+            let judged = self.judged(corners);
+            judged.is_some_and(|(folded, tangent)| folded || tangent < least)
+        };
+        let triangles = self.region.triangles().par_iter().with_min_len(RUN).enumerate();
+        let poor = triangles.filter(|(_, corners)| is_poor(corners));
+        poor.map(|(t, _)| t as u32).collect()
     }
 
     /// Whether single boundary vertices deviate from their normals far more than the rest.
@@ -225,7 +241,8 @@ impl Surface<'_> {
         let free = self.region.free;
         let half_edges = &self.region.half_edges;
         let mut sums = vec![Vector3::zeros(); self.region.boundary];
-        for corners in &half_edges.triangles[..half_edges.region_triangles] {
+        let triangles = half_edges.triangles[..half_edges.region_triangles].iter();
+        for corners in triangles.filter(|corners| corners.iter().any(|&v| v as usize >= free)) {
             let p = corners.map(|v| self.x[v as usize]);
             let cross = (p[1] - p[0]).cross(&(p[2] - p[0]));
             for &v in corners {

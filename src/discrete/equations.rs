@@ -23,6 +23,7 @@ use super::simd::{Simd, Vec3, lane, minus, one, set_lane, vectorized};
 use super::target::RightHandSide;
 use super::valence_batches::{Chunk, LANES, ValenceBatches, flap_weight, gather, split_lengths};
 use crate::mesh::{NONE, Rings};
+use crate::profile::clock;
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,6 +152,7 @@ impl Equations<'_> {
     }
 
     fn evaluate_as<const RESPONSE: bool>(&self, x: &[Vector3<f64>], state: &mut State) {
+        let _clock = clock("evaluations");
         self.free_vertices::<RESPONSE>(x, state);
         self.boundary_normals_at(x, state);
         let paper = self.curvature == FreeCurvature::Paper;

@@ -10,6 +10,7 @@ use super::normals::{cross_product_normal, max_normal};
 use super::ring_edges::{RingEdge, measure};
 use super::simd::{Simd, Vec3, dot, lane, minus, plus, scaled, vectorized};
 use super::valence_batches::{Chunk, LANES, gather, split_lengths};
+use crate::profile::clock;
 
 impl Equations<'_> {
     /// The edges of a batch's rings, measured. Returns the centres.
@@ -52,6 +53,7 @@ impl Equations<'_> {
 
     /// Normals and inner residual alone, into `state.normal` and `state.inner`; the rest of `state` stays.
     pub(crate) fn evaluate_inner(&self, x: &[Vector3<f64>], state: &mut State) {
+        let _clock = clock("evaluations");
         let chunks = &self.batches.chunks;
         let lengths = || chunks.iter().map(|c| c.vertices.len());
         let normal = split_lengths(&mut state.normal, lengths());

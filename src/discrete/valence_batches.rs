@@ -11,8 +11,8 @@ use super::simd::{Simd, Vec3};
 use crate::mesh::rows::Rows;
 use crate::mesh::{NONE, Rings};
 
-/// Vertices per batch.
-pub(crate) const LANES: usize = 8;
+/// Vertices per batch: one 256-bit register. With two of them the sums of a fit would not stay in registers.
+pub(crate) const LANES: usize = 4;
 
 /// Vertices per chunk.
 pub(crate) const CHUNK: usize = 2048;

@@ -6,6 +6,7 @@ use super::options::Options;
 use super::report::{ComponentReport, Outcome, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
 use crate::paper::LevelReport;
+use crate::profile;
 use crate::quality::Quality;
 
 /// One component, faired.
@@ -34,6 +35,7 @@ pub(super) fn whole(
     components: &[ComponentSolution],
 ) -> Solution {
     let clock = Instant::now();
+    let _clock = profile::clock("solution");
     let mut positions = given.to_vec();
     for &(v, p) in components.iter().flat_map(|c| &c.moved) {
         positions[v as usize] = p;

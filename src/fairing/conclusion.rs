@@ -10,6 +10,7 @@ use super::prepared::Prepared;
 use super::report::{Attempt, ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
 use crate::paper::LevelReport;
+use crate::profile;
 use crate::quality::crease::{Kink, creases, kinks};
 use crate::quality::{Quality, Surface};
 use crate::solve::candidate::bending_energy;
@@ -32,6 +33,7 @@ impl Found<'_> {
     /// Measures the surface, and takes it back.
     pub(super) fn conclude(self) -> ComponentSolution {
         let clock = Instant::now();
+        let _clock = profile::clock("figures");
         let (surface, written) = (self.surface(), self.written());
         let domain = &self.prepared.domain;
         let (rings, input) = (&domain.rings, &domain.input);
@@ -158,7 +160,7 @@ impl Found<'_> {
         let (prepared, result) = (self.prepared, self.result);
         let region = &prepared.domain.region;
         ComponentReport {
-            vertex: region.vertex_ids[0] as usize,
+            vertex: region.first_free(),
             free_vertices: region.free,
             outcome: self.outcome(&quality, suspicious_normals, creases),
             iterations: result.iterations,

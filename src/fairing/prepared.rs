@@ -13,7 +13,9 @@ use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
 use crate::error::Error;
 use crate::mesh::Region;
+use crate::mesh::numbering::Numbering;
 use crate::mesh::region::Selection;
+use crate::profile::clock;
 use crate::solve::problem::Weigh;
 use crate::solve::{Domain, Problem};
 
@@ -39,8 +41,15 @@ pub(super) fn regions(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     given: &GivenNormals,
+    solver: &Solver,
 ) -> Result<Vec<Region>, Error> {
-    Region::of_components(positions, triangles, selection, |v| given.has(v))
+    let numbering = match solver {
+        Solver::Fast => Numbering::BreadthFirst,
+        // Its sweeps go through the vertices in the caller's order.
+        Solver::Paper(_) => Numbering::AsGiven,
+    };
+    let _clock = clock("region");
+    Region::of_components(positions, triangles, selection, |v| given.has(v), numbering)
 }
 
 impl Prepared {
@@ -53,7 +62,7 @@ impl Prepared {
         options: &Options,
     ) -> Result<Vec<Self>, Error> {
         let given = GivenNormals::new(&options.boundary_normals);
-        let regions = regions(positions, triangles, selection, &given)?;
+        let regions = regions(positions, triangles, selection, &given, &options.solver)?;
         let prepared = regions
             .into_iter()
             .map(|region| Self::new(positions, region, &given, options));
@@ -69,8 +78,12 @@ impl Prepared {
         let mut x = region.positions(positions);
         let normalization = Normalization::new(&region, &x);
         normalization.enter(&mut x);
-        let domain = Domain::new(region, x);
+        let domain = {
+            let _clock = clock("rings, valence batches");
+            Domain::new(region, x)
+        };
         let asked = &options.boundary_normals;
+        let _clock = clock("boundary normals");
         let (boundary_normals, smooth_interior) =
             boundary_normals(&domain, asked, given, options.interior_normals)?;
         let weigh: Option<Weigh> = match options.inner_fairness {
@@ -103,7 +116,7 @@ impl Prepared {
     /// That not even a linear surface exists.
     pub(super) fn nothing_fixed(&self) -> Error {
         Error::NothingFixed {
-            vertex: self.domain.region.vertex_ids[0] as usize,
+            vertex: self.domain.region.first_free(),
         }
     }
 

@@ -72,7 +72,13 @@ impl Input {
 
     /// The regions of the components, cut where these normals ask for it.
     fn regions(&self, given: &GivenNormals) -> Result<Vec<Region>, Error> {
-        regions(&self.positions, &self.triangles, self.selection(), given)
+        regions(
+            &self.positions,
+            &self.triangles,
+            self.selection(),
+            given,
+            &self.options.solver,
+        )
     }
 
     fn prepared(&self) -> Result<Vec<Prepared>, Error> {

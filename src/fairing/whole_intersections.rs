@@ -4,6 +4,7 @@ use super::component_solution::ComponentSolution;
 use super::options::{Intersections, Options};
 use super::report::{ComponentReport, Outcome, SelfIntersections};
 use crate::intersections::of_some;
+use crate::profile::clock;
 
 /// What intersects, and whose it is.
 pub(super) struct Crossings {
@@ -21,6 +22,7 @@ impl Crossings {
         options: &Options,
         components: &[ComponentSolution],
     ) -> Option<Self> {
+        let _clock = clock("intersections");
         let has_ended = |c: &&ComponentSolution| {
             !matches!(c.report.outcome, Outcome::IterationLimit | Outcome::Cancelled)
         };

@@ -1,5 +1,6 @@
 //! Which triangles intersect: found by a tree of boxes, decided by exact signs of determinants.
 
+mod groups;
 mod search;
 mod triangles;
 

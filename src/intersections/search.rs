@@ -1,14 +1,18 @@
 //! All pairs of triangles that intersect: a tree of boxes gives candidates, exact signs decide.
 
 use rayon::prelude::*;
+use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, Envelope, RTree, RTreeObject};
 
-use super::triangles::{Corners, intersect, projection};
+use super::groups::{Group, groups};
+use super::triangles::{Corners, projection};
+use fairmesh_linear::dispatch::vectorized;
 
-/// Triangles that a thread takes at once.
-const CHUNK: usize = 512;
-/// Triangles that are neighbours in the tree.
-const GROUP: usize = 8;
+/// Groups that a thread takes at once.
+const CHUNK: usize = 64;
+
+/// Groups by the boxes around them.
+type Tree = RTree<GeomWithData<Rectangle<[f64; 3]>, usize>>;
 
 /// An upright box in space.
 pub(crate) type Bounds = AABB<[f64; 3]>;
@@ -133,11 +137,20 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
         *x *= unit;
     }
     members.retain(|member| projection(&member.corners).is_some());
-    let groups = groups(&members);
-    let tree = RTree::bulk_load(groups.clone());
-    let found: Vec<Vec<[u32; 2]>> = groups
-        .par_chunks(CHUNK / GROUP)
-        .map(|chunk| pairs_with(chunk, &tree, &members, most))
+    let groups = groups(members);
+    let in_tree = (0..)
+        .zip(&groups)
+        .map(|(g, group)| GeomWithData::new(group.rectangle(), g));
+    let tree = RTree::bulk_load(in_tree.collect());
+    let found: Vec<Vec<[u32; 2]>> = (0..groups.len())
+        .into_par_iter()
+        .step_by(CHUNK)
+        .map(|first| {
+            vectorized(
+                #[inline(always)]
+                || pairs_with(first, &tree, &groups, most),
+            )
+        })
         .collect();
     let mut pairs = found.concat();
     pairs.par_sort_unstable();
@@ -145,83 +158,21 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     pairs
 }
 
-/// Neighbouring triangles, which the tree knows by their box alone: it is eight times as small, and what is left to compare
-/// is compared in a row.
-#[derive(Clone)]
-struct Group {
-    members: Vec<(Bounds, u32)>,
-    bounds: Bounds,
-    has_asked: bool,
-}
-
-impl RTreeObject for Group {
-    type Envelope = Bounds;
-
-    fn envelope(&self) -> Bounds {
-        self.bounds
-    }
-}
-
-/// All triangles in groups of at most [`GROUP`], halved again and again across the longest side of the box around their
-/// centres.
-fn groups(members: &[Member]) -> Vec<Group> {
-    let centred = |(m, member): (u32, &Member)| {
-        let bounds = member.bounds();
-        (bounds.center(), (bounds, m))
-    };
-    let mut all: Vec<Centred> = (0..).zip(members).map(centred).collect();
-    let mut runs = vec![&mut all[..]];
-    let mut groups = Vec::with_capacity(members.len().div_ceil(GROUP / 2));
-    while let Some(run) = runs.pop() {
-        if run.len() > GROUP {
-            let axis = longest_side(run);
-            let middle = run.len() / 2;
-            run.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]));
-            let (low, high) = run.split_at_mut(middle);
-            runs.extend([low, high]);
-        } else if !run.is_empty() {
-            groups.push(group(run, members));
-        }
-    }
-    groups
-}
-
-/// The middle of a triangle's box, the box, and the triangle's place in the list.
-type Centred = ([f64; 3], (Bounds, u32));
-
-fn longest_side(run: &[Centred]) -> usize {
-    let mut bounds = Bounds::new_empty();
-    run.iter()
-        .for_each(|(centre, _)| bounds.merge(&Bounds::from_point(*centre)));
-    let side = |axis: usize| bounds.upper()[axis] - bounds.lower()[axis];
-    (1..3).fold(
-        0,
-        |longest, axis| {
-            if side(axis) > side(longest) { axis } else { longest }
-        },
-    )
-}
-
-fn group(run: &[Centred], members: &[Member]) -> Group {
-    let mut bounds = Bounds::new_empty();
-    run.iter().for_each(|(_, (own, _))| bounds.merge(own));
-    Group {
-        members: run.iter().map(|(_, member)| *member).collect(),
-        bounds,
-        has_asked: run.iter().any(|(_, (_, m))| members[*m as usize].is_asked),
-    }
-}
-
-/// The pairs of the triangles of some groups that are asked for with those that are not, or that have greater numbers.
-fn pairs_with(chunk: &[Group], tree: &RTree<Group>, members: &[Member], most: usize) -> Vec<[u32; 2]> {
+/// The pairs of a run of groups with themselves and with those that follow them; those without a triangle that is asked for
+/// are met by the others.
+#[inline(always)]
+fn pairs_with(first: usize, tree: &Tree, groups: &[Group], most: usize) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
-    for group in chunk.iter().filter(|group| group.has_asked) {
-        for others in tree.locate_in_envelope_intersecting(&group.bounds) {
-            for (bounds, m) in &group.members {
-                let member = &members[*m as usize];
-                if member.is_asked && bounds.intersects(&others.bounds) {
-                    add_pairs(member, bounds, others, members, &mut pairs);
-                }
+    for (g, group) in groups.iter().enumerate().skip(first).take(CHUNK) {
+        if !group.has_asked() {
+            continue;
+        }
+        for found in tree.locate_in_envelope_intersecting(&group.bounds) {
+            let other = &groups[found.data];
+            if found.data > g || !other.has_asked() {
+                group.add_pairs(other, &mut pairs);
+            } else if found.data == g {
+                group.add_own_pairs(&mut pairs);
             }
         }
         if pairs.len() >= most {
@@ -229,27 +180,6 @@ fn pairs_with(chunk: &[Group], tree: &RTree<Group>, members: &[Member], most: us
         }
     }
     pairs
-}
-
-/// The pairs of one triangle that is asked for with those of a group.
-fn add_pairs(
-    member: &Member,
-    bounds: &Bounds,
-    others: &Group,
-    members: &[Member],
-    pairs: &mut Vec<[u32; 2]>,
-) {
-    for (_, m) in others
-        .members
-        .iter()
-        .filter(|(other, _)| other.intersects(bounds))
-    {
-        let other = &members[*m as usize];
-        let is_elsewhere = other.is_asked && other.number <= member.number;
-        if !is_elsewhere && intersect(&member.corners, &other.corners) {
-            pairs.push([member.number.min(other.number), member.number.max(other.number)]);
-        }
-    }
 }
 
 /// A power of two that brings the coordinates to about one: products of three neither overflow nor vanish.

@@ -78,6 +78,9 @@ fn from(t: &Corners, first: usize) -> Corners {
 }
 
 fn no_corner_in_common(a: &Corners, b: &Corners) -> bool {
+    if are_apart(a, b) {
+        return false;
+    }
     let is_beside = |t: &Corners, other: &Corners| agree(&other.map(|p| side(t, &p)));
     if is_beside(a, b) || is_beside(b, a) {
         return false;
@@ -103,24 +106,43 @@ const MARGIN: f64 = 1e-14;
 /// What is larger has not underflowed.
 const SMALLEST: f64 = 1e-200;
 
+fn difference(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| a[axis] - b[axis])
+}
+
+/// How far a difference of two positions reaches along a direction: at least, and at most, whatever the rounding.
+fn reach(edge: &[f64; 3], direction: &[f64; 3]) -> [f64; 2] {
+    let terms = [0, 1, 2].map(|axis| direction[axis] * edge[axis]);
+    let (sum, size) = (
+        terms[0] + terms[1] + terms[2],
+        terms[0].abs() + terms[1].abs() + terms[2].abs(),
+    );
+    let margin = MARGIN * size + SMALLEST;
+    [sum - margin, sum + margin]
+}
+
+/// Whether a plane across the line between their middles parts them, beyond any rounding: so it is with most triangles that
+/// are near each other, and this is found much sooner than by determinants.
+fn are_apart(a: &Corners, b: &Corners) -> bool {
+    let sum = |t: &Corners| [0, 1, 2].map(|axis| t[0][axis] + t[1][axis] + t[2][axis]);
+    let direction = difference(&sum(b), &sum(a));
+    let reach = |p: &[f64; 3]| reach(&difference(p, &a[0]), &direction);
+    let end = a.iter().map(|p| reach(p)[1]).fold(f64::NEG_INFINITY, f64::max);
+    b.iter().all(|p| reach(p)[0] > end)
+}
+
 /// Whether a plane through the common first corner has them on either side, beyond any rounding: so are most triangles around a
-/// vertex, and this is found much sooner than by determinants.
+/// vertex.
 fn are_told_apart(a: &Corners, b: &Corners) -> bool {
-    let edges = |t: &Corners| [1, 2].map(|k| [0, 1, 2].map(|axis| t[k][axis] - t[0][axis]));
+    let edges = |t: &Corners| [1, 2].map(|k| difference(&t[k], &t[0]));
     let (a, b) = (edges(a), edges(b));
-    let middle = |[e, f]: &[[f64; 3]; 2]| {
-        let sum = [0, 1, 2].map(|axis| e[axis] + f[axis]);
-        let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-        sum.map(|x| x / length)
-    };
+    let middle = |[e, f]: &[[f64; 3]; 2]| [0, 1, 2].map(|axis| e[axis] + f[axis]);
+    let square = |e: &[f64; 3]| e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
     let (to_a, to_b) = (middle(&a), middle(&b));
-    let normal = [0, 1, 2].map(|axis| to_a[axis] - to_b[axis]);
-    let is_beyond = |edge: &[f64; 3], side: f64| {
-        let terms = [0, 1, 2].map(|axis| side * normal[axis] * edge[axis]);
-        let size: f64 = terms.iter().map(|x| x.abs()).sum();
-        terms.iter().sum::<f64>() > MARGIN * size + SMALLEST
-    };
-    a.iter().all(|edge| is_beyond(edge, 1.0)) && b.iter().all(|edge| is_beyond(edge, -1.0))
+    // Across the plane that halves the angle between the two.
+    let ratio = (square(&to_a) / square(&to_b)).sqrt();
+    let normal = [0, 1, 2].map(|axis| to_a[axis] - ratio * to_b[axis]);
+    a.iter().all(|edge| reach(edge, &normal)[0] > 0.0) && b.iter().all(|edge| reach(edge, &normal)[1] < 0.0)
 }
 
 /// Folded over: in one plane, and on the same side of the common edge.

@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use crate::dispatch::vectorized;
+
 /// The longest window.
 pub const MAX_WINDOW: usize = 16;
 
@@ -15,12 +17,16 @@ const INDEPENDENT: f64 = 1e-12;
 
 /// The last differences of the iterates `x` and of the steps `f(x) = g(x) - x` of a fixed-point iteration,
 /// and the linear combination of them that leaves the smallest step.
+///
+/// Differences are kept in single precision: they only say in which directions to go, and are most of the memory.
 #[derive(Debug, Clone)]
 pub struct Anderson {
     window: usize,
     n: usize,
-    /// Block after block: the last f, the last x, the differences of f, the differences of g = x + f.
-    history: Vec<f64>,
+    /// The last f.
+    last: Vec<f64>,
+    /// Block after block: the differences of f, the differences of g = x + f.
+    history: Vec<f32>,
     /// Block after block: the products of the differences of f with the newest one and with f.
     partial: Vec<[[f64; 2]; MAX_WINDOW]>,
     /// Products of the differences of f with each other, by slot.
@@ -44,7 +50,8 @@ impl Anderson {
         Self {
             window,
             n,
-            history: vec![0.0; blocks * (2 + 2 * window) * BLOCK],
+            last: vec![0.0; if window == 0 { 0 } else { n }],
+            history: vec![0.0; blocks * 2 * window * BLOCK],
             partial: vec![[[0.0; 2]; MAX_WINDOW]; blocks],
             gram: [[0.0; MAX_WINDOW]; MAX_WINDOW],
             count: 0,
@@ -66,24 +73,37 @@ impl Anderson {
 
     /// The memory in use, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&*self.history) + size_of_val(&*self.partial)
+        size_of_val(&*self.last) + size_of_val(&*self.history) + size_of_val(&*self.partial)
     }
 
-    /// Takes the iterate `x` and its step `f = g(x) - x` and writes the accelerated step to `out`, so that
-    /// the next iterate is `x + out`. Non-finite vectors give the plain step and clear the history.
+    /// Takes the step `f = g(x) - x` of the iterate `x` at hand and writes the accelerated step to `out`, so that
+    /// the next iterate is `x + out`. From the iterate before to `x` it was `taken` times what `out` holds: what was written there
+    /// last. Non-finite vectors give the plain step and clear the history.
+    ///
+    /// ```
+    /// # use fairmesh_linear::anderson::Anderson;
+    /// // The fixed point 2 of g(x) = 3 - x / 2, found in the second step.
+    /// let (mut x, mut out) = ([0.0], [0.0]);
+    /// let mut anderson = Anderson::new(1, 1);
+    /// for _ in 0..2 {
+    ///     anderson.accelerate(&[3.0 - 1.5 * x[0]], 1.0, &mut out);
+    ///     x[0] += out[0];
+    /// }
+    /// assert_eq!(x, [2.0]);
+    /// ```
     ///
     /// # Panics
     /// If a vector does not have the length `n`.
-    pub fn accelerate(&mut self, x: &[f64], f: &[f64], out: &mut [f64]) {
+    pub fn accelerate(&mut self, f: &[f64], taken: f64, out: &mut [f64]) {
         assert!(
-            x.len() == self.n && f.len() == self.n && out.len() == self.n,
+            f.len() == self.n && out.len() == self.n,
             "vectors of the length given"
         );
         if self.window == 0 {
             out.copy_from_slice(f);
             return;
         }
-        let products = self.record(x, f);
+        let products = self.record(f, taken, out);
         if !self.started {
             self.started = true;
             out.copy_from_slice(f);
@@ -105,7 +125,7 @@ impl Anderson {
 
     /// Stores the differences to the last vectors and returns the products of all differences of f with the
     /// newest one and with f.
-    fn record(&mut self, x: &[f64], f: &[f64]) -> [[f64; 2]; MAX_WINDOW] {
+    fn record(&mut self, f: &[f64], taken: f64, step: &[f64]) -> [[f64; 2]; MAX_WINDOW] {
         if self.started {
             self.newest = if self.count == 0 {
                 0
@@ -116,31 +136,31 @@ impl Anderson {
         }
         let (window, newest, count) = (self.window, self.newest, self.count);
         self.history
-            .par_chunks_mut((2 + 2 * window) * BLOCK)
+            .par_chunks_mut(2 * window * BLOCK)
             .zip(&mut self.partial)
-            .zip(x.par_chunks(BLOCK).zip(f.par_chunks(BLOCK)))
+            .zip(self.last.par_chunks_mut(BLOCK))
+            .zip(f.par_chunks(BLOCK).zip(step.par_chunks(BLOCK)))
             .with_min_len(8)
-            .for_each(|((block, partial), (x, f))| {
-                let (last, differences) = block.split_at_mut(2 * BLOCK);
-                let (last_f, last_x) = last.split_at_mut(BLOCK);
-                let (df, dg) = differences.split_at_mut(window * BLOCK);
+            .for_each(|(((block, partial), last), (f, step))| {
                 if count > 0 {
-                    let new_f = &mut df[newest * BLOCK..][..f.len()];
-                    let new_g = &mut dg[newest * BLOCK..][..f.len()];
-                    for (d, (f, last)) in new_f.iter_mut().zip(f.iter().zip(&*last_f)) {
-                        *d = f - last;
-                    }
-                    for ((d, df), (x, last)) in new_g.iter_mut().zip(&*new_f).zip(x.iter().zip(&*last_x)) {
-                        *d = df + (x - last);
-                    }
+                    vectorized(
+                        #[inline(always)]
+                        || {
+                            let (df, dg) = block.split_at_mut(window * BLOCK);
+                            let new = newest * BLOCK..newest * BLOCK + f.len();
+                            differences(
+                                (f, last),
+                                taken,
+                                step,
+                                (&mut df[new.clone()], &mut dg[new.clone()]),
+                            );
+                            for (slot, sum) in partial.iter_mut().enumerate().take(count) {
+                                *sum = products(&df[slot * BLOCK..][..f.len()], &df[new.clone()], f);
+                            }
+                        },
+                    );
                 }
-                last_f[..f.len()].copy_from_slice(f);
-                last_x[..x.len()].copy_from_slice(x);
-                let new_f = &df[newest * BLOCK..][..f.len()];
-                for (slot, sum) in partial.iter_mut().enumerate().take(count) {
-                    let column = &df[slot * BLOCK..][..f.len()];
-                    *sum = [dot(column, new_f), dot(column, f)];
-                }
+                last.copy_from_slice(f);
             });
         let mut sum = [[0.0; 2]; MAX_WINDOW];
         for partial in &self.partial {
@@ -205,31 +225,63 @@ impl Anderson {
         let (window, count) = (self.window, self.count);
         out.par_chunks_mut(BLOCK)
             .zip(f.par_chunks(BLOCK))
-            .zip(self.history.par_chunks((2 + 2 * window) * BLOCK))
+            .zip(self.history.par_chunks(2 * window * BLOCK))
             .with_min_len(8)
             .for_each(|((out, f), block)| {
                 out.copy_from_slice(f);
-                let dg = &block[(2 + window) * BLOCK..];
-                for (column, &w) in dg.chunks_exact(BLOCK).zip(weights).take(count) {
-                    for (out, &d) in out.iter_mut().zip(column) {
-                        *out -= w * d;
-                    }
-                }
+                let columns = block[window * BLOCK..].chunks_exact(BLOCK);
+                vectorized(
+                    #[inline(always)]
+                    || {
+                        columns
+                            .zip(weights)
+                            .take(count)
+                            .for_each(|(dg, &w)| subtract(out, dg, w))
+                    },
+                );
             });
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sum = [0.0; LANES];
-    let (a8, a_tail) = a.as_chunks::<LANES>();
-    let (b8, b_tail) = b.as_chunks::<LANES>();
-    for (a, b) in a8.iter().zip(b8) {
+/// The differences of f, and of g = x + f, where x has gone `taken` times `step`.
+#[inline(always)]
+fn differences((f, last): (&[f64], &[f64]), taken: f64, step: &[f64], (df, dg): (&mut [f32], &mut [f32])) {
+    let before = last.iter().zip(step);
+    for ((df, dg), (f, (last, step))) in df.iter_mut().zip(dg).zip(f.iter().zip(before)) {
+        let d = f - last;
+        *df = d as f32;
+        *dg = (d + taken * step) as f32;
+    }
+}
+
+/// The products of a column with the newest one, and with f.
+#[inline(always)]
+fn products(column: &[f32], newest: &[f32], f: &[f64]) -> [f64; 2] {
+    let mut sums = [[0.0; LANES]; 2];
+    let (columns, column_tail) = column.as_chunks::<LANES>();
+    let (newests, newest_tail) = newest.as_chunks::<LANES>();
+    let (fs, f_tail) = f.as_chunks::<LANES>();
+    for (column, (newest, f)) in columns.iter().zip(newests.iter().zip(fs)) {
         for l in 0..LANES {
-            sum[l] += a[l] * b[l];
+            let d = f64::from(column[l]);
+            sums[0][l] += d * f64::from(newest[l]);
+            sums[1][l] += d * f[l];
         }
     }
-    let tail: f64 = a_tail.iter().zip(b_tail).map(|(a, b)| a * b).sum();
-    sum.iter().sum::<f64>() + tail
+    let mut sums = sums.map(|sum| sum.iter().sum::<f64>());
+    for (d, (newest, f)) in column_tail.iter().zip(newest_tail.iter().zip(f_tail)) {
+        sums[0] += f64::from(*d) * f64::from(*newest);
+        sums[1] += f64::from(*d) * f;
+    }
+    sums
+}
+
+/// `out -= w dg`.
+#[inline(always)]
+fn subtract(out: &mut [f64], dg: &[f32], w: f64) {
+    for (out, &d) in out.iter_mut().zip(dg) {
+        *out -= w * f64::from(d);
+    }
 }
 
 #[cfg(test)]
@@ -277,7 +329,7 @@ mod tests {
         for _ in 0..steps {
             let f = map.step(&x);
             norms.push(f.iter().map(|f| f * f).sum::<f64>().sqrt());
-            anderson.accelerate(&x, &f, &mut out);
+            anderson.accelerate(&f, 1.0, &mut out);
             for (x, d) in x.iter_mut().zip(&out) {
                 *x += d;
             }
@@ -319,14 +371,14 @@ mod tests {
         let (mut x, mut out) = (vec![0.0; 3000], vec![0.0; 3000]);
         for k in 0..4 {
             let f = map.step(&x);
-            anderson.accelerate(&x, &f, &mut out);
+            anderson.accelerate(&f, 1.0, &mut out);
             assert_eq!(out == f, k == 0);
             x.iter_mut().zip(&out).for_each(|(x, d)| *x += d);
         }
         assert_eq!(anderson.depth(), 3);
         anderson.clear();
         let f = map.step(&x);
-        anderson.accelerate(&x, &f, &mut out);
+        anderson.accelerate(&f, 1.0, &mut out);
         assert!(out == f && anderson.depth() == 0);
     }
 
@@ -336,12 +388,12 @@ mod tests {
         let mut out = [0.0; 3];
         for _ in 0..6 {
             // The same x and f again: all differences vanish.
-            anderson.accelerate(&[1.0, 2.0, 3.0], &[0.5, 0.0, 0.25], &mut out);
+            anderson.accelerate(&[0.5, 0.0, 0.25], 0.0, &mut out);
             assert_eq!(out, [0.5, 0.0, 0.25]);
         }
-        anderson.accelerate(&[1.0, 2.0, 3.0], &[f64::INFINITY, 0.0, 0.25], &mut out);
+        anderson.accelerate(&[f64::INFINITY, 0.0, 0.25], 0.0, &mut out);
         assert_eq!(anderson.depth(), 0);
-        anderson.accelerate(&[1.0, 2.0, 3.0], &[0.5, 0.0, 0.25], &mut out);
+        anderson.accelerate(&[0.5, 0.0, 0.25], 0.0, &mut out);
         assert_eq!(out, [0.5, 0.0, 0.25]);
     }
 

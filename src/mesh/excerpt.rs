@@ -2,8 +2,10 @@
 //! the size of the mesh. It has the order of the mesh's vertices and triangles, so its region is that of the whole mesh.
 
 use super::NONE;
+use super::draft::RINGS_BEYOND;
+use super::numbering::Numbering;
 use super::outside_neighbours::RINGS_WIDE;
-use super::region::{RINGS_BEYOND, Region, Selection};
+use super::region::{Region, Selection};
 use super::rows::Rows;
 use crate::error::Error;
 
@@ -38,14 +40,19 @@ impl<'a> Excerpts<'a> {
         }
     }
 
-    /// The region of these free vertices (ascending), as [`Region::with_normals`] makes it of the whole mesh.
+    /// The region of these free vertices (ascending), as [`Region::numbered`] makes it of the whole mesh.
     ///
     /// # Errors
-    /// Those of [`Region::with_normals`].
-    pub(super) fn region(&mut self, free: &[u32], given: impl Fn(u32) -> bool) -> Result<Region, Error> {
-        let region = self.region_within(free, RINGS_BEYOND, &given)?;
+    /// Those of [`Region::new`].
+    pub(super) fn region(
+        &mut self,
+        free: &[u32],
+        given: impl Fn(u32) -> bool,
+        numbering: Numbering,
+    ) -> Result<Region, Error> {
+        let region = self.region_within(free, RINGS_BEYOND, &given, numbering)?;
         if region.is_rounded {
-            return self.region_within(free, RINGS_WIDE - 1, &given);
+            return self.region_within(free, RINGS_WIDE - 1, &given, numbering);
         }
         Ok(region)
     }
@@ -56,6 +63,7 @@ impl<'a> Excerpts<'a> {
         free: &[u32],
         rings: usize,
         given: impl Fn(u32) -> bool,
+        numbering: Numbering,
     ) -> Result<Region, Error> {
         let Excerpt { vertices, triangles } = self.gather(free, 2 + rings);
         for (l, &v) in (0..).zip(&vertices) {
@@ -72,7 +80,8 @@ impl<'a> Excerpts<'a> {
             self.local[v as usize] = NONE;
         }
         let selection = Selection::Vertices(&selected);
-        let region = Region::with_normals(&positions, &corners, selection, |v| given(vertices[v as usize]));
+        let of_excerpt = |v: u32| given(vertices[v as usize]);
+        let region = Region::numbered(&positions, &corners, selection, of_excerpt, numbering);
         let id = |ids: &[u32], i: usize| ids[i] as usize;
         let mut region = region.map_err(|e| e.renumbered(|v| id(&vertices, v), |t| id(&triangles, t)))?;
         for v in &mut region.vertex_ids {

@@ -49,10 +49,9 @@ impl HalfEdges {
     ) -> Result<Self, Error> {
         let corners = (0..).zip(triangles.iter().flatten());
         let outgoing = Rows::collect(vertex_ids.len(), corners.map(|(h, &v)| (v, h)));
-        if let Some(v) = (0..free).find(|&v| outgoing.row(v).is_empty()) {
-            return Err(Error::FreeVertexWithoutTriangle {
-                vertex: vertex_ids[v] as usize,
-            });
+        let without = (0..free).filter(|&v| outgoing.row(v).is_empty());
+        if let Some(vertex) = without.map(|v| vertex_ids[v] as usize).min() {
+            return Err(Error::FreeVertexWithoutTriangle { vertex });
         }
         let mut half_edges = Self {
             triangles,

@@ -4,6 +4,7 @@ use super::NONE;
 use super::halfedge::{next, previous};
 use super::region::Region;
 use super::rows::Rows;
+use crate::profile::clock;
 use fairmesh_linear::sparse::SymmetricPattern;
 
 /// The neighbourhoods of the region's vertices, in local vertex numbers. There is a row for each free vertex, or, in
@@ -154,6 +155,7 @@ impl Rings {
 
     /// The one-ring graph of the free vertices: the pattern of the scalar graph Laplacian.
     pub(crate) fn graph(&self) -> SymmetricPattern {
+        let _clock = clock("patterns");
         self.pattern(self.neighbour.values().len() / 2, |i, columns| {
             columns.extend(self.ring(i as usize).iter().filter(|&&j| j < i));
         })
@@ -162,6 +164,7 @@ impl Rings {
     /// The pattern of `S_I D S_I^T`, where S_I holds the free rows and all region columns of the Laplacian:
     /// free vertices are connected if they are the same, neighbours, or have a common neighbour, free or boundary.
     pub(crate) fn two_ring_pattern(&self) -> SymmetricPattern {
+        let _clock = clock("patterns");
         let mut seen = vec![NONE; self.free()];
         self.pattern(self.neighbour.values().len() * 3 / 2, |i, columns| {
             let mut visit = |j: u32| {

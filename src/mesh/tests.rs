@@ -1,5 +1,6 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
+use super::numbering::Numbering;
 use super::{NONE, OutsideNeighbours, Region, Rings, Selection, decimate};
 use crate::error::Error;
 use fairmesh_shapes::{
@@ -608,12 +609,24 @@ fn regions_of_components_far_from_the_origin() {
 
 /// The regions of components, each of which is that of its free vertices alone.
 fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<Region> {
-    let regions = Region::of_components(&mesh.0, &mesh.1, Selection::Vertices(list), &given).unwrap();
+    agree_alone_numbered(mesh, list, &given, Numbering::BreadthFirst);
+    agree_alone_numbered(mesh, list, &given, Numbering::AsGiven)
+}
+
+fn agree_alone_numbered(
+    mesh: &Mesh,
+    list: &[u32],
+    given: impl Fn(u32) -> bool,
+    numbering: Numbering,
+) -> Vec<Region> {
+    let list_of = |list| Selection::Vertices(list);
+    let regions = Region::of_components(&mesh.0, &mesh.1, list_of(list), &given, numbering).unwrap();
     let mut free: Vec<u32> = Vec::new();
     for region in &regions {
         assert_eq!(region.components, 1);
         let own = free_ids(region);
-        let alone = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(own), &given).unwrap();
+        let alone = Region::numbered(&mesh.0, &mesh.1, list_of(own), &given, numbering).unwrap();
+        alone.validate().unwrap();
         // All but what the others move.
         let mut here = region.clone();
         here.moves_elsewhere.clone_from(&alone.moves_elsewhere);
@@ -624,7 +637,7 @@ fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<Re
     let mut asked = list.to_vec();
     asked.sort_unstable();
     assert_eq!(free, asked);
-    assert!(regions.is_sorted_by_key(|r| r.vertex_ids[0]));
+    assert!(regions.is_sorted_by_key(Region::first_free));
     regions
 }
 

@@ -12,6 +12,7 @@ use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
 use crate::mesh::{NONE, Region, Rings};
+use crate::profile::clock;
 use fairmesh_linear::sparse::SymmetricPattern;
 
 /// `S` and `D` of one surface, vertex by vertex.
@@ -52,6 +53,7 @@ impl Metric {
         state: &State,
         response: bool,
     ) {
+        let _clock = clock("assemble P");
         let (rings, batches) = (equations.rings, equations.batches);
         let free = equations.free();
         let boundary = rings.closed.len();
@@ -111,6 +113,7 @@ impl Metric {
         batches: &ValenceBatches,
         fairness: &FairnessWeights,
     ) {
+        let _clock = clock("assemble P");
         // Of an edge of two equilateral triangles.
         let equilateral = 2.0 / 3f64.sqrt();
         let free = rings.free();
@@ -221,6 +224,7 @@ impl Metric {
         mass: impl Fn(usize) -> f64 + Sync,
         values: &mut [f64],
     ) {
+        let _clock = clock("assemble P");
         let free = pattern.order();
         let lengths = (0..free).step_by(CHUNK).map(|i| {
             let end = (i + CHUNK).min(free);
@@ -294,6 +298,7 @@ impl Metric {
         u: &mut [[f64; K]],
         y: &mut [[f64; K]],
     ) {
+        let _clock = clock("start: products with P");
         let free = y.len();
         u.par_iter_mut()
             .with_min_len(CHUNK)

@@ -6,6 +6,7 @@ use super::quasi_newton::IterationStatus;
 use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
+use crate::profile::clock;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
 
@@ -42,6 +43,7 @@ impl Candidate {
     /// Evaluates and judges `x`, at which an iteration ended.
     pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>, status: IterationStatus, step: f64) -> Self {
         system.evaluate(&x);
+        let _clock = clock("poor triangles, judging");
         let surface = system.surface(&x);
         let domain = &system.domain;
         Self {

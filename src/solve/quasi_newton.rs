@@ -7,6 +7,7 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::limited_step::{LARGEST_CHANGE, advance, advance_limited};
 use super::system::{StepNorm, System};
+use crate::profile::clock;
 use crate::quality::NEEDLE;
 use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
 
@@ -100,8 +101,8 @@ pub(crate) struct Iteration {
     anderson: Anderson,
     step: Vec<f64>,
     accelerated: Vec<f64>,
-    /// `x` as Anderson takes it.
-    flat: Vec<f64>,
+    /// How much of `accelerated` was taken.
+    taken: f64,
     /// Rounds begun.
     rounds: usize,
     round: Round,
@@ -146,7 +147,7 @@ impl Iteration {
             anderson: Anderson::new(n, window),
             step: vec![0.0; n],
             accelerated: vec![0.0; n],
-            flat: vec![0.0; n],
+            taken: 1.0,
             rounds: 0,
             round: Round {
                 history: Vec::new(),
@@ -329,14 +330,14 @@ impl Iteration {
 
     fn accelerate(&mut self, system: &System) {
         self.round.was_accelerated = true;
-        for (flat, x) in self.flat.chunks_exact_mut(3).zip(&self.x) {
-            flat.copy_from_slice(x.as_slice());
+        {
+            let _clock = clock("Anderson");
+            self.anderson
+                .accelerate(&self.step, self.taken, &mut self.accelerated);
         }
-        self.anderson
-            .accelerate(&self.flat, &self.step, &mut self.accelerated);
         let change = system.edge_change(&self.x, &self.accelerated);
         if change <= LARGEST_EXCESS * LARGEST_CHANGE {
-            advance_limited(&mut self.x, &self.accelerated, change, LARGEST_CHANGE);
+            self.taken = advance_limited(&mut self.x, &self.accelerated, change, LARGEST_CHANGE);
         } else {
             self.anderson.clear();
             self.plain_step(system);

@@ -12,6 +12,7 @@ use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
 use crate::mesh::Region;
+use crate::profile::clock;
 use crate::quality::Surface;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
@@ -101,13 +102,21 @@ impl System {
         let g_pattern = rings.graph();
         let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
             || {
-                let order = fill_reducing(&g_pattern, &g_pattern, 1, None);
+                let order = {
+                    let _clock = clock("orders");
+                    fill_reducing(&g_pattern, &g_pattern, 1, None)
+                };
                 let values = laplacian(&g_pattern, rings, batches, weights);
+                let _clock = clock("symbolic");
                 (Arc::new(Symbolic::new(&g_pattern, &order)), values)
             },
             || {
                 let pattern = rings.two_ring_pattern();
-                let order = fill_reducing(&pattern, &g_pattern, 2, None);
+                let order = {
+                    let _clock = clock("orders");
+                    fill_reducing(&pattern, &g_pattern, 2, None)
+                };
+                let _clock = clock("symbolic");
                 let symbolic = Arc::new(Symbolic::new(&pattern, &order));
                 (pattern, symbolic)
             },
@@ -115,7 +124,10 @@ impl System {
         let mut g = Factor::new(&g_symbolic, false);
         // Convex weights make G an irreducible M-matrix with a fixed vertex in every component: it is positive
         // definite, and a failure here would show in the first membrane as a collapsed surface.
-        let _ = g.factor(&g_values);
+        {
+            let _clock = clock("factor G");
+            let _ = g.factor(&g_values);
+        }
         let free = region.free;
         Self {
             domain: problem.domain.clone(),
@@ -209,6 +221,7 @@ impl System {
         let Domain { rings, batches, .. } = &*self.domain;
         let values = laplacian(&self.g_pattern, rings, batches, &weights);
         self.weights = weights;
+        let _clock = clock("factor G");
         self.g.factor(&values).map_err(|_| Collapsed)
     }
 
@@ -315,6 +328,7 @@ impl System {
     /// Region triangles (local numbers) that are folded or have an angle below `degrees` at `x`, which was evaluated
     /// last.
     pub(crate) fn poor(&self, x: &[Vector3<f64>], degrees: f64) -> Vec<u32> {
+        let _clock = clock("poor triangles, judging");
         self.surface(x).poor(degrees)
     }
 
@@ -371,6 +385,7 @@ impl System {
     pub(crate) fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
         self.metric
             .assemble(&self.domain.rings, &self.p_pattern, mass, &mut self.p_values);
+        let _clock = clock("factor P");
         match self.p.factor(&self.p_values) {
             Ok(()) => Ok(()),
             Err(_) if !self.p.is_double() => self.refactor_double(),
@@ -380,6 +395,7 @@ impl System {
 
     /// Goes over to a 64-bit factor of the same matrix.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
+        let _clock = clock("factor P");
         self.p = Factor::new(&self.p_symbolic, true);
         self.p.set_interrupt(&self.interrupt);
         self.p.factor(&self.p_values).map_err(|_| Collapsed)
@@ -392,11 +408,13 @@ impl System {
 
     /// Solves with the factor of `P`, three columns.
     pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+        let _clock = clock("start: solves with P");
         self.p.solve(x);
     }
 
     /// Solves with the factor of `G`, three columns.
     pub(crate) fn solve_g(&mut self, x: &mut [[f64; 3]]) {
+        let _clock = clock("solves with G");
         self.g.solve(x);
     }
 
@@ -408,6 +426,7 @@ impl System {
         rayon::join(
             || {
                 t.iter_mut().zip(&state.outer).for_each(|(t, r)| *t = [*r]);
+                let _clock = clock("solves with P");
                 p.solve(t);
             },
             || solve_inner(g, state, d),
@@ -445,6 +464,7 @@ impl System {
         let project = norm.tangential < PROJECTED_BELOW;
         let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
         let rounds = direction::rounds(norm.largest * self.diagonal, disk);
+        let _clock = clock("steps of both equations");
         let averaged = (rounds > 0).then(|| {
             direction::averaged(
                 &self.domain.rings,
@@ -486,5 +506,6 @@ fn solve_inner(g: &mut Factor, state: &State, d: &mut [[f64; 3]]) {
     d.iter_mut()
         .zip(&state.inner)
         .for_each(|(d, r)| *d = [r.x, r.y, r.z]);
+    let _clock = clock("solves with G");
     g.solve(d);
 }

@@ -189,7 +189,8 @@ impl Marks {
             self.grow(system);
         }
         let mut better = x.to_vec();
-        untangle(&system.domain.rings, &self.marked, &mut better);
+        let domain = &system.domain;
+        untangle(&domain.region, &domain.rings, &self.marked, &mut better);
         let mut weights = FairnessWeights::clone(&self.asked);
         for i in (0..system.free()).filter(|&i| self.marked[i]) {
             weights.set_mean_value(&system.domain.batches, &better, i);
