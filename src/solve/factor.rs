@@ -33,20 +33,11 @@ impl Factor {
         }
     }
 
-    /// Factors the matrix with these values. The update matrices, a third of the factor's size, are given back: the
-    /// iterations need their memory for other things.
+    /// Factors the matrix with these values.
     pub(crate) fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         match self {
-            Self::Single(c, _) => {
-                let done = c.factor(values);
-                c.shrink();
-                done
-            }
-            Self::Double(c, _) => {
-                let done = c.factor(values);
-                c.shrink();
-                done
-            }
+            Self::Single(c, _) => c.factor(values),
+            Self::Double(c, _) => c.factor(values),
         }
     }
 
