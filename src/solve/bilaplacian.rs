@@ -25,6 +25,10 @@ pub(crate) struct Metric {
     boundary_weight: Vec<f64>,
     /// `D` at free, then at boundary vertices.
     d: Vec<f64>,
+    /// The boundary vertices on the surface; empty: all edges are equal.
+    boundary_position: Vec<Vector3<f64>>,
+    /// By how much less than `pi` the region's angles at each boundary vertex are.
+    turning: Vec<f64>,
 }
 
 /// `-dH_i/dt_i` of a constant fit to the ring: the mean of `2 / |e_j|^2`. `3 / (4 A_i)` times `sum_j w_ij` is three times
@@ -101,6 +105,11 @@ impl Metric {
             };
         }
         self.bound(free);
+        self.boundary_position = x[free..].to_vec();
+        self.turn(rings, |b, [j, k]| {
+            let apex = x[free + b];
+            (x[j as usize] - apex).angle(&(x[k as usize] - apex))
+        });
     }
 
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
@@ -138,6 +147,8 @@ impl Metric {
             }
             self.total[i] = self.weight[ring].iter().sum();
         }
+        self.boundary_position.clear();
+        self.turn(rings, |_, _| std::f64::consts::FRAC_PI_3);
         for b in 0..rings.boundary() {
             let first = rings.boundary_neighbour.range(b).start;
             for (k, &j) in rings.boundary_ring(b).iter().enumerate() {
@@ -152,6 +163,72 @@ impl Metric {
                     0.5 * equilateral * triangles as f64
                 };
             }
+        }
+    }
+
+    fn turn(&mut self, rings: &Rings, angle: impl Fn(usize, [u32; 2]) -> f64) {
+        let turning = (0..rings.boundary()).map(|b| {
+            let triangles = rings.boundary_triangles(b).iter();
+            std::f64::consts::PI - triangles.map(|t| angle(b, *t)).sum::<f64>()
+        });
+        self.turning = turning.collect();
+    }
+
+    /// `D` at free vertices.
+    pub(crate) fn free_d(&self) -> &[f64] {
+        &self.d[..self.total.len()]
+    }
+
+    /// `D` at boundary vertices.
+    pub(crate) fn boundary_d(&self) -> &[f64] {
+        &self.d[self.total.len()..]
+    }
+
+    /// The distance of two neighbours on the boundary.
+    pub(crate) fn boundary_edge(&self, a: u32, b: u32) -> f64 {
+        // Of equilateral triangles where `D = 3 / (4 A)` is one.
+        const EQUAL: f64 = 0.537_284_965_911_770_9;
+        let Some((a, b)) = self
+            .boundary_position
+            .get(a as usize)
+            .zip(self.boundary_position.get(b as usize))
+        else {
+            return EQUAL;
+        };
+        (a - b).norm()
+    }
+
+    /// By how much a path along the boundary turns at a vertex, towards the region.
+    pub(crate) fn turning(&self, b: u32) -> f64 {
+        self.turning[b as usize]
+    }
+
+    /// The free neighbours of a boundary vertex, and their one-sided weights.
+    pub(crate) fn boundary_row<'m>(
+        &'m self,
+        rings: &'m Rings,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.boundary_weight[rings.boundary_neighbour.range(b)];
+        let row = rings.boundary_ring(b).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
+            .filter(|(j, _)| *j < self.total.len())
+    }
+
+    /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
+    pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern, values: &mut Vec<f64>) {
+        values.resize(pattern.column.len(), 0.0);
+        for i in 0..pattern.order() {
+            let row = pattern.row(i);
+            let own = &mut values[pattern.start[i]..pattern.start[i + 1]];
+            for (&j, w) in rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]) {
+                if (j as usize) < i
+                    && let Some(c) = row.iter().position(|&k| k == j)
+                {
+                    own[c] = -w;
+                }
+            }
+            own[row.len() - 1] = self.total[i];
         }
     }
 
@@ -173,12 +250,12 @@ impl Metric {
         }
     }
 
-    /// Puts the values of `P + diag(mass)` on `pattern`, row by row; `mass(i)` is 0 for the plain matrix.
+    /// Puts the values of `P`, or `P + diag(mass)`, on `pattern`, row by row.
     pub(crate) fn assemble(
         &self,
         rings: &Rings,
         pattern: &SymmetricPattern,
-        mass: impl Fn(usize) -> f64 + Sync,
+        mass: Option<&[f64]>,
         values: &mut [f64],
     ) {
         let free = pattern.order();
@@ -195,8 +272,8 @@ impl Metric {
                     let offset = pattern.start[i] - pattern.start[first];
                     let row = &mut piece[offset..offset + pattern.row(i).len()];
                     self.row(rings, pattern, i, place, row);
-                    if let Some(diagonal) = row.last_mut() {
-                        *diagonal += mass(i);
+                    if let (Some(diagonal), Some(mass)) = (row.last_mut(), mass) {
+                        *diagonal += mass[i];
                     }
                 }
             },
