@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
+use crate::discrete::valence_batches::{CHUNK, ValenceBatches, split_lengths};
 use crate::mesh::{NONE, Region, Rings};
 use fairmesh_linear::sparse::SymmetricPattern;
 
@@ -65,22 +65,31 @@ impl Metric {
         self.boundary_weight
             .resize(rings.boundary_neighbour.values().len(), 0.0);
         self.d.resize(free + boundary, 0.0);
-        for i in 0..free {
-            let (first, lane) = batches.place(i);
-            let mut total = 0.0;
-            for (k, w) in self.weight[rings.neighbour.range(i)].iter_mut().enumerate() {
-                *w = state.weight[first + k][lane];
-                total += *w;
+        let chunks = (0..free).step_by(CHUNK).map(|i| i..(i + CHUNK).min(free));
+        let lengths = chunks.map(|c| c.map(|i| rings.ring(i).len()).sum());
+        let pieces = split_lengths(&mut self.weight, lengths).into_par_iter();
+        let per_vertex = self.total.par_chunks_mut(CHUNK).zip(self.d[..free].par_chunks_mut(CHUNK));
+        pieces.zip(per_vertex).enumerate().for_each(|(chunk, (weight, (total, d)))| {
+            let first = chunk * CHUNK;
+            let begin = rings.neighbour.range(first).start;
+            for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
+                let i = first + k;
+                let (slot, lane) = batches.place(i);
+                let ring = rings.neighbour.range(i);
+                *total = 0.0;
+                for (k, w) in weight[ring.start - begin..ring.end - begin].iter_mut().enumerate() {
+                    *w = state.weight[slot + k][lane];
+                    *total += *w;
+                }
+                let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+                let answer = if response {
+                    state.response[i]
+                } else {
+                    moreton_sequin_response(rings.ring(i), x, i)
+                };
+                *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
             }
-            self.total[i] = total;
-            let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-            let answer = if response {
-                state.response[i]
-            } else {
-                moreton_sequin_response(rings.ring(i), x, i)
-            };
-            self.d[i] = (answer / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
-        }
+        });
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..boundary {
             let neighbours = rings.boundary_ring(b);
@@ -218,18 +227,23 @@ impl Metric {
     /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
     pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern, values: &mut Vec<f64>) {
         values.resize(pattern.column.len(), 0.0);
-        for i in 0..pattern.order() {
-            let row = pattern.row(i);
-            let own = &mut values[pattern.start[i]..pattern.start[i + 1]];
-            for (&j, w) in rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]) {
-                if (j as usize) < i
-                    && let Some(c) = row.iter().position(|&k| k == j)
-                {
-                    own[c] = -w;
+        let pieces = split_rows(pattern, values).into_par_iter();
+        pieces.enumerate().for_each(|(chunk, piece)| {
+            let first = chunk * CHUNK;
+            for i in first..(first + CHUNK).min(pattern.order()) {
+                let row = pattern.row(i);
+                let offset = pattern.start[i] - pattern.start[first];
+                let own = &mut piece[offset..offset + row.len()];
+                for (&j, w) in rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]) {
+                    if (j as usize) < i
+                        && let Some(c) = row.iter().position(|&k| k == j)
+                    {
+                        own[c] = -w;
+                    }
                 }
+                own[row.len() - 1] = self.total[i];
             }
-            own[row.len() - 1] = self.total[i];
-        }
+        });
     }
 
     /// `w_ij` of free vertex `i` and its neighbour `j`.
@@ -259,11 +273,7 @@ impl Metric {
         values: &mut [f64],
     ) {
         let free = pattern.order();
-        let lengths = (0..free).step_by(CHUNK).map(|i| {
-            let end = (i + CHUNK).min(free);
-            pattern.start[end] - pattern.start[i]
-        });
-        let pieces = crate::discrete::valence_batches::split_lengths(values, lengths);
+        let pieces = split_rows(pattern, values);
         pieces.into_par_iter().enumerate().for_each_init(
             || vec![0u32; free],
             |place, (chunk, piece)| {
@@ -369,6 +379,16 @@ impl Metric {
                 *y = sum;
             });
     }
+}
+
+/// The values of a pattern by chunks of rows.
+fn split_rows<'v>(pattern: &SymmetricPattern, values: &'v mut [f64]) -> Vec<&'v mut [f64]> {
+    let free = pattern.order();
+    let lengths = (0..free).step_by(CHUNK).map(|i| {
+        let end = (i + CHUNK).min(free);
+        pattern.start[end] - pattern.start[i]
+    });
+    split_lengths(values, lengths)
 }
 
 /// The surface with every free vertex moved a little along its normal.

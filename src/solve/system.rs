@@ -363,8 +363,8 @@ impl System {
         self.p.varies()
     }
 
-    /// Solves with `P`, three columns.
-    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+    /// Solves with `P`.
+    pub(crate) fn solve_p<const K: usize>(&mut self, x: &mut [[f64; K]]) {
         self.p.solve(x);
     }
 
