@@ -12,7 +12,7 @@ use super::symbolic::Symbolic;
 use super::tile::LANES;
 
 /// Matrices with fewer rows are not worth a second thread.
-const SIDE_BY_SIDE: usize = 50_000;
+const SIDE_BY_SIDE: usize = 60_000;
 
 /// The supernodes that a substitution passes through.
 #[derive(Debug, Clone, Copy)]
@@ -233,7 +233,11 @@ fn forward<T: Real, const K: usize>(
         let below = vectors.map(|v| &v[p..][..rows.len()]);
         for (k, &i) in rows.iter().enumerate() {
             let i = i as usize;
-            let y = if i < end { &mut y[i - first] } else { &mut above[i - top] };
+            let y = if i < end {
+                &mut y[i - first]
+            } else {
+                &mut above[i - top]
+            };
             for c in 0..K {
                 y[c] += below[c][k];
             }

@@ -25,10 +25,6 @@ pub(crate) struct Metric {
     boundary_weight: Vec<f64>,
     /// `D` at free, then at boundary vertices.
     d: Vec<f64>,
-    /// The boundary vertices on the surface; empty: all edges are equal.
-    boundary_position: Vec<Vector3<f64>>,
-    /// By how much less than `pi` the region's angles at each boundary vertex are.
-    turning: Vec<f64>,
 }
 
 /// `-dH_i/dt_i` of a constant fit to the ring: the mean of `2 / |e_j|^2`. `3 / (4 A_i)` times `sum_j w_ij` is three times
@@ -68,28 +64,37 @@ impl Metric {
         let chunks = (0..free).step_by(CHUNK).map(|i| i..(i + CHUNK).min(free));
         let lengths = chunks.map(|c| c.map(|i| rings.ring(i).len()).sum());
         let pieces = split_lengths(&mut self.weight, lengths).into_par_iter();
-        let per_vertex = self.total.par_chunks_mut(CHUNK).zip(self.d[..free].par_chunks_mut(CHUNK));
-        pieces.zip(per_vertex).enumerate().for_each(|(chunk, (weight, (total, d)))| {
-            let first = chunk * CHUNK;
-            let begin = rings.neighbour.range(first).start;
-            for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
-                let i = first + k;
-                let (slot, lane) = batches.place(i);
-                let ring = rings.neighbour.range(i);
-                *total = 0.0;
-                for (k, w) in weight[ring.start - begin..ring.end - begin].iter_mut().enumerate() {
-                    *w = state.weight[slot + k][lane];
-                    *total += *w;
+        let per_vertex = self
+            .total
+            .par_chunks_mut(CHUNK)
+            .zip(self.d[..free].par_chunks_mut(CHUNK));
+        pieces
+            .zip(per_vertex)
+            .enumerate()
+            .for_each(|(chunk, (weight, (total, d)))| {
+                let first = chunk * CHUNK;
+                let begin = rings.neighbour.range(first).start;
+                for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
+                    let i = first + k;
+                    let (slot, lane) = batches.place(i);
+                    let ring = rings.neighbour.range(i);
+                    *total = 0.0;
+                    for (k, w) in weight[ring.start - begin..ring.end - begin]
+                        .iter_mut()
+                        .enumerate()
+                    {
+                        *w = state.weight[slot + k][lane];
+                        *total += *w;
+                    }
+                    let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+                    let answer = if response {
+                        state.response[i]
+                    } else {
+                        moreton_sequin_response(rings.ring(i), x, i)
+                    };
+                    *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
                 }
-                let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-                let answer = if response {
-                    state.response[i]
-                } else {
-                    moreton_sequin_response(rings.ring(i), x, i)
-                };
-                *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
-            }
-        });
+            });
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..boundary {
             let neighbours = rings.boundary_ring(b);
@@ -114,11 +119,6 @@ impl Metric {
             };
         }
         self.bound(free);
-        self.boundary_position = x[free..].to_vec();
-        self.turn(rings, |b, [j, k]| {
-            let apex = x[free + b];
-            (x[j as usize] - apex).angle(&(x[k as usize] - apex))
-        });
     }
 
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
@@ -156,8 +156,6 @@ impl Metric {
             }
             self.total[i] = self.weight[ring].iter().sum();
         }
-        self.boundary_position.clear();
-        self.turn(rings, |_, _| std::f64::consts::FRAC_PI_3);
         for b in 0..rings.boundary() {
             let first = rings.boundary_neighbour.range(b).start;
             for (k, &j) in rings.boundary_ring(b).iter().enumerate() {
@@ -175,14 +173,6 @@ impl Metric {
         }
     }
 
-    fn turn(&mut self, rings: &Rings, angle: impl Fn(usize, [u32; 2]) -> f64) {
-        let turning = (0..rings.boundary()).map(|b| {
-            let triangles = rings.boundary_triangles(b).iter();
-            std::f64::consts::PI - triangles.map(|t| angle(b, *t)).sum::<f64>()
-        });
-        self.turning = turning.collect();
-    }
-
     /// `D` at free vertices.
     pub(crate) fn free_d(&self) -> &[f64] {
         &self.d[..self.total.len()]
@@ -193,23 +183,16 @@ impl Metric {
         &self.d[self.total.len()..]
     }
 
-    /// The distance of two neighbours on the boundary.
-    pub(crate) fn boundary_edge(&self, a: u32, b: u32) -> f64 {
-        // Of equilateral triangles where `D = 3 / (4 A)` is one.
-        const EQUAL: f64 = 0.537_284_965_911_770_9;
-        let Some((a, b)) = self
-            .boundary_position
-            .get(a as usize)
-            .zip(self.boundary_position.get(b as usize))
-        else {
-            return EQUAL;
-        };
-        (a - b).norm()
+    /// `sum_j w_ij` of a free vertex.
+    pub(crate) fn total(&self, i: usize) -> f64 {
+        self.total[i]
     }
 
-    /// By how much a path along the boundary turns at a vertex, towards the region.
-    pub(crate) fn turning(&self, b: u32) -> f64 {
-        self.turning[b as usize]
+    /// The neighbours of a free vertex, and their weights.
+    pub(crate) fn free_row<'m>(&'m self, rings: &'m Rings, i: usize) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.weight[rings.neighbour.range(i)];
+        let row = rings.ring(i).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
     }
 
     /// The free neighbours of a boundary vertex, and their one-sided weights.
@@ -225,9 +208,9 @@ impl Metric {
     }
 
     /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
-    pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern, values: &mut Vec<f64>) {
-        values.resize(pattern.column.len(), 0.0);
-        let pieces = split_rows(pattern, values).into_par_iter();
+    pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern) -> Vec<f64> {
+        let mut values = vec![0.0; pattern.column.len()];
+        let pieces = split_rows(pattern, &mut values).into_par_iter();
         pieces.enumerate().for_each(|(chunk, piece)| {
             let first = chunk * CHUNK;
             for i in first..(first + CHUNK).min(pattern.order()) {
@@ -244,6 +227,7 @@ impl Metric {
                 own[row.len() - 1] = self.total[i];
             }
         });
+        values
     }
 
     /// `w_ij` of free vertex `i` and its neighbour `j`.

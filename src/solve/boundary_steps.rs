@@ -78,9 +78,14 @@ impl Steps {
         let used = |j: usize| j < count;
         let scaled = SMatrix::<f64, MOST, MOST>::from_fn(|i, j| {
             let own = f64::from(u8::from(i == j));
-            if used(i) && used(j) { self.gram[(i, j)] * scale[i] * scale[j] + 1e-12 * own } else { own }
+            if used(i) && used(j) {
+                self.gram[(i, j)] * scale[i] * scale[j] + 1e-12 * own
+            } else {
+                own
+            }
         });
-        let right = SVector::<f64, MOST>::from_fn(|j, _| if used(j) { self.right[j] * scale[j] } else { 0.0 });
+        let right =
+            SVector::<f64, MOST>::from_fn(|j, _| if used(j) { self.right[j] * scale[j] } else { 0.0 });
         if let Some(factor) = scaled.cholesky() {
             let solution = factor.solve(&right);
             self.coefficients = (0..count).map(|j| solution[j] * scale[j]).collect();
@@ -91,7 +96,10 @@ impl Steps {
     pub(crate) fn is_done(&self, boundary_d: &[f64]) -> bool {
         let rest = self.rest.iter().zip(boundary_d);
         let rest: f64 = rest.map(|(r, d)| r * r * d).sum();
-        let all: f64 = (self.coefficients.iter()).zip(self.right.iter()).map(|(c, r)| c * r).sum();
-        !(rest > REST * REST * all)
+        let all: f64 = (self.coefficients.iter())
+            .zip(self.right.iter())
+            .map(|(c, r)| c * r)
+            .sum();
+        rest <= REST * REST * all || (rest + all).is_nan()
     }
 }

@@ -43,11 +43,7 @@ impl Factor {
     }
 
     /// Factors the matrix with these values.
-    pub(crate) fn factor(
-        &mut self,
-        values: &[f64],
-        stacks: &mut Stacks,
-    ) -> Result<(), NotPositiveDefinite> {
+    pub(crate) fn factor(&mut self, values: &[f64], stacks: &mut Stacks) -> Result<(), NotPositiveDefinite> {
         match self {
             Self::Single(c, _) => c.factor_in(values, &mut stacks.single),
             Self::Double(c, _) => c.factor_in(values, &mut stacks.double),

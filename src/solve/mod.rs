@@ -8,6 +8,7 @@ pub(crate) mod bilaplacian;
 pub(crate) mod boundary_chains;
 pub(crate) mod boundary_operator;
 pub(crate) mod boundary_steps;
+pub(crate) mod boundary_strip;
 pub(crate) mod candidate;
 pub(crate) mod control;
 pub(crate) mod curvature_bounds;

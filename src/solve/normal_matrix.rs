@@ -32,7 +32,11 @@ pub(crate) enum Means {
 impl Means {
     /// What is best for a region of so many free vertices.
     pub(crate) fn of(free: usize) -> Self {
-        if free < PLATE_FROM { Self::Factor } else { Self::Plate }
+        if free < PLATE_FROM {
+            Self::Factor
+        } else {
+            Self::Plate
+        }
     }
 }
 

@@ -336,7 +336,12 @@ impl System {
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
-        self.refactor(mass)
+        let made = self.refactor(mass);
+        // Of a large region: the next one is far off, and the iterations need the memory.
+        if response && self.p.varies() {
+            self.stacks = Stacks::default();
+        }
+        made
     }
 
     /// Makes `P` of the metric that is there.
