@@ -5,13 +5,13 @@
 
 use std::sync::Arc;
 
-use super::dispatch::vectorized;
 use super::front;
 use super::interrupt::Interrupt;
 use super::real::Real;
-use super::substitution;
 use super::symbolic::{Symbolic, Task};
 use super::tile::LANES;
+pub use super::traversal::Passed;
+use super::traversal::{Factor, Scratch};
 
 /// A pivot that is not positive and finite.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -23,27 +23,43 @@ pub struct NotPositiveDefinite {
 
 /// The factor of a symmetric positive definite matrix in the precision `T`, `f32` or `f64`.
 ///
-/// The memory is allocated by the first factorization and reused by later ones.
+/// Its memory is allocated by the first factorization and reused by later ones.
 #[derive(Debug)]
 pub struct Cholesky<T> {
     symbolic: Arc<Symbolic>,
     panels: Vec<T>,
-    updates: [Vec<T>; 2],
     interrupt: Interrupt,
+}
+
+/// The update matrices of a factorization, a third of the factor's size. Factorizations one after the other share them.
+#[derive(Debug)]
+pub struct UpdateStacks<T>([Vec<T>; 2]);
+
+impl<T> Default for UpdateStacks<T> {
+    fn default() -> Self {
+        Self([Vec::new(), Vec::new()])
+    }
+}
+
+impl<T> UpdateStacks<T> {
+    /// The memory in use, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of::<T>() * (self.0[0].len() + self.0[1].len())
+    }
 }
 
 /// The vectors that a solve works in. Reuse it: its memory is allocated once.
 #[derive(Debug)]
 pub struct SolveWork<T> {
-    permuted: Vec<T>,
-    local: Vec<T>,
+    ordered: Vec<T>,
+    scratch: Scratch<T>,
 }
 
 impl<T> Default for SolveWork<T> {
     fn default() -> Self {
         Self {
-            permuted: Vec::new(),
-            local: Vec::new(),
+            ordered: Vec::new(),
+            scratch: Scratch::default(),
         }
     }
 }
@@ -51,7 +67,7 @@ impl<T> Default for SolveWork<T> {
 impl<T> SolveWork<T> {
     /// The memory in use, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of::<T>() * (self.permuted.capacity() + self.local.capacity())
+        size_of::<T>() * self.ordered.capacity() + self.scratch.bytes()
     }
 }
 
@@ -61,7 +77,6 @@ impl<T: Real> Cholesky<T> {
         Self {
             symbolic,
             panels: Vec::new(),
-            updates: [Vec::new(), Vec::new()],
             interrupt: Interrupt::default(),
         }
     }
@@ -76,20 +91,14 @@ impl<T: Real> Cholesky<T> {
         &self.symbolic
     }
 
-    /// The memory of the factor and of the update matrices, in bytes; without the structure.
+    /// The memory of the factor in bytes, without the structure.
     pub fn bytes(&self) -> usize {
-        size_of::<T>() * (self.panels.len() + self.updates[0].len() + self.updates[1].len())
+        size_of::<T>() * self.panels.len()
     }
 
     /// What [`Cholesky::bytes`] will be after the first factorization.
     pub fn planned_bytes(&self) -> usize {
-        let updates: usize = self.symbolic.update_size.iter().sum();
-        size_of::<T>() * (self.symbolic.panel_size() + LANES + updates)
-    }
-
-    /// Gives back the memory that only a factorization needs; the next one allocates it again.
-    pub fn shrink(&mut self) {
-        self.updates = [Vec::new(), Vec::new()];
+        size_of::<T>() * (self.symbolic.panel_size() + LANES)
     }
 
     /// Factors the matrix with these values, parallel to the columns of the pattern.
@@ -101,16 +110,33 @@ impl<T: Real> Cholesky<T> {
     /// # Panics
     /// If the number of values is not that of the pattern.
     pub fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+        self.factor_in(values, &mut UpdateStacks::default())
+    }
+
+    /// The same with the memory for update matrices at hand.
+    ///
+    /// # Errors
+    /// As [`Cholesky::factor`].
+    ///
+    /// # Panics
+    /// As [`Cholesky::factor`].
+    pub fn factor_in(
+        &mut self,
+        values: &[f64],
+        stacks: &mut UpdateStacks<T>,
+    ) -> Result<(), NotPositiveDefinite> {
         let symbolic = &*self.symbolic;
         assert_eq!(values.len(), symbolic.input, "one value per entry of the pattern");
         allocate(&mut self.panels, symbolic.panel_size() + LANES);
-        for (stack, size) in self.updates.iter_mut().zip(symbolic.update_size) {
-            allocate(stack, size);
+        for (stack, size) in stacks.0.iter_mut().zip(symbolic.update_size) {
+            if stack.len() < size {
+                allocate(stack, size);
+            }
         }
         let Some(root) = symbolic.tasks.len().checked_sub(1) else {
             return Ok(());
         };
-        let [even, odd] = &mut self.updates;
+        let [even, odd] = &mut stacks.0;
         let job = Job {
             symbolic,
             values,
@@ -127,26 +153,56 @@ impl<T: Real> Cholesky<T> {
     /// # Panics
     /// If `x` does not have one element per row, or nothing was ever factored.
     pub fn solve<const K: usize>(&self, x: &mut [[f64; K]], work: &mut SolveWork<T>) {
-        let symbolic = &*self.symbolic;
-        let n = symbolic.n;
+        let n = self.symbolic.n;
         assert_eq!(x.len(), n, "one right-hand side value per row");
-        assert_eq!(
-            self.panels.len(),
-            symbolic.panel_size() + LANES,
-            "factor before solving"
-        );
-        work.permuted.resize(n * K, T::ZERO);
-        work.local.resize((symbolic.largest + LANES) * K, T::ZERO);
-        let (y, _) = work.permuted.as_chunks_mut::<K>();
-        for (y, &old) in y.iter_mut().zip(&symbolic.order) {
+        let SolveWork { ordered, scratch } = work;
+        ordered.resize(n * K, T::ZERO);
+        let (y, _) = ordered.as_chunks_mut::<K>();
+        self.enter(x, y);
+        let factor = self.checked();
+        factor.forward(y, Passed::All, scratch);
+        factor.backward(y, Passed::All, scratch);
+        self.leave(y, x);
+    }
+
+    /// The same in the order of elimination, for right-hand sides that are zero but for the rows that `forward` passes, and
+    /// solutions that are wanted only at those that `backward` passes: elsewhere they are meaningless.
+    ///
+    /// # Panics
+    /// As [`Cholesky::solve`].
+    pub fn solve_ordered<const K: usize>(
+        &self,
+        y: &mut [[T; K]],
+        [forward, backward]: [Passed<'_>; 2],
+        work: &mut SolveWork<T>,
+    ) {
+        assert_eq!(y.len(), self.symbolic.n, "one right-hand side value per row");
+        let factor = self.checked();
+        factor.forward(y, forward, &mut work.scratch);
+        factor.backward(y, backward, &mut work.scratch);
+    }
+
+    /// Puts values into the order of elimination.
+    pub fn enter<const K: usize>(&self, x: &[[f64; K]], y: &mut [[T; K]]) {
+        for (y, &old) in y.iter_mut().zip(&self.symbolic.order) {
             *y = x[old as usize].map(T::from_f64);
         }
-        vectorized(
-            #[inline(always)]
-            || substitute(symbolic, &self.panels, y, &mut work.local),
-        );
-        for (y, &old) in y.iter().zip(&symbolic.order) {
+    }
+
+    /// And back.
+    pub fn leave<const K: usize>(&self, y: &[[T; K]], x: &mut [[f64; K]]) {
+        for (y, &old) in y.iter().zip(&self.symbolic.order) {
             x[old as usize] = y.map(T::to_f64);
+        }
+    }
+
+    fn checked(&self) -> Factor<'_, T> {
+        let symbolic = &*self.symbolic;
+        let size = symbolic.panel_size() + LANES;
+        assert_eq!(self.panels.len(), size, "factor before solving");
+        Factor {
+            symbolic,
+            panels: &self.panels,
         }
     }
 }
@@ -158,74 +214,6 @@ fn allocate<T: Real>(memory: &mut Vec<T>, size: usize) {
         *memory = Vec::new();
         *memory = vec![T::ZERO; size];
     }
-}
-
-/// Forward and backward substitution in the new numbering.
-#[inline(always)]
-fn substitute<T: Real, const K: usize>(symbolic: &Symbolic, panels: &[T], y: &mut [[T; K]], local: &mut [T]) {
-    for s in 0..symbolic.supernodes() {
-        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
-        let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
-        let stride = m + LANES;
-        let local = &mut local[..K * stride];
-        let mut vectors = split::<T, K>(local, stride, m);
-        for (k, y) in y[columns.clone()].iter().enumerate() {
-            for c in 0..K {
-                vectors[c][k] = y[c];
-            }
-        }
-        for v in &mut vectors {
-            v[p..].fill(T::ZERO);
-        }
-        substitution::forward::<T, K>(panel, m, p, local, stride);
-        let vectors = split::<T, K>(local, stride, m);
-        for (k, y) in y[columns].iter_mut().enumerate() {
-            *y = std::array::from_fn(|c| vectors[c][k]);
-        }
-        let below = vectors.map(|v| &v[p..][..rows.len()]);
-        for (k, &i) in rows.iter().enumerate() {
-            let y = &mut y[i as usize];
-            for c in 0..K {
-                y[c] += below[c][k];
-            }
-        }
-    }
-    for s in (0..symbolic.supernodes()).rev() {
-        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
-        let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
-        let stride = m + LANES;
-        let local = &mut local[..K * stride];
-        let mut vectors = split::<T, K>(local, stride, stride);
-        for (k, y) in y[columns.clone()].iter().enumerate() {
-            for c in 0..K {
-                vectors[c][k] = y[c];
-            }
-        }
-        for v in &mut vectors {
-            v[m..].fill(T::ZERO);
-        }
-        let below = vectors.map(|v| &mut v[p..][..rows.len()]);
-        for (k, &i) in rows.iter().enumerate() {
-            let y = y[i as usize];
-            for c in 0..K {
-                below[c][k] = y[c];
-            }
-        }
-        substitution::backward::<T, K>(panel, m, p, local, stride);
-        let vectors = split::<T, K>(local, stride, p);
-        for (k, y) in y[columns].iter_mut().enumerate() {
-            *y = std::array::from_fn(|c| vectors[c][k]);
-        }
-    }
-}
-
-/// The first `length` elements of `K` vectors that are `stride` apart.
-#[inline(always)]
-fn split<T, const K: usize>(local: &mut [T], stride: usize, length: usize) -> [&mut [T]; K] {
-    let mut rest = local.chunks_exact_mut(stride);
-    std::array::from_fn(|_| &mut rest.next().unwrap_or_default()[..length])
 }
 
 /// What all tasks share.
@@ -528,6 +516,46 @@ mod tests {
         assert!(factor.factor(&values).is_err());
         factor.heed(&Interrupt::default());
         assert_eq!(factor.factor(&values), Ok(()));
+    }
+
+    #[test]
+    fn a_sparse_right_hand_side_needs_only_what_it_reaches() {
+        for (pattern, order) in meshes() {
+            let n = pattern.order();
+            let factor = factored::<f64>(&pattern, &order, &laplacian(&pattern, 0.01));
+            let rows = || (0..n).step_by(n.div_ceil(5));
+            let reach = factor.symbolic().reach(rows());
+            let mut work = SolveWork::default();
+            let mut x = vec![[0.0; 2]; n];
+            rows().for_each(|i| x[i] = [1.0, i as f64]);
+            let mut y = vec![[0.0; 2]; n];
+            factor.enter(&x, &mut y);
+            factor.solve(&mut x, &mut work);
+            let mut part = y.clone();
+            factor.solve_ordered(&mut y, [Passed::Only(&reach), Passed::All], &mut work);
+            factor.solve_ordered(&mut part, [Passed::Only(&reach); 2], &mut work);
+            let mut found = x.clone();
+            factor.leave(&y, &mut found);
+            assert_eq!(found, x);
+            factor.leave(&part, &mut found);
+            assert!(rows().all(|i| found[i] == x[i]));
+            assert!(n < 100 || reach.len() < factor.symbolic().supernodes());
+        }
+    }
+
+    #[test]
+    fn the_two_halves_of_a_large_matrix_solve_the_same_system() {
+        let (graph, _) = grid(246, true);
+        let values = laplacian(&graph, 0.01);
+        let order = nested_dissection(&graph, 1, &landmark_coordinates(&graph));
+        let factor = factored::<f64>(&graph, &order, &values);
+        assert!(residual::<f64, 1>(&graph, &values, &factor).1 < 1e-11);
+        let bits = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let solve = || residual::<f64, 2>(&graph, &values, &factor).0;
+            pool.build().unwrap().install(solve)
+        };
+        assert_eq!(bits(1), bits(2));
     }
 
     #[test]

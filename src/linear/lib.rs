@@ -14,5 +14,6 @@ mod substitution;
 mod supernodes;
 pub mod symbolic;
 mod tile;
+mod traversal;
 
 pub use real::Real;

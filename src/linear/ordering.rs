@@ -8,9 +8,11 @@ use super::sparse::{Adjacency, SymmetricPattern};
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
 const LEAF: [usize; 2] = [20, 24];
 
-/// Up to this number of rows minimum degree alone takes less time than dissection and gives less fill.
-const DISSECT: usize = 200_000;
-/// Larger matrices are dissected into blocks of at most this number of rows, each ordered by minimum degree.
+/// Up to this number of rows, on the 1- and 2-ring graph, minimum degree alone takes less time than dissection and gives less
+/// fill. On the 1-ring graph two halves are worth more: threads order, factor and solve with them side by side.
+const DISSECT: [usize; 2] = [60_000, 200_000];
+/// Larger matrices are dissected into halves, and further into blocks of at most this number of rows, each ordered by minimum
+/// degree.
 const BLOCK: usize = 100_000;
 
 /// The recommended order for a matrix of this `pattern`, that of the `ring`-ring graph (1 or 2) of the 1-ring
@@ -23,10 +25,10 @@ pub fn fill_reducing(
     coords: Option<&[[f64; 3]]>,
 ) -> Vec<u32> {
     let n = pattern.order();
-    if n <= DISSECT {
+    let ring = ring.clamp(1, 2);
+    if n <= DISSECT[ring - 1] {
         return amd(pattern);
     }
-    let ring = ring.clamp(1, 2);
     let adjacency = graph.adjacency();
     let made;
     let coords = match coords {
@@ -42,7 +44,7 @@ pub fn fill_reducing(
         ring,
         coords,
         pattern: Some(pattern),
-        leaf: BLOCK,
+        leaf: BLOCK.min(n.div_ceil(2)),
     };
     blocks.order(&mut order, PARALLEL_DEPTH);
     order

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::discrete::valence_batches::{CHUNK, ValenceBatches};
+use crate::discrete::valence_batches::{CHUNK, ValenceBatches, split_lengths};
 use crate::mesh::{NONE, Region, Rings};
 use crate::profile::clock;
 use fairmesh_linear::sparse::SymmetricPattern;
@@ -63,22 +63,40 @@ impl Metric {
         self.boundary_weight
             .resize(rings.boundary_neighbour.values().len(), 0.0);
         self.d.resize(free + boundary, 0.0);
-        for i in 0..free {
-            let (first, lane) = batches.place(i);
-            let mut total = 0.0;
-            for (k, w) in self.weight[rings.neighbour.range(i)].iter_mut().enumerate() {
-                *w = state.weight[first + k][lane];
-                total += *w;
-            }
-            self.total[i] = total;
-            let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-            let answer = if response {
-                state.response[i]
-            } else {
-                moreton_sequin_response(rings.ring(i), x, i)
-            };
-            self.d[i] = (answer / total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
-        }
+        let chunks = (0..free).step_by(CHUNK).map(|i| i..(i + CHUNK).min(free));
+        let lengths = chunks.map(|c| c.map(|i| rings.ring(i).len()).sum());
+        let pieces = split_lengths(&mut self.weight, lengths).into_par_iter();
+        let per_vertex = self
+            .total
+            .par_chunks_mut(CHUNK)
+            .zip(self.d[..free].par_chunks_mut(CHUNK));
+        pieces
+            .zip(per_vertex)
+            .enumerate()
+            .for_each(|(chunk, (weight, (total, d)))| {
+                let first = chunk * CHUNK;
+                let begin = rings.neighbour.range(first).start;
+                for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
+                    let i = first + k;
+                    let (slot, lane) = batches.place(i);
+                    let ring = rings.neighbour.range(i);
+                    *total = 0.0;
+                    for (k, w) in weight[ring.start - begin..ring.end - begin]
+                        .iter_mut()
+                        .enumerate()
+                    {
+                        *w = state.weight[slot + k][lane];
+                        *total += *w;
+                    }
+                    let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+                    let answer = if response {
+                        state.response[i]
+                    } else {
+                        moreton_sequin_response(rings.ring(i), x, i)
+                    };
+                    *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
+                }
+            });
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..boundary {
             let neighbours = rings.boundary_ring(b);
@@ -198,6 +216,63 @@ impl Metric {
         }
     }
 
+    /// `D` at free vertices.
+    pub(crate) fn free_d(&self) -> &[f64] {
+        &self.d[..self.total.len()]
+    }
+
+    /// `D` at boundary vertices.
+    pub(crate) fn boundary_d(&self) -> &[f64] {
+        &self.d[self.total.len()..]
+    }
+
+    /// `sum_j w_ij` of a free vertex.
+    pub(crate) fn total(&self, i: usize) -> f64 {
+        self.total[i]
+    }
+
+    /// The neighbours of a free vertex, and their weights.
+    pub(crate) fn free_row<'m>(&'m self, rings: &'m Rings, i: usize) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.weight[rings.neighbour.range(i)];
+        let row = rings.ring(i).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
+    }
+
+    /// The free neighbours of a boundary vertex, and their one-sided weights.
+    pub(crate) fn boundary_row<'m>(
+        &'m self,
+        rings: &'m Rings,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.boundary_weight[rings.boundary_neighbour.range(b)];
+        let row = rings.boundary_ring(b).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
+            .filter(|(j, _)| *j < self.total.len())
+    }
+
+    /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
+    pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern) -> Vec<f64> {
+        let mut values = vec![0.0; pattern.column.len()];
+        let pieces = split_rows(pattern, &mut values).into_par_iter();
+        pieces.enumerate().for_each(|(chunk, piece)| {
+            let first = chunk * CHUNK;
+            for i in first..(first + CHUNK).min(pattern.order()) {
+                let row = pattern.row(i);
+                let offset = pattern.start[i] - pattern.start[first];
+                let own = &mut piece[offset..offset + row.len()];
+                for (&j, w) in rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]) {
+                    if (j as usize) < i
+                        && let Some(c) = row.iter().position(|&k| k == j)
+                    {
+                        own[c] = -w;
+                    }
+                }
+                own[row.len() - 1] = self.total[i];
+            }
+        });
+        values
+    }
+
     /// `w_ij` of free vertex `i` and its neighbour `j`.
     fn weight_between(&self, rings: &Rings, i: usize, j: u32) -> f64 {
         let place = rings.ring(i).iter().position(|&n| n == j);
@@ -216,21 +291,17 @@ impl Metric {
         }
     }
 
-    /// Puts the values of `P + diag(mass)` on `pattern`, row by row; `mass(i)` is 0 for the plain matrix.
+    /// Puts the values of `P`, or `P + diag(mass)`, on `pattern`, row by row.
     pub(crate) fn assemble(
         &self,
         rings: &Rings,
         pattern: &SymmetricPattern,
-        mass: impl Fn(usize) -> f64 + Sync,
+        mass: Option<&[f64]>,
         values: &mut [f64],
     ) {
         let _clock = clock("assemble P");
         let free = pattern.order();
-        let lengths = (0..free).step_by(CHUNK).map(|i| {
-            let end = (i + CHUNK).min(free);
-            pattern.start[end] - pattern.start[i]
-        });
-        let pieces = crate::discrete::valence_batches::split_lengths(values, lengths);
+        let pieces = split_rows(pattern, values);
         pieces.into_par_iter().enumerate().for_each_init(
             || vec![0u32; free],
             |place, (chunk, piece)| {
@@ -239,8 +310,8 @@ impl Metric {
                     let offset = pattern.start[i] - pattern.start[first];
                     let row = &mut piece[offset..offset + pattern.row(i).len()];
                     self.row(rings, pattern, i, place, row);
-                    if let Some(diagonal) = row.last_mut() {
-                        *diagonal += mass(i);
+                    if let (Some(diagonal), Some(mass)) = (row.last_mut(), mass) {
+                        *diagonal += mass[i];
                     }
                 }
             },
@@ -346,6 +417,16 @@ fn heron(a: f64, b: f64, c: f64) -> f64 {
     let [a, b, c] = edges;
     let product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     0.25 * product.max(0.0).sqrt()
+}
+
+/// The values of a pattern by chunks of rows.
+fn split_rows<'v>(pattern: &SymmetricPattern, values: &'v mut [f64]) -> Vec<&'v mut [f64]> {
+    let free = pattern.order();
+    let lengths = (0..free).step_by(CHUNK).map(|i| {
+        let end = (i + CHUNK).min(free);
+        pattern.start[end] - pattern.start[i]
+    });
+    split_lengths(values, lengths)
 }
 
 /// The surface with every free vertex moved a little along its normal.

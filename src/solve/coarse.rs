@@ -65,13 +65,12 @@ impl CoarseLevel {
         }
         let positions: Vec<[f64; 3]> = input.iter().map(|p| (*p).into()).collect();
         let (mut coarse, lengths) = coarsening.region(region, &positions).ok()?;
-        if std::env::var_os("FM_TRACE").is_some() {
-            eprintln!(
-                "  {} {} {} {}",
-                coarse.boundary, region.boundary, coarse.components, region.components
-            );
-        }
-        if coarse.boundary != region.boundary || coarse.components != region.components {
+        let boundary = (region.free..)
+            .zip(&coarse.vertex_ids[coarse.free..])
+            .take(region.boundary);
+        let has_same_boundary =
+            coarse.boundary == region.boundary && boundary.into_iter().all(|(v, &id)| v == id as usize);
+        if !has_same_boundary || coarse.components != region.components {
             return None;
         }
         if !region.moves_elsewhere.is_empty() {
@@ -151,8 +150,12 @@ fn spread_alike(domain: &Domain, coarsening: &Coarsening, vertices: usize) -> Fa
     for (k, &v) in region.vertex_ids[..region.region_vertices()].iter().enumerate() {
         number[v as usize] = k as u32;
     }
+    // Rows are in the order of the fine numbers.
+    let mut ascending = region.vertex_ids[..region.free].to_vec();
+    ascending.sort_unstable();
     FairnessWeights::given(&domain.batches, |i| {
-        let row = coarsening.coordinates().row(i).iter();
+        let row = ascending.partition_point(|&v| v < region.vertex_ids[i]);
+        let row = coarsening.coordinates().row(row).iter();
         row.map(|&(v, w)| (number[v as usize], w))
     })
 }

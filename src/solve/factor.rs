@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fairmesh_linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork};
+use fairmesh_linear::cholesky::{Cholesky, NotPositiveDefinite, SolveWork, UpdateStacks};
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::symbolic::Symbolic;
 
@@ -13,6 +13,15 @@ pub(crate) enum Factor {
     Single(Cholesky<f32>, SolveWork<f32>),
     /// 64-bit factor.
     Double(Cholesky<f64>, SolveWork<f64>),
+}
+
+/// The memory that factorizations need, kept for the next one.
+#[derive(Debug, Default)]
+pub(crate) struct Stacks {
+    /// Of 32-bit ones.
+    pub(crate) single: UpdateStacks<f32>,
+    /// Of 64-bit ones.
+    pub(crate) double: UpdateStacks<f64>,
 }
 
 impl Factor {
@@ -33,20 +42,11 @@ impl Factor {
         }
     }
 
-    /// Factors the matrix with these values. The update matrices, a third of the factor's size, are given back: the
-    /// iterations need their memory for other things.
-    pub(crate) fn factor(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+    /// Factors the matrix with these values.
+    pub(crate) fn factor(&mut self, values: &[f64], stacks: &mut Stacks) -> Result<(), NotPositiveDefinite> {
         match self {
-            Self::Single(c, _) => {
-                let done = c.factor(values);
-                c.shrink();
-                done
-            }
-            Self::Double(c, _) => {
-                let done = c.factor(values);
-                c.shrink();
-                done
-            }
+            Self::Single(c, _) => c.factor_in(values, &mut stacks.single),
+            Self::Double(c, _) => c.factor_in(values, &mut stacks.double),
         }
     }
 

@@ -146,7 +146,7 @@ impl System {
             None => metric.combinatorial(rings, batches, self.weights()),
         }
         self.metric = metric;
-        self.refactor(|_| 0.0)?;
+        self.refactor(None)?;
         self.linear_solve(control)
     }
 
@@ -157,7 +157,7 @@ impl System {
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         self.evaluate(membrane);
-        self.rebuild(membrane, false, |_| 0.0)?;
+        self.rebuild(membrane, false, None)?;
         self.linear_solve(control)
     }
 
@@ -235,7 +235,14 @@ impl System {
             if (0..3).all(|c| next[c].abs() <= REFINED * REFINED * first[c].abs()) {
                 return true;
             }
-            let beta = ratios(next, rho);
+            // Flexible (Polak and Ribiere) where the preconditioner varies.
+            let gained = if self.varies() {
+                let change = products(&preconditioned, &image);
+                std::array::from_fn(|c| -alpha[c] * change[c])
+            } else {
+                next
+            };
+            let beta = ratios(gained, rho);
             for (d, p) in direction.iter_mut().zip(&preconditioned) {
                 for c in 0..3 {
                     d[c] = p[c] + beta[c] * d[c];

@@ -67,9 +67,10 @@ impl PseudoTime {
 
     /// Returns whether it was the last one.
     fn step(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<bool, Collapsed> {
-        let area = system.state().area.clone();
         let tau = 3.0 * self.tau * system.diagonal.powi(4);
-        system.rebuild(&self.x, true, |i| area[i] * 4.0 / tau)?;
+        let area = system.state().area.iter();
+        let mass: Vec<f64> = area.map(|area| area * 4.0 / tau).collect();
+        system.rebuild(&self.x, true, Some(&mass))?;
         let d = system.step(&mut self.step).total();
         control.iteration(d, PHASE);
         if !d.is_finite() {

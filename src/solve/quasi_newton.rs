@@ -188,7 +188,7 @@ impl Iteration {
         let made = if reuse {
             Ok(())
         } else {
-            system.rebuild(&self.x, measured_response, |_| 0.0)
+            system.rebuild(&self.x, measured_response, None)
         };
         // A factorization that is interrupted fails as well.
         if !control.checkpoint(self.options.phase) {

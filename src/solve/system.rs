@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
 use super::direction;
-use super::factor::Factor;
+use super::factor::{Factor, Stacks};
+use super::normal_matrix::{Means, NormalMatrix};
 use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
@@ -21,10 +22,6 @@ use fairmesh_linear::symbolic::Symbolic;
 
 /// Tangential steps below this, in diagonals, are projected.
 const PROJECTED_BELOW: f64 = 1e-3;
-
-/// With more free vertices `P` is factored in 64 bits from the start: its condition grows with their square, and the lowest
-/// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
-const SINGLE_UP_TO: usize = 250_000;
 
 /// What is asked, besides the boundary normals.
 struct Asked {
@@ -56,15 +53,13 @@ pub(crate) struct System {
     pub(super) metric: Metric,
     /// The unit of step norms: the diagonal of the last linear start's bounding box.
     pub(super) diagonal: f64,
-    g_pattern: SymmetricPattern,
+    /// The free one-ring graph.
+    graph: SymmetricPattern,
     g: Factor,
-    p_pattern: SymmetricPattern,
-    p_symbolic: Arc<Symbolic>,
-    p: Factor,
-    p_values: Vec<f64>,
+    p: NormalMatrix,
+    stacks: Stacks,
     normal_step: Vec<[f64; 1]>,
     tangential_step: Vec<[f64; 3]>,
-    interrupt: Interrupt,
 }
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
@@ -90,8 +85,13 @@ impl StepNorm {
 }
 
 impl System {
-    /// Orders and analyses both matrices from connectivity, and factors `G`.
+    /// Orders and analyses the matrices from connectivity, and factors `G`.
     pub(crate) fn new(problem: &Problem<'_>) -> Self {
+        Self::by_means(problem, Means::of(problem.domain.region.free))
+    }
+
+    /// The same with this way to solve with `P`.
+    pub(crate) fn by_means(problem: &Problem<'_>, means: Means) -> Self {
         let Domain {
             region,
             rings,
@@ -99,34 +99,27 @@ impl System {
             ..
         } = &**problem.domain;
         let weights = problem.weights;
-        let g_pattern = rings.graph();
-        let ((g_symbolic, g_values), (p_pattern, p_symbolic)) = rayon::join(
+        let graph = rings.graph();
+        let ((symbolic, g_values), factored) = rayon::join(
             || {
                 let order = {
                     let _clock = clock("orders");
-                    fill_reducing(&g_pattern, &g_pattern, 1, None)
+                    fill_reducing(&graph, &graph, 1, None)
                 };
-                let values = laplacian(&g_pattern, rings, batches, weights);
+                let values = laplacian(&graph, rings, batches, weights);
                 let _clock = clock("symbolic");
-                (Arc::new(Symbolic::new(&g_pattern, &order)), values)
+                (Arc::new(Symbolic::new(&graph, &order)), values)
             },
-            || {
-                let pattern = rings.two_ring_pattern();
-                let order = {
-                    let _clock = clock("orders");
-                    fill_reducing(&pattern, &g_pattern, 2, None)
-                };
-                let _clock = clock("symbolic");
-                let symbolic = Arc::new(Symbolic::new(&pattern, &order));
-                (pattern, symbolic)
-            },
+            || (means == Means::Factor).then(|| NormalMatrix::by_factor(rings, &graph)),
         );
-        let mut g = Factor::new(&g_symbolic, false);
+        let p = factored.unwrap_or_else(|| NormalMatrix::by_plate(region, rings, &symbolic));
+        let mut g = Factor::new(&symbolic, false);
+        let mut stacks = Stacks::default();
         // Convex weights make G an irreducible M-matrix with a fixed vertex in every component: it is positive
         // definite, and a failure here would show in the first membrane as a collapsed surface.
         {
             let _clock = clock("factor G");
-            let _ = g.factor(&g_values);
+            let _ = g.factor(&g_values, &mut stacks);
         }
         let free = region.free;
         Self {
@@ -145,21 +138,17 @@ impl System {
             state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
-            g_pattern,
+            graph,
             g,
-            p: Factor::new(&p_symbolic, free > SINGLE_UP_TO),
-            p_values: vec![0.0; p_pattern.column.len()],
-            p_pattern,
-            p_symbolic,
+            p,
+            stacks,
             normal_step: vec![[0.0]; free],
             tangential_step: vec![[0.0; 3]; free],
-            interrupt: Interrupt::default(),
         }
     }
 
     /// Factorizations fail from when this is set; [`Control::checkpoint`](super::Control::checkpoint) tells whether it is.
     pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        self.interrupt = interrupt.clone();
         self.g.set_interrupt(interrupt);
         self.p.set_interrupt(interrupt);
     }
@@ -219,10 +208,10 @@ impl System {
     /// Takes these inner-fairness weights, until [`System::use_asked_weights`].
     pub(crate) fn use_weights(&mut self, weights: Arc<FairnessWeights>) -> Result<(), Collapsed> {
         let Domain { rings, batches, .. } = &*self.domain;
-        let values = laplacian(&self.g_pattern, rings, batches, &weights);
+        let values = laplacian(&self.graph, rings, batches, &weights);
         self.weights = weights;
         let _clock = clock("factor G");
-        self.g.factor(&values).map_err(|_| Collapsed)
+        self.g.factor(&values, &mut self.stacks).map_err(|_| Collapsed)
     }
 
     /// Back to the inner-fairness weights that are asked for.
@@ -361,13 +350,13 @@ impl System {
         self.state = state;
     }
 
-    /// Makes `P` from the last evaluation, which was at `x`, with `mass(i)` on its diagonal. With `response` it evaluates at
+    /// Makes `P` from the last evaluation, which was at `x`, with `mass` on its diagonal. With `response` it evaluates at
     /// `x` itself.
     pub(crate) fn rebuild(
         &mut self,
         x: &[Vector3<f64>],
         response: bool,
-        mass: impl Fn(usize) -> f64 + Sync,
+        mass: Option<&[f64]>,
     ) -> Result<(), Collapsed> {
         if response {
             let mut state = std::mem::take(&mut self.state);
@@ -378,27 +367,26 @@ impl System {
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
-        self.refactor(mass)
-    }
-
-    /// Factors `P` of the metric that is there.
-    pub(crate) fn refactor(&mut self, mass: impl Fn(usize) -> f64 + Sync) -> Result<(), Collapsed> {
-        self.metric
-            .assemble(&self.domain.rings, &self.p_pattern, mass, &mut self.p_values);
-        let _clock = clock("factor P");
-        match self.p.factor(&self.p_values) {
-            Ok(()) => Ok(()),
-            Err(_) if !self.p.is_double() => self.refactor_double(),
-            Err(_) => Err(Collapsed),
+        let made = self.refactor(mass);
+        // Of a large region: the next one is far off, and the iterations need the memory.
+        if response && self.p.varies() {
+            self.stacks = Stacks::default();
         }
+        made
     }
 
-    /// Goes over to a 64-bit factor of the same matrix.
+    /// Makes `P` of the metric that is there.
+    pub(crate) fn refactor(&mut self, mass: Option<&[f64]>) -> Result<(), Collapsed> {
+        let rings = &self.domain.rings;
+        self.p
+            .factor(&self.metric, rings, &self.graph, mass, &mut self.stacks)
+    }
+
+    /// Goes over to a 64-bit factor of the same matrix, without mass.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
-        let _clock = clock("factor P");
-        self.p = Factor::new(&self.p_symbolic, true);
-        self.p.set_interrupt(&self.interrupt);
-        self.p.factor(&self.p_values).map_err(|_| Collapsed)
+        let rings = &self.domain.rings;
+        self.p
+            .factor_double(&self.metric, rings, &self.graph, None, &mut self.stacks)
     }
 
     /// Whether `P` is factored in 64 bits.
@@ -406,8 +394,13 @@ impl System {
         self.p.is_double()
     }
 
-    /// Solves with the factor of `P`, three columns.
-    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+    /// Whether solving with `P` is not quite linear.
+    pub(crate) fn varies(&self) -> bool {
+        self.p.varies()
+    }
+
+    /// Solves with `P`.
+    pub(crate) fn solve_p<const K: usize>(&mut self, x: &mut [[f64; K]]) {
         let _clock = clock("start: solves with P");
         self.p.solve(x);
     }
