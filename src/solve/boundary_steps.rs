@@ -1,17 +1,25 @@
-//! A few steps with the preconditioned boundary operator, each to the least energy.
+//! A few steps with the preconditioned boundary operator.
+//!
+//! Where the preconditioner is good they are Richardson's, always as many: then a solve is linear in its right-hand side, which
+//! acceleration counts on. Where it is not, they go to the least energy.
 
 use nalgebra::{SMatrix, SVector};
 
 /// At most so many.
 pub(crate) const STEPS: usize = 8;
-/// No more are taken when the energy of what the boundary still asks for falls below this part of the solution's, as
+/// Richardson's steps,
+const RICHARDSON: usize = 2;
+/// if they leave no more than this part of what the boundary asks for, as square roots of energies.
+const GAIN: f64 = 0.3;
+/// To the least energy no more are taken when the energy of what the boundary still asks for falls below this part of the solution's, as
 /// square roots.
 const REST: f64 = 0.3;
 /// Vectors at most.
 const MOST: usize = STEPS + 1;
 
-/// The least energy `x . P x / 2 - x . r` among the sums of `x_0 = A r` and `v_j = A S_fb d_j`, of one column. All
-/// products are taken on the boundary, where `W d_j = w_j` with `W = S_bf A S_fb`.
+/// The solution among the sums of `x_0 = A r` and `v_j = A S_fb d_j`, of one column: `x_0 - v_1 - v_2`, or
+/// the one of least energy `x . P x / 2 - x . r`. All products are taken on the boundary, where `W d_j = w_j` with
+/// `W = S_bf A S_fb`.
 pub(crate) struct Steps {
     /// `S_bf x_0`.
     rho: Vec<f64>,
@@ -22,8 +30,10 @@ pub(crate) struct Steps {
     right: SVector<f64, MOST>,
     /// Of `x_0` and the `v_j`.
     pub(crate) coefficients: Vec<f64>,
-    /// What the boundary asks for at the least energy so far: `S_bf x` with `x` as `A` of something.
+    /// What the boundary still asks for.
     pub(crate) rest: Vec<f64>,
+    /// Whether to go to the least energy.
+    is_least: bool,
 }
 
 impl Steps {
@@ -39,6 +49,7 @@ impl Steps {
             gram: SMatrix::identity(),
             right,
             coefficients: vec![1.0],
+            is_least: false,
         }
     }
 
@@ -59,7 +70,15 @@ impl Steps {
         for j in 0..k {
             self.gram[(k, j)] = self.gram[(j, k)];
         }
-        self.minimize(k + 1);
+        if self.is_least {
+            self.minimize();
+        } else {
+            self.coefficients.push(-1.0);
+        }
+        self.find_rest(boundary_d);
+    }
+
+    fn find_rest(&mut self, boundary_d: &[f64]) {
         self.rest = self.rho.iter().map(|r| r * self.coefficients[0]).collect();
         for (j, c) in self.coefficients[1..].iter().enumerate() {
             for (b, rest) in self.rest.iter_mut().enumerate() {
@@ -68,9 +87,10 @@ impl Steps {
         }
     }
 
-    /// The coefficients of the first `count` vectors; that of the last is zero where it depends on the others.
-    fn minimize(&mut self, count: usize) {
-        self.coefficients.push(0.0);
+    /// The coefficients of the least energy; that of the last vector is zero where it depends on the others.
+    fn minimize(&mut self) {
+        let count = self.d.len() + 1;
+        self.coefficients.resize(count, 0.0);
         let scale: SVector<f64, MOST> = SVector::from_fn(|j, _| {
             let d = self.gram[(j, j)];
             if j < count && d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }
@@ -92,14 +112,24 @@ impl Steps {
         }
     }
 
-    /// Whether the energy of the rest is small beside that of the solution, or neither is a number.
-    pub(crate) fn is_done(&self, boundary_d: &[f64]) -> bool {
-        let rest = self.rest.iter().zip(boundary_d);
-        let rest: f64 = rest.map(|(r, d)| r * r * d).sum();
-        let all: f64 = (self.coefficients.iter())
-            .zip(self.right.iter())
-            .map(|(c, r)| c * r)
-            .sum();
+    /// Whether these were enough, or nothing is a number.
+    pub(crate) fn is_done(&mut self, boundary_d: &[f64]) -> bool {
+        let energy = |r: &[f64]| r.iter().zip(boundary_d).map(|(r, d)| r * r * d).sum::<f64>();
+        if !self.is_least {
+            if self.d.len() < RICHARDSON {
+                return false;
+            }
+            let (rest, first) = (energy(&self.rest), energy(&self.rho));
+            if rest <= GAIN * GAIN * first || (rest + first).is_nan() {
+                return true;
+            }
+            self.is_least = true;
+            self.minimize();
+            self.find_rest(boundary_d);
+        }
+        let rest = energy(&self.rest);
+        let all = self.coefficients.iter().zip(self.right.iter());
+        let all: f64 = all.map(|(c, r)| c * r).sum();
         rest <= REST * REST * all || (rest + all).is_nan()
     }
 }

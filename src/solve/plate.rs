@@ -450,8 +450,7 @@ mod tests {
         for case in cases() {
             for on_surface in [false, true] {
                 let error = error(&case, on_surface);
-                println!("{} {on_surface} {error}", case.0);
-                assert!(error < 0.1, "{} {on_surface} {error}", case.0);
+                assert!(error < 0.03, "{} {on_surface} {error}", case.0);
             }
         }
     }
@@ -462,7 +461,6 @@ mod tests {
         for shape in [sphere_cap(60.0, 80, sampling, 3), cylinder_band(120, sampling, 3)] {
             for on_surface in [false, true] {
                 let error = error(&("all", shape.clone(), vec![]), on_surface);
-                println!("all {on_surface} {error}");
                 assert!(error < 1e-4, "{on_surface} {error}");
             }
         }
@@ -470,7 +468,7 @@ mod tests {
 
     #[test]
     fn each_fixed_vertex_stands_in_one_chain() {
-        let loops = [1, 2, 2, 2, 10, 1, 1, 1, 2, 3];
+        let loops = [1, 2, 2, 2, 9, 1, 1, 1, 2, 3];
         for (case, loops) in cases().iter().zip(loops) {
             let (chains, boundary) = with_problem(case, |p| {
                 let region = &p.domain.region;
@@ -492,6 +490,8 @@ mod tests {
             match case.0 {
                 "open curve" => assert!(longest > Some(10) && is_open),
                 "closed curve" => assert!(longest > Some(30)),
+                // One of them is an island.
+                "many holes" => {}
                 _ => assert!(!is_open && longest <= Some(1)),
             }
         }
@@ -580,9 +580,8 @@ mod tests {
                 let far = x.iter().zip(&y).map(|(x, y)| (x - y).norm());
                 (far.fold(0.0, f64::max), before, after)
             });
-            println!("{} {far:e} {before} {after}", case.0);
             assert!(
-                far < 2e-8 && after <= before + 3,
+                far < 1e-9 && after <= before + 1,
                 "{}: {far} {before} {after}",
                 case.0
             );
