@@ -372,3 +372,111 @@ pub(crate) fn circles(rings: &Rings) -> Vec<f64> {
     }
     radius
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fairmesh_shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
+    use nalgebra::Vector3;
+
+    const IRREGULAR: Sampling = Sampling::Irregular { seed: 3 };
+
+    fn region_of(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
+        let selection = Selection::Mask(&shape.free);
+        let region = Region::new(&shape.positions, &shape.triangles, selection).unwrap();
+        let x = region.positions(&shape.positions);
+        (region, x)
+    }
+
+    /// A flat disc: the cap seen from above, in which every edge keeps the length that it has there.
+    fn flat_disc() -> (Region, Vec<Vector3<f64>>) {
+        let (region, mut x) = region_of(&sphere_cap(60.0, 2000, IRREGULAR, OUTSIDE));
+        x.iter_mut().for_each(|p| p.z = 0.0);
+        (region, x)
+    }
+
+    fn length(x: &[Vector3<f64>]) -> impl Fn(u32, u32) -> f64 {
+        |u, v| (x[u as usize] - x[v as usize]).norm()
+    }
+
+    fn coarse_region(coarsening: &Coarsening, region: &Region, x: &[Vector3<f64>]) -> (Region, Vec<[f64; 3]>) {
+        let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
+        coarsening.region(region, &positions).unwrap()
+    }
+
+    #[test]
+    fn a_coarse_mesh_is_sound_and_has_the_same_boundary() {
+        for shape in [
+            sphere_cap(130.0, 4000, IRREGULAR, OUTSIDE),
+            cylinder_band(4000, Sampling::Regular, OUTSIDE),
+        ] {
+            let (region, x) = region_of(&shape);
+            let radius = circles(&Rings::new(&region));
+            let length = |u: u32, v: u32| radius[u as usize] + radius[v as usize];
+            let target = 2 * region.boundary + 300;
+            let coarsening = coarsen(&region, target, length);
+            assert!(coarsening.free() <= target);
+            let (coarse, lengths) = coarse_region(&coarsening, &region, &x);
+            coarse.validate().unwrap();
+            assert_eq!((coarse.free, coarse.boundary), (coarsening.free(), region.boundary));
+            assert_eq!((coarse.components, lengths.len()), (1, coarse.triangles().len()));
+            let boundary: Vec<u32> = (region.free as u32..region.region_vertices() as u32).collect();
+            assert!(coarse.vertex_ids[coarse.free..].starts_with(&boundary));
+        }
+    }
+
+    /// By lengths of a flat mesh coordinates are exact: every vertex comes back to where it was.
+    #[test]
+    fn on_a_flat_mesh_vertices_come_back_to_their_places() {
+        let (region, x) = flat_disc();
+        let coarsening = coarsen(&region, 300, length(&x));
+        assert!(coarsening.free() < 700, "{}", coarsening.free());
+        let mut back = x.clone();
+        for (u, ring) in coarsening.returning() {
+            assert!((ring.iter().map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-12);
+            back[u as usize] = ring.iter().map(|&(j, w)| back[j as usize] * w).sum();
+        }
+        for (p, q) in back.iter().zip(&x) {
+            assert!((p - q).norm() < 1e-9, "{p} {q}");
+        }
+    }
+
+    /// Nor does turning edges or collapsing them change lengths there.
+    #[test]
+    fn on_a_flat_mesh_lengths_are_distances() {
+        let (region, x) = flat_disc();
+        let coarsening = coarsen(&region, 300, length(&x));
+        let (coarse, lengths) = coarse_region(&coarsening, &region, &x);
+        let place = |v: u32| x[coarse.vertex_ids[v as usize] as usize];
+        for (t, l) in coarse.triangles().iter().zip(&lengths) {
+            for k in 0..3 {
+                let distance = (place(t[k]) - place(t[(k + 1) % 3])).norm();
+                assert!((distance - l[k]).abs() < 1e-9, "{t:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_the_interior_lies_does_not_matter() {
+        let shape = sphere_cap(60.0, 3000, IRREGULAR, OUTSIDE);
+        let (region, _) = region_of(&shape);
+        let moved = Shape {
+            positions: shape.random(5),
+            ..shape
+        };
+        let (other, _) = region_of(&moved);
+        let of = |region: &Region| {
+            let radius = circles(&Rings::new(region));
+            let coarsening = coarsen(region, 500, |u, v| radius[u as usize] + radius[v as usize]);
+            coarsening.returning().map(|(u, ring)| (u, ring.to_vec())).collect::<Vec<_>>()
+        };
+        assert_eq!(of(&region), of(&other));
+    }
+
+    /// Six circles of radius 1 touch one of radius 1, and each other.
+    #[test]
+    fn circles_of_a_lattice_are_all_alike() {
+        let (region, _) = region_of(&cylinder_band(600, Sampling::Regular, OUTSIDE));
+        assert!(circles(&Rings::new(&region)).iter().all(|r| (r - 1.0).abs() < 1e-12));
+    }
+}

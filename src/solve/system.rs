@@ -23,6 +23,9 @@ use fairmesh_linear::symbolic::Symbolic;
 /// Tangential steps below this, in diagonals, are projected.
 const PROJECTED_BELOW: f64 = 1e-3;
 
+/// Larger regions give the memory for update matrices back when the iterations begin.
+const KEPT_UP_TO: usize = 50_000;
+
 /// What is asked, besides the boundary normals.
 struct Asked {
     weights: Arc<FairnessWeights>,
@@ -368,8 +371,8 @@ impl System {
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
         let made = self.refactor(mass);
-        // Of a large region: the next one is far off, and the iterations need the memory.
-        if response && self.p.varies() {
+        // The next one is far off, and the iterations need the memory.
+        if response && mass.is_none() && self.free() > KEPT_UP_TO {
             self.stacks = Stacks::default();
         }
         made
