@@ -1,4 +1,6 @@
-"""Whole solves of fairmesh beside one linear solve of other libraries, by turns on the same meshes: CPU seconds of all threads, medians.
+"""Whole solves of fairmesh beside one linear solve of other libraries, by turns on the same meshes.
+
+CPU seconds of all threads, medians.
 
     pip install numpy libigl meshlib ./bindings/python
     cargo build --release
