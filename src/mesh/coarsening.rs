@@ -15,18 +15,18 @@ use crate::error::Error;
 /// vertices are removed.
 const LEAST_ROUNDNESS: f64 = 0.4;
 /// From pass to pass, longer edges are collapsed by this factor.
-const GROWTH: f64 = 1.3;
-/// An edge is turned where the angles opposite to it exceed this, a little over 180 degrees,
-const DELAUNAY: f64 = std::f64::consts::PI + 1e-6;
-/// and those at its ends do not exceed this part of 180 degrees.
+const GROWTH: f64 = 1.5;
+/// An edge is turned where the cosines of the angles opposite to it have a sum below zero by this,
+const DELAUNAY: f64 = 1e-6;
+/// and the angles at its ends do not exceed this part of 180 degrees.
 const CONVEX: f64 = 0.95;
 /// Nor is any angle of a ring that is laid flat less than this, in radians.
 const NARROWEST: f64 = 0.02;
 /// Sweeps over the radii of circles.
-const SWEEPS: usize = 6;
-/// The first edges that are collapsed are shorter than this many mean ones of the region,
-const FIRST: f64 = 0.6;
-/// and none is longer than this many.
+const SWEEPS: usize = 4;
+/// The first edges that are collapsed are at most this many mean ones long of the region,
+const FIRST: f64 = 1.1;
+/// and none is longer than this many of them.
 const LONGEST: f64 = 1e6;
 
 /// A vertex that was removed.
@@ -187,25 +187,29 @@ impl Work {
     fn flip_to_delaunay(&mut self) {
         for h in 0..self.coarsening.lengths.len() as u32 {
             let o = self.coarsening.mesh.opposite(h);
-            if h < o && o != NONE && self.coarsening.mesh.can_flip(h) {
-                self.flip_if_long(h, o);
+            if h < o && o != NONE && self.coarsening.mesh.in_region(o) {
+                self.flip_if_better(h, o);
             }
         }
     }
 
-    fn flip_if_long(&mut self, h: u32, o: u32) {
+    fn flip_if_better(&mut self, h: u32, o: u32) {
         let length = |h: u32| self.coarsening.lengths[h as usize];
         let [ab, bc, ca] = [length(h), length(next(h)), length(previous(h))];
         let [ad, db] = [length(next(o)), length(previous(o))];
-        let angle = |opposite: f64, p: f64, q: f64| {
+        let cosine = |opposite: f64, p: f64, q: f64| {
             let cosine = (p * p + q * q - opposite * opposite) / (2.0 * p * q);
-            cosine.clamp(-1.0, 1.0).acos()
+            cosine.clamp(-1.0, 1.0)
         };
-        let at_a = angle(bc, ab, ca) + angle(db, ab, ad);
-        let at_b = angle(ca, ab, bc) + angle(ad, ab, db);
+        // The angles opposite to the edge exceed 180 degrees where their cosines have a negative sum.
+        let is_delaunay = cosine(ab, bc, ca) + cosine(ab, ad, db) >= -DELAUNAY;
+        if is_delaunay || !self.coarsening.mesh.can_flip(h) {
+            return;
+        }
+        let at_a = cosine(bc, ab, ca).acos() + cosine(db, ab, ad).acos();
+        let at_b = cosine(ca, ab, bc).acos() + cosine(ad, ab, db).acos();
         let is_convex = |a: f64| (NARROWEST..CONVEX * std::f64::consts::PI).contains(&a);
-        let is_delaunay = angle(ab, bc, ca) + angle(ab, ad, db) <= DELAUNAY;
-        if is_delaunay || !is_convex(at_a) || !is_convex(at_b) {
+        if !is_convex(at_a) || !is_convex(at_b) {
             return;
         }
         let cd = (ca * ca + ad * ad - 2.0 * ca * ad * at_a.cos()).max(0.0).sqrt();

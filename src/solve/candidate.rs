@@ -13,6 +13,9 @@ use crate::quality::crease::{creases_by_outside, kinks_as_given};
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
 const ROUNDING_FLOOR: f64 = 1e-9;
 
+/// There may be a poor triangle for so many vertices in a surface that is only somewhere to begin.
+const POOR_OF_START: usize = 100;
+
 /// A surface that an iteration has led to.
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
@@ -116,6 +119,11 @@ impl Candidate {
     pub(crate) fn has_only_needles(&self, system: &System, most: usize) -> bool {
         let is_folded = || !system.poor(&self.x, 0.0).is_empty();
         self.is_converged() && !self.is_flawed() && self.poor.len() <= most && !is_folded()
+    }
+
+    /// Converged, and wrong in a few places at most, which a finer mesh may mend: somewhere to begin there.
+    pub(crate) fn is_good_start(&self) -> bool {
+        self.is_converged() && !self.curvature_overshoot && self.poor.len() <= self.x.len() / POOR_OF_START
     }
 
     /// Whether nothing better is to be looked for.

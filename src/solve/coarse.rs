@@ -12,15 +12,17 @@ use crate::mesh::{NONE, Region};
 /// Regions with fewer free vertices have no coarse level: they are one.
 const SMALLEST_FINE: usize = 2000;
 /// Free vertices of the fine mesh for each of the coarse one,
-const RATIO: usize = 10;
+const RATIO: usize = 16;
 /// but at least so many, or the shape is not resolved,
 const FEWEST: usize = 300;
-/// and besides so many for each vertex of the boundary, none of which is left out.
-const PER_BOUNDARY_VERTEX: usize = 2;
+/// and as many besides for each vertex of the boundary, none of which is left out.
+const PER_BOUNDARY_VERTEX: f64 = 1.5;
 /// More than this many suffice for any shape that a start needs.
 const MOST: usize = 3000;
 /// Edges of the input count as at least so long, in mean edges.
 const SHORTEST: f64 = 0.01;
+/// Sweeps that spread the vertices of the fine mesh.
+const SWEEPS: usize = 6;
 /// A mesh that keeps more than this part of its free vertices is no coarse one.
 const LARGEST_PART: f64 = 0.6;
 
@@ -40,7 +42,7 @@ impl CoarseLevel {
         if region.free < SMALLEST_FINE {
             return None;
         }
-        let beside_boundary = PER_BOUNDARY_VERTEX * region.boundary;
+        let beside_boundary = (PER_BOUNDARY_VERTEX * region.boundary as f64) as usize;
         let target = (region.free / RATIO).clamp(FEWEST, MOST) + beside_boundary;
         // Uniform weights make all edges alike; others spread the vertices as in the input.
         let radius = problem.weights.slots.is_none().then(|| circles(rings));
@@ -139,7 +141,27 @@ impl CoarseLevel {
             surface[u as usize] = p - 0.5 * bend;
             normals[u as usize] = n.try_normalize(1e-9).unwrap_or(n);
         }
+        spread(fine, &mut surface, &normals);
         surface
+    }
+}
+
+/// Spreads the free vertices within the surface as inner fairness (7.3) wants them, as far as their neighbours are concerned: sweeps of
+/// Gauss and Seidel over `sum_j lambda_ij (q_j - q_i)` without its normal part. `P` is made here, and would keep every thin triangle.
+fn spread(problem: &Problem<'_>, x: &mut [Vector3<f64>], normals: &[Vector3<f64>]) {
+    let Domain { rings, batches, .. } = &**problem.domain;
+    for _ in 0..SWEEPS {
+        for i in 0..rings.free() {
+            let (first, lane) = batches.place(i);
+            let (mut sum, mut total) = (Vector3::zeros(), 0.0);
+            for (k, &j) in rings.ring(i).iter().enumerate() {
+                let weight = problem.weights.at(first + k, lane);
+                sum += (x[j as usize] - x[i]) * weight;
+                total += weight;
+            }
+            let step = sum / total;
+            x[i] += step - normals[i] * step.dot(&normals[i]);
+        }
     }
 }
 

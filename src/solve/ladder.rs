@@ -42,13 +42,13 @@ enum Search {
     Missed,
 }
 
-/// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a
-/// half-sphere. (The shortest tube between whose ends there are two surfaces has three times as much.)
-const ONLY_ONE_BELOW: f64 = 4.0 * std::f64::consts::PI;
+/// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a tube of three
+/// radii. (Between the ends of one of four radii there begin to be two.)
+const ONLY_ONE_BELOW: f64 = 6.0 * std::f64::consts::PI;
 /// Of two surfaces the later one is taken if its bending energy is less by this part.
 const LESS_ENERGY: f64 = 1e-3;
 /// Step norm of surfaces on the coarse mesh.
-const COARSE_TOLERANCE: f64 = 1e-5;
+const COARSE_TOLERANCE: f64 = 1e-4;
 /// Iterations there.
 const COARSE_ITERATIONS: usize = 600;
 
@@ -79,6 +79,8 @@ pub(crate) struct Ladder {
     fallback: Option<(Candidate, SolveStatus)>,
     /// How far the first continuation came that came anywhere.
     shortfall: Option<SolveStatus>,
+    /// The surface found is the start on another mesh.
+    is_search: bool,
     /// Uniform weights have taken the place of those that are asked for.
     uniform_weights: bool,
     start_seconds: f64,
@@ -99,6 +101,7 @@ impl Ladder {
     pub(crate) fn on_coarsest() -> Self {
         Self {
             coarse: Some(Search::NoCoarseMesh),
+            is_search: true,
             ..Self::default()
         }
     }
@@ -360,7 +363,7 @@ impl Ladder {
         } else if kept == Kept::MinimalEnergy && !candidate.is_stopped() {
             self.minimal_energy =
                 (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
-        } else if candidate.is_settled() {
+        } else if candidate.is_settled() || self.is_search && candidate.is_good_start() {
             return self.best_of((candidate, status));
         } else if kept != Kept::Start && candidate.is_at_rounding() {
             return Some((candidate, SolveStatus::AboveTolerance));
@@ -383,7 +386,7 @@ impl Ladder {
                 Some(found)
             }
             Some(first) => Some(first),
-            None if is_coarsest && found.0.is_sound() && found.0.total_curvature > ONLY_ONE_BELOW => {
+            None if is_coarsest && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW => {
                 self.sound = Some(found);
                 None
             }
@@ -454,9 +457,11 @@ impl Ladder {
 /// Searches the coarse mesh, if there is one.
 fn search(system: &System, control: &mut Control<'_>, trials: &mut Vec<Trial>) -> Search {
     let fine = system.problem();
+    let t0 = std::time::Instant::now();
     let Some(level) = CoarseLevel::new(&fine) else {
         return Search::NoCoarseMesh;
     };
+    let t1 = t0.elapsed().as_secs_f64();
     let found = control.within(PHASE, COARSE_TOLERANCE, COARSE_ITERATIONS, |control| {
         super::solve_on_coarsest(&level.problem(&fine), control)
     });
@@ -484,7 +489,12 @@ fn search(system: &System, control: &mut Control<'_>, trials: &mut Vec<Trial>) -
         SolveStatus::NearestMember(w) => w,
         _ => return Search::Missed,
     };
-    Search::Found(level.prolongate(&fine, &result.x, &state.corrected), w)
+    let t2 = t0.elapsed().as_secs_f64();
+    let x = level.prolongate(&fine, &result.x, &state.corrected);
+    if std::env::var_os("FM_TRACE").is_some() {
+        eprintln!("  coarsen {t1:.3} solve {:.3} prolongate {:.3}", t2 - t1, t0.elapsed().as_secs_f64() - t2);
+    }
+    Search::Found(x, w)
 }
 
 #[cfg(test)]
