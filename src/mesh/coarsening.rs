@@ -464,11 +464,8 @@ mod tests {
     fn where_the_interior_lies_does_not_matter() {
         let shape = sphere_cap(60.0, 3000, IRREGULAR, OUTSIDE);
         let (region, _) = region_of(&shape);
-        let moved = Shape {
-            positions: shape.random(5),
-            ..shape
-        };
-        let (other, _) = region_of(&moved);
+        let moved = shape.random(5);
+        let other = Region::new(&moved, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let of = |region: &Region| {
             let radius = circles(&Rings::new(region));
             let coarsening = coarsen(region, 500, |u, v| radius[u as usize] + radius[v as usize]);

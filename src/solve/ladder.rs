@@ -509,6 +509,8 @@ mod tests {
             step,
             poor: Vec::new(),
             curvature_overshoot: false,
+            bending_energy: 0.0,
+            total_curvature: 0.0,
             detached_from_normals: false,
             creases: 0,
             needles_from_input: false,
