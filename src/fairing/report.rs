@@ -289,7 +289,7 @@ impl Outcome {
 pub struct Seconds {
     /// Half-edges, rings, boundary normals.
     pub setup: f64,
-    /// Symbolic analysis, membrane and linear start.
+    /// Symbolic analysis, and the search on the coarse mesh or the linear start.
     pub start: f64,
     /// Nonlinear iterations.
     pub iterate: f64,

@@ -403,7 +403,11 @@ mod tests {
         |u, v| (x[u as usize] - x[v as usize]).norm()
     }
 
-    fn coarse_region(coarsening: &Coarsening, region: &Region, x: &[Vector3<f64>]) -> (Region, Vec<[f64; 3]>) {
+    fn coarse_region(
+        coarsening: &Coarsening,
+        region: &Region,
+        x: &[Vector3<f64>],
+    ) -> (Region, Vec<[f64; 3]>) {
         let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
         coarsening.region(region, &positions).unwrap()
     }
@@ -422,7 +426,10 @@ mod tests {
             assert!(coarsening.free() <= target);
             let (coarse, lengths) = coarse_region(&coarsening, &region, &x);
             coarse.validate().unwrap();
-            assert_eq!((coarse.free, coarse.boundary), (coarsening.free(), region.boundary));
+            assert_eq!(
+                (coarse.free, coarse.boundary),
+                (coarsening.free(), region.boundary)
+            );
             assert_eq!((coarse.components, lengths.len()), (1, coarse.triangles().len()));
             let boundary: Vec<u32> = (region.free as u32..region.region_vertices() as u32).collect();
             assert!(coarse.vertex_ids[coarse.free..].starts_with(&boundary));
@@ -469,7 +476,10 @@ mod tests {
         let of = |region: &Region| {
             let radius = circles(&Rings::new(region));
             let coarsening = coarsen(region, 500, |u, v| radius[u as usize] + radius[v as usize]);
-            coarsening.returning().map(|(u, ring)| (u, ring.to_vec())).collect::<Vec<_>>()
+            coarsening
+                .returning()
+                .map(|(u, ring)| (u, ring.to_vec()))
+                .collect::<Vec<_>>()
         };
         assert_eq!(of(&region), of(&other));
     }
@@ -478,6 +488,10 @@ mod tests {
     #[test]
     fn circles_of_a_lattice_are_all_alike() {
         let (region, _) = region_of(&cylinder_band(600, Sampling::Regular, OUTSIDE));
-        assert!(circles(&Rings::new(&region)).iter().all(|r| (r - 1.0).abs() < 1e-12));
+        assert!(
+            circles(&Rings::new(&region))
+                .iter()
+                .all(|r| (r - 1.0).abs() < 1e-12)
+        );
     }
 }

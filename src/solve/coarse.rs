@@ -54,14 +54,6 @@ impl CoarseLevel {
                 None => (input[u] - input[v]).norm().max(shortest),
             }
         });
-        if std::env::var_os("FM_TRACE").is_some() {
-            eprintln!(
-                "  coarse: {} of {} target {target} boundary {}",
-                coarsening.free(),
-                region.free,
-                region.boundary
-            );
-        }
         if coarsening.free() as f64 > LARGEST_PART * region.free as f64 {
             return None;
         }
@@ -112,16 +104,6 @@ impl CoarseLevel {
         x: &[Vector3<f64>],
         normal: &[Vector3<f64>],
     ) -> Vec<Vector3<f64>> {
-        if let Some(path) = std::env::var_os("FM_DUMP") {
-            let mut text = String::new();
-            for p in x {
-                text += &format!("v {} {} {}\n", p.x, p.y, p.z);
-            }
-            for t in self.domain.region.triangles() {
-                text += &format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
-            }
-            std::fs::write(path, text).unwrap();
-        }
         let mut surface = fine.domain.surface().to_vec();
         let mut normals = vec![Vector3::zeros(); surface.len()];
         for (k, (p, n)) in x.iter().zip(normal).enumerate() {

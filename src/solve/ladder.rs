@@ -8,12 +8,12 @@ use nalgebra::Vector3;
 
 use super::attempt::{Attempt, Curvature, Kept, LADDER, Mesh, Start, Weights};
 use super::candidate::Candidate;
-use super::coarse::CoarseLevel;
 use super::control::Control;
 use super::initial::PHASE;
 use super::problem::diagonal;
 use super::procedure::{Next, Procedure, Run, Underway};
 use super::result::{SolveResult, SolveStatus, Trial};
+use super::search::Search;
 use super::system::{Collapsed, System};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
@@ -31,27 +31,11 @@ pub(crate) enum Step {
     Unmoved,
 }
 
-/// What the coarse mesh has led to.
-#[derive(Debug)]
-enum Search {
-    /// There is none.
-    NoCoarseMesh,
-    /// A surface, on the fine mesh, and the member of the family that it is: 0 for what is asked.
-    Found(Vec<Vector3<f64>>, f64),
-    /// None.
-    Missed,
-}
-
 /// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a tube of three
 /// radii. (Between the ends of one of four radii there begin to be two.)
 const ONLY_ONE_BELOW: f64 = 6.0 * std::f64::consts::PI;
 /// Of two surfaces the later one is taken if its bending energy is less by this part.
 const LESS_ENERGY: f64 = 1e-3;
-/// Step norm of surfaces on the coarse mesh.
-const COARSE_TOLERANCE: f64 = 1e-4;
-/// Iterations there.
-const COARSE_ITERATIONS: usize = 600;
-
 /// A solve under way.
 #[derive(Debug, Default)]
 pub(crate) struct Ladder {
@@ -143,23 +127,6 @@ impl Ladder {
         }
         // The next run: of this attempt, or of another.
         loop {
-            if let (Some(c), true) = (&ended, std::env::var_os("FM_TRACE").is_some()) {
-                eprintln!(
-                    "  n={} {} -> {:?} d={:.1e} poor={} over={} det={} creases={} E={:.5} T={:.3} it={} rhs={:?}",
-                    system.free(),
-                    LADDER[self.attempts.max(1) - 1].name,
-                    c.status,
-                    c.step,
-                    c.poor.len(),
-                    c.curvature_overshoot,
-                    c.detached_from_normals,
-                    c.creases,
-                    c.bending_energy,
-                    c.total_curvature,
-                    control.tally.iterations,
-                    system.right_hand_side()
-                );
-            }
             let next = match (ended.take(), &mut self.underway) {
                 (Some(candidate), Some(underway)) => underway.next(candidate, system, control),
                 _ => match self.next_attempt(system, control)? {
@@ -269,9 +236,19 @@ impl Ladder {
 
     /// Whether there is no coarser mesh. Searches it the first time.
     fn is_coarsest(&mut self, system: &System, control: &mut Control<'_>) -> bool {
-        let trials = &mut self.trials;
-        let search = self.coarse.get_or_insert_with(|| search(system, control, trials));
-        matches!(search, Search::NoCoarseMesh)
+        if self.coarse.is_none() {
+            let clock = Instant::now();
+            let (search, trials) = Search::of_coarse_mesh(system, control);
+            if let Search::Missed(status) = &search
+                && status.is_linear()
+            {
+                self.shortfall = Some(status.clone());
+            }
+            self.coarse = Some(search);
+            self.trials.extend(trials);
+            self.start_seconds += clock.elapsed().as_secs_f64();
+        }
+        matches!(self.coarse, Some(Search::NoCoarseMesh))
     }
 
     /// The member of the family that the coarse mesh has.
@@ -304,7 +281,7 @@ impl Ladder {
         }
         self.linear = Some(linear?);
         control.phase(0.3, PHASE);
-        self.start_seconds = clock.elapsed().as_secs_f64();
+        self.start_seconds += clock.elapsed().as_secs_f64();
         Ok(true)
     }
 
@@ -452,49 +429,6 @@ impl Ladder {
             x,
         }
     }
-}
-
-/// Searches the coarse mesh, if there is one.
-fn search(system: &System, control: &mut Control<'_>, trials: &mut Vec<Trial>) -> Search {
-    let fine = system.problem();
-    let t0 = std::time::Instant::now();
-    let Some(level) = CoarseLevel::new(&fine) else {
-        return Search::NoCoarseMesh;
-    };
-    let t1 = t0.elapsed().as_secs_f64();
-    let found = control.within(PHASE, COARSE_TOLERANCE, COARSE_ITERATIONS, |control| {
-        super::solve_on_coarsest(&level.problem(&fine), control)
-    });
-    if let (Err(e), true) = (&found, std::env::var_os("FM_TRACE").is_some()) {
-        eprintln!(
-            "  search {e:?} {:?}",
-            level
-                .problem(&fine)
-                .weights
-                .slots
-                .as_ref()
-                .map(|s| s.iter().flatten().fold((f64::INFINITY, 0.0f64, 0), |a, w| (
-                    a.0.min(*w),
-                    a.1.max(*w),
-                    a.2 + usize::from(w.is_nan())
-                )))
-        );
-    }
-    let Ok((result, state)) = found else {
-        return Search::Missed;
-    };
-    trials.extend(&result.trials);
-    let w = match result.status {
-        SolveStatus::Converged | SolveStatus::FirstOrder | SolveStatus::AboveTolerance => 0.0,
-        SolveStatus::NearestMember(w) => w,
-        _ => return Search::Missed,
-    };
-    let t2 = t0.elapsed().as_secs_f64();
-    let x = level.prolongate(&fine, &result.x, &state.corrected);
-    if std::env::var_os("FM_TRACE").is_some() {
-        eprintln!("  coarsen {t1:.3} solve {:.3} prolongate {:.3}", t2 - t1, t0.elapsed().as_secs_f64() - t2);
-    }
-    Search::Found(x, w)
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ pub(crate) mod procedure;
 pub(crate) mod pseudo_time;
 pub(crate) mod quasi_newton;
 pub(crate) mod result;
+mod search;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;

@@ -207,22 +207,6 @@ impl Iteration {
         // P t = R1 (12) and G d = inner residual (7.3).
         let norm = system.step(&mut self.step);
         control.iteration(norm.total(), self.options.phase);
-        if std::env::var("FM_TRACE").is_ok_and(|v| v == "2") {
-            let poor = system.poor(&self.x, 1.0).len();
-            let r = self
-                .x
-                .iter()
-                .map(|p| p.x.hypot(p.y))
-                .fold(f64::INFINITY, f64::min);
-            eprintln!(
-                "    n={} normal {:.2e} tangential {:.2e} largest {:.2e} poor {poor} r {:.4}",
-                system.free(),
-                norm.normal,
-                norm.tangential,
-                norm.largest,
-                r / self.x[self.x.len() - 1].x.hypot(self.x[self.x.len() - 1].y)
-            );
-        }
         match self.stop(&norm, system, control) {
             Some(IterationStatus::Stalled) => return self.next_round(system, control),
             Some(IterationStatus::Converged) => {
