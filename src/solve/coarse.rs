@@ -173,3 +173,44 @@ fn mean_edge(region: &Region, x: &[Vector3<f64>]) -> f64 {
     };
     region.triangles().iter().map(edges).sum::<f64>() / (3 * region.triangles().len()) as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discrete::curvature::TILT_RIDGE;
+    use crate::discrete::equations::FreeCurvature;
+    use crate::discrete::target::RightHandSide;
+    use crate::mesh::Selection;
+    use fairmesh_shapes::{OUTSIDE, Sampling, sphere_cap};
+
+    /// The largest distance from the unit sphere of what comes back from a coarse mesh on it.
+    fn distance_from_sphere(free: usize) -> f64 {
+        let shape = sphere_cap(60.0, free, Sampling::Irregular { seed: 2 }, OUTSIDE);
+        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let x = region.positions(&shape.positions);
+        let domain = Arc::new(Domain::new(region, x));
+        let problem = Problem {
+            domain: &domain,
+            boundary_normals: &domain.surface()[domain.region.free..],
+            smooth_interior: &[],
+            weights: &Arc::new(FairnessWeights::uniform()),
+            weigh: None,
+            curvature: FreeCurvature::GradientCorrected {
+                tilt_ridge: TILT_RIDGE,
+            },
+            right_hand_side: RightHandSide::default(),
+        };
+        let level = CoarseLevel::new(&problem).unwrap();
+        // On the unit sphere positions are normals.
+        let exact = level.domain.surface();
+        let back = level.prolongate(&problem, exact, exact);
+        back.iter().map(|p| (p.norm() - 1.0).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_sphere_comes_back_from_the_coarse_mesh() {
+        let distances = [2500, 10_000].map(distance_from_sphere);
+        assert!(distances[0] < 3e-3, "{distances:?}");
+        assert!(distances[1] < 0.5 * distances[0], "{distances:?}");
+    }
+}

@@ -276,7 +276,7 @@ fn tube_axis(p: &[f64; 3]) -> Vector3<f64> {
 
 /// All boundary normals of the blend turned about the circle's tangent, towards its tube's outward axis for
 /// positive angles: the surface leaves the circles like a cone, narrowing outwards.
-fn tilted(shape: &Shape, degrees: f64) -> Vec<(u32, [f64; 3])> {
+pub(crate) fn tilted(shape: &Shape, degrees: f64) -> Vec<(u32, [f64; 3])> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let turn = |(v, n): (u32, [f64; 3])| {
         let axis = tube_axis(&shape.positions[v as usize]);
@@ -308,9 +308,9 @@ fn tilted_normals() {
         if degrees > -40.0 {
             bars.converged(&what, &solution);
         } else {
-            // Trumpets that widen outwards by so much are not found, and that is said.
-            bars.ends(&what, &solution, "normals_not_reachable");
-            bars.check(&what, r.linear_surface, "not the linear surface".to_owned());
+            // No harmonic trumpet that widens outwards by so much is found, and that is said.
+            bars.ends(&what, &solution, "nearest_member");
+            bars.check(&what, !r.linear_surface, "the linear surface".to_owned());
         }
     }
     bars.finish();

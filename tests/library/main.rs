@@ -15,6 +15,7 @@ mod intersections;
 mod long;
 mod outcomes;
 mod paper;
+mod search;
 mod session;
 mod soundness;
 mod targets;
