@@ -582,6 +582,10 @@ enum fairmesh_outcome
      * Tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles.
      */
     FAIRMESH_OUTCOME_POOR_WHEN_ROUNDED = 10,
+    /**
+     * No harmonic surface was found; a smooth one with the same normals, between harmonic and minimal energy, is returned.
+     */
+    FAIRMESH_OUTCOME_NEAREST_MEMBER = 11,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -629,6 +633,39 @@ enum fairmesh_loose_reason
 typedef enum fairmesh_loose_reason fairmesh_loose_reason;
 #else
 typedef uint32_t fairmesh_loose_reason;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How an attempt at a surface ended. Numbers are never reused.
+ */
+enum fairmesh_attempt_end
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A sound surface that meets the tolerance of the attempt.
+     */
+    FAIRMESH_ATTEMPT_END_SOUND = 0,
+    /**
+     * A surface that meets the tolerance, but has poor triangles, a bump or a crease.
+     */
+    FAIRMESH_ATTEMPT_END_UNSOUND = 1,
+    /**
+     * No surface that meets the tolerance.
+     */
+    FAIRMESH_ATTEMPT_END_NOT_CONVERGED = 2,
+    /**
+     * Stopped by the limit of iterations or by the caller.
+     */
+    FAIRMESH_ATTEMPT_END_STOPPED = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_attempt_end fairmesh_attempt_end;
+#else
+typedef uint32_t fairmesh_attempt_end;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -1490,6 +1527,15 @@ typedef struct fairmesh_report {
      * Components of the region, at least one; see `fairmesh_result_component`, `fairmesh_solver_component`.
      */
     uint64_t component_count;
+    /**
+     * Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1, of several components the
+     * largest; otherwise 0.
+     */
+    double member_weight;
+    /**
+     * Bending energy, the integral of H^2 over the free vertices, without unit; the sum of all components.
+     */
+    double bending_energy;
 } fairmesh_report;
 
 /**
@@ -1633,7 +1679,50 @@ typedef struct fairmesh_component {
      * The root mean square of those angles.
      */
     double normal_deviation_rms;
+    /**
+     * Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1; otherwise 0.
+     */
+    double member_weight;
+    /**
+     * Its bending energy, the integral of H^2 over its free vertices, without unit.
+     */
+    double bending_energy;
+    /**
+     * Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
+     */
+    uint64_t attempt_count;
 } fairmesh_component;
+
+/**
+ * An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins; of two sound surfaces
+ * there that differ the one of less bending energy is taken. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_attempt {
+    /**
+     * `sizeof(fairmesh_attempt)`.
+     */
+    uint32_t struct_size;
+    /**
+     * A `fairmesh_attempt_end`.
+     */
+    uint32_t end;
+    /**
+     * The free vertices of its mesh: fewer than the component's on the coarse mesh.
+     */
+    uint64_t free_vertices;
+    /**
+     * Nonlinear iterations.
+     */
+    uint64_t iterations;
+    /**
+     * The bending energy of its surface, without unit; NaN where it has none.
+     */
+    double bending_energy;
+    /**
+     * What was tried, in a few words of English, ending with a NUL.
+     */
+    char name[48];
+} fairmesh_attempt;
 
 /**
  * The sizes of a result. Set `struct_size` before the call.
@@ -1892,6 +1981,23 @@ FAIRMESH_API
 const char *fairmesh_loose_reason_remedy(uint32_t loose_reason);
 
 /**
+ * The name of a `fairmesh_attempt_end`, such as "unsound"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_attempt_end_name(uint32_t attempt_end);
+
+/**
+ * What a `fairmesh_attempt_end` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_attempt_end_text(uint32_t attempt_end);
+
+/**
+ * What can be done about a `fairmesh_attempt_end`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_attempt_end_remedy(uint32_t attempt_end);
+
+/**
  * The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
  */
 FAIRMESH_API const char *fairmesh_fill_outcome_name(uint32_t fill_outcome);
@@ -2073,6 +2179,16 @@ fairmesh_status fairmesh_solver_component(const struct fairmesh_solver *solver,
                                           struct fairmesh_error *error);
 
 /**
+ * One attempt at the surface of a component in that report, by its number, in the order in which they were made.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_attempt(const struct fairmesh_solver *solver,
+                                        uint64_t component,
+                                        uint64_t number,
+                                        struct fairmesh_attempt *attempt,
+                                        struct fairmesh_error *error);
+
+/**
  * A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
  * handle of its own; free it.
  */
@@ -2156,6 +2272,18 @@ fairmesh_status fairmesh_result_component(const struct fairmesh_result *result,
                                           uint64_t number,
                                           struct fairmesh_component *component,
                                           struct fairmesh_error *error);
+
+/**
+ * One attempt at the surface of a component, by its number, in the order in which they were made: the component has `attempt_count`
+ * of them. `index` and `component` are those of `fairmesh_result_component`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_attempt(const struct fairmesh_result *result,
+                                        uint64_t index,
+                                        uint64_t component,
+                                        uint64_t number,
+                                        struct fairmesh_attempt *attempt,
+                                        struct fairmesh_error *error);
 
 /**
  * One of the boundary loops.

@@ -210,6 +210,12 @@ public:
         detail::call(fairmesh_result_component, handle_, index, number, &made);
         return made;
     }
+    /** An attempt at the surface of a component. */
+    fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
+        auto made = detail::sized<fairmesh_attempt>();
+        detail::call(fairmesh_result_attempt, handle_, index, component, number, &made);
+        return made;
+    }
     fairmesh_loop loop(std::uint64_t index) const {
         auto made = detail::sized<fairmesh_loop>();
         detail::call(fairmesh_result_loop, handle_, index, &made);
@@ -359,6 +365,11 @@ public:
     fairmesh_component component(std::uint64_t number) const {
         auto made = detail::sized<fairmesh_component>();
         detail::call(fairmesh_solver_component, handle_, number, &made);
+        return made;
+    }
+    fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number) const {
+        auto made = detail::sized<fairmesh_attempt>();
+        detail::call(fairmesh_solver_attempt, handle_, component, number, &made);
         return made;
     }
     result snapshot() const {

@@ -36,6 +36,8 @@ Values values_of(const fairmesh_report &report, const MeshView &view) {
         {"step", report.step},
         {"defect", report.defect},
         {"reached", report.reached},
+        {"member_weight", report.member_weight},
+        {"bending_energy", report.bending_energy},
         {"free_vertices", number(report.free_vertices)},
         {"diagonal", report.diagonal},
         {"smallest_angle", report.worst_angle},
@@ -100,6 +102,8 @@ std::string reservation(const fairmesh_report &report) {
                        static_cast<unsigned long long>(report.intersections_in_input));
     if (report.outcome == FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE || report.outcome == FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE)
         figures = text(" (%.0f %% of the way was possible)", 100 * report.reached);
+    if (report.outcome == FAIRMESH_OUTCOME_NEAREST_MEMBER)
+        figures = text(" (Delta_B H = -2 w H (H^2 - K) with w = %.3g; w is 0 for harmonic, 1 for minimal energy)", report.member_weight);
     return what + figures + "; " + remedy + ".";
 }
 

@@ -18,6 +18,21 @@ def icosphere(level):
     return vertices / np.linalg.norm(vertices, axis=1)[:, None], faces
 
 
+def flared_tube(around=12, rows=7, outer=3, flare=40.0):
+    """A tube of radius 1 from z = 0 to z = 3 whose ends flare outwards like cones, by an angle in degrees."""
+    step, tilt = 3 / (rows - 1), np.radians(flare)
+    row = np.arange(-outer, rows + outer)
+    inside = np.clip(row, 0, rows - 1)
+    r = 1 + step * np.abs(row - inside) * np.sin(tilt)
+    z = step * (inside + (row - inside) * np.cos(tilt))
+    turn = 2 * np.pi * np.arange(around) / around
+    vertices = np.stack([np.outer(r, np.cos(turn)), np.outer(r, np.sin(turn)), np.outer(z, np.ones(around))], axis=-1)
+    a = np.arange(len(row) * around).reshape(-1, around)
+    b, c, d = np.roll(a, -1, axis=1)[:-1], a[1:], np.roll(a, -1, axis=1)[1:]
+    faces = np.vstack([np.stack(t, axis=-1).reshape(-1, 3) for t in ((a[:-1], b, d), (a[:-1], d, c))])
+    return vertices.reshape(-1, 3), faces
+
+
 def split(vertices, faces):
     """Every face into four."""
     edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)

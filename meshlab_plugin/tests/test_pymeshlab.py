@@ -444,6 +444,16 @@ class Outcomes(Case):
         self.assertLess(values["reached"], 1)
         self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())
 
+    def test_the_nearest_member_is_a_result_with_a_remark(self):
+        ms = mesh_set(*meshes.flared_tube())
+        ms.compute_selection_by_condition_per_face(condselect="(z0+z1+z2)/3 > 0 && (z0+z1+z2)/3 < 3")
+        before = ms.current_mesh().vertex_matrix()
+        values = ms.apply_filter(FAIR)
+        self.assertEqual((values["outcome"], values["converged"]), (11, False))
+        self.assertTrue(0 < values["member_weight"] <= 1)
+        self.assertGreater(values["bending_energy"], 0)
+        self.assertFalse(np.array_equal(before, ms.current_mesh().vertex_matrix()))
+
     def test_a_crease_is_no_success(self):
         # The top of a coarse cube cannot meet the normals of its walls.
         ms = mesh_set(*meshes.cube(4))

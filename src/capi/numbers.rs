@@ -4,7 +4,7 @@ use core::ffi::c_char;
 
 use super::about::told;
 use super::statuses::{NONE, STATUSES};
-use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
 #[repr(i32)]
@@ -110,6 +110,8 @@ pub enum fairmesh_outcome {
     SelfIntersecting = 9,
     /// Tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles.
     PoorWhenRounded = 10,
+    /// No harmonic surface was found; a smooth one with the same normals, between harmonic and minimal energy, is returned.
+    NearestMember = 11,
 }
 
 /// What is to be said of a surface that converged loosely. Numbers are never reused.
@@ -129,6 +131,21 @@ pub enum fairmesh_loose_reason {
     Bump = 4,
     /// The steps have become as small as double precision allows here, but stay above the tolerance.
     Tolerance = 5,
+}
+
+/// How an attempt at a surface ended. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_attempt_end {
+    /// A sound surface that meets the tolerance of the attempt.
+    Sound = 0,
+    /// A surface that meets the tolerance, but has poor triangles, a bump or a crease.
+    Unsound = 1,
+    /// No surface that meets the tolerance.
+    NotConverged = 2,
+    /// Stopped by the limit of iterations or by the caller.
+    Stopped = 3,
 }
 
 /// How the filling of a loop ended. Numbers are never reused.
@@ -406,6 +423,24 @@ pub extern "C" fn fairmesh_loose_reason_text(loose_reason: u32) -> *const c_char
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_loose_reason_remedy(loose_reason: u32) -> *const c_char {
     told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_remedy)
+}
+
+/// The name of a `fairmesh_attempt_end`, such as "unsound"; "unknown" for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_attempt_end_name(attempt_end: u32) -> *const c_char {
+    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_name)
+}
+
+/// What a `fairmesh_attempt_end` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_attempt_end_text(attempt_end: u32) -> *const c_char {
+    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_text)
+}
+
+/// What can be done about a `fairmesh_attempt_end`, written like its text; empty if there is nothing to do. Static; never NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_attempt_end_remedy(attempt_end: u32) -> *const c_char {
+    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_remedy)
 }
 
 /// The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.

@@ -77,6 +77,25 @@ pub extern "C" fn fairmesh_result_component(
     })
 }
 
+/// One attempt at the surface of a component, by its number, in the order in which they were made: the component has `attempt_count`
+/// of them. `index` and `component` are those of `fairmesh_result_component`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_attempt(
+    result: *const fairmesh_result,
+    index: u64,
+    component: u64,
+    number: u64,
+    attempt: *mut fairmesh_attempt,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(attempt, Argument(5), aliases)?;
+        aliases.error(error, Argument(6))?;
+        out.write(&content.attempt(index, component, number)?);
+        Ok(())
+    })
+}
+
 /// One of the boundary loops.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_loop(

@@ -1,5 +1,7 @@
 //! The structs of the header that results are told in.
 
+use core::ffi::c_char;
+
 /// How it went. Where the region has several components, the whole has their worst outcome and largest figures. Set
 /// `struct_size` before the call.
 #[repr(C)]
@@ -82,6 +84,11 @@ pub struct fairmesh_report {
     pub creased_vertex_count: u64,
     /// Components of the region, at least one; see `fairmesh_result_component`, `fairmesh_solver_component`.
     pub component_count: u64,
+    /// Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1, of several components the
+    /// largest; otherwise 0.
+    pub member_weight: f64,
+    /// Bending energy, the integral of H^2 over the free vertices, without unit; the sum of all components.
+    pub bending_energy: f64,
 }
 
 /// What came of one component of the region: free vertices that are connected by edges, or lie around a fixed vertex inside
@@ -130,6 +137,31 @@ pub struct fairmesh_component {
     pub normal_deviation_vertex: u64,
     /// The root mean square of those angles.
     pub normal_deviation_rms: f64,
+    /// Of NEAREST_MEMBER the w of its equation Delta_B H = -2 w H (H^2 - K), over 0 and at most 1; otherwise 0.
+    pub member_weight: f64,
+    /// Its bending energy, the integral of H^2 over its free vertices, without unit.
+    pub bending_energy: f64,
+    /// Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
+    pub attempt_count: u64,
+}
+
+/// An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins; of two sound surfaces
+/// there that differ the one of less bending energy is taken. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_attempt {
+    /// `sizeof(fairmesh_attempt)`.
+    pub struct_size: u32,
+    /// A `fairmesh_attempt_end`.
+    pub end: u32,
+    /// The free vertices of its mesh: fewer than the component's on the coarse mesh.
+    pub free_vertices: u64,
+    /// Nonlinear iterations.
+    pub iterations: u64,
+    /// The bending energy of its surface, without unit; NaN where it has none.
+    pub bending_energy: f64,
+    /// What was tried, in a few words of English, ending with a NUL.
+    pub name: [c_char; 48],
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.

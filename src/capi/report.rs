@@ -1,9 +1,9 @@
 //! Reports as structs of the header.
 
-use super::status::{Failure, fairmesh_status};
+use super::status::{Failure, Text, fairmesh_status};
 use super::types::*;
+use fairmesh::{Attempt, ComponentReport, LevelReport};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport};
-use fairmesh::{ComponentReport, LevelReport};
 use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
@@ -48,6 +48,8 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         boundary_kink_vertex: quality.boundary_kink_vertex as u64,
         creased_vertex_count: creased(of).len() as u64,
         component_count: of.components.len() as u64,
+        member_weight: member_weight(&of.outcome),
+        bending_energy: quality.bending_energy,
     }
 }
 
@@ -75,6 +77,21 @@ pub(crate) fn component(of: &ComponentReport) -> fairmesh_component {
         normal_deviation: quality.normal_deviation,
         normal_deviation_vertex: quality.normal_deviation_vertex as u64,
         normal_deviation_rms: quality.normal_deviation_rms,
+        member_weight: member_weight(&of.outcome),
+        bending_energy: quality.bending_energy,
+        attempt_count: of.attempts.len() as u64,
+    }
+}
+
+/// One attempt at the surface of a component.
+pub(crate) fn attempt(of: &Attempt) -> fairmesh_attempt {
+    fairmesh_attempt {
+        struct_size: size_of::<fairmesh_attempt>() as u32,
+        end: of.end.entry().number(),
+        free_vertices: of.free_vertices as u64,
+        iterations: of.iterations as u64,
+        bending_energy: of.bending_energy,
+        name: Text::new(format_args!("{}", of.name)).characters(),
     }
 }
 
@@ -110,6 +127,14 @@ fn reached(of: &Outcome) -> f64 {
         Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => *reached,
         Outcome::NotConverged => 0.0,
         _ => 1.0,
+    }
+}
+
+/// Which member of the family between the harmonic target and that of minimal energy the surface is; 0: harmonic.
+fn member_weight(of: &Outcome) -> f64 {
+    match of {
+        Outcome::NearestMember { weight } => *weight,
+        _ => 0.0,
     }
 }
 

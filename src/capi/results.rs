@@ -44,6 +44,12 @@ pub(crate) fn component_of(report: &Report, component: u64) -> CallResult<fairme
     entry(&report.components, component, "component").map(report::component)
 }
 
+/// One attempt at the surface of a component in a report.
+pub(crate) fn attempt_of(report: &Report, component: u64, attempt: u64) -> CallResult<fairmesh_attempt> {
+    let of = entry(&report.components, component, "component")?;
+    entry(&of.attempts, attempt, "attempt").map(report::attempt)
+}
+
 impl Content {
     pub(crate) fn info(&self) -> fairmesh_info {
         let mut info = fairmesh_info {
@@ -109,6 +115,10 @@ impl Content {
 
     pub(crate) fn component(&self, index: u64, component: u64) -> CallResult<fairmesh_component> {
         component_of(self.report(index)?, component)
+    }
+
+    pub(crate) fn attempt(&self, index: u64, component: u64, attempt: u64) -> CallResult<fairmesh_attempt> {
+        attempt_of(self.report(index)?, component, attempt)
     }
 
     pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {

@@ -10,7 +10,7 @@ use super::memory_bounds;
 use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
-use super::results::{Content, component_of};
+use super::results::{Content, attempt_of, component_of};
 use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
@@ -241,6 +241,28 @@ pub extern "C" fn fairmesh_solver_component(
         let solver = shared.take()?;
         point();
         out.write(&component_of(&solver.session.solution().report, number)?);
+        Ok(())
+    })
+}
+
+/// One attempt at the surface of a component in that report, by its number, in the order in which they were made.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_attempt(
+    solver: *const fairmesh_solver,
+    component: u64,
+    number: u64,
+    attempt: *mut fairmesh_attempt,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = StructOut::new(attempt, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
+        let solver = shared.take()?;
+        point();
+        let report = &solver.session.solution().report;
+        out.write(&attempt_of(report, component, number)?);
         Ok(())
     })
 }

@@ -90,6 +90,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
             total: start.elapsed().as_secs_f64(),
         },
         stale_normals: 0,
+        is_verbose: false,
     };
     let text = format!(
         "Written to {name}: {}\n{WHAT_TO_LOOK_AT}{}\n{}",

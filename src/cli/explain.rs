@@ -6,6 +6,7 @@ use std::path::Path;
 use fairmesh::{Error, Outcome, Report};
 
 use crate::failure::{ExitCode, Failure};
+use crate::figures::significant;
 use crate::formats::{Geometry, MeshFile};
 
 /// The library's refusal with polygons instead of triangles, where it is, and what to do.
@@ -111,9 +112,18 @@ pub fn outcome(report: &Report) -> String {
             report.quality.boundary_kink_before
         ),
         Outcome::TargetNotReachable { reached } => format!(" ({:.0} % of it)", 100.0 * reached),
+        Outcome::NearestMember { weight } => member(*weight),
         _ => String::new(),
     };
     format!("{name}: {text}{figures}")
+}
+
+/// Which equation a surface solves in place of the harmonic one.
+pub fn member(weight: f64) -> String {
+    format!(
+        " (Delta_B H = -2 w H (H^2 - K) with w = {}; w is 0 for harmonic, 1 for minimal energy)",
+        significant(weight)
+    )
 }
 
 #[cfg(test)]

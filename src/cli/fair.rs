@@ -33,6 +33,9 @@ pub struct FairArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+    /// Lists in the report what was tried, on which mesh, and with what end
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
     #[command(flatten)]
     pub mesh: MeshArgs,
     #[command(flatten)]
@@ -130,6 +133,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
             total: start.elapsed().as_secs_f64(),
         },
         stale_normals: written.stale_normals,
+        is_verbose: args.verbose,
     };
     answer.tell(&[&args.output], || summary.json(), || summary.readable())?;
     Ok(solution.report.outcome == Outcome::Converged)

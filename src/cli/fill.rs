@@ -12,12 +12,13 @@ use fairmesh::{
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
+use crate::attempts;
 use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
 use crate::output::Output;
-use crate::report::creased;
+use crate::report::{creased, member_weight};
 use crate::surface::{IntersectionArgs, MeshArgs};
 
 /// What `fairmesh fill` is asked.
@@ -64,6 +65,9 @@ pub struct FillArgs {
     /// No progress bar and no report; errors are still told
     #[arg(short, long)]
     quiet: bool,
+    /// Lists in the report what was tried for each patch, and with what end
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
 }
 
 /// Fills holes; true if all that were asked for are filled and fair.
@@ -100,7 +104,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&filled))?;
+    answer.tell(&[&args.output], json, || readable(&filled, args.verbose))?;
     Ok(filled.loops.iter().all(is_clean))
 }
 
@@ -168,7 +172,10 @@ fn is_clean(report: &LoopReport) -> bool {
 
 fn told(report: &LoopReport) -> String {
     let fairing = report.fairing.as_ref();
-    let ended = fairing.map_or(String::new(), |f| f.outcome.name().replace('_', " "));
+    let ended = fairing.map_or(String::new(), |f| {
+        let which = member_weight(&f.outcome).map_or(String::new(), explain::member);
+        f.outcome.name().replace('_', " ") + &which
+    });
     let mut text = match &report.outcome {
         FillOutcome::Faired => ended,
         FillOutcome::Linear => format!("{ended}: the linear surface"),
@@ -218,7 +225,7 @@ fn why(reason: OpenReason) -> String {
     }
 }
 
-fn readable(filled: &Filled) -> String {
+fn readable(filled: &Filled, is_verbose: bool) -> String {
     let mut text = String::new();
     if filled.loops.is_empty() {
         text += "no boundary: nothing to fill\n";
@@ -240,6 +247,10 @@ fn readable(filled: &Filled) -> String {
             );
         }
         text.push('\n');
+        let fairing = report.fairing.as_ref().filter(|_| is_verbose);
+        for line in fairing.map_or(Vec::new(), |f| attempts::lines(&f.components)) {
+            let _ = writeln!(text, "  {line}");
+        }
     }
     text
 }
@@ -259,7 +270,9 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
     let fairing = report.fairing.as_ref().map(|f| {
         json!({ "outcome": f.outcome.name(), "creased_vertices": creased(f), "iterations": f.iterations, "step": f.step, "defect": f.defect,
             "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
-            "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals })
+            "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals,
+            "member_weight": member_weight(&f.outcome), "bending_energy": f.quality.bending_energy,
+            "attempts": attempts::json(f.components.iter().flat_map(|c| &c.attempts)) })
     });
     json!({
         "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),

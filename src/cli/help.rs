@@ -16,8 +16,8 @@ Examples:
 macro_rules! exit_codes {
     () => {
         "\
-Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged or not
-sound, the best surface is written; 4 memory or threads ran out, nothing written; 5 the surface is
+Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged, not sound
+or with another reservation, which the outcome names: the best surface is written; 4 memory or threads ran out, nothing written; 5 the surface is
 written, but not the report about it."
     };
 }
@@ -52,11 +52,14 @@ Lists (--free, --faces): one number per line; blank lines and what follows a # a
 
 The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
 (of Delta_B H = 0, without unit), step, seconds, quality, components, free_vertices, diagonal, linear_surface,
-suspicious_normals, unreachable_normals, creased_vertices, reached, fallback_weights and stale_normals (vertices whose normals in the file
-could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
+suspicious_normals, unreachable_normals, creased_vertices, reached, member_weight (w of the equation
+Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_weights and stale_normals (vertices
+whose normals in the file could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
-its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface and quality. Numbers that are
+its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface, member_weight, quality and
+attempts: what was tried, in its order, each with the free_vertices of its mesh (coarse or its own), name, iterations,
+end and bending_energy (the integral of H^2). Numbers that are
 not finite are null.
 
 ",

@@ -3,6 +3,7 @@
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 
 mod answer;
+mod attempts;
 mod bar;
 mod component_report;
 mod demo;

@@ -5,6 +5,7 @@ use std::fmt::{Display, Write};
 use fairmesh::{ComponentReport, LevelReport, Outcome, Quality, Report, Target};
 use serde_json::{Value, json};
 
+use crate::attempts;
 use crate::component_report;
 use crate::explain;
 use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
@@ -28,6 +29,8 @@ pub struct Summary<'a> {
     pub times: Times,
     /// Vertices whose normals in the file could not be updated.
     pub stale_normals: usize,
+    /// Whether the attempts are listed for people, too.
+    pub is_verbose: bool,
 }
 
 /// The readable report.
@@ -98,6 +101,9 @@ impl Summary<'_> {
             "iterations",
             format_args!("{iterations}, last step {step} of the region's diagonal"),
         );
+        if self.is_verbose {
+            self.tell_attempts(table);
+        }
         if !report.levels.is_empty() {
             table.row("levels", levels(&report.levels));
         }
@@ -108,6 +114,16 @@ impl Summary<'_> {
             table.row("defect", scientific(report.defect));
         }
         table.row("region's diagonal", significant(report.diagonal));
+    }
+
+    fn tell_attempts(&self, table: &mut Table) {
+        let lines = attempts::lines(&self.report.components);
+        let names = std::iter::once("attempts").chain(std::iter::repeat(""));
+        for (name, line) in names.zip(lines) {
+            table.row(name, line);
+        }
+        let energy = self.report.quality.bending_energy;
+        table.row("bending energy", significant(energy));
     }
 
     fn tell_quality(&self, table: &mut Table) {
@@ -226,6 +242,7 @@ impl Summary<'_> {
             "unreachable_normals": self.blamed(),
             "creased_vertices": creased(self.report),
             "reached": reached,
+            "member_weight": member_weight(&report.outcome),
             "fallback_weights": report.fallback_weights,
             "stale_normals": self.stale_normals,
             "intersections": self.intersections().map(|pairs| json!({
@@ -260,6 +277,8 @@ impl Summary<'_> {
             "step": of.step,
             "diagonal": of.diagonal,
             "linear_surface": of.linear_surface,
+            "member_weight": member_weight(&of.outcome),
+            "attempts": attempts::json(&of.attempts),
             "quality": self.quality(&of.quality),
         })
     }
@@ -282,6 +301,7 @@ impl Summary<'_> {
             "boundary_kink": quality.boundary_kink,
             "boundary_kink_vertex": quality.boundary_kink_vertex,
             "boundary_kink_before": quality.boundary_kink_before,
+            "bending_energy": quality.bending_energy,
         })
     }
 }
@@ -291,6 +311,14 @@ pub fn creased(report: &Report) -> &[u32] {
     match &report.outcome {
         Outcome::BoundaryCrease { vertices } => vertices,
         _ => &[],
+    }
+}
+
+/// Which member of the family the surface is, where no harmonic one was found.
+pub fn member_weight(of: &Outcome) -> Option<f64> {
+    match of {
+        Outcome::NearestMember { weight } => Some(*weight),
+        _ => None,
     }
 }
 
@@ -368,6 +396,7 @@ mod tests {
             step: f64::NAN,
             diagonal: 2.0,
             linear_surface: false,
+            attempts: Vec::new(),
             quality: Quality {
                 worst_angle: 31.0,
                 worst_triangle: 3,
@@ -387,6 +416,7 @@ mod tests {
                 geometry: &mesh.geometry,
                 times: Times::default(),
                 stale_normals: 0,
+                is_verbose: false,
             };
             (summary.readable(), summary.json())
         };
@@ -443,6 +473,7 @@ mod tests {
             geometry: &mesh.geometry,
             times,
             stale_normals: 2,
+            is_verbose: false,
         };
         let json = summary.json();
         assert_eq!(json["outcome"], "not_converged");
@@ -487,6 +518,7 @@ mod tests {
             Outcome::Cancelled,
             Outcome::BoundaryCrease { vertices: vec![2, 5] },
             Outcome::PoorWhenRounded { triangles: vec![1] },
+            Outcome::NearestMember { weight: 0.25 },
         ];
         for outcome in outcomes {
             let report = report(outcome);
@@ -496,6 +528,7 @@ mod tests {
                 geometry: &mesh.geometry,
                 times,
                 stale_normals: 0,
+                is_verbose: false,
             };
             assert!(summary.readable().contains("\n  what to do:"));
         }

@@ -188,7 +188,7 @@ impl Outcome {
 
     /// The outcome of a whole: the worst of its parts', with what all parts of that outcome tell of it. From bad to good:
     /// cancelled, iteration limit, not converged, target or normals not reachable, poor triangles, boundary crease, intersecting,
-    /// loosely, converged.
+    /// nearest member, loosely, converged.
     pub(crate) fn of_all(parts: &[&Self]) -> Self {
         let first = parts
             .iter()
@@ -215,6 +215,13 @@ impl Outcome {
                 for part in parts {
                     if let Self::TargetNotReachable { reached } = part {
                         *least = least.min(*reached);
+                    }
+                }
+            }
+            Self::NearestMember { weight: most } => {
+                for part in parts {
+                    if let Self::NearestMember { weight } = part {
+                        *most = most.max(*weight);
                     }
                 }
             }
@@ -329,6 +336,24 @@ choices! {
 
 /// An attempt at a surface. Those on the coarse mesh decide where the fine one begins; of two sound surfaces there that differ the one of
 /// less bending energy is taken.
+///
+/// ```
+/// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
+/// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
+/// # let positions: Vec<[f64; 3]> = (0..49).map(at).collect();
+/// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
+/// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
+/// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
+/// use fairmesh::{AttemptEnd, Options, Selection, fair};
+///
+/// let solution = fair(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
+/// let attempts = &solution.report.components[0].attempts;
+/// for attempt in attempts {
+///     println!("{} free vertices, {}: {}", attempt.free_vertices, attempt.name, attempt.end.name());
+/// }
+/// assert_eq!(attempts.last().map(|attempt| attempt.end), Some(AttemptEnd::Sound));
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attempt {
     /// The free vertices of its mesh: fewer than the component's on the coarse mesh.
@@ -396,7 +421,8 @@ pub struct Report {
     /// What `Delta_B H` was to be.
     pub target: Target,
     /// How the run ended; of several components the worst outcome: the first of cancelled, iteration limit, not converged,
-    /// target not reachable, normals not reachable, converged with poor triangles, loosely, converged.
+    /// target not reachable, normals not reachable, converged with poor triangles, poor when rounded, boundary crease,
+    /// self-intersecting, nearest member, loosely, converged.
     pub outcome: Outcome,
     /// Nonlinear iterations: the most of any component.
     pub iterations: usize,
@@ -444,4 +470,27 @@ pub struct Solution {
     pub gaussian_curvature: Vec<(u32, f64)>,
     /// How it went.
     pub report: Report,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_whole_is_as_far_from_harmonic_as_its_farthest_component() {
+        let member = |weight| Outcome::NearestMember { weight };
+        let bump = Outcome::ConvergedLoosely {
+            reason: LooseReason::Bump,
+        };
+        let parts = [
+            &Outcome::Converged,
+            &member(0.25),
+            &bump,
+            &member(0.5),
+            &member(0.125),
+        ];
+        assert_eq!(Outcome::of_all(&parts), member(0.5));
+        let crossing = Outcome::SelfIntersecting { pairs: 1 };
+        assert_eq!(Outcome::of_all(&[&member(0.25), &crossing]), crossing);
+    }
 }

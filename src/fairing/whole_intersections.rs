@@ -52,7 +52,7 @@ impl Crossings {
         for (report, &pairs) in reports.iter_mut().zip(&self.counts) {
             let is_success = matches!(
                 report.outcome,
-                Outcome::Converged | Outcome::ConvergedLoosely { .. }
+                Outcome::Converged | Outcome::ConvergedLoosely { .. } | Outcome::NearestMember { .. }
             );
             if is_success && pairs > 0 {
                 report.outcome = Outcome::SelfIntersecting { pairs };

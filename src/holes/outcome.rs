@@ -53,7 +53,8 @@ pub enum FlatReason {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FillOutcome {
-    /// Filled with a faired surface that meets the tolerance; its report says with which reservations.
+    /// Filled with a faired surface that meets the tolerance; its report says with which reservations, one of them that the
+    /// surface is not harmonic, but the [nearest member](Outcome::NearestMember) of a family.
     Faired,
     /// Filled, but the fair surface was not found: the surface of the linear problem with the same boundary data, or the
     /// best one when the iterations ran out.
@@ -82,6 +83,22 @@ table!(FillOutcome {
         "filled, but the patch intersects itself or the mesh, as did all others that were tried",
         "look at these triangles; clean the boundary of the hole, or remove faces around it, and fill it again";
 });
+
+impl FillOutcome {
+    /// What a fairing makes of a patch. `is_wild`: triangles are flipped, or vertices far outside the loop's box, which is no
+    /// flaw of a sound surface: there its equation puts it.
+    pub(super) fn of_fairing(of: &Outcome, is_wild: bool) -> Self {
+        let is_sound = matches!(of, Outcome::Converged | Outcome::NearestMember { .. });
+        if is_wild && !is_sound {
+            let reason = FlatReason::Unsound;
+            return Self::Flat { reason };
+        }
+        match of.is_tolerance_met() {
+            true => Self::Faired,
+            false => Self::Linear,
+        }
+    }
+}
 
 // Reasons of both kinds share their numbers.
 table!(OpenReason {
@@ -168,5 +185,33 @@ fn renumber_judgement(
             vertices.iter_mut().for_each(|v| *v = vertex(*v));
         }
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fairing::LooseReason;
+
+    #[test]
+    fn a_patch_that_is_the_nearest_member_is_faired() {
+        let member = Outcome::NearestMember { weight: 0.25 };
+        let loosely = Outcome::ConvergedLoosely {
+            reason: LooseReason::Bump,
+        };
+        for outcome in [&Outcome::Converged, &member, &loosely] {
+            assert_eq!(FillOutcome::of_fairing(outcome, false), FillOutcome::Faired);
+        }
+        for outcome in [&Outcome::Converged, &member] {
+            assert_eq!(FillOutcome::of_fairing(outcome, true), FillOutcome::Faired);
+        }
+        let flat = FillOutcome::Flat {
+            reason: FlatReason::Unsound,
+        };
+        for outcome in [&loosely, &Outcome::NotConverged] {
+            assert_eq!(FillOutcome::of_fairing(outcome, true), flat);
+        }
+        let left = FillOutcome::of_fairing(&Outcome::IterationLimit, false);
+        assert_eq!(left, FillOutcome::Linear);
     }
 }

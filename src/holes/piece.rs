@@ -399,13 +399,10 @@ impl Task<'_> {
     fn judge(&self, coarse: &Patch, mut patch: Patch, solution: Solution, coarsened: bool) -> Piece {
         let inner = self.inner(&solution);
         let report = solution.report;
-        let outcome = match is_failed(&report) {
-            false => FillOutcome::Faired,
-            true => FillOutcome::Linear,
-        };
         let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
-        if report.outcome != Outcome::Converged && is_wild {
-            return self.flat(coarse, FlatReason::Unsound, Some(report));
+        let outcome = FillOutcome::of_fairing(&report.outcome, is_wild);
+        if let FillOutcome::Flat { reason } = outcome {
+            return self.flat(coarse, reason, Some(report));
         }
         patch.x[patch.fixed..].copy_from_slice(&inner);
         self.piece(coarse, patch, outcome, Some(report), coarsened)

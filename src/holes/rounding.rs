@@ -70,7 +70,7 @@ impl<'a> Rounded<'a> {
         }
         if matches!(
             report.outcome,
-            Outcome::Converged | Outcome::ConvergedLoosely { .. }
+            Outcome::Converged | Outcome::ConvergedLoosely { .. } | Outcome::NearestMember { .. }
         ) {
             let vertices = creases(self.patch, &self.x, self.around, given);
             if !vertices.is_empty() {

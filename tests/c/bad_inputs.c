@@ -742,6 +742,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_info info;
     fairmesh_level level;
     fairmesh_component component;
+    fairmesh_attempt attempt;
     fairmesh_loop boundary;
     fairmesh_fill_report filled;
     fairmesh_error e;
@@ -756,6 +757,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     info.struct_size = sizeof info;
     level.struct_size = sizeof level;
     component.struct_size = sizeof component;
+    attempt.struct_size = sizeof attempt;
     boundary.struct_size = sizeof boundary;
     filled.struct_size = sizeof filled;
     if (is_solver) {
@@ -766,6 +768,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_component(s, 0, &component, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_attempt(s, 0, 0, &attempt, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_result(s, &result, &e), &e, wanted, what);
         if (handle != NULL) {
             cases++;
@@ -776,6 +779,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_result_report(r, 0, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
         expect_handle(fairmesh_result_component(r, 0, 0, &component, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_attempt(r, 0, 0, 0, &attempt, &e), &e, wanted, what);
         expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
         expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
         expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);

@@ -24,6 +24,9 @@ static void versions(void) {
     CHECK(strcmp(fairmesh_fill_outcome_name(FAIRMESH_FILL_OUTCOME_LEFT_OPEN), "left_open") == 0);
     CHECK(fairmesh_fill_outcome_text(FAIRMESH_FILL_OUTCOME_FAIRED)[0] != 0);
     CHECK(fairmesh_fill_outcome_remedy(FAIRMESH_FILL_OUTCOME_FAIRED)[0] == 0);
+    CHECK(strcmp(fairmesh_attempt_end_name(FAIRMESH_ATTEMPT_END_UNSOUND), "unsound") == 0);
+    CHECK(fairmesh_attempt_end_text(FAIRMESH_ATTEMPT_END_SOUND)[0] != 0);
+    CHECK(fairmesh_attempt_end_remedy(FAIRMESH_ATTEMPT_END_SOUND)[0] == 0);
     CHECK(strcmp(fairmesh_fill_reason_name(FAIRMESH_FILL_REASON_UNSOUND), "unsound") == 0);
     CHECK(fairmesh_fill_reason_text(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
     CHECK(fairmesh_fill_reason_remedy(FAIRMESH_FILL_REASON_NOT_FINITE)[0] != 0);
@@ -272,6 +275,7 @@ static void one_shot(void) {
         const uint32_t two[2] = {2 * 15 + 2, 12 * 15 + 12};
         fairmesh_selection apart;
         fairmesh_component part;
+        fairmesh_attempt attempt;
         memset(&apart, 0, sizeof apart);
         apart.struct_size = sizeof apart;
         apart.kind = FAIRMESH_SELECTION_KIND_FREE_VERTICES;
@@ -285,7 +289,17 @@ static void one_shot(void) {
             OK(fairmesh_result_component(result, 0, v, &part, &error));
             CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
             CHECK(part.iterations <= report.iterations && part.diagonal <= report.diagonal);
+            CHECK(part.bending_energy > 0 && part.bending_energy < report.bending_energy && part.member_weight == 0);
+            CHECK(part.attempt_count == 1);
+            attempt.struct_size = sizeof attempt;
+            OK(fairmesh_result_attempt(result, 0, v, 0, &attempt, &error));
+            CHECK(strcmp(attempt.name, "direct") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
+            CHECK(attempt.free_vertices == 1 && attempt.iterations == part.iterations);
+            CHECK(fabs(attempt.bending_energy - part.bending_energy) <= 1e-6 * part.bending_energy);
+            CHECK(fairmesh_result_attempt(result, 0, v, 1, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
         }
+        CHECK(fairmesh_result_attempt(result, 0, 2, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+        CHECK(fairmesh_result_attempt(result, 1, 0, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
         CHECK(fairmesh_result_component(result, 0, 2, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
         CHECK(fairmesh_result_component(result, 1, 0, &part, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
         OK(fairmesh_result_free(result));
@@ -409,10 +423,17 @@ static void in_steps(void) {
     }
     {
         fairmesh_component all;
+        fairmesh_attempt attempt;
         all.struct_size = sizeof all;
         OK(fairmesh_solver_component(solver, 0, &all, &error));
         CHECK(all.free_vertices == report.free_vertices && all.outcome == report.outcome);
         CHECK(fairmesh_solver_component(solver, 1, &all, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+        CHECK(all.bending_energy == report.bending_energy && all.attempt_count >= 1);
+        attempt.struct_size = sizeof attempt;
+        OK(fairmesh_solver_attempt(solver, 0, all.attempt_count - 1, &attempt, &error));
+        CHECK(attempt.name[0] != 0 && attempt.free_vertices == report.free_vertices);
+        CHECK(fairmesh_solver_attempt(solver, 0, all.attempt_count, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+        CHECK(fairmesh_solver_attempt(solver, 1, 0, &attempt, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
     }
     OK(fairmesh_solver_result(solver, &result, &error));
     OK(fairmesh_solver_free(solver));
@@ -581,11 +602,53 @@ static void hub(void) {
     cap_free(&cap);
 }
 
+/* Where no harmonic surface is found, the nearest member of the family is told with its weight and with what was tried. */
+static void nearest_member(void) {
+    Cap cap = cap_new(15);
+    fairmesh_mesh mesh = cap.mesh;
+    fairmesh_selection selection = cap.selection;
+    fairmesh_options options = quick();
+    fairmesh_report report;
+    fairmesh_component part;
+    fairmesh_attempt attempt;
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    uint64_t k, iterations = 0;
+    Tube *tube = (Tube *)must(malloc(sizeof *tube));
+    tube_make(tube);
+    mesh.positions = points_of(tube->positions, TUBE_VERTICES);
+    mesh.triangles.data = tube->corners;
+    mesh.triangles.count = sizeof tube->corners / sizeof tube->corners[0] / 3;
+    selection.data = tube->free_mask;
+    selection.count = TUBE_VERTICES;
+    report.struct_size = sizeof report;
+    part.struct_size = sizeof part;
+    attempt.struct_size = sizeof attempt;
+    OK(fairmesh_fair(&mesh, &selection, &options, NULL, &report, &result, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_NEAREST_MEMBER && !report.linear_surface && report.reached == 1);
+    CHECK(report.member_weight > 0 && report.member_weight <= 1 && report.bending_energy > 0);
+    OK(fairmesh_result_component(result, 0, 0, &part, &error));
+    CHECK(part.member_weight == report.member_weight && part.bending_energy == report.bending_energy);
+    CHECK(part.attempt_count > 1);
+    for (k = 0; k < part.attempt_count; k++) {
+        OK(fairmesh_result_attempt(result, 0, 0, k, &attempt, &error));
+        CHECK(attempt.free_vertices == report.free_vertices);
+        CHECK(attempt.end != FAIRMESH_ATTEMPT_END_SOUND || attempt.bending_energy > 0);
+        iterations += attempt.iterations;
+    }
+    CHECK(iterations == report.iterations);
+    CHECK(strcmp(attempt.name, "nearest member") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
+    OK(fairmesh_result_free(result));
+    free(tube);
+    cap_free(&cap);
+}
+
 int main(void) {
     versions();
     one_shot();
     intersections();
     hub();
+    nearest_member();
     in_steps();
     holes();
     puts("calls: passed");

@@ -11,7 +11,7 @@ use core::ffi::c_char;
 
 use super::about::told;
 use super::statuses::{NONE, STATUSES};
-use fairmesh::{Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
 ";
 
 #[test]
@@ -124,6 +124,7 @@ fn texts(made: &mut String, table: &Table) {
         "status" => "&[STATUSES, Error::TABLE]",
         "outcome" => "&[Outcome::TABLE]",
         "loose_reason" => "&[&[NONE], LooseReason::TABLE]",
+        "attempt_end" => "&[AttemptEnd::TABLE]",
         "fill_outcome" => "&[FillOutcome::TABLE]",
         _ => "&[&[NONE], OpenReason::TABLE, FlatReason::TABLE]",
     };

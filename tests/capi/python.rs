@@ -75,6 +75,7 @@ fn generated_python_enumerations_are_those_of_the_tables() {
             "fairmesh_status" => ("Status", "Numbered"),
             "fairmesh_outcome" => ("Outcome", "Named"),
             "fairmesh_loose_reason" => ("LooseReason", "Named"),
+            "fairmesh_attempt_end" => ("AttemptEnd", "Named"),
             "fairmesh_fill_outcome" => ("FillOutcome", "Named"),
             "fairmesh_fill_reason" => ("FillReason", "Named"),
             _ => ("LoopKind", "Named"),

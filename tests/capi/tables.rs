@@ -1,7 +1,7 @@
 //! All tables of the library, under the names that the C interface gives their enumerations.
 
 use fairmesh::{
-    BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
+    AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
     InnerFairness, InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome,
     OutputPrecision, Solver, Target,
 };
@@ -44,6 +44,7 @@ pub(crate) fn outcomes() -> Vec<Outcome> {
         Outcome::PoorWhenRounded {
             triangles: Vec::new(),
         },
+        Outcome::NearestMember { weight: 0.0 },
     ];
     let entries: Vec<Entry> = outcomes.iter().map(|outcome| *outcome.entry()).collect();
     assert_eq!(entries, Outcome::TABLE);
@@ -80,6 +81,12 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_loose_reason",
             "What is to be said of a surface that converged loosely.",
             &[&[statuses::NONE], LooseReason::TABLE],
+            true,
+        ),
+        table(
+            "fairmesh_attempt_end",
+            "How an attempt at a surface ended.",
+            &[AttemptEnd::TABLE],
             true,
         ),
         table(

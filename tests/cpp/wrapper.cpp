@@ -45,6 +45,11 @@ void fairing() {
     auto h = found.scalars(FAIRMESH_SCALARS_MEAN_CURVATURE);
     CHECK(h.size() == s.positions.size());
 
+    auto part = found.component(0);
+    CHECK(part.attempt_count >= 1 && part.bending_energy > 0);
+    auto last = found.attempt(0, part.attempt_count - 1);
+    CHECK(last.end == FAIRMESH_ATTEMPT_END_SOUND && last.free_vertices == part.free_vertices && last.name[0] != 0);
+
     // In place, with a callback, and by a list.
     std::vector<std::uint32_t> list;
     for (std::uint32_t v = 0; v < s.mask.size(); v++) {
@@ -121,6 +126,7 @@ void stepping() {
     fairmesh::solver solver(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask));
     CHECK(solver.run(1).outcome == FAIRMESH_OUTCOME_ITERATION_LIMIT && solver.report().iterations == 1);
     CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    CHECK(solver.attempt(0, solver.component(0).attempt_count - 1).end == FAIRMESH_ATTEMPT_END_SOUND);
     solver.set_target(fairmesh_target{FAIRMESH_TARGET_KIND_CONSTANT, 0, 1.0});
     CHECK(solver.run().outcome == FAIRMESH_OUTCOME_CONVERGED);
     solver.set_boundary_normals(fairmesh_boundary_normals{FAIRMESH_BOUNDARY_NORMALS_KIND_AVERAGED, 0, {}, {}});

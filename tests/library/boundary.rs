@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::fairing::*;
-use fairmesh::{BoundaryNormals, Error, Options, Outcome, Solution};
+use fairmesh::{AttemptEnd, BoundaryNormals, Error, Options, Outcome, Solution};
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
 
@@ -308,9 +308,20 @@ fn tilted_normals() {
         if degrees > -40.0 {
             bars.converged(&what, &solution);
         } else {
-            // No harmonic trumpet that widens outwards by so much is found, and that is said.
+            // Trumpets that widen outwards by so much are not found, but a neighbouring equation has such surfaces.
             bars.ends(&what, &solution, "nearest_member");
             bars.check(&what, !r.linear_surface, "the linear surface".to_owned());
+            let attempts = &r.components[0].attempts;
+            let last = attempts.last().expect("it was tried");
+            let found = (last.name, last.end, last.free_vertices);
+            let told = ("nearest member", AttemptEnd::Sound, r.free_vertices);
+            bars.check(&what, found == told, format!("{found:?}"));
+            let sum: usize = attempts.iter().map(|a| a.iterations).sum();
+            bars.check(
+                &what,
+                sum == r.iterations,
+                format!("{sum} iterations in the attempts"),
+            );
         }
     }
     bars.finish();

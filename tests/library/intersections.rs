@@ -1,9 +1,11 @@
 //! Triangles that intersect: counts known by formulas, and surfaces that run into something.
 
+use std::f64::consts::TAU;
+
 use crate::fairing::{attempt, flat, irregular, options};
 use fairmesh::{
-    Error, FillOptions, FillOutcome, FlatReason, Intersections, Loops, Options, Outcome, SelfIntersections,
-    boundary_loops, fill_holes, self_intersections,
+    Error, FillOptions, FillOutcome, FlatReason, Intersections, Loops, Options, Outcome, Selection,
+    SelfIntersections, boundary_loops, fair, fill_holes, self_intersections,
 };
 use fairmesh_shapes::{OUTSIDE, Shape, Similarity, sphere_cap, sphere_with_hole};
 
@@ -174,6 +176,47 @@ fn a_surface_that_runs_into_what_stands_there_is_no_success() {
         beside.report.self_intersections,
         Some(SelfIntersections::default())
     );
+}
+
+/// A tube of radius 1 whose ends flare like cones, and which of its vertices are free: between the flares no harmonic surface
+/// is found, but one of a neighbouring equation.
+fn flared_tube() -> (Mesh, Vec<bool>) {
+    let (sin, cos) = 40f64.to_radians().sin_cos();
+    let (mut tube, rows) = (sheet(12, 12, |i, j| [i, j, 0.0]), 12);
+    for p in &mut tube.0 {
+        let inside = p[0].clamp(3.0, 9.0);
+        let beyond = p[0] - inside;
+        let r = 1.0 + 0.5 * beyond.abs() * sin;
+        let (y, x) = (TAU * (p[1] % 12.0) / 12.0).sin_cos();
+        *p = [r * x, r * y, 0.5 * (inside - 6.0 + beyond * cos)];
+    }
+    // Its first and last columns coincide.
+    let is_free = |v: u32| (4..=8).contains(&(v / (rows + 1)));
+    let free = (0..tube.0.len() as u32).map(is_free).collect();
+    (tube, free)
+}
+
+#[test]
+fn a_nearest_member_that_runs_into_what_stands_there_says_so() {
+    let (tube, mut free) = flared_tube();
+    let solve =
+        |mesh: &Mesh, free: &[bool]| fair(&mesh.0, &mesh.1, Selection::Mask(free), &options(1e-8)).unwrap();
+    let alone = solve(&tube, &free).report;
+    assert!(
+        matches!(alone.outcome, Outcome::NearestMember { weight } if weight > 0.0 && weight <= 1.0),
+        "{:?}",
+        alone.outcome
+    );
+    assert_eq!(alone.self_intersections, Some(SelfIntersections::default()));
+    // A spike across its wall.
+    let (mut x, t) = needle(0.2, 3.0);
+    x.iter_mut().for_each(|p| p.rotate_right(1));
+    let both = join(tube, (x, t));
+    free.resize(both.0.len(), false);
+    let crossing = solve(&both, &free).report;
+    let pairs = crossing.self_intersections.unwrap().pairs.len();
+    assert!(pairs >= 3, "{pairs}");
+    assert_eq!(crossing.outcome, Outcome::SelfIntersecting { pairs });
 }
 
 /// What the input had is counted, but two fixed triangles are not.

@@ -179,6 +179,31 @@ def test_a_crease_is_told_and_can_be_selected():
     assert len(chosen) == report.creased_vertex_count > 0
 
 
+def test_the_nearest_member_is_a_result_with_a_remark():
+    # A tube whose ends flare like cones: no harmonic surface is found between them.
+    around, rows, outer = 12, 7, 3
+    step, tilt = 3 / (rows - 1), np.radians(40)
+    row = np.arange(-outer, rows + outer)
+    inside = np.clip(row, 0, rows - 1)
+    r = 1 + step * np.abs(row - inside) * np.sin(tilt)
+    z = step * (inside + (row - inside) * np.cos(tilt))
+    turn = 2 * np.pi * np.arange(around) / around
+    vertices = [(a * np.cos(t), a * np.sin(t), b) for a, b in zip(r, z, strict=True) for t in turn]
+    cells = [(i * around, j, (j + 1) % around) for i in range(len(row) - 1) for j in range(around)]
+    faces = [(i + j, i + k, i + around + k, i + around + j) for i, j, k in cells]
+    obj = common.add("tube", vertices, faces)
+    edit(obj)
+    common.select_faces(obj, lambda f: 0 < f.calc_center_median().z < 3)
+    before = coordinates(obj)
+    selected = [f.index for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
+    assert fair() == {"FINISHED"}
+    report, kind, text = last_run()
+    assert report.outcome == "nearest_member", report.outcome
+    assert kind == "WARNING" and f"(w = {report.member_weight:.3g} " in text and "Look at it" in text, text
+    assert not np.array_equal(before, coordinates(obj))
+    assert selected == [f.index for f in bmesh.from_edit_mesh(obj.data).faces if f.select]
+
+
 def dented_below_a_needle():
     """The same below a needle that the sphere runs through."""
     obj, _ = dented()

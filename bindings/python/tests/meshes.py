@@ -117,6 +117,22 @@ def cube(cells):
     return Region(vertices.astype(float), number.ravel()[np.concatenate(faces)], free, vertices)
 
 
+def flared_tube(around=12, rows=7, outer=3, flare=40.0):
+    """A tube of radius 1 and length 3, which is free; its ends flare outwards like cones, by an angle in degrees."""
+    step, tilt = 3 / (rows - 1), np.radians(flare)
+    row = np.arange(-outer, rows + outer)
+    inside = np.clip(row, 0, rows - 1)
+    r = 1 + step * np.abs(row - inside) * np.sin(tilt)
+    z = step * (inside + (row - inside) * np.cos(tilt)) - 1.5
+    turn = 2 * np.pi * np.arange(around) / around
+    vertices = np.stack([np.outer(r, np.cos(turn)), np.outer(r, np.sin(turn)), np.outer(z, np.ones(around))], axis=-1)
+    a = np.arange(len(row) * around).reshape(-1, around)
+    b, c, d = np.roll(a, -1, axis=1)[:-1], a[1:], np.roll(a, -1, axis=1)[1:]
+    faces = np.concatenate([np.stack(t, axis=-1).reshape(-1, 3) for t in ((a[:-1], b, d), (a[:-1], d, c))])
+    free = np.repeat((row > 0) & (row < rows - 1), around)
+    return Region(vertices.reshape(-1, 3), faces, free, vertices.reshape(-1, 3))
+
+
 def smallest_angle(vertices, faces):
     """In degrees, in double precision."""
     corners = vertices.astype(float)[faces]

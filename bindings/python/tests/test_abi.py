@@ -69,6 +69,7 @@ def test_layout_is_the_compilers(tmp_path):
 TOLD = (
     (fairmesh.Outcome, "outcome"),
     (fairmesh.LooseReason, "loose_reason"),
+    (fairmesh.AttemptEnd, "attempt_end"),
     (fairmesh.FillOutcome, "fill_outcome"),
     (fairmesh.FillReason, "fill_reason"),
     (fairmesh.Status, "status"),

@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 
 import fairmesh
-from meshes import cube, dented_cylinder, dented_sphere, disc, off_sphere, smallest_angle, sphere, sphere_with_hole
+from meshes import (
+    cube,
+    dented_cylinder,
+    dented_sphere,
+    disc,
+    flared_tube,
+    off_sphere,
+    smallest_angle,
+    sphere,
+    sphere_with_hole,
+)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -62,6 +72,36 @@ def test_a_crease_along_the_boundary_is_no_success():
     assert report.creased_vertex_count == len(result.creased_vertices) > 0
     assert report.boundary_kink > 45 and report.boundary_kink_vertex in result.creased_vertices
     assert report.remedy == result.outcome.remedy != ""
+
+
+def test_the_nearest_member_is_a_surface_with_a_remark():
+    vertices, faces, free, _ = flared_tube()
+    result = fairmesh.fair(vertices, faces, free=free)
+    report = result.report
+    assert result.outcome is fairmesh.Outcome.NEAREST_MEMBER and not result.outcome.is_success
+    assert not report.linear_surface and 0 < report.member_weight <= 1
+    assert "between harmonic and minimal energy" in report.text and report.remedy
+    (component,) = report.components
+    assert component.member_weight == report.member_weight
+    assert component.bending_energy == report.bending_energy > 0
+    attempts = component.attempts
+    assert sum(attempt.iterations for attempt in attempts) == report.iterations
+    assert {attempt.free_vertices for attempt in attempts} == {free.sum()}
+    assert attempts[0].name == "direct" and attempts[0].end is fairmesh.AttemptEnd.NOT_CONVERGED
+    assert attempts[-1].name == "nearest member" and attempts[-1].end is fairmesh.AttemptEnd.SOUND
+    assert attempts[-1].bending_energy == pytest.approx(report.bending_energy, rel=1e-6)
+    with fairmesh.Solver(vertices, faces, free=free) as solver:
+        assert solver.run().components[0].attempts == attempts
+
+
+def test_the_bending_energy_of_a_sphere_is_its_solid_angle():
+    vertices, faces, free, _ = dented_sphere()
+    result = fairmesh.fair(vertices, faces, free=free)
+    corners = result.vertices[faces]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    area = (areas[:, None] * free[faces]).sum() / 3  # H is -1: a third of each triangle for each free corner
+    assert result.report.bending_energy == pytest.approx(area, rel=0.02)
+    assert result.report.member_weight == 0
 
 
 def test_a_surface_that_runs_into_what_stands_there_is_no_success():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from . import _abi
 from ._curvature import mean_curvature
-from ._enums import FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
+from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
 from ._holes import Filled, Loop, LoopReport, Remeshed, boundary_loops, fill_holes, remesh
@@ -12,9 +12,11 @@ from ._intersections import self_intersections
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Component, Level, Report
+from ._reports import Attempt, Component, Level, Report
 
 __all__ = [
+    "Attempt",
+    "AttemptEnd",
     "Component",
     "ElementKind",
     "FairingOptions",

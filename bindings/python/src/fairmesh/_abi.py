@@ -77,6 +77,7 @@ class fairmesh_outcome(enum.IntEnum):
     BOUNDARY_CREASE = 8
     SELF_INTERSECTING = 9
     POOR_WHEN_ROUNDED = 10
+    NEAREST_MEMBER = 11
 
 
 class fairmesh_loose_reason(enum.IntEnum):
@@ -86,6 +87,13 @@ class fairmesh_loose_reason(enum.IntEnum):
     FIRST_ORDER_CURVATURE = 3
     BUMP = 4
     TOLERANCE = 5
+
+
+class fairmesh_attempt_end(enum.IntEnum):
+    SOUND = 0
+    UNSOUND = 1
+    NOT_CONVERGED = 2
+    STOPPED = 3
 
 
 class fairmesh_fill_outcome(enum.IntEnum):
@@ -362,6 +370,8 @@ class fairmesh_report(Structure):
         ("boundary_kink_vertex", c_uint64),
         ("creased_vertex_count", c_uint64),
         ("component_count", c_uint64),
+        ("member_weight", c_double),
+        ("bending_energy", c_double),
     )
 
 
@@ -387,6 +397,20 @@ class fairmesh_component(Structure):
         ("normal_deviation", c_double),
         ("normal_deviation_vertex", c_uint64),
         ("normal_deviation_rms", c_double),
+        ("member_weight", c_double),
+        ("bending_energy", c_double),
+        ("attempt_count", c_uint64),
+    )
+
+
+class fairmesh_attempt(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("end", c_uint32),
+        ("free_vertices", c_uint64),
+        ("iterations", c_uint64),
+        ("bending_energy", c_double),
+        ("name", c_char * 48),
     )
 
 
@@ -521,6 +545,9 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "fairmesh_loose_reason_name": (c_char_p, (c_uint32,)),
     "fairmesh_loose_reason_text": (c_char_p, (c_uint32,)),
     "fairmesh_loose_reason_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_name": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_text": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_remedy": (c_char_p, (c_uint32,)),
     "fairmesh_fill_outcome_name": (c_char_p, (c_uint32,)),
     "fairmesh_fill_outcome_text": (c_char_p, (c_uint32,)),
     "fairmesh_fill_outcome_remedy": (c_char_p, (c_uint32,)),
@@ -647,6 +674,16 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_solver_attempt": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            c_uint64,
+            POINTER(fairmesh_attempt),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_solver_result": (
         c_int32,
         (
@@ -717,6 +754,17 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             c_uint64,
             c_uint64,
             POINTER(fairmesh_component),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_attempt": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            c_uint64,
+            c_uint64,
+            POINTER(fairmesh_attempt),
             POINTER(fairmesh_error),
         ),
     ),

@@ -301,6 +301,13 @@ class Outcome(Named):
         "tolerance met, but rounding the positions to the numbers that are written flips triangles or leaves them without angles",
         "write the mesh in double precision, or move it near to the origin",
     )
+    #: No harmonic surface was found; a smooth one with the same normals, between harmonic and minimal energy, is returned.
+    NEAREST_MEMBER = (
+        11,
+        "nearest_member",
+        "no harmonic surface was found; a smooth one with the same normals, between harmonic and minimal energy, is returned",
+        "look at it: it is fair, but bends by another equation; less extreme normals, or another region, may have a harmonic surface",
+    )
     #: A value that this version of the package does not know.
     OTHER = (
         4294967295,
@@ -359,6 +366,46 @@ class LooseReason(Named):
         "tolerance",
         "the steps have become as small as double precision allows here, but stay above the tolerance",
         "ask for a larger tolerance: the last step in the report is the smallest that can be met here",
+    )
+    #: A value that this version of the package does not know.
+    OTHER = (
+        4294967295,
+        "other",
+        "a value that this version of the package does not know",
+        "",
+    )
+
+
+class AttemptEnd(Named):
+    """How an attempt at a surface ended."""
+
+    #: A sound surface that meets the tolerance of the attempt.
+    SOUND = (
+        0,
+        "sound",
+        "a sound surface that meets the tolerance of the attempt",
+        "",
+    )
+    #: A surface that meets the tolerance, but has poor triangles, a bump or a crease.
+    UNSOUND = (
+        1,
+        "unsound",
+        "a surface that meets the tolerance, but has poor triangles, a bump or a crease",
+        "",
+    )
+    #: No surface that meets the tolerance.
+    NOT_CONVERGED = (
+        2,
+        "not_converged",
+        "no surface that meets the tolerance",
+        "",
+    )
+    #: Stopped by the limit of iterations or by the caller.
+    STOPPED = (
+        3,
+        "stopped",
+        "stopped by the limit of iterations or by the caller",
+        "",
     )
     #: A value that this version of the package does not know.
     OTHER = (

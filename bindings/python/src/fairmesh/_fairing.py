@@ -14,11 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
-from ._handles import ResultHandle, sized
+from ._handles import ResultHandle
 from ._library import Library, load
 from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
-from ._reports import Level, Report, report_of
+from ._reports import Level, Report, report_of, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -259,7 +259,7 @@ class Solver:
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
-        return report_of(report, self._component)
+        return report_of(report, self._component, self._attempt)
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
@@ -289,10 +289,13 @@ class Solver:
         """The report of the last run; before the first one, of the input."""
         made = sized(_abi.fairmesh_report)
         self._call("fairmesh_solver_report", ctypes.byref(made))
-        return report_of(made, self._component)
+        return report_of(made, self._component, self._attempt)
 
     def _component(self, number: int, to: Any) -> None:
         self._call("fairmesh_solver_component", number, to)
+
+    def _attempt(self, component: int, number: int, to: Any) -> None:
+        self._call("fairmesh_solver_attempt", component, number, to)
 
     def result(self) -> Result:
         """A copy of everything that is known of the surface as it stands."""

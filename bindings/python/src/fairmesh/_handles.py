@@ -12,15 +12,7 @@ from numpy.typing import NDArray
 from . import _abi, _arrays
 from ._errors import call
 from ._library import Library
-from ._options import Struct
-from ._reports import Report, report_of
-
-
-def sized(struct: type[Struct]) -> Struct:
-    """A struct that says its size."""
-    made = struct()
-    made.struct_size = ctypes.sizeof(struct)
-    return made
+from ._reports import Report, report_of, sized
 
 
 class ResultHandle:
@@ -46,7 +38,11 @@ class ResultHandle:
         """The report of the fairing (of the loop with this index)."""
         made = sized(_abi.fairmesh_report)
         self.read("fairmesh_result_report", index, ctypes.byref(made))
-        return report_of(made, lambda number, to: self.read("fairmesh_result_component", index, number, to))
+        return report_of(
+            made,
+            lambda number, to: self.read("fairmesh_result_component", index, number, to),
+            lambda component, number, to: self.read("fairmesh_result_attempt", index, component, number, to),
+        )
 
     def positions(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:
         """All vertices, (count, 3)."""

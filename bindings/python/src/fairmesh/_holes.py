@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._errors import call
-from ._handles import ResultHandle, sized
+from ._handles import ResultHandle
 from ._library import load
 from ._options import Options, initial, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
-from ._reports import Report
+from ._reports import Report, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

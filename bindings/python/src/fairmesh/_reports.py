@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _abi
-from ._enums import LooseReason, Outcome
+from ._enums import AttemptEnd, LooseReason, Outcome
+from ._options import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -78,6 +79,11 @@ class Report:
     intersections_in_input: int
     #: What `Outcome.CONVERGED_LOOSELY` is about; otherwise NONE.
     loose_reason: LooseReason
+    #: Of `Outcome.NEAREST_MEMBER` the w of its equation Delta_B H = -2 w H (H^2 - K), at most 1, of several components
+    #: the largest; otherwise 0.
+    member_weight: float
+    #: Bending energy, the integral of H^2 over the free vertices, without unit; the sum of all components.
+    bending_energy: float
     #: The components of the region, by their smallest free vertices; at least one.
     components: tuple[Component, ...]
 
@@ -129,16 +135,51 @@ class Component:
     normal_deviation: float
     normal_deviation_vertex: int | None
     normal_deviation_rms: float
+    #: As in `Report`, of the component alone.
+    member_weight: float
+    bending_energy: float
+    #: What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for
+    #: the paper's solver.
+    attempts: tuple[Attempt, ...]
 
 
-def report_of(struct: _abi.fairmesh_report, component: Callable[[int, Any], None]) -> Report:
-    """The library's report; `component` writes the component with a number to an address."""
+@dataclass(frozen=True)
+class Attempt:
+    """An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins."""
+
+    #: What was tried, in a few words.
+    name: str
+    #: The free vertices of its mesh: fewer than the component's on the coarse mesh.
+    free_vertices: int
+    iterations: int
+    end: AttemptEnd
+    #: The bending energy of its surface, without unit; NaN where it has none.
+    bending_energy: float
+
+
+def sized(struct: type[Struct]) -> Struct:
+    """A struct that says its size."""
+    made = struct()
+    made.struct_size = ctypes.sizeof(struct)
+    return made
+
+
+def report_of(
+    struct: _abi.fairmesh_report,
+    component: Callable[[int, Any], None],
+    attempt: Callable[[int, int, Any], None],
+) -> Report:
+    """The library's report; `component` and `attempt` write the component or attempt with a number to an address."""
     components = []
     for number in range(struct.component_count):
-        made = _abi.fairmesh_component()
-        made.struct_size = ctypes.sizeof(made)
+        made = sized(_abi.fairmesh_component)
         component(number, ctypes.byref(made))
-        components.append(Component(**_fields(made, Component)))
+        attempts = []
+        for tried in range(made.attempt_count):
+            told = sized(_abi.fairmesh_attempt)
+            attempt(number, tried, ctypes.byref(told))
+            attempts.append(Attempt(**_fields(told, Attempt)))
+        components.append(Component(**_fields(made, Component), attempts=tuple(attempts)))
     return Report(**_fields(struct, Report), components=tuple(components))
 
 
@@ -150,6 +191,8 @@ def element_or_none(number: int) -> int | None:
 #: How fields of the structs become Python's; all others are as they are.
 _CONVERSIONS: dict[str, Callable[[Any], Any]] = {
     "outcome": Outcome.of,
+    "end": AttemptEnd.of,
+    "name": bytes.decode,
     "loose_reason": LooseReason.of,
     "linear_surface": bool,
     "intersections_checked": bool,
@@ -161,9 +204,9 @@ _CONVERSIONS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-def _fields(struct: Any, of: type[Report | Component]) -> dict[str, Any]:
+def _fields(struct: Any, of: type[Report | Component | Attempt]) -> dict[str, Any]:
     """The fields of a dataclass, from its struct."""
-    names = [name for name in of.__dataclass_fields__ if name != "components"]
+    names = [name for name in of.__dataclass_fields__ if name not in ("components", "attempts")]
     return {name: _CONVERSIONS.get(name, _as_it_is)(getattr(struct, name)) for name in names}
 
 
