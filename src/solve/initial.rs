@@ -235,14 +235,7 @@ impl System {
             if (0..3).all(|c| next[c].abs() <= REFINED * REFINED * first[c].abs()) {
                 return true;
             }
-            // Flexible (Polak and Ribiere) where the preconditioner varies.
-            let gained = if self.varies() {
-                let change = products(&preconditioned, &image);
-                std::array::from_fn(|c| -alpha[c] * change[c])
-            } else {
-                next
-            };
-            let beta = ratios(gained, rho);
+            let beta = ratios(next, rho);
             for (d, p) in direction.iter_mut().zip(&preconditioned) {
                 for c in 0..3 {
                     d[c] = p[c] + beta[c] * d[c];

@@ -5,10 +5,6 @@
 
 pub(crate) mod attempt;
 pub(crate) mod bilaplacian;
-pub(crate) mod boundary_chains;
-pub(crate) mod boundary_operator;
-pub(crate) mod boundary_steps;
-pub(crate) mod boundary_strip;
 pub(crate) mod candidate;
 pub(crate) mod coarse;
 pub(crate) mod control;
@@ -21,7 +17,6 @@ pub(crate) mod ladder;
 pub(crate) mod limited_step;
 pub(crate) mod normal_continuation;
 pub(crate) mod normal_matrix;
-pub(crate) mod plate;
 pub(crate) mod problem;
 pub(crate) mod procedure;
 pub(crate) mod pseudo_time;

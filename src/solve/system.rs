@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::bilaplacian::Metric;
 use super::direction;
 use super::factor::{Factor, Stacks};
-use super::normal_matrix::{Means, NormalMatrix};
+use super::normal_matrix::NormalMatrix;
 use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
@@ -90,11 +90,6 @@ impl StepNorm {
 impl System {
     /// Orders and analyses the matrices from connectivity, and factors `G`.
     pub(crate) fn new(problem: &Problem<'_>) -> Self {
-        Self::by_means(problem, Means::of(problem.domain.region.free))
-    }
-
-    /// The same with this way to solve with `P`.
-    pub(crate) fn by_means(problem: &Problem<'_>, means: Means) -> Self {
         let Domain {
             region,
             rings,
@@ -103,7 +98,7 @@ impl System {
         } = &**problem.domain;
         let weights = problem.weights;
         let graph = rings.graph();
-        let ((symbolic, g_values), factored) = rayon::join(
+        let ((symbolic, g_values), p) = rayon::join(
             || {
                 let order = {
                     let _clock = clock("orders");
@@ -113,9 +108,8 @@ impl System {
                 let _clock = clock("symbolic");
                 (Arc::new(Symbolic::new(&graph, &order)), values)
             },
-            || (means == Means::Factor).then(|| NormalMatrix::by_factor(rings, &graph)),
+            || NormalMatrix::new(rings, &graph),
         );
-        let p = factored.unwrap_or_else(|| NormalMatrix::by_plate(region, rings, &symbolic));
         let mut g = Factor::new(&symbolic, false);
         let mut stacks = Stacks::default();
         // Convex weights make G an irreducible M-matrix with a fixed vertex in every component: it is positive
@@ -380,16 +374,13 @@ impl System {
 
     /// Makes `P` of the metric that is there.
     pub(crate) fn refactor(&mut self, mass: Option<&[f64]>) -> Result<(), Collapsed> {
-        let rings = &self.domain.rings;
         self.p
-            .factor(&self.metric, rings, &self.graph, mass, &mut self.stacks)
+            .factor(&self.metric, &self.domain.rings, mass, &mut self.stacks)
     }
 
-    /// Goes over to a 64-bit factor of the same matrix, without mass.
+    /// Goes over to a 64-bit factor of the same matrix.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
-        let rings = &self.domain.rings;
-        self.p
-            .factor_double(&self.metric, rings, &self.graph, None, &mut self.stacks)
+        self.p.factor_double(&mut self.stacks)
     }
 
     /// Whether `P` is factored in 64 bits.
@@ -397,13 +388,8 @@ impl System {
         self.p.is_double()
     }
 
-    /// Whether solving with `P` is not quite linear.
-    pub(crate) fn varies(&self) -> bool {
-        self.p.varies()
-    }
-
-    /// Solves with `P`.
-    pub(crate) fn solve_p<const K: usize>(&mut self, x: &mut [[f64; K]]) {
+    /// Solves with the factor of `P`, three columns.
+    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
         let _clock = clock("start: solves with P");
         self.p.solve(x);
     }
