@@ -150,7 +150,7 @@ struct Work {
 #[derive(Debug, Default)]
 struct Disk {
     /// The half-edges that leave the vertex.
-    spokes: Vec<u32>,
+    edges: Vec<u32>,
     /// Where they end.
     points: Vec<[f64; 2]>,
     /// Angles at the vertex, scaled.
@@ -171,7 +171,7 @@ impl Work {
         }
         let disk = &mut self.disk;
         disk.rank_choices(lengths, limit);
-        let is_allowed = |j: usize| mesh.can_collapse(disk.spokes[j]) && !disk.joins_fixed(mesh, j);
+        let is_allowed = |j: usize| mesh.can_collapse(disk.edges[j]) && !disk.joins_fixed(mesh, j);
         let allowed = disk.choices.iter().find(|(_, j)| is_allowed(*j));
         let Some(&(_, j)) = allowed else {
             return false;
@@ -179,7 +179,7 @@ impl Work {
         self.disk.coordinates(mesh, rings);
         self.coarsening.removed.push(Removed { vertex: u });
         self.set_lengths(j);
-        self.coarsening.mesh.collapse(self.disk.spokes[j]);
+        self.coarsening.mesh.collapse(self.disk.edges[j]);
         true
     }
 
@@ -233,15 +233,15 @@ impl Work {
         }
     }
 
-    /// Gives the triangles that are left the lengths that they have once the vertex has moved to the end of spoke `j`.
+    /// Gives the triangles that are left the lengths that they have once the vertex has moved to the end of edge `j`.
     fn set_lengths(&mut self, j: usize) {
-        let Disk { spokes, points, .. } = &self.disk;
+        let Disk { edges, points, .. } = &self.disk;
         let lengths = &mut self.coarsening.lengths;
-        let m = spokes.len();
+        let m = edges.len();
         let (after, before) = ((j + 1) % m, (j + m - 1) % m);
         let beside = [
-            lengths[next(spokes[j]) as usize],
-            lengths[next(spokes[before]) as usize],
+            lengths[next(edges[j]) as usize],
+            lengths[next(edges[before]) as usize],
         ];
         let to = |k: usize| match k {
             k if k == after => beside[0],
@@ -249,8 +249,8 @@ impl Work {
             k => distance(points[j], points[k]),
         };
         for k in (0..m).filter(|&k| k != j && k != before) {
-            lengths[spokes[k] as usize] = to(k);
-            lengths[previous(spokes[k]) as usize] = to((k + 1) % m);
+            lengths[edges[k] as usize] = to(k);
+            lengths[previous(edges[k]) as usize] = to((k + 1) % m);
         }
     }
 }
@@ -258,11 +258,11 @@ impl Work {
 impl Disk {
     /// Lays the triangles around `u` flat; false where their lengths are those of no triangles.
     fn lay_flat(&mut self, mesh: &EditableMesh, lengths: &[f64], u: u32) -> bool {
-        self.spokes.clear();
-        self.spokes.extend(mesh.outgoing(u));
+        self.edges.clear();
+        self.edges.extend(mesh.outgoing(u));
         self.angles.clear();
         let mut turn = 0.0;
-        for &h in &self.spokes {
+        for &h in &self.edges {
             let [a, b, c] = [h, previous(h), next(h)].map(|h| lengths[h as usize]);
             let cosine = (a * a + b * b - c * c) / (2.0 * a * b);
             let angle = cosine.clamp(-1.0, 1.0).acos();
@@ -275,7 +275,7 @@ impl Disk {
         let scale = std::f64::consts::TAU / turn;
         self.points.clear();
         let mut at = 0.0f64;
-        for (angle, &h) in self.angles.iter_mut().zip(&self.spokes) {
+        for (angle, &h) in self.angles.iter_mut().zip(&self.edges) {
             let (sin, cos) = at.sin_cos();
             let r = lengths[h as usize];
             self.points.push([r * cos, r * sin]);
@@ -289,20 +289,20 @@ impl Disk {
 
     /// Mean value coordinates of the vertex in its ring, as another row.
     fn coordinates(&self, mesh: &EditableMesh, rows: &mut Rows<(u32, f64)>) {
-        let m = self.spokes.len();
+        let m = self.edges.len();
         let half_tangent = |k: usize| (0.5 * self.angles[k]).tan();
         let weight = |k: usize| (half_tangent(k) + half_tangent((k + m - 1) % m)) / norm(self.points[k]);
         let sum: f64 = (0..m).map(weight).sum();
         for k in 0..m {
-            rows.push((mesh.target(self.spokes[k]), weight(k) / sum));
+            rows.push((mesh.target(self.edges[k]), weight(k) / sum));
         }
         rows.end_row();
     }
 
-    /// The collapses along spokes up to `limit` that leave round triangles, the best first.
+    /// The collapses along edges up to `limit` that leave round triangles, the best first.
     fn rank_choices(&mut self, lengths: &[f64], limit: f64) {
         self.choices.clear();
-        for (j, &h) in self.spokes.iter().enumerate() {
+        for (j, &h) in self.edges.iter().enumerate() {
             if lengths[h as usize] <= limit {
                 let roundness = self.least_roundness(j);
                 if roundness >= LEAST_ROUNDNESS {
@@ -314,15 +314,15 @@ impl Disk {
             .sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     }
 
-    /// Whether the collapse along spoke `j` makes an edge between two fixed vertices: that could cut the region apart.
+    /// Whether the collapse along edge `j` makes an edge between two fixed vertices: that could cut the region apart.
     fn joins_fixed(&self, mesh: &EditableMesh, j: usize) -> bool {
-        let m = self.spokes.len();
-        let is_fixed = |k: usize| !mesh.is_free(mesh.target(self.spokes[k]));
+        let m = self.edges.len();
+        let is_fixed = |k: usize| !mesh.is_free(mesh.target(self.edges[k]));
         let is_beside = |k: usize| k == j || k == (j + 1) % m || j == (k + 1) % m;
         is_fixed(j) && (0..m).any(|k| !is_beside(k) && is_fixed(k))
     }
 
-    /// Of the triangles that are left when the vertex moves to the end of spoke `j`.
+    /// Of the triangles that are left when the vertex moves to the end of edge `j`.
     fn least_roundness(&self, j: usize) -> f64 {
         let m = self.points.len();
         let mut least = f64::INFINITY;

@@ -17,7 +17,8 @@ fn cylinder_of(length: f64, n: usize, sampling: Sampling) -> Shape {
 fn largest_distance(shape: &Shape, solution: &Solution) -> f64 {
     let surface = shape.surface.as_ref().unwrap();
     let free = shape.free_vertices().into_iter();
-    free.map(|v| surface.distance(solution.positions[v as usize])).fold(0.0, f64::max)
+    free.map(|v| surface.distance(solution.positions[v as usize]))
+        .fold(0.0, f64::max)
 }
 
 /// Beside the cylinder there is an unduloid with a neck, from 4.3 radii on, which the linear start leads to.
@@ -43,7 +44,8 @@ fn between_the_ends_of_a_tube_the_cylinder_is_found_and_no_hourglass() {
 /// Of the attempts on the coarse mesh, those at harmonic surfaces.
 fn coarse_energies(report: &Report, free: usize) -> Vec<f64> {
     let attempts = report.components[0].attempts.iter();
-    let coarse = attempts.filter(|a| a.free_vertices < free && a.end == AttemptEnd::Sound && a.name != "minimal energy");
+    let coarse = attempts
+        .filter(|a| a.free_vertices < free && a.end == AttemptEnd::Sound && a.name != "minimal energy");
     coarse.map(|a| a.bending_energy).collect()
 }
 
@@ -53,7 +55,10 @@ fn attempts_tell_what_was_tried_on_which_mesh() {
     let report = solve(&shape, &flat(&shape), options(1e-8)).report;
     let attempts = &report.components[0].attempts;
     let last = attempts.last().unwrap();
-    assert_eq!((last.free_vertices, last.end), (shape.free_count(), AttemptEnd::Sound));
+    assert_eq!(
+        (last.free_vertices, last.end),
+        (shape.free_count(), AttemptEnd::Sound)
+    );
     assert_eq!(last.name, "from the coarse mesh");
     assert_eq!(last.iterations, report.iterations);
     assert!((last.bending_energy / report.quality.bending_energy - 1.0).abs() < 1e-6);
@@ -72,7 +77,11 @@ fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
         let Outcome::NearestMember { weight } = report.outcome else {
             panic!("{:?}", report.outcome);
         };
-        println!("{} free: w = {weight}, {} iterations", shape.free_count(), report.iterations);
+        println!(
+            "{} free: w = {weight}, {} iterations",
+            shape.free_count(),
+            report.iterations
+        );
         assert!(weight > 0.0 && weight <= 1.0 && !report.linear_surface);
         assert!(report.step <= 1e-8 && report.quality.is_sound());
         // Normals are met as triangles can.
@@ -129,7 +138,11 @@ fn ear(around: u32, rows: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bool>) {
     let last = (outside + rows) * around;
     triangles.extend((0..around).map(|j| [last + j, last + (j + 1) % around, pole]));
     let first_free = (outside + 1) * around;
-    (positions, triangles, (0..=pole).map(|v| v >= first_free).collect())
+    (
+        positions,
+        triangles,
+        (0..=pole).map(|v| v >= first_free).collect(),
+    )
 }
 
 #[test]
@@ -143,8 +156,14 @@ fn an_ear_with_many_vertices_behind_a_short_boundary_becomes_a_disk() {
             };
             let solution = fair(&positions, &triangles, Selection::Mask(&free), &options).unwrap();
             let highest = solution.positions.iter().fold(0.0f64, |h, p| h.max(p[2].abs()));
-            println!("{around} around, {rows} rows: {:?}, {highest:.1e}", solution.report.outcome);
-            assert!(solution.report.outcome.is_success() && highest < 1e-6, "{around} {rows}");
+            println!(
+                "{around} around, {rows} rows: {:?}, {highest:.1e}",
+                solution.report.outcome
+            );
+            assert!(
+                solution.report.outcome.is_success() && highest < 1e-6,
+                "{around} {rows}"
+            );
         }
     }
 }
