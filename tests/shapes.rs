@@ -140,7 +140,19 @@ fn families() -> Vec<(&'static str, Make, i64, usize)> {
         ("catenoid", catenoid_band, 0, 2),
         ("zone", |n, s, o| sphere_zone(-50.0, 60.0, n, s, o), 0, 2),
         ("unduloid", |n, s, o| unduloid_band(0.6, 1.0, n, s, o), 0, 2),
+        (
+            "revolution",
+            |n, s, o| revolution(1.0, -1.0, 0.5, 2.0, n, s, o),
+            0,
+            2,
+        ),
     ]
+}
+
+/// The band of a sound profile.
+fn revolution(f0: f64, h0: f64, c: f64, length: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let profile = HarmonicProfile::new(f0, h0, c, length).expect("a sound profile");
+    revolution_band(&profile, n, sampling, outside).expect("sound surroundings")
 }
 
 #[test]
@@ -275,6 +287,57 @@ fn distances() {
     assert_eq!(Surface::Sphere.mean_curvature([0.0, 0.0, 1.0]), -1.0);
     assert_eq!(Surface::Cylinder.mean_curvature([1.0, 0.0, 0.0]), -0.5);
     assert_eq!(Surface::Catenoid.mean_curvature([1.0, 0.0, 0.0]), 0.0);
+}
+
+/// The surfaces of constant mean curvature among those of harmonic mean curvature.
+#[test]
+fn revolutions_are_spheres_cylinders_and_catenoids() {
+    let along = std::f64::consts::FRAC_PI_2;
+    for sampling in [Sampling::Regular, IRREGULAR] {
+        for (h0, length, surface) in [
+            (-1.0, 1.0, Surface::Sphere),
+            (-0.5, 2.0, Surface::Cylinder),
+            (0.0, 2.0, Surface::Catenoid),
+        ] {
+            let s = revolution(along, h0, 0.0, length, 1_000, sampling, 4);
+            for (p, n) in s.positions.iter().zip(&s.normals) {
+                assert!(surface.distance(*p) < 1e-13, "{h0} {p:?}");
+                let difference = sub(surface.normal(*p), *n);
+                assert!(dot(difference, difference).sqrt() < 1e-12, "{h0} {p:?}");
+            }
+        }
+    }
+}
+
+/// The flux of H through a circle about the axis is `2 pi c`, whatever the circle.
+#[test]
+fn mean_curvature_of_a_revolution_is_harmonic() {
+    let profile = HarmonicProfile::new(2.0, 0.3, -0.6, 1.0).unwrap();
+    let s = revolution_band(&profile, 1_000, IRREGULAR, 4).unwrap();
+    let surface = s.surface.as_ref().unwrap();
+    let d = 1e-3;
+    for (p, n) in s.positions.iter().zip(&s.normals) {
+        let r = p[0].hypot(p[1]);
+        // The direction of the profile, upwards, and its curvature, to stay on it in third order.
+        let along = [-n[2] * p[0] / r, -n[2] * p[1] / r, n[0].hypot(n[1])];
+        let h = |t: f64| surface.mean_curvature(std::array::from_fn(|i| p[i] + t * along[i]));
+        let flux = r * (h(d) - h(-d)) / (2.0 * d);
+        assert!((flux + 0.6).abs() < 1e-4, "{flux} at {p:?}");
+    }
+}
+
+#[test]
+fn what_is_no_revolution_is_refused() {
+    // A sphere has a pole; with rings outside it is met before the surface ends.
+    let along = std::f64::consts::FRAC_PI_2;
+    let beyond = HarmonicProfile::new(along, -1.0, 0.0, 1.6);
+    assert!(matches!(beyond, Err(ProfileError::Axis(_))), "{beyond:?}");
+    let profile = HarmonicProfile::new(along, -1.0, 0.0, 1.5).unwrap();
+    assert!(revolution_band(&profile, 300, Sampling::Regular, 4).is_err());
+    let nodoid = HarmonicProfile::new(along, 2.0, 0.0, 6.0);
+    let text = nodoid.unwrap_err().to_string();
+    assert!(text.contains("crosses itself"), "{text}");
+    assert!(HarmonicProfile::new(f64::INFINITY, 0.0, 0.0, 1.0).is_err());
 }
 
 #[test]

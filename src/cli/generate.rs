@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use fairmesh_shapes::{OUTSIDE, Sampling, Shape, Surface};
+use fairmesh_shapes::{HarmonicProfile, OUTSIDE, Sampling, Shape, Surface, revolution_band};
 
 use crate::answer::say;
 use crate::failure::Failure;
@@ -29,6 +29,8 @@ enum ShapeKind {
     Catenoid,
     /// An unduloid with neck 0.7 and bulge 1
     Unduloid,
+    /// A surface of revolution with harmonic mean curvature that is not constant
+    Revolution,
     /// A wavy saddle over the unit disc; not a solution, the boundary is what matters
     Saddle,
 }
@@ -55,6 +57,51 @@ enum Start {
     Noise,
     /// Anywhere in the bounding box
     Random,
+}
+
+/// The profile of a revolution: `r' = cos f`, `z' = sin f`, `f' = -2 H - sin f / r`, `H' = c / r` by its arc length, from
+/// `r = 1`, `z = 0` on.
+#[derive(Debug, Args)]
+struct ProfileArgs {
+    /// Of revolution: direction of the profile at its beginning, where the radius
+    /// is 1; 0 leads away from the axis, pi/2 along it (1)
+    #[arg(
+        long,
+        value_name = "RADIANS",
+        allow_negative_numbers = true,
+        verbatim_doc_comment
+    )]
+    f0: Option<f64>,
+    /// Of revolution: mean curvature H at the beginning (-1)
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    h0: Option<f64>,
+    /// Of revolution: radius times dH/ds, the same all along the profile (0.5)
+    #[arg(long, value_name = "C", allow_negative_numbers = true)]
+    c: Option<f64>,
+    /// Of revolution: arc length of the profile (2)
+    #[arg(long, value_name = "L")]
+    length: Option<f64>,
+}
+
+impl ProfileArgs {
+    fn is_given(&self) -> bool {
+        [self.f0, self.h0, self.c, self.length]
+            .iter()
+            .any(Option::is_some)
+    }
+
+    /// A band of about `n` free vertices.
+    fn band(&self, n: usize, sampling: Sampling, outside: usize) -> Result<Shape, Failure> {
+        let [f0, h0] = [self.f0.unwrap_or(1.0), self.h0.unwrap_or(-1.0)];
+        let [c, length] = [self.c.unwrap_or(0.5), self.length.unwrap_or(2.0)];
+        let profile = HarmonicProfile::new(f0, h0, c, length);
+        let band = profile.and_then(|profile| revolution_band(&profile, n, sampling, outside));
+        band.map_err(|e| {
+            Failure::new(format!(
+                "--f0 {f0} --h0 {h0} --c {c} --length {length}: no surface of revolution: {e}"
+            ))
+        })
+    }
 }
 
 /// What `fairmesh generate` is asked.
@@ -86,6 +133,8 @@ pub struct GenerateArgs {
     /// is as wide as two and a half edges), in degrees
     #[arg(long, value_name = "DEGREES", verbatim_doc_comment)]
     angle: Option<f64>,
+    #[command(flatten)]
+    profile: ProfileArgs,
     /// Rings of fixed triangles around the free region, at most 16; blend and
     /// tetra thing have none
     #[arg(long, default_value_t = OUTSIDE, value_name = "N", verbatim_doc_comment)]
@@ -104,7 +153,7 @@ pub struct GenerateArgs {
 /// Runs the command.
 pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
     check(args)?;
-    let shape = make(args);
+    let shape = make(args)?;
     if args.exact.is_some() && shape.surface.is_none() {
         return Err(Failure::new(
             "--exact: there is no exact surface of this kind; its start is smooth, the result is what 'fair' finds",
@@ -167,6 +216,11 @@ fn check(args: &GenerateArgs) -> Result<(), Failure> {
         )));
     }
     check_angle(args)?;
+    if args.profile.is_given() && args.kind != ShapeKind::Revolution {
+        return Err(Failure::new(
+            "--f0, --h0, --c, --length: only revolution has them",
+        ));
+    }
     let mut paths: Vec<&Path> = [&args.exact, &args.free, &args.normals]
         .into_iter()
         .flatten()
@@ -199,7 +253,7 @@ fn check_angle(args: &GenerateArgs) -> Result<(), Failure> {
     Err(Failure::new(format!("--angle {angle}: give 1 to {most} degrees")))
 }
 
-fn make(args: &GenerateArgs) -> Shape {
+fn make(args: &GenerateArgs) -> Result<Shape, Failure> {
     let sampling = match args.triangulation {
         Triangulation::Regular => Sampling::Regular,
         Triangulation::Irregular => Sampling::Irregular { seed: args.seed },
@@ -207,7 +261,7 @@ fn make(args: &GenerateArgs) -> Shape {
     };
     let count = |default: usize| args.vertices.unwrap_or(default);
     let (n, outside, angle) = (count(1_000), args.outside, args.angle.unwrap_or(60.0));
-    match args.kind {
+    Ok(match args.kind {
         ShapeKind::CylinderBlend => fairmesh_shapes::cylinder_blend_of(count(920), sampling),
         ShapeKind::TetraThing => fairmesh_shapes::tetra_thing_of(count(500), sampling),
         ShapeKind::SphereCap => fairmesh_shapes::sphere_cap(angle, n, sampling, outside),
@@ -216,8 +270,9 @@ fn make(args: &GenerateArgs) -> Shape {
         ShapeKind::Cylinder => fairmesh_shapes::cylinder_band(n, sampling, outside),
         ShapeKind::Catenoid => fairmesh_shapes::catenoid_band(n, sampling, outside),
         ShapeKind::Unduloid => fairmesh_shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
+        ShapeKind::Revolution => args.profile.band(n, sampling, outside)?,
         ShapeKind::Saddle => fairmesh_shapes::saddle_graph(n, sampling, outside),
-    }
+    })
 }
 
 fn summary(args: &GenerateArgs, shape: &Shape) -> String {
@@ -231,6 +286,12 @@ fn summary(args: &GenerateArgs, shape: &Shape) -> String {
             u.neck(),
             u.bulge()
         ),
+        Some(Surface::Revolution(p)) => {
+            let [[r, .., h], [r_end, z_end, _, h_end]] = [p.at(0.0), p.at(p.length())];
+            format!(
+                "revolution about the z axis, radius {r:.3} to {r_end:.3} at z = 0 to {z_end:.3}, mean curvature {h:.3} to {h_end:.3}"
+            )
+        }
         _ => "none".to_owned(),
     };
     format!(

@@ -10,6 +10,7 @@ mod blend;
 mod blend_start;
 mod chart;
 mod conjugate_gradients;
+mod harmonic_profile;
 mod irregular;
 mod planar;
 mod plate;
@@ -27,7 +28,8 @@ pub use blend::{
     BLEND_DISTANCE, BLEND_RADIUS, cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine,
     cylinder_blend_of, cylinder_blend_refined_patch, cylinder_blend_with,
 };
-pub use revolution::{catenoid_band, cylinder_band, sphere_zone, unduloid_band};
+pub use harmonic_profile::{HarmonicProfile, ProfileError};
+pub use revolution::{catenoid_band, cylinder_band, revolution_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
 pub use shape::Shape;
 pub use sphere::{saddle_graph, sphere_cap, sphere_with_hole};

@@ -2,6 +2,8 @@
 //! with dv = ds / r, so that equilateral triangles of the chart stay equilateral.
 
 use super::between;
+use super::chart::Chart;
+use super::harmonic_profile::{HarmonicProfile, ProfileError};
 use super::planar::band_chart;
 use super::sampling::Sampling;
 use super::shape::{Lifted, Shape};
@@ -25,14 +27,24 @@ fn revolve(
     flat_radius: impl Fn(f64, &Meridian) -> f64,
 ) -> Shape {
     let chart = band_chart(range[0], range[1], n, sampling, outside);
+    lift(chart, surface, meridian, |v, m| [flat_radius(v, m), m.z])
+}
+
+/// Lifts a chart; `flat` gives the wrong r and z at v.
+fn lift(
+    chart: Chart<[f64; 2]>,
+    surface: Surface,
+    meridian: impl Fn(f64) -> Meridian,
+    flat: impl Fn(f64, &Meridian) -> [f64; 2],
+) -> Shape {
     Shape::lifted(chart, Some(surface), |[u, v]| {
         let (sin, cos) = u.sin_cos();
         let m = meridian(v);
-        let f = flat_radius(v, &m);
+        let [f, flat_z] = flat(v, &m);
         Lifted {
             position: [m.r * cos, m.r * sin, m.z],
             normal: unit([m.slope[1] * cos, m.slope[1] * sin, -m.slope[0]]),
-            flat: [f * cos, f * sin, m.z],
+            flat: [f * cos, f * sin, flat_z],
         }
     })
 }
@@ -112,4 +124,36 @@ pub fn unduloid_band(neck: f64, bulge: f64, n: usize, sampling: Sampling, outsid
         meridian,
         flat,
     )
+}
+
+/// The surface of revolution of harmonic mean curvature with this profile: an exact solution of `Delta_B H = 0` whose `H` is
+/// not constant.
+///
+/// # Errors
+/// The rings outside come too near to the axis, or cross the profile.
+pub fn revolution_band(
+    profile: &HarmonicProfile,
+    n: usize,
+    sampling: Sampling,
+    outside: usize,
+) -> Result<Shape, ProfileError> {
+    let [low, high] = profile.range();
+    let chart = band_chart(low, high, n, sampling, outside);
+    let mut whole = profile.clone();
+    let around = |[low, high]: [f64; 2], p: &[f64; 2]| [low.min(p[1]), high.max(p[1])];
+    whole.extend(chart.points.iter().fold([low, high], around))?;
+    let meridian = |v: f64| {
+        let p = whole.profile(v);
+        Meridian {
+            r: p.at[0],
+            z: p.at[1],
+            slope: p.slope,
+        }
+    };
+    let [a, b] = [low, high].map(&meridian);
+    let flat = |v: f64, _: &Meridian| {
+        let part = (v - low) / (high - low);
+        [a.r + part * (b.r - a.r), a.z + part * (b.z - a.z)]
+    };
+    Ok(lift(chart, Surface::Revolution(whole.clone()), meridian, flat))
 }

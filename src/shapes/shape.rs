@@ -90,7 +90,7 @@ impl Shape {
     }
 
     /// Positions with the free part replaced by a wrong shape over the same boundary: a spherical part by a flat
-    /// disc, a zone of the sphere, a catenoid or an unduloid by a straight tube, a cylinder by one that is
+    /// disc, any other surface of revolution by a straight tube, a cylinder by one that is
     /// pinched by 40 %, the saddle by a flatter one. The cylinder blend keeps its start.
     pub fn flat(&self) -> Vec<[f64; 3]> {
         self.flattened.clone()

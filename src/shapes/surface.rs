@@ -1,5 +1,6 @@
 //! The exact surfaces: distance and mean curvature.
 
+use super::harmonic_profile::HarmonicProfile;
 use super::unduloid::Unduloid;
 
 /// An exact surface. Axes of revolution are the z axis.
@@ -16,6 +17,8 @@ pub enum Surface {
     Catenoid,
     /// A surface of revolution of constant mean curvature.
     Unduloid(Unduloid),
+    /// A surface of revolution of harmonic mean curvature.
+    Revolution(HarmonicProfile),
     /// Another surface moved and scaled.
     Placed {
         /// Where the surface went.
@@ -33,7 +36,7 @@ impl Surface {
 
     /// As [`Surface::distance`], positive on the side of the outward normals.
     ///
-    /// The nearest point is sought in the plane through the axis; far from the catenoid or unduloid it is
+    /// The nearest point is sought in the plane through the axis; far from any but sphere and cylinder it is
     /// the nearest one along a coarse scan of the profile.
     pub fn signed_distance(&self, p: [f64; 3]) -> f64 {
         match self {
@@ -41,6 +44,7 @@ impl Surface {
             Surface::Cylinder => p[0].hypot(p[1]) - 1.0,
             Surface::Catenoid => closest(catenoid_profile, catenoid_starts(p), p).1,
             Surface::Unduloid(u) => closest(|t| u.profile(t), u.starts(p[2]), p).1,
+            Surface::Revolution(h) => closest(|v| h.profile(v), vec![h.start(p)], p).1,
             Surface::Placed { by, surface } => by.scale * surface.signed_distance(by.undo(p)),
         }
     }
@@ -52,6 +56,7 @@ impl Surface {
             Surface::Cylinder => -0.5,
             Surface::Catenoid => 0.0,
             Surface::Unduloid(u) => u.mean_curvature(),
+            Surface::Revolution(h) => h.mean_curvature(closest(|v| h.profile(v), vec![h.start(p)], p).0),
             Surface::Placed { by, surface } => surface.mean_curvature(by.undo(p)) / by.scale,
         }
     }
@@ -68,6 +73,10 @@ impl Surface {
             Surface::Unduloid(u) => {
                 outward(p, u.profile(closest(|t| u.profile(t), u.starts(p[2]), p).0).slope)
             }
+            Surface::Revolution(h) => outward(
+                p,
+                h.profile(closest(|v| h.profile(v), vec![h.start(p)], p).0).slope,
+            ),
             Surface::Placed { by, surface } => by.turn(surface.normal(by.undo(p))),
         }
     }

@@ -497,6 +497,10 @@ fn what_cannot_be_generated_or_shown_is_refused() {
     generate("cylinder", &["--free", "a.ply"], "two different files");
     generate("cylinder", &["--noise=-1"], "--noise");
     generate("cone", &[], "cone");
+    generate("cylinder", &["--c", "-1"], "only revolution");
+    generate("revolution", &["--f0", "nan"], "--f0 NaN");
+    generate("revolution", &["--length", "9"], "crosses itself");
+    generate("revolution", &["--f0", "1.6", "--c", "0"], "nearer to the axis");
     assert_eq!(fs::read_dir(&directory).unwrap().count(), 0);
     expect(
         &directory,

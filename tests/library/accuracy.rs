@@ -47,6 +47,32 @@ fn unduloid(n: usize, seed: u64) -> Shape {
     shape
 }
 
+/// A band whose mean curvature is not constant: the profile's direction in degrees and `H` at its beginning, the flux of `H`,
+/// and its length.
+fn band([f0, h0, c, length]: [f64; 4], n: usize, seed: u64) -> Shape {
+    let profile = HarmonicProfile::new(f0.to_radians(), h0, c, length).expect("a sound profile");
+    revolution_band(&profile, n, irregular(seed), OUTSIDE).expect("sound surroundings")
+}
+
+/// `H` at the ends, and radii there.
+const REVOLUTIONS: [(&str, Generator); 5] = [
+    ("-1.5 to -.97, 1 to .68", |n, seed| {
+        band([60.0, -1.5, 0.5, 1.0], n, seed)
+    }),
+    ("-1.5 to -.75, 1 to .31", |n, seed| {
+        band([90.0, -1.5, 0.5, 1.0], n, seed)
+    }),
+    ("-.5 to -1.27, 1 to .35", |n, seed| {
+        band([120.0, -0.5, -0.5, 1.0], n, seed)
+    }),
+    ("0 to .38, 1 to 1.79", |n, seed| {
+        band([60.0, 0.0, 0.5, 1.0], n, seed)
+    }),
+    (".5 to -.7, 1 to 2.56", |n, seed| {
+        band([60.0, 0.5, -1.0, 2.0], n, seed)
+    }),
+];
+
 const SPHERES: [(&str, Generator); 2] = [("cap", cap), ("zone", zone)];
 const BANDS: [(&str, Generator); 3] = [
     ("cylinder", cylinder),
@@ -208,6 +234,58 @@ fn convergence_orders() {
         );
         // It stands at single irregular vertices beside the boundary, and falls less than the mean.
         bars.at_most(format!("{name}: largest error of H"), h_max[2], 0.6 * h_max[0]);
+    }
+    bars.finish();
+}
+
+/// `H` varies along the boundaries' normals: the fit from one side there is off by `O(h)`, the surface by `O(h^2)`.
+#[test]
+fn bands_of_varying_mean_curvature() {
+    let mut bars = Bars::default();
+    for (name, generate) in REVOLUTIONS {
+        for (n, seeds, most) in [(1_000, 1..4, 4.2e-4), (8_000, 1..2, 3.4e-5)] {
+            for seed in seeds {
+                let shape = generate(n, seed);
+                let solution = solve(&shape, &flat(&shape), options(1e-8));
+                let e = errors(&shape, &solution);
+                row(name, n, "exact normals", e, &solution);
+                let what = format!("{name} {n} seed {seed}");
+                bars.converged(&what, &solution);
+                bars.at_most(&what, e.max, most);
+                bars.at_most(
+                    format!("{what}: iterations"),
+                    solution.report.iterations as f64,
+                    16.0,
+                );
+            }
+        }
+    }
+    bars.finish();
+}
+
+/// The mean over three triangulations, as above.
+#[test]
+#[ignore = "full tier: up to 32,000 vertices"]
+fn convergence_orders_with_varying_mean_curvature() {
+    const SIZES: [usize; 3] = [2_000, 8_000, 32_000];
+    let mut bars = Bars::default();
+    for (name, generate) in REVOLUTIONS {
+        let mut rms = Vec::new();
+        for n in SIZES {
+            let mut mean = 0.0;
+            for seed in 1..=3 {
+                let shape = generate(n, seed);
+                let solution = solve(&shape, &flat(&shape), options(1e-9));
+                let e = errors(&shape, &solution);
+                row(name, n, "exact normals", e, &solution);
+                bars.converged(format!("{name} {n} seed {seed}"), &solution);
+                mean += e.rms / 3.0;
+            }
+            rms.push(mean);
+        }
+        let order = order(&rms, &SIZES);
+        println!("{name} order of the positions {order:.2}");
+        bars.at_least(format!("{name}: order of the positions"), order, 1.8);
     }
     bars.finish();
 }
