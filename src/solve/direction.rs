@@ -15,7 +15,7 @@ use crate::profile::clock;
 /// At most this many averagings: a few edges around.
 const MOST_ROUNDS: usize = 20;
 /// What is shorter than this is nothing: normals that cancel.
-const LEAST: f64 = 1e-6;
+const LEAST: f64 = 1e-9;
 
 /// The averagings for a largest step of this length on a surface with 1-disks of this mean area: one per edge length.
 pub(crate) fn rounds(largest: f64, disk: f64) -> usize {
@@ -38,9 +38,9 @@ pub(crate) fn averaged(
     rounds: usize,
 ) -> Vec<Vector3<f64>> {
     let _clock = clock("averaged directions");
-    // They only point somewhere: single precision does, and a vector of it is one register.
-    let single = |n: &Vector3<f64>| [n.x as f32, n.y as f32, n.z as f32, 0.0];
-    let mut field: Vec<[f32; 4]> = normal.iter().chain(boundary_normals).map(single).collect();
+    // With a fourth number a vector is one register.
+    let padded = |n: &Vector3<f64>| [n.x, n.y, n.z, 0.0];
+    let mut field: Vec<[f64; 4]> = normal.iter().chain(boundary_normals).map(padded).collect();
     let mut next = field.clone();
     for _ in 0..rounds {
         let free = next[..normal.len()].par_chunks_mut(CHUNK).enumerate();
@@ -49,15 +49,12 @@ pub(crate) fn averaged(
     }
     let directions = field.par_iter().zip(normal).with_min_len(CHUNK);
     directions
-        .map(|(&[x, y, z, _], n)| {
-            let sum = Vector3::new(f64::from(x), f64::from(y), f64::from(z));
-            sum.try_normalize(LEAST).unwrap_or(*n)
-        })
+        .map(|(&[x, y, z, _], n)| Vector3::new(x, y, z).try_normalize(LEAST).unwrap_or(*n))
         .collect()
 }
 
 /// The means of the closed rings from vertex `first` on.
-fn average(rings: &Rings, field: &[[f32; 4]], first: usize, means: &mut [[f32; 4]]) {
+fn average(rings: &Rings, field: &[[f64; 4]], first: usize, means: &mut [[f64; 4]]) {
     for (i, mean) in (first..).zip(means) {
         let ring = rings.ring(i);
         let mut sum = field[i];
@@ -66,8 +63,8 @@ fn average(rings: &Rings, field: &[[f32; 4]], first: usize, means: &mut [[f32; 4
                 *sum += x;
             }
         }
-        let share = 1.0 / (ring.len() + 1) as f32;
-        *mean = sum.map(|x| share * x);
+        let count = (ring.len() + 1) as f64;
+        *mean = sum.map(|x| x / count);
     }
 }
 
@@ -88,7 +85,7 @@ mod tests {
     fn one_round_is_the_mean_over_the_closed_ring() {
         let boundary = [Vector3::z(); 6];
         let d = averaged(&star(), &[Vector3::x()], &boundary, 1);
-        assert!((d[0] - Vector3::new(1.0, 0.0, 6.0).normalize()).norm() < 1e-7);
+        assert!((d[0] - Vector3::new(1.0, 0.0, 6.0).normalize()).norm() < 1e-15);
         assert_eq!(averaged(&star(), &[Vector3::x()], &boundary, 0), [Vector3::x()]);
     }
 
@@ -96,7 +93,7 @@ mod tests {
     fn equal_normals_stay_and_opposite_ones_keep_their_own() {
         let tilted = Vector3::new(0.48, 0.6, 0.64);
         let d = averaged(&star(), &[tilted], &[tilted; 6], 10);
-        assert!((d[0] - tilted).norm() < 1e-7);
+        assert!((d[0] - tilted).norm() < 1e-15);
         let mut boundary = [Vector3::z(); 6];
         boundary[3..].fill(-Vector3::z());
         boundary[0] = -Vector3::x();

@@ -23,7 +23,7 @@ const LARGEST_EXCESS: f64 = 2.0;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
-const EXTRA: usize = 3;
+const EXTRA: usize = 6;
 /// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
 /// takes a step of the history;
 const WINDOW: usize = 16;
