@@ -397,7 +397,7 @@ pub struct ComponentReport {
     pub free_vertices: usize,
     /// How its run ended.
     pub outcome: Outcome,
-    /// Nonlinear iterations.
+    /// Nonlinear iterations on its own mesh, but for those of attempts at a second surface that found none better.
     pub iterations: usize,
     /// Defect, see [`Report::defect`], with its own diagonal.
     pub defect: f64,

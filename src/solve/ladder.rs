@@ -53,8 +53,12 @@ pub(crate) struct Ladder {
     trials: Vec<Trial>,
     /// and the iterations until then.
     iterations: usize,
-    /// A sound surface, while another one is looked for that may be better.
+    /// A sound surface, while another one is looked for that may be better,
     sound: Option<(Candidate, SolveStatus)>,
+    /// the iterations that led to it,
+    until_sound: usize,
+    /// and those that led to none better.
+    in_vain: usize,
     /// Attempts begun or passed over.
     attempts: usize,
     underway: Option<Underway>,
@@ -146,7 +150,7 @@ impl Ladder {
                     }
                 }
                 Next::Done(candidate) => {
-                    if let Some((candidate, status)) = self.consider(candidate) {
+                    if let Some((candidate, status)) = self.consider(candidate, control) {
                         // A surface that meets the tolerance is better than one that the iterations did not suffice for.
                         if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
                             return Ok(Step::Ended(self.give_up(system, control)));
@@ -329,7 +333,11 @@ impl Ladder {
     }
 
     /// What becomes of an attempt's surface. Returns it if nothing else is to be tried.
-    fn consider(&mut self, candidate: Candidate) -> Option<(Candidate, SolveStatus)> {
+    fn consider(
+        &mut self,
+        candidate: Candidate,
+        control: &Control<'_>,
+    ) -> Option<(Candidate, SolveStatus)> {
         let kept = LADDER[self.attempts - 1].kept;
         let status = match kept {
             Kept::FirstOrder => SolveStatus::FirstOrder,
@@ -341,7 +349,7 @@ impl Ladder {
             self.minimal_energy =
                 (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
         } else if candidate.is_settled() || self.is_search && candidate.is_good_start() {
-            return self.best_of((candidate, status));
+            return self.best_of((candidate, status), control);
         } else if kept != Kept::Start && candidate.is_at_rounding() {
             return Some((candidate, SolveStatus::AboveTolerance));
         } else if kept != Kept::Sound && candidate.is_converged() {
@@ -355,27 +363,36 @@ impl Ladder {
     }
 
     /// Of two sound surfaces the one of less bending energy; the first one alone where it may be the only one.
-    fn best_of(&mut self, found: (Candidate, SolveStatus)) -> Option<(Candidate, SolveStatus)> {
+    fn best_of(
+        &mut self,
+        found: (Candidate, SolveStatus),
+        control: &Control<'_>,
+    ) -> Option<(Candidate, SolveStatus)> {
         let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
-        match self.sound.take() {
-            _ if found.0.is_stopped() => Some(found),
-            Some(first) if found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy => {
-                Some(found)
-            }
-            Some(first) => Some(first),
-            None if is_coarsest && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW => {
+        let Some(first) = self.sound.take() else {
+            if is_coarsest && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW {
                 self.sound = Some(found);
-                None
+                self.until_sound = control.tally.iterations;
+                return None;
             }
-            None => Some(found),
+            return Some(found);
+        };
+        let is_better = found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy;
+        if is_better && !found.0.is_stopped() {
+            return Some(found);
         }
+        self.in_vain = control.tally.iterations - self.until_sound;
+        Some(first)
     }
 
     /// The sound surface that no other one was found to be better than.
     fn settle(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
         system.reset();
         let (candidate, status) = match self.sound.take() {
-            Some((candidate, status)) => (Some(candidate), status),
+            Some((candidate, status)) => {
+                self.in_vain = control.tally.iterations - self.until_sound;
+                (Some(candidate), status)
+            }
             None => (None, SolveStatus::Failed),
         };
         self.result(candidate, status, system, control)
@@ -421,7 +438,7 @@ impl Ladder {
             status,
             step,
             defect: system.defect(),
-            iterations: control.tally.iterations,
+            iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
             uniform_weights: self.uniform_weights,
             trials: std::mem::take(&mut self.trials),
@@ -454,12 +471,13 @@ mod tests {
     /// Where rounding keeps the step above the tolerance, the sound surface is returned, and told so.
     #[test]
     fn what_stalls_at_rounding_ends_the_search() {
+        let control = Control::new(1e-9, 100, None);
         let considered = |candidate: Candidate| {
             let mut ladder = Ladder {
                 attempts: 2,
                 ..Ladder::default()
             };
-            ladder.consider(candidate).map(|(_, status)| status)
+            ladder.consider(candidate, &control).map(|(_, status)| status)
         };
         assert_eq!(considered(stalled(1e-13)), Some(SolveStatus::AboveTolerance));
         assert_eq!(considered(stalled(1e-7)), None);
