@@ -333,11 +333,7 @@ impl Ladder {
     }
 
     /// What becomes of an attempt's surface. Returns it if nothing else is to be tried.
-    fn consider(
-        &mut self,
-        candidate: Candidate,
-        control: &Control<'_>,
-    ) -> Option<(Candidate, SolveStatus)> {
+    fn consider(&mut self, candidate: Candidate, control: &Control<'_>) -> Option<(Candidate, SolveStatus)> {
         let kept = LADDER[self.attempts - 1].kept;
         let status = match kept {
             Kept::FirstOrder => SolveStatus::FirstOrder,

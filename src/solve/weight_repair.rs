@@ -40,8 +40,9 @@ impl WeightRepair {
         system.evaluate(&x);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
-        // The start is distributed almost as the result will be: what folds here would be found after the iterations.
-        if !system.poor(&x, THRESHOLDS[0]).is_empty()
+        // A linear start is distributed almost as the result will be: what folds here would be found after the iterations.
+        if anew == Anew::FromLinear
+            && !system.poor(&x, THRESHOLDS[0]).is_empty()
             && let Some(start) = marks.restart(&x, system, control)
             && !control.cancelled
         {

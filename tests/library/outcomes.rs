@@ -166,7 +166,8 @@ fn progress_never_falls() {
         assert!(told.windows(2).all(|w| w[0].fraction <= w[1].fraction));
         assert!(told.windows(2).all(|w| w[0].iterations <= w[1].iterations));
         assert!(told.windows(2).all(|w| w[1].iterations <= w[0].iterations + 1));
-        assert_eq!(told.last().unwrap().iterations, solution.report.iterations);
+        // Those of attempts at a second surface are told as well.
+        assert!(told.last().unwrap().iterations >= solution.report.iterations);
         assert!(told.iter().all(|p| !p.phase.is_empty()));
         // Being watched changes nothing.
         let unwatched = solve(shape, &shape.flat(), options(1e-8));
@@ -575,13 +576,14 @@ fn a_contradictory_normal_ends_in_a_loose_sound_surface() {
                 let what = format!("{name}, normal {k} turned by {degrees} degrees about {axis:?}");
                 let sound = is_sound(&shape, &solution.positions);
                 bars.check(&what, sound, "an unsound surface".to_owned());
-                let small = (name, k, axis[0]) == ("blend", 11, 0.3);
+                let case = (name, k, axis[0]);
                 // Off by a right angle or less, the surface meets the normals around and has a crease at this one.
                 let creased = [("cap", 7, 0.3), ("cylinder", 7, 0.3), ("blend", 7, 1.0)];
-                let outcome = match small {
-                    true => "converged",
-                    false if creased.contains(&(name, k, axis[0])) => "boundary_crease",
-                    false => "converged_loosely",
+                let outcome = match case {
+                    ("blend", 11, 0.3) => "converged",
+                    ("blend", 7, 0.3) => "nearest_member",
+                    case if creased.contains(&case) => "boundary_crease",
+                    _ => "converged_loosely",
                 };
                 bars.ends(&what, &solution, outcome);
                 assert_usable(&shape, &shape.positions, &solution);

@@ -37,7 +37,7 @@ fn between_the_ends_of_a_tube_the_cylinder_is_found_and_no_hourglass() {
         assert!(report.outcome.is_success() && error < 0.01, "{length} radii, {n}");
         // That of the whole band, but for half a row of vertices at each end.
         let energy = report.quality.bending_energy / (0.25 * 2.0 * PI * length);
-        assert!((0.9..1.01).contains(&energy), "{energy}");
+        assert!((0.9..1.03).contains(&energy), "{energy}");
     }
 }
 
