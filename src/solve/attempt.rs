@@ -131,6 +131,7 @@ const DIRECT: IterateOptions = IterateOptions {
     tolerance_floor: 0.0,
     // Every change of matrix makes the step norm jump.
     divergence_factor: 10.0,
+    patience: 5,
     stop_on_folds: false,
     measured_response: true,
     reuse_factor: false,
@@ -235,6 +236,8 @@ pub(crate) const LADDER: &[Attempt] = &[
         procedure: Procedure::MinimalEnergy,
         options: IterateOptions {
             tolerance_floor: COARSE,
+            // Along a valley the energy falls while the step norm stays.
+            patience: 16,
             phase: "minimal energy",
             ..DIRECT
         },

@@ -32,10 +32,8 @@ const WINDOW_OF_LARGE: usize = 8;
 const _: () = assert!(WINDOW <= MAX_WINDOW && WINDOW_OF_LARGE <= MAX_WINDOW);
 /// The largest region with the longer history.
 const LONG_UP_TO: usize = 50_000;
-/// A round that gains less than this in [`PATIENCE`] steps is left.
+/// A round that gains less than this in [`IterateOptions::patience`] steps is left.
 const STALL: f64 = 0.7;
-/// See [`STALL`].
-const PATIENCE: usize = 5;
 /// At most this many rounds, each with a matrix made at the best surface so far.
 const ROUNDS: usize = 5;
 /// A round with a fresh matrix that gains less than this will not gain in another.
@@ -61,6 +59,8 @@ pub(crate) struct IterateOptions {
     pub tolerance_floor: f64,
     /// A round is left when the step norm exceeds this many times the best.
     pub divergence_factor: f64,
+    /// A round is left when it gains little in so many steps.
+    pub patience: usize,
     /// Stop near the solution when triangles are folded or thin: their repair starts anew.
     pub stop_on_folds: bool,
     /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
@@ -273,10 +273,11 @@ impl Iteration {
     }
 
     fn is_stalling(&mut self, d: f64) -> bool {
+        let patience = self.options.patience;
         let history = &mut self.round.history;
         history.push(d);
         let k = history.len() - 1;
-        d > self.options.divergence_factor * self.best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE]
+        d > self.options.divergence_factor * self.best.d || k >= patience && d > STALL * history[k - patience]
     }
 
     /// After a round that stalls: another one from the best surface, if that promises something.
