@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use rayon::prelude::*;
+
 pub use super::minimum_degree::amd;
 use super::sparse::{Adjacency, SymmetricPattern};
 
@@ -378,6 +380,8 @@ const SMOOTHING: usize = 10;
 
 fn smoothed(ring: &Adjacency, coords: &[[f64; 3]]) -> Vec<[f64; 3]> {
     (0..coords.len())
+        .into_par_iter()
+        .with_min_len(PARALLEL)
         .map(|i| {
             let near = ring.of(i as u32);
             let mut sum = coords[i];

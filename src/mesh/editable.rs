@@ -14,6 +14,10 @@ pub(crate) struct EditableMesh {
     opposite: Vec<u32>,
     /// Per free and boundary vertex a half-edge that leaves it: the first of an open fan.
     first: Vec<u32>,
+    /// How many triangles of the region each of them has.
+    count: Vec<u32>,
+    /// Whether they are a closed ring: no change of the connectivity changes that.
+    closed: Vec<bool>,
     free: usize,
     region_triangles: usize,
 }
@@ -26,15 +30,32 @@ const FEWEST_OPEN: usize = 2;
 const MOST: usize = 14;
 
 impl EditableMesh {
-    /// The region with all its triangles.
+    /// The region with all its triangles: those of the region in the order of their vertices, to be near them in memory.
     pub(crate) fn new(region: &Region) -> Self {
         let half_edges = &region.half_edges;
-        let first = (0..region.region_vertices()).map(|v| half_edges.outgoing.row(v)[0]);
+        let (order, number) = in_order_of_vertices(region);
+        let renumbered = |h: u32| match h {
+            NONE => NONE,
+            h => 3 * number[h as usize / 3] + h % 3,
+        };
+        let (opposite, _) = half_edges.opposite.as_chunks::<3>();
+        let fans = (0..region.region_vertices()).map(|v| half_edges.outgoing.row(v));
+        let is_inside = |h: &&u32| half_edges.in_region(**h);
+        let count = fans
+            .clone()
+            .map(|fan| fan.iter().filter(is_inside).count() as u32);
+        let is_closed =
+            |fan: &[u32]| half_edges.opposite[fan[0] as usize] != NONE && fan.iter().all(|h| is_inside(&h));
         Self {
-            triangles: half_edges.triangles.clone(),
-            alive: vec![true; half_edges.triangles.len()],
-            opposite: half_edges.opposite.clone(),
-            first: first.collect(),
+            triangles: order.iter().map(|&t| half_edges.triangles[t as usize]).collect(),
+            alive: vec![true; order.len()],
+            opposite: order
+                .iter()
+                .flat_map(|&t| opposite[t as usize].map(renumbered))
+                .collect(),
+            first: fans.clone().map(|fan| renumbered(fan[0])).collect(),
+            count: count.collect(),
+            closed: fans.map(is_closed).collect(),
             free: region.free,
             region_triangles: half_edges.region_triangles,
         }
@@ -43,7 +64,7 @@ impl EditableMesh {
     /// The vertex that `h` starts from.
     #[inline]
     pub(crate) fn origin(&self, h: u32) -> u32 {
-        self.triangles[h as usize / 3][h as usize % 3]
+        self.triangles.as_flattened()[h as usize]
     }
 
     /// The vertex that `h` runs to.
@@ -70,6 +91,17 @@ impl EditableMesh {
         (v as usize) < self.free
     }
 
+    /// The triangles of the region, those that are not there any more as they were.
+    pub(crate) fn region_triangles(&self) -> &[[u32; 3]] {
+        &self.triangles[..self.region_triangles]
+    }
+
+    /// Whether a triangle is there.
+    #[inline]
+    pub(crate) fn is_there(&self, triangle: u32) -> bool {
+        self.alive[triangle as usize]
+    }
+
     /// The triangles that are there, by number.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = (usize, [u32; 3])> {
         let pairs = self.triangles.iter().zip(&self.alive).enumerate();
@@ -93,11 +125,6 @@ impl EditableMesh {
         self.outgoing(v).filter(|&h| self.in_region(h))
     }
 
-    fn is_closed(&self, v: u32) -> bool {
-        let first = self.first[v as usize];
-        self.opposite[first as usize] != NONE && self.outgoing(v).all(|h| self.in_region(h))
-    }
-
     fn are_neighbours(&self, u: u32, w: u32) -> bool {
         self.outgoing(u).any(|h| self.target(h) == w || self.apex(h) == w)
     }
@@ -105,21 +132,29 @@ impl EditableMesh {
     /// Whether the origin of `h` may be moved into its target: it is free, the mesh stays a 2-manifold, every triangle of
     /// the region keeps a free vertex, and no vertex gets too few or too many triangles.
     pub(crate) fn can_collapse(&self, h: u32) -> bool {
+        let u = self.origin(h);
+        self.can_collapse_from(h, |w| self.outgoing(u).any(|h| self.target(h) == w))
+    }
+
+    /// The same where it is known which vertices are around the origin of `h`.
+    pub(crate) fn can_collapse_from(&self, h: u32, is_around: impl Fn(u32) -> bool) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
         self.is_free(u)
-            && self.stays_manifold(h)
             && self.keeps_valences(h)
+            && self.stays_manifold(h, is_around)
             && (self.is_free(v) || self.keeps_free_corners(u, v))
     }
 
     /// Whether the mesh stays a 2-manifold when the free origin of `h` moves into its target.
-    fn stays_manifold(&self, h: u32) -> bool {
+    fn stays_manifold(&self, h: u32, is_around: impl Fn(u32) -> bool) -> bool {
         let (u, v) = (self.origin(h), self.target(h));
         let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
         // The vertices beside both ends are those of the two triangles (the link condition; u is never on the boundary).
-        let beside_both = |w: u32| w != u && w != l && w != r && self.are_neighbours(u, w);
+        let beside_both = |w: u32| w != u && w != l && w != r && is_around(w);
+        let is_last = |g: u32| self.opposite[previous(g) as usize] == NONE;
         let mut outgoing = self.outgoing(v);
-        if l == r || outgoing.any(|g| beside_both(self.target(g)) || beside_both(self.apex(g))) {
+        let is_against = |g: u32| beside_both(self.target(g)) || is_last(g) && beside_both(self.apex(g));
+        if l == r || outgoing.any(is_against) {
             return false;
         }
         // A tetrahedron would become two triangles back to back.
@@ -127,24 +162,25 @@ impl EditableMesh {
             let o = self.opposite[g as usize];
             self.origin(g) == l && self.target(g) == r && o != NONE && self.apex(o) == v
         };
-        self.outgoing(u).count() != 3 || !self.outgoing(u).map(next).any(is_back_to_back)
+        self.count[u as usize] != 3 || !self.outgoing(u).map(next).any(is_back_to_back)
     }
 
     /// Whether no vertex around `h` gets too few or too many triangles of the region.
     fn keeps_valences(&self, h: u32) -> bool {
         let (l, r) = (self.apex(h), self.apex(self.opposite[h as usize]));
-        let count = |w: u32| self.outgoing_in_region(w).count();
-        let enough = |w: u32, after: usize| {
-            let fewest = if self.is_closed(w) {
-                FEWEST_CLOSED
-            } else {
-                FEWEST_OPEN
-            };
-            (fewest..=MOST).contains(&after)
-        };
         let (u, v) = (self.origin(h), self.target(h));
-        let valence = self.outgoing(u).count();
-        enough(l, count(l) - 1) && enough(r, count(r) - 1) && enough(v, count(v) + valence - 4)
+        let count = |w: u32| self.count[w as usize] as usize;
+        let enough = |w: u32, after: usize| (self.fewest(w)..=MOST).contains(&after);
+        enough(v, count(v) + count(u) - 4) && enough(l, count(l) - 1) && enough(r, count(r) - 1)
+    }
+
+    /// The fewest triangles of the region that a vertex may have.
+    fn fewest(&self, v: u32) -> usize {
+        if self.closed[v as usize] {
+            FEWEST_CLOSED
+        } else {
+            FEWEST_OPEN
+        }
     }
 
     /// Whether every triangle of `u` that is left keeps a free vertex when `u` moves into the fixed vertex `v`.
@@ -165,6 +201,9 @@ impl EditableMesh {
         self.alive[h as usize / 3] = false;
         self.alive[o as usize / 3] = false;
         let (l, r) = (self.apex(h), self.apex(o));
+        self.count[v as usize] = self.count[v as usize] + self.count[self.origin(h) as usize] - 4;
+        self.count[l as usize] -= 1;
+        self.count[r as usize] -= 1;
         self.set_first(v, b);
         self.set_first(l, next(b));
         self.set_first(r, c);
@@ -182,6 +221,9 @@ impl EditableMesh {
         self.alive[h as usize / 3] = true;
         self.alive[o as usize / 3] = true;
         let (v, l, r) = (self.target(h), self.apex(h), self.apex(o));
+        self.count[v as usize] = self.count[v as usize] + 4 - self.count[u as usize];
+        self.count[l as usize] += 1;
+        self.count[r as usize] += 1;
         self.set_first(u, h);
         self.set_first(v, next(h));
         self.set_first(l, previous(h));
@@ -202,18 +244,11 @@ impl EditableMesh {
             return false;
         }
         let (a, b, c, d) = (self.origin(h), self.target(h), self.apex(h), self.apex(o));
-        let count = |v: u32| self.outgoing_in_region(v).count();
-        let fewest = |v: u32| {
-            if self.is_closed(v) {
-                FEWEST_CLOSED
-            } else {
-                FEWEST_OPEN
-            }
-        };
+        let count = |v: u32| self.count[v as usize] as usize;
         (self.is_free(c) || self.is_free(d))
             && c != d
-            && count(a) > fewest(a)
-            && count(b) > fewest(b)
+            && count(a) > self.fewest(a)
+            && count(b) > self.fewest(b)
             && count(c) < MOST
             && count(d) < MOST
             && !self.are_neighbours(c, d)
@@ -233,6 +268,10 @@ impl EditableMesh {
         self.link(beyond_o, h);
         self.link(beyond_h, o);
         self.link(next(h), next(o));
+        for (v, after) in [(a, -1), (b, -1), (c, 1), (d, 1)] {
+            let count = &mut self.count[v as usize];
+            *count = count.wrapping_add_signed(after);
+        }
         self.set_first(a, h);
         self.set_first(b, o);
     }
@@ -272,7 +311,7 @@ impl EditableMesh {
     /// Lets the fan of `v` begin at `h`, or where an open fan that `h` belongs to begins.
     fn set_first(&mut self, v: u32, h: u32) {
         let mut g = h;
-        while self.opposite[g as usize] != NONE {
+        while !self.closed[v as usize] && self.opposite[g as usize] != NONE {
             g = next(self.opposite[g as usize]);
             if g == h {
                 break;
@@ -321,6 +360,11 @@ impl EditableMesh {
             if fan.len() != count || fan.iter().any(|&h| self.origin(h) as usize != v) {
                 return Err(format!("fan of {v}"));
             }
+            let inside = fan.iter().filter(|&&h| self.in_region(h)).count();
+            let is_closed = self.opposite[fan[0] as usize] != NONE && inside == count;
+            if (inside, is_closed) != (self.count[v] as usize, self.closed[v]) {
+                return Err(format!("triangles of {v} in the region"));
+            }
             let mut targets: Vec<u32> = fan.iter().map(|&h| self.target(h)).collect();
             targets.sort_unstable();
             if targets.windows(2).any(|w| w[0] == w[1]) {
@@ -332,6 +376,25 @@ impl EditableMesh {
         }
         Ok(())
     }
+}
+
+/// The triangles of a region by the vertices that they are at, those of the outside as they are, and the place of each.
+fn in_order_of_vertices(region: &Region) -> (Vec<u32>, Vec<u32>) {
+    let half_edges = &region.half_edges;
+    let mut order = Vec::with_capacity(half_edges.triangles.len());
+    let mut number = vec![NONE; half_edges.triangles.len()];
+    let at_vertices = (0..region.region_vertices()).flat_map(|v| half_edges.outgoing.row(v));
+    let inside = at_vertices.copied().filter(|&h| half_edges.in_region(h));
+    let all = inside
+        .map(|h| h / 3)
+        .chain(half_edges.region_triangles as u32..number.len() as u32);
+    for t in all {
+        if number[t as usize] == NONE {
+            number[t as usize] = order.len() as u32;
+            order.push(t);
+        }
+    }
+    (order, number)
 }
 
 /// Half-edges around `h = (u, v)` with the triangles `(u, v, l)` and, of its opposite `o`, `(v, u, r)`: across `(v, l)`,

@@ -1,11 +1,13 @@
 //! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
 mod checks;
+pub(crate) mod circles;
 pub(crate) mod coarsening;
 pub(crate) mod coincident;
 mod components;
 mod cut;
 pub(crate) mod disjoint_sets;
+mod disk;
 mod draft;
 pub(crate) mod editable;
 mod excerpt;

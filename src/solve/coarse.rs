@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 
 use super::problem::{Domain, Problem};
 use crate::discrete::inner_fairness::FairnessWeights;
-use crate::mesh::coarsening::{Coarsening, circles, coarsen};
+use crate::mesh::circles::circles;
+use crate::mesh::coarsening::{Coarsening, coarsen};
 use crate::mesh::{NONE, Region};
 
 /// Regions with fewer free vertices have no coarse level: they are one.

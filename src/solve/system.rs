@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
 use super::direction;
@@ -12,6 +13,7 @@ use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
+use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Region;
 use crate::profile::clock;
 use crate::quality::Surface;
@@ -427,15 +429,18 @@ impl System {
     }
 
     fn step_norm(&self) -> StepNorm {
+        // Chunk after chunk: the same sum for any number of threads.
+        let chunks = self
+            .normal_step
+            .par_chunks(CHUNK)
+            .zip(self.tangential_step.par_chunks(CHUNK));
+        let parts: Vec<[f64; 3]> = chunks.map(|(t, d)| squares(t, d)).collect();
+        let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
         let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
         StepNorm {
-            normal: rms(self.normal_step.iter().map(|t| t[0] * t[0]).sum()),
-            tangential: rms(self
-                .tangential_step
-                .iter()
-                .map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
-                .sum()),
-            largest: self.normal_step.iter().fold(0.0f64, |m, t| m.max(t[0].abs())) / self.diagonal,
+            normal: rms(sum(0)),
+            tangential: rms(sum(1)),
+            largest: parts.iter().fold(0.0f64, |m, part| m.max(part[2])) / self.diagonal,
         }
     }
 
@@ -456,14 +461,20 @@ impl System {
             )
         });
         let along = averaged.as_ref().unwrap_or(&self.state.normal);
-        for (i, s) in step.chunks_exact_mut(3).enumerate() {
+        let vertices = step
+            .as_chunks_mut()
+            .0
+            .par_iter_mut()
+            .with_min_len(CHUNK)
+            .enumerate();
+        vertices.for_each(|(i, step): (usize, &mut [f64; 3])| {
             let n = &self.state.normal[i];
             let d = Vector3::from(self.tangential_step[i]);
             let off = if project { d.dot(n) } else { 0.0 };
             for c in 0..3 {
-                s[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
+                step[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
             }
-        }
+        });
     }
 
     /// The normal part of the last step.
@@ -481,6 +492,13 @@ impl System {
     pub(crate) fn tangential_step(&self, step: &mut [f64]) {
         step.copy_from_slice(self.tangential_step.as_flattened());
     }
+}
+
+/// The sums of the squares of normal and tangential steps, and the largest normal one.
+fn squares(t: &[[f64; 1]], d: &[[f64; 3]]) -> [f64; 3] {
+    let normal = t.iter().map(|[t]| t * t).sum();
+    let tangential = d.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum();
+    [normal, tangential, t.iter().fold(0.0f64, |m, [t]| m.max(t.abs()))]
 }
 
 /// `G d = ` inner residual (7.3).
