@@ -32,10 +32,8 @@ const WINDOW_OF_LARGE: usize = 8;
 const _: () = assert!(WINDOW <= MAX_WINDOW && WINDOW_OF_LARGE <= MAX_WINDOW);
 /// The largest region with the longer history.
 const LONG_UP_TO: usize = 50_000;
-/// A round that gains less than this in [`PATIENCE`] steps is left.
+/// A round that gains less than this in so many steps as [`IterateOptions::patience`] says is left.
 const STALL: f64 = 0.7;
-/// See [`STALL`].
-const PATIENCE: usize = 5;
 /// At most this many rounds, each with a matrix made at the best surface so far.
 const ROUNDS: usize = 5;
 /// A round with a fresh matrix that gains less than this will not gain in another.
@@ -68,6 +66,8 @@ pub(crate) struct IterateOptions {
     pub measured_response: bool,
     /// Begin with the factor of `P` that is there.
     pub reuse_factor: bool,
+    /// A round that gains little in so many steps is left.
+    pub patience: usize,
     /// What to call it in progress reports.
     pub phase: &'static str,
 }
@@ -276,7 +276,8 @@ impl Iteration {
         let history = &mut self.round.history;
         history.push(d);
         let k = history.len() - 1;
-        d > self.options.divergence_factor * self.best.d || k >= PATIENCE && d > STALL * history[k - PATIENCE]
+        d > self.options.divergence_factor * self.best.d
+            || k >= self.options.patience && d > STALL * history[k - self.options.patience]
     }
 
     /// After a round that stalls: another one from the best surface, if that promises something.
