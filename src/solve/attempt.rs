@@ -109,6 +109,8 @@ pub(crate) enum Start {
     MinimalEnergy,
     /// The linear surface with the inner fairness of the attempt.
     LinearAnew,
+    /// Where a second surface may be, beside the sound one that is found.
+    BesideSound,
 }
 
 /// What is kept of an attempt.
@@ -136,6 +138,13 @@ const DIRECT: IterateOptions = IterateOptions {
     measured_response: true,
     reuse_factor: false,
     phase: "fairing",
+};
+
+/// Near a place where two surfaces meet, the equation hardly answers to what they differ by: it takes a few steps to learn how.
+const PATIENT: IterateOptions = IterateOptions {
+    patience: 12,
+    phase: super::soft_mode::PHASE,
+    ..DIRECT
 };
 
 /// With plain curvature the step norm falls more steadily.
@@ -227,6 +236,17 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Result,
     },
     Attempt {
+        name: "second surface",
+        mesh: Mesh::Any,
+        condition: Condition::Harmonic,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::BesideSound,
+        procedure: Procedure::RepairHere,
+        options: PATIENT,
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "minimal energy",
         mesh: Mesh::Coarsest,
         condition: Condition::Harmonic,
@@ -280,6 +300,17 @@ pub(crate) const LADDER: &[Attempt] = &[
             phase: "second order",
             ..DIRECT
         },
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "weights repaired everywhere",
+        mesh: Mesh::Coarsest,
+        condition: Condition::Always,
+        weights: Weights::Asked,
+        curvature: Curvature::Asked,
+        start: Start::Linear,
+        procedure: Procedure::RepairEverywhere,
+        options: DIRECT,
         kept: Kept::Result,
     },
     Attempt {
@@ -395,12 +426,14 @@ mod tests {
             Start::PlainSolution => "plain solution",
             Start::MinimalEnergy => "minimal energy",
             Start::LinearAnew => "linear, these weights",
+            Start::BesideSound => "along the softest mode",
         };
         let procedure = match attempt.procedure {
             Procedure::Iteration => "iteration",
             Procedure::WeightRepair => "iteration, weight repair",
             Procedure::PseudoTime => "pseudo-time, iteration",
             Procedure::RepairHere => "iteration, weight repair from there",
+            Procedure::RepairEverywhere => "weight repair everywhere, iteration",
             Procedure::MinimalEnergy => "iteration, weight repair, minimal energy",
             Procedure::Approach => "members of the family, towards harmonic",
             Procedure::Retreat => "members of the family, from that of the coarse mesh",

@@ -13,6 +13,9 @@ use crate::quality::crease::{creases_by_outside, kinks_as_given};
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
 const ROUNDING_FLOOR: f64 = 1e-9;
 
+/// Of two surfaces the later one is taken if its bending energy is less by this part.
+const LESS_ENERGY: f64 = 1e-3;
+
 /// There may be a poor triangle for so many vertices in a surface that is only somewhere to begin.
 const POOR_OF_START: usize = 100;
 
@@ -33,6 +36,8 @@ pub(crate) struct Candidate {
     pub detached_from_normals: bool,
     /// At so many boundary vertices it has a crease ([`crate::quality::crease`]), going by the outside, not by the interior of the input.
     pub creases: usize,
+    /// So many boundary normals are told to be probably flipped, by what this surface is beside them.
+    pub suspicious_normals: usize,
     /// Its bending energy, the integral of `H^2`,
     pub bending_energy: f64,
     /// and its total curvature, that of `kappa_1^2 + kappa_2^2`.
@@ -53,6 +58,7 @@ impl Candidate {
             bending_energy: bending_energy(system.state()),
             total_curvature: total_curvature(system.state()),
             creases: creases_by_outside(&kinks_as_given(&surface, &domain.rings, &domain.input)),
+            suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
             poor: surface.poor(NEEDLE),
@@ -113,6 +119,12 @@ impl Candidate {
             self.is_flawed(),
             self.creases,
         )
+    }
+
+    /// Of two sound surfaces the one of less bending energy is the better one, unless it turns away from boundary normals.
+    pub(crate) fn is_better_than(&self, other: &Self) -> bool {
+        self.bending_energy < (1.0 - LESS_ENERGY) * other.bending_energy
+            && self.suspicious_normals <= other.suspicious_normals
     }
 
     /// Whether nothing is wrong but so many needles, at most. The system was evaluated here last.

@@ -14,6 +14,7 @@ use super::problem::diagonal;
 use super::procedure::{Next, Procedure, Run, Underway};
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
+use super::soft_mode::second_surface;
 use super::system::{Collapsed, System};
 use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
@@ -34,8 +35,6 @@ pub(crate) enum Step {
 /// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a tube of three
 /// radii. (Between the ends of one of four radii there begin to be two.)
 const ONLY_ONE_BELOW: f64 = 6.0 * std::f64::consts::PI;
-/// Of two surfaces the later one is taken if its bending energy is less by this part.
-const LESS_ENERGY: f64 = 1e-3;
 /// A solve under way.
 #[derive(Debug, Default)]
 pub(crate) struct Ladder {
@@ -225,9 +224,12 @@ impl Ladder {
     /// Whether an attempt is to be made.
     fn is_due(&mut self, attempt: &Attempt, system: &System, control: &mut Control<'_>) -> bool {
         // Beside a sound surface only those that may find another one.
-        let is_rival = matches!(attempt.start, Start::MinimalEnergy) && attempt.kept == Kept::Result
-            || attempt.kept == Kept::MinimalEnergy;
-        if self.sound.is_some() && (!is_rival || matches!(attempt.procedure, Procedure::Approach)) {
+        let is_rival = match attempt.start {
+            Start::MinimalEnergy => attempt.procedure != Procedure::Approach,
+            Start::BesideSound => true,
+            _ => attempt.kept == Kept::MinimalEnergy,
+        };
+        if self.sound.is_some() && !is_rival {
             return false;
         }
         attempt.condition.holds(system, control)
@@ -318,6 +320,7 @@ impl Ladder {
             }
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::PlainSolution => self.plain.clone(),
+            Start::BesideSound => second_surface(&self.sound.as_ref()?.0.x, system, control),
             Start::LinearAnew => system.start(control).ok(),
             Start::MembraneMetric => {
                 let membrane = system.membrane();
@@ -364,21 +367,25 @@ impl Ladder {
         found: (Candidate, SolveStatus),
         control: &Control<'_>,
     ) -> Option<(Candidate, SolveStatus)> {
-        let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
         let Some(first) = self.sound.take() else {
-            if is_coarsest && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW {
+            let is_new = LADDER[self.attempts - 1].start != Start::AtHand;
+            if is_new && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW {
                 self.sound = Some(found);
                 self.until_sound = control.tally.iterations;
                 return None;
             }
             return Some(found);
         };
-        let is_better = found.0.bending_energy < (1.0 - LESS_ENERGY) * first.0.bending_energy;
-        if is_better && !found.0.is_stopped() {
-            return Some(found);
+        if found.0.is_stopped() {
+            self.in_vain = control.tally.iterations - self.until_sound;
+            return Some(first);
         }
-        self.in_vain = control.tally.iterations - self.until_sound;
-        Some(first)
+        let is_better = found.0.is_better_than(&first.0);
+        if is_better {
+            self.until_sound = control.tally.iterations;
+        }
+        self.sound = Some(if is_better { found } else { first });
+        None
     }
 
     /// The sound surface that no other one was found to be better than.
@@ -460,6 +467,7 @@ mod tests {
             total_curvature: 0.0,
             detached_from_normals: false,
             creases: 0,
+            suspicious_normals: 0,
             needles_from_input: false,
         }
     }

@@ -23,6 +23,7 @@ pub(crate) mod pseudo_time;
 pub(crate) mod quasi_newton;
 pub(crate) mod result;
 mod search;
+mod soft_mode;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;

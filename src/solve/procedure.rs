@@ -108,6 +108,8 @@ pub(crate) enum Procedure {
     WeightRepair,
     /// The same, beginning at the surface given each time.
     RepairHere,
+    /// The same, with all weights repaired before.
+    RepairEverywhere,
     /// Pseudo-time, then one iteration.
     PseudoTime,
     /// Iterations along parts of the right-hand side.
@@ -156,11 +158,11 @@ impl Procedure {
                 let run = Run::Flow(PseudoTime::new(system, x), options);
                 (Underway::Single, Next::Run(run))
             }
-            Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere => {
-                let anew = if self == Self::RepairHere {
-                    Anew::FromSurface
-                } else {
-                    Anew::FromLinear
+            Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere | Self::RepairEverywhere => {
+                let anew = match self {
+                    Self::RepairHere => Anew::FromSurface,
+                    Self::RepairEverywhere => Anew::Everywhere,
+                    _ => Anew::FromLinear,
                 };
                 if self == Self::MinimalEnergy {
                     system.use_member(1.0);

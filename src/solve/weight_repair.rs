@@ -36,13 +36,17 @@ impl WeightRepair {
         control: &mut Control<'_>,
     ) -> (Self, Next) {
         let surface = (anew == Anew::FromSurface).then(|| x.clone());
-        let mut marks = Marks::new(system, surface);
+        let mut marks = Marks::new(system, surface, anew == Anew::Everywhere);
         system.evaluate(&x);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
         // A linear start is distributed almost as the result will be: what folds here would be found after the iterations.
-        if anew == Anew::FromLinear
-            && !system.poor(&x, THRESHOLDS[0]).is_empty()
+        let repairs_start = match anew {
+            Anew::Everywhere => true,
+            Anew::FromLinear => !system.poor(&x, THRESHOLDS[0]).is_empty(),
+            Anew::FromSurface => false,
+        };
+        if repairs_start
             && let Some(start) = marks.restart(&x, system, control)
             && !control.cancelled
         {
@@ -129,6 +133,9 @@ pub(crate) enum Anew {
     FromLinear,
     /// At the first one, spread by these weights.
     FromSurface,
+    /// At the linear surface, and the first time already with all weights repaired: where the boundary's edges differ in length, uniform
+    /// weights crowd the vertices on one side, long before a triangle folds.
+    Everywhere,
 }
 
 /// Vertices marked so far.
@@ -143,12 +150,12 @@ struct Marks {
 }
 
 impl Marks {
-    /// Nothing marked.
-    fn new(system: &System, surface: Option<Vec<Vector3<f64>>>) -> Self {
+    /// Nothing marked, or every vertex.
+    fn new(system: &System, surface: Option<Vec<Vector3<f64>>>, everywhere: bool) -> Self {
         Self {
             surface,
             asked: system.weights().clone(),
-            marked: vec![false; system.free()],
+            marked: vec![everywhere; system.free()],
             round: 0,
         }
     }

@@ -37,8 +37,84 @@ fn between_the_ends_of_a_tube_the_cylinder_is_found_and_no_hourglass() {
         assert!(report.outcome.is_success() && error < 0.01, "{length} radii, {n}");
         // That of the whole band, but for half a row of vertices at each end.
         let energy = report.quality.bending_energy / (0.25 * 2.0 * PI * length);
-        assert!((0.9..1.03).contains(&energy), "{energy}");
+        assert!((0.9..1.02).contains(&energy), "{energy}");
     }
+}
+
+/// Between these boundaries there are two harmonic surfaces of revolution, 0.02 apart: the exact one, whose neck has a radius of .436 and whose
+/// integral of `H^2` is 6.45, and one with .469 and 7.23 (both by shooting, with the ordinary differential equations of the profile).
+#[test]
+fn of_two_harmonic_surfaces_near_each_other_the_one_of_less_bending_energy_is_found() {
+    let profile = HarmonicProfile::new(2.4435, -1.5, 0.5, 2.0).unwrap();
+    for n in [1000, 2000, 4000] {
+        let shape = revolution_band(&profile, n, Sampling::Regular, OUTSIDE).unwrap();
+        let solution = solve(&shape, &flat(&shape), options(1e-8));
+        let radii = shape.free_vertices().into_iter().map(|v| {
+            let [x, y, _] = solution.positions[v as usize];
+            x.hypot(y)
+        });
+        let neck = radii.fold(f64::INFINITY, f64::min);
+        println!("{n}: neck {neck:.4}, {:?}", solution.report.outcome);
+        assert!(solution.report.outcome.is_success(), "{n}");
+        assert!((0.42..0.445).contains(&neck), "{n}: {neck}");
+        let attempts = &solution.report.components[0].attempts;
+        assert!(
+            attempts
+                .iter()
+                .any(|a| a.name == "second surface" && a.end == AttemptEnd::Sound)
+        );
+    }
+}
+
+/// A unit sphere of meridians and parallels, from pole to pole, and a block of it beside a pole: its edges along the parallels are
+/// up to six times shorter on one side than on the other.
+fn block_beside_the_pole() -> (Vec<[f64; 3]>, Vec<[u32; 3]>, Vec<bool>) {
+    let (parallels, meridians) = (39, 20);
+    let at = |i: u32, j: u32| (i - 1) * meridians + j % meridians;
+    let mut positions = Vec::new();
+    let mut free = Vec::new();
+    for i in 1..=parallels {
+        for j in 0..meridians {
+            let (theta, phi) = (
+                PI * f64::from(i) / f64::from(parallels + 1),
+                2.0 * PI * f64::from(j) / f64::from(meridians),
+            );
+            positions.push([theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()]);
+            free.push((2..12).contains(&i) && j < 10);
+        }
+    }
+    let mut triangles = Vec::new();
+    for i in 1..parallels {
+        for j in 0..meridians {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    let poles = [at(parallels, 0) + meridians, at(parallels, 0) + meridians + 1];
+    positions.extend([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]);
+    free.extend([false, false]);
+    for j in 0..meridians {
+        triangles.push([poles[0], at(1, j), at(1, j + 1)]);
+        triangles.push([poles[1], at(parallels, j + 1), at(parallels, j)]);
+    }
+    (positions, triangles, free)
+}
+
+/// Uniform weights would pull the vertices over the short edges beside the pole.
+#[test]
+fn a_block_beside_the_pole_of_a_sphere_is_faired() {
+    let (positions, triangles, free) = block_beside_the_pole();
+    let solution = fair(&positions, &triangles, Selection::Mask(&free), &options(1e-8)).unwrap();
+    let off = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
+    let farthest = solution.positions.iter().map(off).fold(0.0, f64::max);
+    println!("{:?}, {farthest:.1e} off the sphere", solution.report.outcome);
+    assert!(solution.report.outcome.is_success() && farthest < 0.01);
+    let attempts = &solution.report.components[0].attempts;
+    let last = attempts.last().unwrap();
+    assert_eq!(
+        (last.name, last.end),
+        ("weights repaired everywhere", AttemptEnd::Sound)
+    );
 }
 
 /// Of the attempts on the coarse mesh, those at harmonic surfaces.

@@ -1,0 +1,134 @@
+//! A second surface with the same boundary data. Two harmonic surfaces that come near each other, and meet where the boundary moves
+//! a little, differ by the mode in which the equation hardly answers: along it the residual vanishes once more.
+
+use nalgebra::Vector3;
+
+use super::candidate::bending_energy;
+use super::control::Control;
+use super::system::System;
+
+/// What it is called in progress reports.
+pub(crate) const PHASE: &str = "second surface";
+/// Rounds of power iteration for the mode.
+const ROUNDS: usize = 16;
+/// After this many rounds the mode has a shape,
+const SETTLING: usize = 4;
+/// and less than this left of it says that the equation answers to every one.
+const SOFT: f64 = 0.7;
+/// Displacement, in diagonals, for finite differences.
+const DIFFERENCE: f64 = 1e-4;
+/// The nearest place, in diagonals, where the second surface is looked for,
+const NEAREST: f64 = 0.002;
+/// the farthest one,
+const FARTHEST: f64 = 0.2;
+/// and how far the next place is than the last.
+const FACTOR: f64 = 1.4;
+
+/// Displacements along the normals of a surface.
+struct Displaced {
+    x: Vec<Vector3<f64>>,
+    normal: Vec<Vector3<f64>>,
+}
+
+impl Displaced {
+    /// The surface moved by `scale * mode`.
+    fn at(&self, mode: &[f64], scale: f64) -> Vec<Vector3<f64>> {
+        let mut x = self.x.clone();
+        for ((x, n), m) in x.iter_mut().zip(&self.normal).zip(mode) {
+            *x += n * (scale * m);
+        }
+        x
+    }
+
+    /// The normal step `P^-1 R1` there.
+    fn step(&self, mode: &[f64], scale: f64, system: &mut System) -> Vec<f64> {
+        system.evaluate(&self.at(mode, scale));
+        let mut step = vec![0.0; 3 * mode.len()];
+        system.step(&mut step);
+        system.normal_step(&mut step);
+        let steps = step.as_chunks().0.iter();
+        steps
+            .zip(&self.normal)
+            .map(|(s, n)| Vector3::from(*s).dot(n))
+            .collect()
+    }
+}
+
+/// Where the second surface is to be expected, if it has less bending energy than the solution `x`, near which `P` was made.
+pub(crate) fn second_surface(
+    x: &[Vector3<f64>],
+    system: &mut System,
+    control: &mut Control<'_>,
+) -> Option<Vec<Vector3<f64>>> {
+    system.evaluate(x);
+    let surface = Displaced {
+        x: x.to_vec(),
+        normal: system.state().normal[..system.free()].to_vec(),
+    };
+    let energy = bending_energy(system.state());
+    let mode = softest_mode(&surface, system, control)?;
+    let places = [1.0, -1.0].map(|side| beyond(&surface, &mode, side, system));
+    let lower = places.into_iter().flatten().filter(|place| place.energy < energy);
+    let least = lower.min_by(|a, b| a.energy.total_cmp(&b.energy))?;
+    Some(surface.at(&mode, least.scale))
+}
+
+/// The normal displacement, at most one diagonal, that a plain step changes least: power iteration on `1 + d(P^-1 R1)`. `None` where
+/// the equation answers to every one.
+fn softest_mode(surface: &Displaced, system: &mut System, control: &mut Control<'_>) -> Option<Vec<f64>> {
+    let mut mode: Vec<f64> = system.state().area.clone();
+    normalize(&mut mode, system.diagonal);
+    let rest = surface.step(&mode, 0.0, system);
+    for round in 1..=ROUNDS {
+        if !control.checkpoint(PHASE) {
+            return None;
+        }
+        let moved = surface.step(&mode, DIFFERENCE, system);
+        for ((m, a), b) in mode.iter_mut().zip(&moved).zip(&rest) {
+            *m += (a - b) / DIFFERENCE;
+        }
+        let left = normalize(&mut mode, system.diagonal);
+        if !left.is_finite() || round > SETTLING && left < SOFT {
+            return None;
+        }
+    }
+    Some(mode)
+}
+
+/// Makes the largest displacement `largest`. Returns what it was, in that unit.
+fn normalize(mode: &mut [f64], largest: f64) -> f64 {
+    let before = mode.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    mode.iter_mut().for_each(|m| *m *= largest / before);
+    before / largest
+}
+
+/// A place along the mode.
+struct Place {
+    scale: f64,
+    energy: f64,
+}
+
+/// The place to one side where the residual in `mode` vanishes once more.
+fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> Option<Place> {
+    let along = |scale: f64, system: &mut System| {
+        system.evaluate(&surface.at(mode, scale));
+        let residuals = system.state().outer.iter().zip(mode);
+        residuals.map(|(r, m)| r * m).sum::<f64>()
+    };
+    let own = along(0.0, system);
+    let mut last = (0.0, 0.0);
+    let mut scale = side * NEAREST;
+    while scale.abs() < FARTHEST {
+        let slope = (along(scale, system) - own) / scale;
+        let (before, was) = last;
+        if was * slope < 0.0 {
+            let scale = before + (scale - before) * was / (was - slope);
+            along(scale, system);
+            let energy = bending_energy(system.state());
+            return Some(Place { scale, energy });
+        }
+        last = (scale, slope);
+        scale *= FACTOR;
+    }
+    None
+}
