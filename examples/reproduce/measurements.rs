@@ -6,7 +6,7 @@ use std::fs;
 use std::io;
 use std::ops::RangeInclusive;
 
-use fairmesh_shapes::{Surface, Unduloid};
+use fairmesh_shapes::{HarmonicProfile, Surface, Unduloid};
 use nalgebra::Vector3;
 
 use crate::tool::{Case, Run, Tool};
@@ -16,7 +16,7 @@ const SEEDS: RangeInclusive<u64> = 1..=8;
 /// Free vertices of the rows about accuracy.
 pub(crate) const SIZES: [usize; 2] = [1_000, 13_000];
 /// The surfaces of the rows about accuracy, as `fairmesh generate` calls them.
-pub(crate) const KINDS: [&str; 4] = ["sphere-cap", "cylinder", "catenoid", "unduloid"];
+pub(crate) const KINDS: [&str; 5] = ["sphere-cap", "cylinder", "catenoid", "unduloid", "revolution"];
 
 /// What is measured on one triangulation.
 pub(crate) struct Solve {
@@ -41,13 +41,17 @@ pub(crate) fn document(tool: &Tool, machine: &str) -> io::Result<String> {
     Ok(text.trim_end().to_owned() + "\n")
 }
 
-fn exact(kind: &str) -> Surface {
-    match kind {
+fn exact(kind: &str) -> io::Result<Surface> {
+    Ok(match kind {
         "cylinder" => Surface::Cylinder,
         "catenoid" => Surface::Catenoid,
         "unduloid" => Surface::Unduloid(Unduloid::new(0.7, 1.0)),
+        // As `fairmesh generate` makes it where nothing else is said: mean curvature varies.
+        "revolution" => {
+            Surface::Revolution(HarmonicProfile::new(1.0, -1.0, 0.5, 2.0).map_err(io::Error::other)?)
+        }
         _ => Surface::Sphere,
-    }
+    })
 }
 
 /// An irregular triangulation with a random interior, faired with exact or fitted boundary normals.
@@ -60,7 +64,7 @@ pub(crate) fn solve(tool: &Tool, kind: &str, n: usize, seed: u64, exact_normals:
         case.normals_file = None;
     }
     let run = tool.fair(&case, "fair", &[])?;
-    let (surface, diagonal) = (exact(kind), run.number(&["diagonal"]));
+    let (surface, diagonal) = (exact(kind)?, run.number(&["diagonal"]));
     let distance = |&v: &u32| surface.distance(run.positions[v as usize]) / diagonal;
     Ok(Solve {
         error: case.free.iter().map(distance).fold(0.0, f64::max),

@@ -112,7 +112,7 @@ fn spheres_are_exact() {
                 let e = errors(&shape, &loose);
                 row(name, n, "random, at 1e-8", e, &loose);
                 let what = format!("{name} {n} seed {seed} at 1e-8");
-                bars.at_most(&what, e.max, 3e-10);
+                bars.at_most(&what, e.max, 1e-9);
                 bars.converged(&what, &loose);
             }
         }
@@ -357,37 +357,19 @@ fn fitted_normals() {
     bars.finish();
 }
 
-/// Most of a sphere from what is around one hole. Where it is not completed, the outcome says so.
+/// Most of a sphere from what is around one hole.
 #[test]
 fn sphere_with_one_hole() {
-    const C: &str = "converged";
-    // After 441 iterations or at the limit of 500, as the matrix is rounded.
-    const LATE: &str = "late";
-    let cases = [
-        (45.0, 1_000, [C; 6]),
-        (45.0, 5_000, [C; 6]),
-        (30.0, 1_000, [C, LATE, C, C, C, "not_converged"]),
-        (30.0, 5_000, [C; 6]),
-    ];
     let mut bars = Bars::default();
-    for (half_angle, n, outcomes) in cases {
-        for (seed, outcome) in (1..).zip(outcomes) {
+    for (half_angle, n) in [(45.0, 1_000), (45.0, 5_000), (30.0, 1_000), (30.0, 5_000)] {
+        for seed in 1..=6 {
             let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
             let solution = solve(&shape, &flat(&shape), options(1e-8));
             let e = errors(&shape, &solution);
             row("hole", n, &format!("{half_angle} degrees"), e, &solution);
             let what = format!("hole of {half_angle} degrees, {n}, seed {seed}");
-            let found = solution.report.outcome.name();
-            if outcome == LATE {
-                bars.check(&what, [C, "iteration_limit"].contains(&found), found.to_owned());
-            } else {
-                bars.ends(&what, &solution, outcome);
-            }
-            if found == C {
-                // A few slow modes of the last seed's thin triangles are left when the steps are small.
-                let slow = (half_angle, n, seed) == (45.0, 5_000, 6);
-                bars.at_most(&what, e.max, if slow { 5e-8 } else { 2e-9 });
-            }
+            bars.converged(&what, &solution);
+            bars.at_most(&what, e.max, 3e-9);
         }
     }
     bars.finish();

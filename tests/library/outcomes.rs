@@ -628,5 +628,5 @@ fn a_pole_of_400_meridians() {
     assert!(matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. }));
     assert!(report.quality.flipped.is_empty() && report.quality.needles.len() >= meridians);
     assert!(error < 1e-8, "{error}");
-    assert!(report.iterations <= 20, "{}", report.iterations);
+    assert!(report.iterations <= 25, "{}", report.iterations);
 }
