@@ -12,6 +12,7 @@ use super::lenses::{Lenses, is_wide};
 use super::patch::Patch;
 use super::relax::Sweeps;
 use crate::mesh::NONE;
+use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 
 /// The length wanted grows at most by this much per unit of length away from a short boundary edge.
@@ -106,6 +107,7 @@ impl<'a> Refiner<'a> {
         self.clear_boundary();
         self.flip_all();
         self.mend();
+        self.split_chords();
         self.fineness.most = most;
         self.finish();
         enough
@@ -185,6 +187,45 @@ impl<'a> Refiner<'a> {
             }
         }
         true
+    }
+
+    /// Where edges across the hole keep inner vertices apart, splits them: either side would be faired by itself, and take the other
+    /// one for its surroundings, as it is before.
+    fn split_chords(&mut self) {
+        if !self.is_in_parts() {
+            return;
+        }
+        for h in 0..self.patch.half_edges() {
+            if self.is_inner(h) && self.is_chord(h) {
+                self.split_and_flip(h);
+            }
+        }
+    }
+
+    /// Whether the inner vertices are in several parts.
+    fn is_in_parts(&self) -> bool {
+        let mut sets = DisjointSets::new(self.patch.x.len());
+        let is_used = |h: &u32| self.patch.triangles[*h as usize / 3][0] != NONE;
+        for h in (0..self.patch.half_edges()).filter(is_used) {
+            let (a, b) = (self.patch.origin(h), self.patch.target(h));
+            if !self.patch.is_boundary(a) && !self.patch.is_boundary(b) {
+                sets.unite(a, b);
+            }
+        }
+        let inner = self.patch.fixed as u32..self.patch.x.len() as u32;
+        let mut inner = inner.filter(|&v| self.patch.is_alive(v));
+        let first = inner.next().map(|v| sets.smallest(v));
+        inner.any(|v| Some(sets.smallest(v)) != first)
+    }
+
+    /// Whether both ends are on the boundary, an inner vertex is beside, and the other triangle leads further.
+    fn is_chord(&self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        let ends = [self.patch.origin(h), self.patch.target(h)];
+        let is_beside = |h: u32| !self.patch.is_boundary(self.patch.apex(h));
+        let leads_on = |h: u32| is_beside(h) || self.is_inner(next(h)) || self.is_inner(previous(h));
+        ends.iter().all(|&v| self.patch.is_boundary(v))
+            && (is_beside(h) && leads_on(o) || is_beside(o) && leads_on(h))
     }
 
     /// Splits an edge, and flips around the new vertex; the half-edges that are new.

@@ -24,6 +24,7 @@ pub(crate) mod quasi_newton;
 pub(crate) mod result;
 mod search;
 mod soft_mode;
+pub(crate) mod step;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;

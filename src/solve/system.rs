@@ -3,17 +3,14 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
-use super::direction;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::NormalMatrix;
 use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
-use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Region;
 use crate::profile::clock;
 use crate::quality::Surface;
@@ -21,9 +18,6 @@ use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
-
-/// Tangential steps below this, in diagonals, are projected.
-const PROJECTED_BELOW: f64 = 1e-3;
 
 /// Larger regions give the memory for update matrices back when the iterations begin.
 const KEPT_UP_TO: usize = 50_000;
@@ -47,47 +41,29 @@ pub(crate) struct System {
     curvature: FreeCurvature,
     right_hand_side: RightHandSide,
     /// Prescribed normals; those of the last evaluation where the surface passes smoothly.
-    boundary_normals: Vec<Vector3<f64>>,
+    pub(super) boundary_normals: Vec<Vector3<f64>>,
     /// The prescribed ones, while others take their place.
     prescribed: Option<Vec<Vector3<f64>>>,
     /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
     smooth_interior: Vec<bool>,
     /// The last evaluation.
-    state: State,
+    pub(super) state: State,
     /// The metric that `P` was made from.
     pub(super) metric: Metric,
     /// The unit of step norms: the diagonal of the last linear start's bounding box.
     pub(super) diagonal: f64,
     /// The free one-ring graph.
     graph: SymmetricPattern,
-    g: Factor,
-    p: NormalMatrix,
+    pub(super) g: Factor,
+    pub(super) p: NormalMatrix,
     stacks: Stacks,
-    normal_step: Vec<[f64; 1]>,
-    tangential_step: Vec<[f64; 3]>,
+    pub(super) normal_step: Vec<[f64; 1]>,
+    pub(super) tangential_step: Vec<[f64; 3]>,
 }
 
 /// A matrix that should be positive definite is not: the surface behind it has collapsed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Collapsed;
-
-/// One quasi-Newton step's size, in diagonals.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct StepNorm {
-    /// Root mean square of the normal step.
-    pub normal: f64,
-    /// Root mean square of the tangential step.
-    pub tangential: f64,
-    /// The largest normal step of a single vertex.
-    pub largest: f64,
-}
-
-impl StepNorm {
-    /// Both together: what tolerances are about.
-    pub(crate) fn total(&self) -> f64 {
-        self.normal + self.tangential
-    }
-}
 
 impl System {
     /// Orders and analyses the matrices from connectivity, and factors `G`.
@@ -401,111 +377,4 @@ impl System {
         let _clock = clock("solves with G");
         self.g.solve(x);
     }
-
-    /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`.
-    pub(crate) fn step(&mut self, step: &mut [f64]) -> StepNorm {
-        let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
-        let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
-        rayon::join(
-            || {
-                t.iter_mut().zip(&state.outer).for_each(|(t, r)| *t = [*r]);
-                let _clock = clock("solves with P");
-                p.solve(t);
-            },
-            || solve_inner(g, state, d),
-        );
-        let norm = self.step_norm();
-        self.combine(&norm, step);
-        norm
-    }
-
-    /// The tangential part alone of that step.
-    pub(crate) fn inner_step(&mut self, step: &mut [f64]) {
-        self.normal_step.fill([0.0]);
-        solve_inner(&mut self.g, &self.state, &mut self.tangential_step);
-        let norm = self.step_norm();
-        self.combine(&norm, step);
-    }
-
-    fn step_norm(&self) -> StepNorm {
-        // Chunk after chunk: the same sum for any number of threads.
-        let chunks = self
-            .normal_step
-            .par_chunks(CHUNK)
-            .zip(self.tangential_step.par_chunks(CHUNK));
-        let parts: Vec<[f64; 3]> = chunks.map(|(t, d)| squares(t, d)).collect();
-        let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
-        let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
-        StepNorm {
-            normal: rms(sum(0)),
-            tangential: rms(sum(1)),
-            largest: parts.iter().fold(0.0f64, |m, part| m.max(part[2])) / self.diagonal,
-        }
-    }
-
-    /// Adds both parts. Far from the solution the tangential field is taken as it is: projecting it with each vertex's own
-    /// normal would turn the crowding of a collapsed feature into normal noise. Near the solution it is projected, or
-    /// each equation would disturb the other.
-    fn combine(&self, norm: &StepNorm, step: &mut [f64]) {
-        let project = norm.tangential < PROJECTED_BELOW;
-        let disk = self.state.area.iter().sum::<f64>() / self.free() as f64;
-        let rounds = direction::rounds(norm.largest * self.diagonal, disk);
-        let _clock = clock("steps of both equations");
-        let averaged = (rounds > 0).then(|| {
-            direction::averaged(
-                &self.domain.rings,
-                &self.state.normal,
-                &self.boundary_normals,
-                rounds,
-            )
-        });
-        let along = averaged.as_ref().unwrap_or(&self.state.normal);
-        let vertices = step
-            .as_chunks_mut()
-            .0
-            .par_iter_mut()
-            .with_min_len(CHUNK)
-            .enumerate();
-        vertices.for_each(|(i, step): (usize, &mut [f64; 3])| {
-            let n = &self.state.normal[i];
-            let d = Vector3::from(self.tangential_step[i]);
-            let off = if project { d.dot(n) } else { 0.0 };
-            for c in 0..3 {
-                step[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
-            }
-        });
-    }
-
-    /// The normal part of the last step.
-    pub(crate) fn normal_step(&self, step: &mut [f64]) {
-        for ((s, t), n) in step
-            .chunks_exact_mut(3)
-            .zip(&self.normal_step)
-            .zip(&self.state.normal)
-        {
-            s.copy_from_slice((n * t[0]).as_slice());
-        }
-    }
-
-    /// The tangential part of the last step.
-    pub(crate) fn tangential_step(&self, step: &mut [f64]) {
-        step.copy_from_slice(self.tangential_step.as_flattened());
-    }
-}
-
-/// The sums of the squares of normal and tangential steps, and the largest normal one.
-fn squares(t: &[[f64; 1]], d: &[[f64; 3]]) -> [f64; 3] {
-    let normal = t.iter().map(|[t]| t * t).sum();
-    let tangential = d.iter().map(|d| d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sum();
-    [normal, tangential, t.iter().fold(0.0f64, |m, [t]| m.max(t.abs()))]
-}
-
-/// `G d = ` inner residual (7.3).
-fn solve_inner(g: &mut Factor, state: &State, d: &mut [[f64; 3]]) {
-    d.iter_mut()
-        .zip(&state.inner)
-        .for_each(|(d, r)| *d = [r.x, r.y, r.z]);
-    let _clock = clock("solves with G");
-    g.solve(d);
 }
