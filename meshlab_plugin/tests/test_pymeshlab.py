@@ -438,8 +438,8 @@ class Outcomes(Case):
     def test_unreachable_normals_are_told(self):
         ms, _ = dented_sphere()
         mesh = ms.current_mesh()
-        mesh.add_vertex_custom_point_attribute(mesh.vertex_matrix() * [-1, -1, 1], "tilted")
-        values = ms.apply_filter(FAIR, boundary_normals="Attribute", normal_attribute="tilted")
+        mesh.add_vertex_custom_point_attribute(mesh.vertex_matrix()[:, [1, 2, 0]], "turned")
+        values = ms.apply_filter(FAIR, boundary_normals="Attribute", normal_attribute="turned")
         self.assertEqual((values["outcome"], values["converged"]), (3, False))
         self.assertLess(values["reached"], 1)
         self.assertTrue(np.isfinite(ms.current_mesh().vertex_matrix()).all())

@@ -36,7 +36,8 @@ pub(crate) enum Mesh {
     Any,
     /// Where there is a coarse level.
     Fine,
-    /// Where there is none: on small meshes, and on coarse levels.
+    /// Where there is none: on small meshes, and on coarse levels. Also where the coarse level has a harmonic surface, and no attempt
+    /// before has led to one on the fine mesh.
     Coarsest,
 }
 

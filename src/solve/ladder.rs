@@ -236,7 +236,9 @@ impl Ladder {
             && match attempt.mesh {
                 Mesh::Any => true,
                 Mesh::Fine => !self.is_coarsest(system, control),
-                Mesh::Coarsest => self.is_coarsest(system, control),
+                Mesh::Coarsest => {
+                    self.is_coarsest(system, control) || self.sound.is_none() && self.has_coarse_solution()
+                }
             }
     }
 
@@ -255,6 +257,11 @@ impl Ladder {
             self.start_seconds += clock.elapsed().as_secs_f64();
         }
         matches!(self.coarse, Some(Search::NoCoarseMesh))
+    }
+
+    /// Whether the coarse mesh has a harmonic surface: then there ought to be one on the fine mesh too, at any price.
+    fn has_coarse_solution(&self) -> bool {
+        matches!(self.coarse, Some(Search::Found(_, 0.0)))
     }
 
     /// The member of the family that the coarse mesh has.
