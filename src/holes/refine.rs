@@ -14,6 +14,7 @@ use super::relax::Sweeps;
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
+use crate::quality::smallest_angle;
 
 /// The length wanted grows at most by this much per unit of length away from a short boundary edge.
 pub(super) const GRADE: f64 = 0.5;
@@ -33,6 +34,8 @@ const MOST_FLIPS: usize = 40;
 const MORE: usize = 3;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
 const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// An edge across the hole is left where its halves would be in triangles with a smaller angle, in degrees.
+const THIN: f64 = 10.0;
 
 /// How fine a patch shall be.
 #[derive(Debug, Clone, Copy)]
@@ -190,13 +193,13 @@ impl<'a> Refiner<'a> {
     }
 
     /// Where edges across the hole keep inner vertices apart, splits them: either side would be faired by itself, and take the other
-    /// one for its surroundings, as it is before.
+    /// one for its surroundings, as it is before. Not where triangles would become thin, as in a slot.
     fn split_chords(&mut self) {
         if !self.is_in_parts() {
             return;
         }
         for h in 0..self.patch.half_edges() {
-            if self.is_inner(h) && self.is_chord(h) {
+            if self.is_inner(h) && self.is_chord(h) && self.splits_well(h) {
                 self.split_and_flip(h);
             }
         }
@@ -216,6 +219,21 @@ impl<'a> Refiner<'a> {
         let mut inner = inner.filter(|&v| self.patch.is_alive(v));
         let first = inner.next().map(|v| sets.smallest(v));
         inner.any(|v| Some(sets.smallest(v)) != first)
+    }
+
+    /// Whether an edge split in its middle leaves no thin triangle.
+    fn splits_well(&self, h: u32) -> bool {
+        let o = self.patch.across(h);
+        let [a, b, c, d] = [
+            self.patch.origin(h),
+            self.patch.target(h),
+            self.patch.apex(h),
+            self.patch.apex(o),
+        ]
+        .map(|v| self.patch.x[v as usize]);
+        let m = (a + b) * 0.5;
+        let halves = [[a, m, c], [m, b, c], [b, m, d], [m, a, d]];
+        halves.iter().all(|half| smallest_angle(half) >= THIN)
     }
 
     /// Whether both ends are on the boundary, an inner vertex is beside, and the other triangle leads further.
@@ -421,7 +439,6 @@ impl<'a> Refiner<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quality::smallest_angle;
 
     #[test]
     fn a_square_gets_triangles_of_the_length_wanted() {
