@@ -23,6 +23,8 @@ const NEAREST: f64 = 0.002;
 const FARTHEST: f64 = 0.2;
 /// and how far the next place is than the last.
 const FACTOR: f64 = 1.4;
+/// A residual that falls to this part, by the displacement, and grows again has nearly vanished.
+const NEARLY: f64 = 0.3;
 
 /// Displacements along the normals of a surface.
 struct Displaced {
@@ -108,7 +110,7 @@ struct Place {
     energy: f64,
 }
 
-/// The place to one side where the residual in `mode` vanishes once more.
+/// The place to one side where the residual in `mode` vanishes once more, or nearly: the way there is not quite straight.
 fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> Option<Place> {
     let along = |scale: f64, system: &mut System| {
         system.evaluate(&surface.at(mode, scale));
@@ -117,16 +119,24 @@ fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> 
     };
     let own = along(0.0, system);
     let mut last = (0.0, 0.0);
+    let mut first = 0.0f64;
     let mut scale = side * NEAREST;
     while scale.abs() < FARTHEST {
         let slope = (along(scale, system) - own) / scale;
         let (before, was) = last;
-        if was * slope < 0.0 {
-            let scale = before + (scale - before) * was / (was - slope);
+        let place = if was * slope < 0.0 {
+            Some(before + (scale - before) * was / (was - slope))
+        } else if slope.abs() > was.abs() && was.abs() < NEARLY * first.abs() {
+            Some(before)
+        } else {
+            None
+        };
+        if let Some(scale) = place {
             along(scale, system);
             let energy = bending_energy(system.state());
             return Some(Place { scale, energy });
         }
+        first = if first == 0.0 { slope } else { first };
         last = (scale, slope);
         scale *= FACTOR;
     }
