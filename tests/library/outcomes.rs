@@ -166,8 +166,14 @@ fn progress_never_falls() {
         assert!(told.windows(2).all(|w| w[0].fraction <= w[1].fraction));
         assert!(told.windows(2).all(|w| w[0].iterations <= w[1].iterations));
         assert!(told.windows(2).all(|w| w[1].iterations <= w[0].iterations + 1));
-        // Those of attempts at a second surface are told as well.
-        assert!(told.last().unwrap().iterations >= solution.report.iterations);
+        // Those of attempts at a second surface are told as well, those on the coarse mesh are not.
+        let own = &solution.report.components[0];
+        let attempts = own
+            .attempts
+            .iter()
+            .filter(|a| a.free_vertices == own.free_vertices);
+        let all: usize = attempts.map(|a| a.iterations).sum();
+        assert_eq!(told.last().unwrap().iterations, all);
         assert!(told.iter().all(|p| !p.phase.is_empty()));
         // Being watched changes nothing.
         let unwatched = solve(shape, &shape.flat(), options(1e-8));
@@ -649,5 +655,5 @@ fn a_pole_of_400_meridians() {
     assert!(matches!(report.outcome, Outcome::ConvergedPoorTriangles { .. }));
     assert!(report.quality.flipped.is_empty() && report.quality.needles.len() >= meridians);
     assert!(error < 1e-8, "{error}");
-    assert!(report.iterations <= 25, "{}", report.iterations);
+    assert!(report.iterations <= 23, "{}", report.iterations);
 }

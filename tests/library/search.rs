@@ -145,10 +145,10 @@ fn attempts_tell_what_was_tried_on_which_mesh() {
 
 #[test]
 fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
-    for (shape, degrees) in [
-        (cylinder_blend(), -40.0),
-        (cylinder_blend_of(920, irregular(1)), -50.0),
-        (cylinder_blend_of(3000, irregular(1)), -40.0),
+    for (shape, degrees, deviation) in [
+        (cylinder_blend(), -40.0, 10.0),
+        (cylinder_blend_of(920, irregular(1)), -50.0, 13.0),
+        (cylinder_blend_of(3000, irregular(1)), -40.0, 10.0),
     ] {
         let given = tilted(&shape, degrees);
         let solve_from = |start: &[[f64; 3]]| solve_given(&shape, start, &given, options(1e-8));
@@ -165,7 +165,11 @@ fn where_no_harmonic_surface_is_found_the_nearest_member_is_the_answer() {
         assert!(weight > 0.0 && weight <= 1.0 && !report.linear_surface);
         assert!(report.step <= 1e-8 && report.quality.is_sound());
         // Normals are met as triangles can.
-        assert!(report.quality.normal_deviation_rms < 13.0, "{:?}", report.quality);
+        assert!(
+            report.quality.normal_deviation_rms < deviation,
+            "{:?}",
+            report.quality
+        );
         assert_eq!(solve_from(&shape.random(7)).positions, solution.positions);
     }
 }
