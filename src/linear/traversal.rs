@@ -158,19 +158,13 @@ fn forward<T: Real, const K: usize>(
         let local = &mut local[..K * stride];
         let mut vectors = split::<T, K>(local, stride, m);
         let own = columns.start - first..columns.end - first;
-        for (k, y) in y[own.clone()].iter().enumerate() {
-            for c in 0..K {
-                vectors[c][k] = y[c];
-            }
-        }
+        load(&y[own.clone()], &mut vectors);
         for v in &mut vectors {
             v[p..].fill(T::ZERO);
         }
         substitution::forward::<T, K>(panel, m, p, local, stride);
         let vectors = split::<T, K>(local, stride, m);
-        for (k, y) in y[own].iter_mut().enumerate() {
-            *y = std::array::from_fn(|c| vectors[c][k]);
-        }
+        store(&vectors, &mut y[own]);
         let below = vectors.map(|v| &v[p..][..rows.len()]);
         for (k, &i) in rows.iter().enumerate() {
             let i = i as usize;
@@ -205,11 +199,7 @@ fn backward<T: Real, const K: usize>(
         let local = &mut local[..K * stride];
         let mut vectors = split::<T, K>(local, stride, stride);
         let own = columns.start - first..columns.end - first;
-        for (k, y) in y[own.clone()].iter().enumerate() {
-            for c in 0..K {
-                vectors[c][k] = y[c];
-            }
-        }
+        load(&y[own.clone()], &mut vectors);
         for v in &mut vectors {
             v[m..].fill(T::ZERO);
         }
@@ -223,9 +213,25 @@ fn backward<T: Real, const K: usize>(
         }
         substitution::backward::<T, K>(panel, m, p, local, stride);
         let vectors = split::<T, K>(local, stride, p);
-        for (k, y) in y[own].iter_mut().enumerate() {
-            *y = std::array::from_fn(|c| vectors[c][k]);
+        store(&vectors, &mut y[own]);
+    }
+}
+
+/// Takes a supernode's own rows into `K` vectors.
+#[inline(always)]
+fn load<T: Real, const K: usize>(y: &[[T; K]], vectors: &mut [&mut [T]; K]) {
+    for (k, y) in y.iter().enumerate() {
+        for c in 0..K {
+            vectors[c][k] = y[c];
         }
+    }
+}
+
+/// And back.
+#[inline(always)]
+fn store<T: Real, const K: usize>(vectors: &[&mut [T]; K], y: &mut [[T; K]]) {
+    for (k, y) in y.iter_mut().enumerate() {
+        *y = std::array::from_fn(|c| vectors[c][k]);
     }
 }
 
