@@ -1,22 +1,43 @@
-//! Neighbouring triangles in groups, which the tree knows by their box alone: it is eight times as small, and what is left to
-//! compare is compared at once.
+//! Neighbouring triangles in groups, the leaves of the tree: what is left to compare is compared at once.
 
-use rstar::Envelope;
-use rstar::primitives::Rectangle;
+use std::ops::Range;
 
-use super::search::{Bounds, Member};
+use super::search::Member;
 use super::triangles::intersect;
 
 /// Triangles in a group, at most.
-const SIZE: usize = 8;
+pub(super) const SIZE: usize = 8;
 
 /// Neighbouring triangles.
 pub(super) struct Group {
-    pub(super) bounds: Bounds,
-    members: Vec<Member>,
+    run: Range<usize>,
     boxes: Boxes,
     /// A bit for each triangle that is asked for.
     asked: u8,
+}
+
+/// An upright box in single precision, rounded outwards: its lower and its upper sides.
+#[derive(Clone, Copy)]
+pub(super) struct Box32([[f32; 3]; 2]);
+
+impl Box32 {
+    /// Meets nothing.
+    pub(super) const EMPTY: Self = Self([[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]]);
+
+    /// The box around two.
+    pub(super) fn with(&self, other: &Self) -> Self {
+        let ([a, b], [c, d]) = (self.0, other.0);
+        Self([
+            [0, 1, 2].map(|k| a[k].min(c[k])),
+            [0, 1, 2].map(|k| b[k].max(d[k])),
+        ])
+    }
+
+    /// Whether they have a point in common.
+    #[inline(always)]
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.0[0][k] <= other.0[1][k] && other.0[0][k] <= self.0[1][k])
+    }
 }
 
 /// Boxes around the triangles of a group, rounded outwards: per axis all their lower, then all their upper sides.
@@ -60,17 +81,14 @@ fn not_above(x: f64) -> f32 {
 }
 
 impl Group {
-    fn new(members: Vec<Member>) -> Self {
-        let mut bounds = Bounds::new_empty();
-        members.iter().for_each(|member| bounds.merge(&member.bounds()));
-        let bits = (0..)
-            .zip(&members)
-            .map(|(m, member)| u8::from(member.is_asked) << m);
+    /// A run of the members.
+    pub(super) fn new(members: &[Member], run: Range<usize>) -> Self {
+        let own = &members[run.clone()];
+        let bits = (0..).zip(own).map(|(m, member)| u8::from(member.is_asked) << m);
         Self {
-            bounds,
             asked: bits.fold(0, |bits, bit| bits | bit),
-            boxes: Boxes::new(&members),
-            members,
+            boxes: Boxes::new(own),
+            run,
         }
     }
 
@@ -78,31 +96,35 @@ impl Group {
         self.asked != 0
     }
 
-    /// Its box as the tree keeps it.
-    pub(super) fn rectangle(&self) -> Rectangle<[f64; 3]> {
-        Rectangle::from_aabb(self.bounds)
+    /// The box around them.
+    pub(super) fn bounds(&self) -> Box32 {
+        let sides = self.boxes.0;
+        Box32([
+            sides.map(|[low, _]| low.into_iter().fold(f32::INFINITY, f32::min)),
+            sides.map(|[_, high]| high.into_iter().fold(f32::NEG_INFINITY, f32::max)),
+        ])
     }
 
     /// The pairs of its triangles with those of another group.
     #[inline(always)]
-    pub(super) fn add_pairs(&self, other: &Self, pairs: &mut Vec<[u32; 2]>) {
-        for m in 0..self.members.len() {
-            self.add_pairs_of(m, other, u8::MAX, pairs);
+    pub(super) fn add_pairs(&self, other: &Self, members: &[Member], pairs: &mut Vec<[u32; 2]>) {
+        for m in 0..self.run.len() {
+            self.add_pairs_of(m, other, u8::MAX, members, pairs);
         }
     }
 
     /// The pairs within.
     #[inline(always)]
-    pub(super) fn add_own_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        for m in 1..self.members.len() {
-            self.add_pairs_of(m, self, u8::MAX >> (SIZE - m), pairs);
+    pub(super) fn add_own_pairs(&self, members: &[Member], pairs: &mut Vec<[u32; 2]>) {
+        for m in 1..self.run.len() {
+            self.add_pairs_of(m, self, u8::MAX >> (SIZE - m), members, pairs);
         }
     }
 
     /// The pairs of one triangle with those of a group whose bits are set; of each pair one is asked for.
     #[inline(always)]
-    fn add_pairs_of(&self, m: usize, other: &Self, among: u8, pairs: &mut Vec<[u32; 2]>) {
-        let member = &self.members[m];
+    fn add_pairs_of(&self, m: usize, other: &Self, among: u8, members: &[Member], pairs: &mut Vec<[u32; 2]>) {
+        let member = &members[self.run.start + m];
         let among = if member.is_asked {
             among
         } else {
@@ -113,50 +135,13 @@ impl Group {
         }
         let mut left = among & other.boxes.met_by(&self.boxes, m);
         while left != 0 {
-            let found = &other.members[left.trailing_zeros() as usize];
+            let found = &members[other.run.start + left.trailing_zeros() as usize];
             left &= left - 1;
             if intersect(&member.corners, &found.corners) {
                 pairs.push([member.number.min(found.number), member.number.max(found.number)]);
             }
         }
     }
-}
-
-/// The middle of a triangle's box, and the triangle's place in the list.
-type Centred = ([f64; 3], u32);
-
-/// All triangles in groups, halved again and again across the longest side of the box around their centres.
-pub(super) fn groups(members: Vec<Member>) -> Vec<Group> {
-    let centred = |(m, member): (u32, &Member)| (member.bounds().center(), m);
-    let mut all: Vec<Centred> = (0..).zip(&members).map(centred).collect();
-    let mut runs = vec![&mut all[..]];
-    let mut groups = Vec::with_capacity(members.len().div_ceil(SIZE / 2));
-    while let Some(run) = runs.pop() {
-        if run.len() > SIZE {
-            let axis = longest_side(run);
-            let middle = run.len() / 2;
-            run.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]));
-            let (low, high) = run.split_at_mut(middle);
-            runs.extend([low, high]);
-        } else if !run.is_empty() {
-            let own = run.iter().map(|(_, m)| members[*m as usize].clone());
-            groups.push(Group::new(own.collect()));
-        }
-    }
-    groups
-}
-
-fn longest_side(run: &[Centred]) -> usize {
-    let mut bounds = Bounds::new_empty();
-    run.iter()
-        .for_each(|(centre, _)| bounds.merge(&Bounds::from_point(*centre)));
-    let side = |axis: usize| bounds.upper()[axis] - bounds.lower()[axis];
-    (1..3).fold(
-        0,
-        |longest, axis| {
-            if side(axis) > side(longest) { axis } else { longest }
-        },
-    )
 }
 
 #[cfg(test)]

@@ -1,7 +1,11 @@
-//! Which triangles intersect: found by a tree of boxes, decided by exact signs of determinants.
+//! Which triangles intersect: found by a tree of boxes without those parts of the surface that are height
+//! fields, decided by exact signs of determinants.
 
 mod groups;
+mod height_field;
+mod neighbours;
 mod search;
+mod tree;
 mod triangles;
 
 pub(crate) use search::{Bounds, Member, bounds_of, member, members_near, of_all, of_some, pairs};

@@ -1,18 +1,16 @@
 //! All pairs of triangles that intersect: a tree of boxes gives candidates, exact signs decide.
 
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, Envelope, RTree, RTreeObject};
+use rstar::{AABB, Envelope, RTreeObject};
 
-use super::groups::{Group, groups};
-use super::triangles::{Corners, projection};
+use super::height_field::is_height_field;
+use super::neighbours::neighbours;
+use super::tree::{Content, Tree};
+use super::triangles::{Corners, PROJECTIONS, facing};
 use fairmesh_linear::dispatch::vectorized;
 
-/// Groups that a thread takes at once.
+/// Pairs of nodes that a thread takes at once.
 const CHUNK: usize = 64;
-
-/// Groups by the boxes around them.
-type Tree = RTree<GeomWithData<Rectangle<[f64; 3]>, usize>>;
 
 /// An upright box in space.
 pub(crate) type Bounds = AABB<[f64; 3]>;
@@ -24,6 +22,8 @@ pub(crate) struct Member {
     pub(crate) corners: Corners,
     pub(crate) number: u32,
     pub(crate) is_asked: bool,
+    /// Which sides it shows: see [`facing`]. Known in [`pairs`].
+    pub(super) facing: u8,
 }
 
 impl Member {
@@ -56,6 +56,7 @@ pub(crate) fn member(
         corners,
         number,
         is_asked,
+        facing: 0,
     })
 }
 
@@ -133,22 +134,29 @@ pub(crate) fn of_all(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[u32
 /// The same of any triangles with different numbers.
 pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     let unit = unit(&members);
-    for x in members.iter_mut().flat_map(|m| m.corners.iter_mut().flatten()) {
-        *x *= unit;
-    }
-    members.retain(|member| projection(&member.corners).is_some());
-    let groups = groups(members);
-    let in_tree = (0..)
-        .zip(&groups)
-        .map(|(g, group)| GeomWithData::new(group.rectangle(), g));
-    let tree = RTree::bulk_load(in_tree.collect());
-    let found: Vec<Vec<[u32; 2]>> = (0..groups.len())
-        .into_par_iter()
-        .step_by(CHUNK)
-        .map(|first| {
+    members.par_iter_mut().with_min_len(4096).for_each(|member| {
+        // Positive zeros only: equal coordinates have equal bits.
+        member
+            .corners
+            .iter_mut()
+            .flatten()
+            .for_each(|x| *x = *x * unit + 0.0);
+        member.facing = facing(&member.corners);
+    });
+    members.retain(|member| member.facing != 0);
+    let tree = Tree::new(&mut members);
+    let search = Search {
+        across: neighbours(members.iter().map(|member| &member.corners)),
+        members,
+        tree,
+    };
+    let found: Vec<Vec<[u32; 2]>> = search
+        .tasks()
+        .par_chunks(CHUNK)
+        .map(|tasks| {
             vectorized(
                 #[inline(always)]
-                || pairs_with(first, &tree, &groups, most),
+                || search.pairs_of(tasks, most),
             )
         })
         .collect();
@@ -158,28 +166,81 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     pairs
 }
 
-/// The pairs of a run of groups with themselves and with those that follow them; those without a triangle that is asked for
-/// are met by the others.
-#[inline(always)]
-fn pairs_with(first: usize, tree: &Tree, groups: &[Group], most: usize) -> Vec<[u32; 2]> {
-    let mut pairs = Vec::new();
-    for (g, group) in groups.iter().enumerate().skip(first).take(CHUNK) {
-        if !group.has_asked() {
-            continue;
-        }
-        for found in tree.locate_in_envelope_intersecting(&group.bounds) {
-            let other = &groups[found.data];
-            if found.data > g || !other.has_asked() {
-                group.add_pairs(other, &mut pairs);
-            } else if found.data == g {
-                group.add_own_pairs(&mut pairs);
+struct Search {
+    members: Vec<Member>,
+    tree: Tree,
+    /// Members at the edges of each.
+    across: Vec<[u32; 3]>,
+}
+
+impl Search {
+    /// Pairs of nodes whose triangles are to be compared with each other; twice the same for those within a leaf.
+    fn tasks(&self) -> Vec<[usize; 2]> {
+        let mut tasks = Vec::new();
+        let mut within = vec![0];
+        while !within.is_empty() {
+            let open: Vec<usize> = within.into_par_iter().filter(|&n| self.is_open(n)).collect();
+            within = Vec::new();
+            for n in open {
+                match self.tree.nodes[n].content {
+                    Content::Leaf(_) => tasks.push([n, n]),
+                    Content::Inner(second) => {
+                        tasks.push([n + 1, second]);
+                        within.extend([n + 1, second]);
+                    }
+                }
             }
         }
-        if pairs.len() >= most {
-            break;
-        }
+        tasks
     }
-    pairs
+
+    /// Whether something within a node may intersect.
+    fn is_open(&self, n: usize) -> bool {
+        let node = &self.tree.nodes[n];
+        if let Content::Leaf(_) = node.content {
+            return node.is_asked;
+        }
+        let is_height_field = |axes: usize| {
+            node.facing >> (2 * axes) & 3 != 0
+                && is_height_field(
+                    PROJECTIONS[axes],
+                    |t| &self.members[t].corners,
+                    &self.across,
+                    node.run.clone(),
+                )
+        };
+        node.is_asked && !(0..3).any(is_height_field)
+    }
+
+    #[inline(always)]
+    fn pairs_of(&self, tasks: &[[usize; 2]], most: usize) -> Vec<[u32; 2]> {
+        let (nodes, groups) = (&self.tree.nodes, &self.tree.groups);
+        let mut pairs = Vec::new();
+        let mut left = tasks.to_vec();
+        while let Some([a, b]) = left.pop() {
+            let [one, other] = [&nodes[a], &nodes[b]];
+            if pairs.len() >= most {
+                break;
+            }
+            if !(one.is_asked || other.is_asked) || !one.bounds.meets(&other.bounds) {
+                continue;
+            }
+            match (one.content, other.content) {
+                (Content::Leaf(g), Content::Leaf(_)) if a == b => {
+                    groups[g].add_own_pairs(&self.members, &mut pairs);
+                }
+                (Content::Leaf(g), Content::Leaf(h)) => {
+                    groups[g].add_pairs(&groups[h], &self.members, &mut pairs);
+                }
+                (Content::Inner(second), Content::Inner(_)) if one.run.len() >= other.run.len() => {
+                    left.extend([[a + 1, b], [second, b]]);
+                }
+                (Content::Inner(second), Content::Leaf(_)) => left.extend([[a + 1, b], [second, b]]),
+                (_, Content::Inner(second)) => left.extend([[a, b + 1], [a, second]]),
+            }
+        }
+        pairs
+    }
 }
 
 /// A power of two that brings the coordinates to about one: products of three neither overflow nor vanish.

@@ -1,7 +1,9 @@
 use num_rational::Ratio;
 use proptest::prelude::*;
 
-use super::triangles::{Corners, intersect, projection};
+use super::height_field::is_height_field;
+use super::neighbours::neighbours;
+use super::triangles::{Corners, PROJECTIONS, facing, intersect, projection};
 use super::{of_all, of_some};
 
 type Number = Ratio<i128>;
@@ -193,4 +195,140 @@ fn what_is_not_finite_or_has_no_area_takes_no_part() {
     ];
     let triangles = [[0, 1, 2], [3, 4, 5], [3, 4, 6], [3, 4, 7]];
     assert_eq!(of_all(&x, &triangles), [[0, 3]]);
+}
+
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// A sheet of `rows` by `columns` squares, each divided into two triangles.
+fn sheet(rows: u32, columns: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
+    let number = |i: u32, j: u32| i * (columns + 1) + j;
+    let vertices = (0..=rows).flat_map(|i| (0..=columns).map(move |j| (f64::from(i), f64::from(j))));
+    let cells = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let triangles = cells.flat_map(|(i, j)| {
+        let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| number(i, j));
+        [[a, b, c], [a, c, d]]
+    });
+    (vertices.map(|(u, v)| at(u, v)).collect(), triangles.collect())
+}
+
+fn corners((x, triangles): &Mesh) -> Vec<Corners> {
+    triangles.iter().map(|t| t.map(|v| x[v as usize])).collect()
+}
+
+fn all_pairs(mesh: &Mesh) -> Vec<[u32; 2]> {
+    let corners = corners(mesh);
+    let mut pairs = Vec::new();
+    for (i, a) in corners.iter().enumerate().filter(|(_, t)| facing(t) != 0) {
+        for (j, b) in corners.iter().enumerate().skip(i + 1) {
+            if facing(b) != 0 && intersect(a, b) {
+                pairs.push([i as u32, j as u32]);
+            }
+        }
+    }
+    pairs
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    /// Winding sheets that are height fields in parts, meet themselves often, touch, and lie in one plane with themselves.
+    #[test]
+    fn pairs_of_sheets_are_those_of_all_their_triangles(
+        numbers in prop::collection::vec(0..64_i32, 12 * 16),
+        turns in 0.0..2.5,
+        rise in -2..3_i32,
+        noise in prop_oneof![Just(0.0), Just(0.01), Just(0.3)],
+        leave_out in 0..5_usize,
+    ) {
+        let (x, mut triangles) = sheet(11, 15, |u, v| {
+            let shift = f64::from(numbers[(u * 16.0 + v) as usize]) / 64.0 - 0.5;
+            let angle: f64 = turns * v / 15.0 * std::f64::consts::TAU;
+            let radius = 4.0 + u + noise * shift;
+            let place = [radius * angle.cos(), radius * angle.sin(), f64::from(rise) * v / 4.0 + noise * shift];
+            // On a lattice: exact contacts.
+            place.map(|x| (x * 8.0).round() / 8.0)
+        });
+        let mut kept = 0;
+        triangles.retain(|_| { kept += 1; leave_out == 0 || numbers[kept % numbers.len()] > 6 * leave_out as i32 });
+        let mesh = (x, triangles);
+        prop_assert_eq!(of_all(&mesh.0, &mesh.1), all_pairs(&mesh));
+    }
+}
+
+/// In the projections that they show themselves in: whether all triangles together are a height field.
+fn is_a_height_field(mesh: &Mesh) -> bool {
+    let corners = corners(mesh);
+    let shown = corners.iter().fold(u8::MAX, |all, t| all & facing(t));
+    let across = neighbours(corners.iter());
+    (0..3).any(|axes| {
+        shown >> (2 * axes) & 3 != 0
+            && is_height_field(PROJECTIONS[axes], |t| &corners[t], &across, 0..corners.len())
+    })
+}
+
+/// Triangles around a vertex, evenly through an angle.
+fn fan(count: u32, angle: f64, turned: f64) -> Mesh {
+    let ends = (0..=count).map(|k| (turned + angle * f64::from(k) / f64::from(count)).sin_cos());
+    let x = std::iter::once([0.0; 3])
+        .chain(ends.map(|(sin, cos)| [cos, sin, 0.1 * cos]))
+        .collect();
+    (x, (1..=count).map(|k| [0, k, k + 1]).collect())
+}
+
+fn together((mut x, mut triangles): Mesh, (more, those): Mesh) -> Mesh {
+    let first = x.len() as u32;
+    x.extend(more);
+    triangles.extend(those.iter().map(|t| t.map(|v| v + first)));
+    (x, triangles)
+}
+
+#[test]
+fn height_fields_are_told_from_what_covers_itself() {
+    let bump = |u: f64, v: f64| [u, v, (u * v).sin()];
+    assert!(is_a_height_field(&sheet(9, 7, bump)));
+    assert!(is_a_height_field(&sheet(9, 7, |u, v| [bump(u, v)[2], u, v])));
+    assert!(is_a_height_field(&sheet(9, 7, |u, v| [v, u, 0.5 * u])));
+    // Once and twice around a vertex, and once through a part of another turn.
+    assert!(is_a_height_field(&fan(9, 5.0, 0.0)));
+    assert!(!is_a_height_field(&fan(19, 4.0 * std::f64::consts::PI, 0.3)));
+    assert!(!is_a_height_field(&fan(9, 7.0, 0.0)));
+    // A strip that runs over its beginning.
+    let spiral = |turn: f64| {
+        move |u: f64, v: f64| {
+            let (sin, cos) = (turn * v / 20.0).sin_cos();
+            [(2.0 + u) * cos, (2.0 + u) * sin, 0.1 * v]
+        }
+    };
+    assert!(is_a_height_field(&sheet(1, 20, spiral(6.0))));
+    assert!(!is_a_height_field(&sheet(1, 20, spiral(6.6))));
+    // Two fans at a vertex: beside each other, and one upon the other, wholly or in part.
+    let two = |turned: f64, angle: f64| together(fan(4, 1.5, 0.0), fan(4, angle, turned));
+    assert!(is_a_height_field(&two(2.0, 1.0)));
+    assert!(!is_a_height_field(&two(0.1, 1.0)));
+    assert!(!is_a_height_field(&two(1.0, 1.0)));
+    // One sheet above another.
+    let above = |u: f64, v: f64| [0.25 * u + 3.0, 0.25 * v + 3.0, 9.0];
+    assert!(!is_a_height_field(&together(
+        sheet(9, 9, bump),
+        sheet(4, 4, above)
+    )));
+    // The small one joined to a corner inside the large one's boundary, which winds twice around it.
+    let corner = |u: f64, v: f64| [0.25 * u, 0.25 * v, 9.0 * u + 9.0 * v];
+    assert!(!is_a_height_field(&together(
+        sheet(9, 9, |u, v| [u, v, 0.0]),
+        sheet(4, 4, corner)
+    )));
+    // A vertex that touches an edge.
+    let touching: Mesh = (
+        vec![
+            [0.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [0.0, 2.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [2.0, -1.0, 0.0],
+        ],
+        vec![[0, 1, 2], [3, 4, 5]],
+    );
+    assert!(!is_a_height_field(&touching));
 }

@@ -8,18 +8,29 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 /// The positions of a triangle's corners.
 pub(super) type Corners = [[f64; 3]; 3];
 
-/// Coordinates that are left when one is dropped.
-const PROJECTIONS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+/// The coordinates that are left when one is dropped.
+pub(super) type Axes = [usize; 2];
+
+pub(super) const PROJECTIONS: [Axes; 3] = [[1, 2], [2, 0], [0, 1]];
 
 /// A projection in which the triangle has an area; none if it has none at all.
-pub(super) fn projection(t: &Corners) -> Option<[usize; 2]> {
+pub(super) fn projection(t: &Corners) -> Option<Axes> {
     PROJECTIONS
         .into_iter()
         .find(|&axes| turn(axes, &t[0], &t[1], &t[2]) != 0.0)
 }
 
+/// Which sides a triangle shows in the projections: bit 2 k for counter-clockwise, 2 k + 1 for clockwise in the k-th. Without an
+/// area it shows none.
+pub(super) fn facing(t: &Corners) -> u8 {
+    (0..3).fold(0, |bits, k| {
+        let turn = turn(PROJECTIONS[k], &t[0], &t[1], &t[2]);
+        bits | u8::from(turn > 0.0) << (2 * k) | u8::from(turn < 0.0) << (2 * k + 1)
+    })
+}
+
 /// Positive if three points run counter-clockwise in a projection, zero if they lie in one line.
-fn turn(axes: [usize; 2], a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
+pub(super) fn turn(axes: Axes, a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
     let [a, b, c] = [a, b, c].map(|p| Coord {
         x: p[axes[0]],
         y: p[axes[1]],
@@ -168,13 +179,13 @@ fn meets(p: &[f64; 3], q: &[f64; 3], t: &Corners) -> bool {
     do_not_disagree(&[0, 1, 2].map(|k| volume(p, q, &t[k], &t[(k + 1) % 3])))
 }
 
-fn meets_in_plane(axes: [usize; 2], p: &[f64; 3], q: &[f64; 3], t: &Corners) -> bool {
+fn meets_in_plane(axes: Axes, p: &[f64; 3], q: &[f64; 3], t: &Corners) -> bool {
     let edges = [0, 1, 2].map(|k| (&t[k], &t[(k + 1) % 3]));
     do_not_disagree(&edges.map(|(u, v)| turn(axes, u, v, p)))
         || edges.iter().any(|(u, v)| segments_meet(axes, [p, q], [u, v]))
 }
 
-fn segments_meet(axes: [usize; 2], [p, q]: [&[f64; 3]; 2], [u, v]: [&[f64; 3]; 2]) -> bool {
+pub(super) fn segments_meet(axes: Axes, [p, q]: [&[f64; 3]; 2], [u, v]: [&[f64; 3]; 2]) -> bool {
     let of_line = [turn(axes, p, q, u), turn(axes, p, q, v)];
     let of_other = [turn(axes, u, v, p), turn(axes, u, v, q)];
     if of_line == [0.0, 0.0] {
