@@ -23,8 +23,8 @@ const NEAREST: f64 = 0.002;
 const FARTHEST: f64 = 0.2;
 /// and how far the next place is than the last.
 const FACTOR: f64 = 1.4;
-/// A residual that falls to this part, by the displacement, and grows again has nearly vanished.
-const NEARLY: f64 = 0.3;
+/// A residual that falls to this part, by the displacement, and grows again may vanish beside the straight way.
+const NEARLY: f64 = 0.8;
 
 /// Displacements along the normals of a surface.
 struct Displaced {
