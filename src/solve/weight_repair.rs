@@ -16,6 +16,10 @@ use crate::quality::NEEDLE;
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
 const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
+/// A start from the coarse mesh with a triangle below this angle, half of a needle's, will end with it: it lies almost as the result
+/// will, but the bound must not decide by the vertices' numbers.
+const SURE: f64 = 0.5 * NEEDLE;
+
 /// An iteration that begins anew with other weights where triangles end folded or thin.
 #[derive(Debug)]
 pub(crate) struct WeightRepair {
@@ -40,11 +44,11 @@ impl WeightRepair {
         system.evaluate(&x);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
-        // A linear start is distributed almost as the result will be: what folds here would be found after the iterations.
+        // A start is distributed almost as the result will be: what folds here would be found after the iterations.
         let repairs_start = match anew {
             Anew::Everywhere => true,
             Anew::FromLinear => !system.poor(&x, THRESHOLDS[0]).is_empty(),
-            Anew::FromSurface => false,
+            Anew::FromSurface => !system.poor(&x, SURE).is_empty(),
         };
         if repairs_start
             && let Some(start) = marks.restart(&x, system, control)
