@@ -25,6 +25,8 @@ const LARGEST_EXCESS: f64 = 2.0;
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
 const EXTRA: usize = 6;
+/// The last step may be longer than the plain one by this factor when accelerated.
+const LONGEST_LAST: f64 = 2.0;
 /// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
 /// takes a step of the history;
 const WINDOW: usize = 16;
@@ -211,7 +213,7 @@ impl Iteration {
         match self.stop(&norm, system, control) {
             Some(IterationStatus::Stalled) => return self.next_round(system, control),
             Some(IterationStatus::Converged) => {
-                advance(&mut self.x, &self.step, 1.0);
+                self.take_last_step();
                 return Some(IterationStatus::Converged);
             }
             Some(status) => {
@@ -248,7 +250,7 @@ impl Iteration {
             self.best.d = d;
             self.best.x.clone_from(&self.x);
         }
-        if self.is_converged(norm) {
+        if self.is_converged(norm, control.every_vertex) {
             return Some(IterationStatus::Converged);
         }
         if control.exhausted() {
@@ -263,12 +265,13 @@ impl Iteration {
         self.is_stalling(d).then_some(IterationStatus::Stalled)
     }
 
-    fn is_converged(&mut self, norm: &StepNorm) -> bool {
+    fn is_converged(&mut self, norm: &StepNorm, every_vertex: bool) -> bool {
         if norm.total() > self.tolerance {
             return false;
         }
         self.round.within += 1;
-        let is_even = norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
+        let is_even =
+            !every_vertex || norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
         // Not on the first sight: a start may be close for reasons of its own.
         is_even && !self.round.history.is_empty()
     }
@@ -328,6 +331,18 @@ impl Iteration {
             self.anderson.clear();
             self.plain_step(system);
         }
+    }
+
+    /// The step after which nothing is evaluated: the accelerated one, which leaves less of the error, unless the history is one of
+    /// rounding.
+    fn take_last_step(&mut self) {
+        let _clock = clock("Anderson");
+        self.anderson
+            .accelerate(&self.step, self.taken, &mut self.accelerated);
+        let square = |step: &[f64]| step.iter().map(|s| s * s).sum::<f64>();
+        let is_alike = square(&self.accelerated) <= LONGEST_LAST * LONGEST_LAST * square(&self.step);
+        let step = if is_alike { &self.accelerated } else { &self.step };
+        advance(&mut self.x, step, 1.0);
     }
 
     fn plain_step(&mut self, system: &System) {
