@@ -22,7 +22,7 @@ import numpy as np
 from meshlib import mrmeshnumpy, mrmeshpy
 
 PROGRAM = Path(__file__).parent.parent / "target/release/fairmesh"
-SHAPES = ("sphere-cap", "cylinder", "catenoid")
+SHAPES = ("sphere-cap", "cylinder", "catenoid", "revolution")
 # Turns for a mesh of a thousand free vertices, and at least.
 TURNS = 20
 FEWEST = 3
