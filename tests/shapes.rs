@@ -146,12 +146,26 @@ fn families() -> Vec<(&'static str, Make, i64, usize)> {
             0,
             2,
         ),
+        ("biharmonic revolution", biharmonic, 0, 2),
+        (
+            "ellipsoid",
+            |n, s, o| ellipsoid_cap([1.0, 0.8, 0.6], 50.0, n, s, o),
+            1,
+            1,
+        ),
+        ("torus", |n, s, o| torus_patch(1.0, 0.4, 1.0, n, s, o), 1, 1),
     ]
 }
 
 /// The band of a sound profile.
 fn revolution(f0: f64, h0: f64, c: f64, length: f64, n: usize, sampling: Sampling, outside: usize) -> Shape {
     let profile = HarmonicProfile::new(f0, h0, c, length).expect("a sound profile");
+    revolution_band(&profile, n, sampling, outside).expect("sound surroundings")
+}
+
+/// A band on which the Laplacian of the mean curvature is harmonic and not constant.
+fn biharmonic(n: usize, sampling: Sampling, outside: usize) -> Shape {
+    let profile = HarmonicProfile::biharmonic(1.2, -0.8, 0.5, [0.7, -0.4], 1.2).expect("a sound profile");
     revolution_band(&profile, n, sampling, outside).expect("sound surroundings")
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use fairmesh_shapes::{HarmonicProfile, OUTSIDE, Sampling, Shape, Surface, revolution_band};
+use fairmesh_shapes::{HarmonicProfile, OUTSIDE, Sampling, Shape, Surface, revolution_band, torus_patch};
 
 use crate::answer::say;
 use crate::failure::Failure;
@@ -29,8 +29,12 @@ enum ShapeKind {
     Catenoid,
     /// An unduloid with neck 0.7 and bulge 1
     Unduloid,
-    /// A surface of revolution with harmonic mean curvature that is not constant
+    /// A surface of revolution with harmonic mean curvature that is not constant; with --phi0 or --p its Laplacian is harmonic
     Revolution,
+    /// The image of a cap of the unit sphere, free within --angle degrees of the pole (50), on the ellipsoid of --semi-axes
+    Ellipsoid,
+    /// The outer side of the torus of radii 1 and 0.4, free where both angles are below --angle degrees (57.3)
+    Torus,
     /// A wavy saddle over the unit disc; not a solution, the boundary is what matters
     Saddle,
 }
@@ -59,8 +63,8 @@ enum Start {
     Random,
 }
 
-/// The profile of a revolution: `r' = cos f`, `z' = sin f`, `f' = -2 H - sin f / r`, `H' = c / r` by its arc length, from
-/// `r = 1`, `z = 0` on.
+/// The profile of a revolution: `r' = cos f`, `z' = sin f`, `f' = -2 H - sin f / r`, `H' = q / r`, `q' = r phi`, `phi' = p / r` by its
+/// arc length, from `r = 1`, `z = 0`, `q = c` on.
 #[derive(Debug, Args)]
 struct ProfileArgs {
     /// Of revolution: direction of the profile at its beginning, where the radius
@@ -75,9 +79,17 @@ struct ProfileArgs {
     /// Of revolution: mean curvature H at the beginning (-1)
     #[arg(long, value_name = "H", allow_negative_numbers = true)]
     h0: Option<f64>,
-    /// Of revolution: radius times dH/ds, the same all along the profile (0.5)
-    #[arg(long, value_name = "C", allow_negative_numbers = true)]
+    /// Of revolution: radius times dH/ds at the beginning; without --phi0 and --p
+    /// the same all along the profile (0.5)
+    #[arg(long, value_name = "C", allow_negative_numbers = true, verbatim_doc_comment)]
     c: Option<f64>,
+    /// Of revolution: the Laplacian of H at the beginning (0)
+    #[arg(long, value_name = "PHI", allow_negative_numbers = true)]
+    phi0: Option<f64>,
+    /// Of revolution: radius times the derivative of that Laplacian, the same all
+    /// along the profile (0)
+    #[arg(long, value_name = "P", allow_negative_numbers = true, verbatim_doc_comment)]
+    p: Option<f64>,
     /// Of revolution: arc length of the profile (2)
     #[arg(long, value_name = "L")]
     length: Option<f64>,
@@ -85,7 +97,7 @@ struct ProfileArgs {
 
 impl ProfileArgs {
     fn is_given(&self) -> bool {
-        [self.f0, self.h0, self.c, self.length]
+        [self.f0, self.h0, self.c, self.phi0, self.p, self.length]
             .iter()
             .any(Option::is_some)
     }
@@ -94,11 +106,17 @@ impl ProfileArgs {
     fn band(&self, n: usize, sampling: Sampling, outside: usize) -> Result<Shape, Failure> {
         let [f0, h0] = [self.f0.unwrap_or(1.0), self.h0.unwrap_or(-1.0)];
         let [c, length] = [self.c.unwrap_or(0.5), self.length.unwrap_or(2.0)];
-        let profile = HarmonicProfile::new(f0, h0, c, length);
+        let [phi0, p] = [self.phi0.unwrap_or(0.0), self.p.unwrap_or(0.0)];
+        let profile = HarmonicProfile::biharmonic(f0, h0, c, [phi0, p], length);
         let band = profile.and_then(|profile| revolution_band(&profile, n, sampling, outside));
         band.map_err(|e| {
+            let laplacian = if phi0 == 0.0 && p == 0.0 {
+                String::new()
+            } else {
+                format!(" --phi0 {phi0} --p {p}")
+            };
             Failure::new(format!(
-                "--f0 {f0} --h0 {h0} --c {c} --length {length}: no surface of revolution: {e}"
+                "--f0 {f0} --h0 {h0} --c {c}{laplacian} --length {length}: no surface of revolution: {e}"
             ))
         })
     }
@@ -129,10 +147,13 @@ pub struct GenerateArgs {
     /// Deviation of --start noise, in edge lengths
     #[arg(long, default_value_t = 0.15, value_name = "X")]
     noise: f64,
-    /// Half-angle of sphere-cap (1 to 150) and sphere-hole (1 to 170; a small hole
-    /// is as wide as two and a half edges), in degrees
+    /// Half-angle of sphere-cap and ellipsoid (1 to 150), sphere-hole (1 to 170; a
+    /// small hole is as wide as two and a half edges) and torus (6 to 143), in degrees
     #[arg(long, value_name = "DEGREES", verbatim_doc_comment)]
     angle: Option<f64>,
+    /// Of ellipsoid, each from 0.1 to 10 (1,0.8,0.6)
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    semi_axes: Option<Vec<f64>>,
     #[command(flatten)]
     profile: ProfileArgs,
     /// Rings of fixed triangles around the free region, at most 16; blend and
@@ -218,9 +239,10 @@ fn check(args: &GenerateArgs) -> Result<(), Failure> {
     check_angle(args)?;
     if args.profile.is_given() && args.kind != ShapeKind::Revolution {
         return Err(Failure::new(
-            "--f0, --h0, --c, --length: only revolution has them",
+            "--f0, --h0, --c, --phi0, --p, --length: only revolution has them",
         ));
     }
+    check_semi_axes(args)?;
     let mut paths: Vec<&Path> = [&args.exact, &args.free, &args.normals]
         .into_iter()
         .flatten()
@@ -238,19 +260,39 @@ fn check(args: &GenerateArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+fn check_semi_axes(args: &GenerateArgs) -> Result<(), Failure> {
+    let Some(axes) = &args.semi_axes else {
+        return Ok(());
+    };
+    if args.kind != ShapeKind::Ellipsoid {
+        return Err(Failure::new("--semi-axes: only ellipsoid has them"));
+    }
+    if axes.len() == 3 && axes.iter().all(|a| (0.1..=10.0).contains(a)) {
+        return Ok(());
+    }
+    Err(Failure::new("--semi-axes: give three numbers from 0.1 to 10"))
+}
+
 fn check_angle(args: &GenerateArgs) -> Result<(), Failure> {
     let Some(angle) = args.angle else {
         return Ok(());
     };
-    let most = match args.kind {
-        ShapeKind::SphereCap => 150.0,
-        ShapeKind::SphereHole => 170.0,
-        _ => return Err(Failure::new("--angle: only sphere-cap and sphere-hole have one")),
+    let [least, most] = match args.kind {
+        ShapeKind::SphereCap | ShapeKind::Ellipsoid => [1.0, 150.0],
+        ShapeKind::SphereHole => [1.0, 170.0],
+        ShapeKind::Torus => [6.0, 143.0],
+        _ => {
+            return Err(Failure::new(
+                "--angle: only sphere-cap, sphere-hole, ellipsoid and torus have one",
+            ));
+        }
     };
-    if (1.0..=most).contains(&angle) {
+    if (least..=most).contains(&angle) {
         return Ok(());
     }
-    Err(Failure::new(format!("--angle {angle}: give 1 to {most} degrees")))
+    Err(Failure::new(format!(
+        "--angle {angle}: give {least} to {most} degrees"
+    )))
 }
 
 fn make(args: &GenerateArgs) -> Result<Shape, Failure> {
@@ -271,8 +313,25 @@ fn make(args: &GenerateArgs) -> Result<Shape, Failure> {
         ShapeKind::Catenoid => fairmesh_shapes::catenoid_band(n, sampling, outside),
         ShapeKind::Unduloid => fairmesh_shapes::unduloid_band(0.7, 1.0, n, sampling, outside),
         ShapeKind::Revolution => args.profile.band(n, sampling, outside)?,
+        ShapeKind::Ellipsoid => ellipsoid(args, n, sampling),
+        ShapeKind::Torus => torus_patch(
+            1.0,
+            0.4,
+            args.angle.map_or(1.0, f64::to_radians),
+            n,
+            sampling,
+            outside,
+        ),
         ShapeKind::Saddle => fairmesh_shapes::saddle_graph(n, sampling, outside),
     })
+}
+
+fn ellipsoid(args: &GenerateArgs, n: usize, sampling: Sampling) -> Shape {
+    let axes = match args.semi_axes.as_deref() {
+        Some([a, b, c]) => [*a, *b, *c],
+        _ => [1.0, 0.8, 0.6],
+    };
+    fairmesh_shapes::ellipsoid_cap(axes, args.angle.unwrap_or(50.0), n, sampling, args.outside)
 }
 
 fn summary(args: &GenerateArgs, shape: &Shape) -> String {
@@ -292,6 +351,8 @@ fn summary(args: &GenerateArgs, shape: &Shape) -> String {
                 "revolution about the z axis, radius {r:.3} to {r_end:.3} at z = 0 to {z_end:.3}, mean curvature {h:.3} to {h_end:.3}"
             )
         }
+        Some(Surface::Ellipsoid(_)) => "the ellipsoid about the origin".to_owned(),
+        Some(Surface::Torus(_)) => "the torus of radii 1 and 0.4 about the z axis".to_owned(),
         _ => "none".to_owned(),
     };
     format!(

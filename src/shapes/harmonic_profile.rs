@@ -1,10 +1,11 @@
-//! Profiles of the surfaces of revolution of harmonic mean curvature.
+//! Profiles of the surfaces of revolution of harmonic and biharmonic mean curvature.
 //!
-//! On a surface of revolution `Delta_B H = 0` reads `r dH/ds = c`, `s` the arc length of the profile. With its direction
+//! On a surface of revolution `Delta_B u` is `(r u')' / r`, by the arc length `s` of the profile. With its direction
 //! `(r', z') = (cos f, sin f)` and the outward normal `(sin f, -cos f)` the curvatures are `-f'` and `-sin f / r`, so that
 //! `f' = -2 H - sin f / r`. By the conformal height `v`, `dv = ds / r`, these become
-//! `dr = r cos f`, `dz = r sin f`, `df = -2 H r - sin f`, `ds = r`, and `H = H0 + c v`: polynomials in `r`, `cos f` and
-//! `sin f`, whose Taylor series are products of series (Moore 1966).
+//! `dr = r cos f`, `dz = r sin f`, `df = -2 H r - sin f`, `ds = r`. `Delta_B H = phi` reads `dH = q`, `dq = r^2 phi`, and
+//! `Delta_B phi = 0` that `phi = phi0 + p v`: polynomials in `r`, `cos f` and `sin f`, whose Taylor series are products of series
+//! (Moore 1966). Without `phi`, `H = H0 + c v` with `c = q`.
 
 use super::surface::Profile;
 use std::error::Error;
@@ -53,11 +54,12 @@ impl fmt::Display for ProfileError {
 impl Error for ProfileError {}
 
 /// The profile with `r = 1`, `z = 0`, direction `f0` (radians, 0 away from the axis) and mean curvature `H0` at arc length 0,
-/// and `dH/ds = c / r`, up to a given arc length.
+/// and `dH/ds = c / r`, up to a given arc length. A biharmonic one begins with `dH/ds = c`, and has `phi = Delta_B H` with
+/// `phi0` at arc length 0 and `dphi/ds = p / r`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HarmonicProfile {
-    h0: f64,
-    c: f64,
+    /// `phi0` and `p`.
+    laplacian: [f64; 2],
     length: f64,
     /// The conformal height of the upper end.
     top: f64,
@@ -76,11 +78,13 @@ struct Series {
     z: [f64; TERMS],
     f: [f64; TERMS],
     s: [f64; TERMS],
+    h: [f64; TERMS],
+    q: [f64; TERMS],
 }
 
 impl Series {
-    /// Of the solution with the values `[r, z, f, s]` at height `at`.
-    fn new([r, z, f, s]: [f64; 4], at: f64, (h0, c): (f64, f64)) -> Self {
+    /// Of the solution with the values `[r, z, f, s, H, q]` at height `at`.
+    fn new([r, z, f, s, h, q]: [f64; 6], at: f64, [phi0, p]: [f64; 2]) -> Self {
         let start = |value: f64| {
             let mut terms = [0.0; TERMS];
             terms[0] = value;
@@ -88,8 +92,10 @@ impl Series {
         };
         let (mut r, mut z, mut f, mut s) = (start(r), start(z), start(f), start(s));
         let (mut cos, mut sin) = (start(f[0].cos()), start(f[0].sin()));
-        let (mut h, mut turn) = (start(h0 + c * at), [0.0; TERMS]);
-        h[1] = c;
+        let (mut h, mut q) = (start(h), start(q));
+        let (mut square, mut turn) = ([0.0; TERMS], [0.0; TERMS]);
+        let mut phi = start(phi0 + p * at);
+        phi[1] = p;
         for k in 0..TERMS - 1 {
             turn[k] = -2.0 * product(&h, &r, k) - sin[k];
             let by = 1.0 / (k + 1) as f64;
@@ -97,12 +103,15 @@ impl Series {
             z[k + 1] = by * product(&r, &sin, k);
             f[k + 1] = by * turn[k];
             s[k + 1] = by * r[k];
+            square[k] = product(&r, &r, k);
+            h[k + 1] = by * q[k];
+            q[k + 1] = by * product(&square, &phi, k);
             cos[k + 1] = -by * product(&sin, &turn, k);
             sin[k + 1] = by * product(&cos, &turn, k);
         }
         // Two terms, because one may vanish.
         let reach_of = |k: usize| {
-            let last = [&r, &z, &f, &s].map(|x| x[k].abs());
+            let last = [&r, &z, &f, &s, &h, &q].map(|x| x[k].abs());
             let relative = last.into_iter().fold(f64::MIN_POSITIVE, f64::max) / r[0].max(1.0);
             (ROUNDING / relative).powf(1.0 / k as f64)
         };
@@ -114,13 +123,16 @@ impl Series {
             z,
             f,
             s,
+            h,
+            q,
         }
     }
 
-    /// `[r, z, f, s]` at height `v`.
-    fn values(&self, v: f64) -> [f64; 4] {
+    /// `[r, z, f, s, H, q]` at height `v`.
+    fn values(&self, v: f64) -> [f64; 6] {
         let d = v - self.at;
-        [&self.r, &self.z, &self.f, &self.s].map(|x| x.iter().rev().fold(0.0, |sum, a| sum * d + a))
+        [&self.r, &self.z, &self.f, &self.s, &self.h, &self.q]
+            .map(|x| x.iter().rev().fold(0.0, |sum, a| sum * d + a))
     }
 }
 
@@ -135,16 +147,38 @@ impl HarmonicProfile {
     /// # Errors
     /// See [`ProfileError`].
     pub fn new(f0: f64, h0: f64, c: f64, length: f64) -> Result<Self, ProfileError> {
-        let finite = [f0, h0, c, length].iter().all(|x| x.is_finite());
+        Self::biharmonic(f0, h0, c, [0.0; 2], length)
+    }
+
+    /// The profile on which `phi = Delta_B H` is harmonic: `laplacian` is `phi0` and `p`.
+    ///
+    /// ```
+    /// use fairmesh_shapes::HarmonicProfile;
+    /// let profile = HarmonicProfile::biharmonic(1.2, -0.8, 0.5, [0.7, -0.4], 1.0)?;
+    /// let [r, _, _, h] = profile.at(0.0);
+    /// assert!(r == 1.0 && h == -0.8);
+    /// # Ok::<(), fairmesh_shapes::ProfileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See [`ProfileError`].
+    pub fn biharmonic(
+        f0: f64,
+        h0: f64,
+        c: f64,
+        laplacian: [f64; 2],
+        length: f64,
+    ) -> Result<Self, ProfileError> {
+        let [phi0, p] = laplacian;
+        let finite = [f0, h0, c, phi0, p, length].iter().all(|x| x.is_finite());
         if !finite || length <= 0.0 || length > MOST_LENGTH {
             return Err(ProfileError::Parameters);
         }
         let mut profile = Self {
-            h0,
-            c,
+            laplacian,
             length,
             top: 0.0,
-            series: vec![Series::new([1.0, 0.0, f0, 0.0], 0.0, (h0, c))],
+            series: vec![Series::new([1.0, 0.0, f0, 0.0, h0, c], 0.0, laplacian)],
             scan: Vec::new(),
         };
         while profile.values(profile.ends()[1])[3] < length {
@@ -193,7 +227,7 @@ impl HarmonicProfile {
         if values[0] < LEAST_RADIUS {
             return Err(ProfileError::Axis(values[3]));
         }
-        let next = Series::new(values, at, (self.h0, self.c));
+        let next = Series::new(values, at, self.laplacian);
         if up {
             self.series.push(next);
         } else {
@@ -202,8 +236,8 @@ impl HarmonicProfile {
         Ok(())
     }
 
-    /// `[r, z, f, s]` at the conformal height `v`; what lies beyond the ends is moved to them.
-    fn values(&self, v: f64) -> [f64; 4] {
+    /// `[r, z, f, s, H, q]` at the conformal height `v`; what lies beyond the ends is moved to them.
+    fn values(&self, v: f64) -> [f64; 6] {
         let [low, high] = self.ends();
         let v = v.clamp(low, high);
         let above = self.series.partition_point(|series| series.at <= v);
@@ -216,7 +250,7 @@ impl HarmonicProfile {
         let [mut low, mut high] = [0.0, self.ends()[1]];
         let mut v = 0.5 * high;
         for _ in 0..100 {
-            let [r, .., at] = self.values(v);
+            let [r, _, _, at, ..] = self.values(v);
             if at < s {
                 low = v
             } else {
@@ -278,20 +312,20 @@ impl HarmonicProfile {
     /// ```
     pub fn at(&self, s: f64) -> [f64; 4] {
         let v = self.height(s.clamp(0.0, self.length));
-        let [r, z, f, _] = self.values(v);
-        [r, z, f, self.mean_curvature(v)]
+        let [r, z, f, _, h, _] = self.values(v);
+        [r, z, f, h]
     }
 
     /// `H` at a conformal height.
     pub(super) fn mean_curvature(&self, v: f64) -> f64 {
-        self.h0 + self.c * v
+        self.values(v)[4]
     }
 
     /// The profile by conformal height.
     pub(super) fn profile(&self, v: f64) -> Profile {
-        let [r, z, f, _] = self.values(v);
+        let [r, z, f, _, h, _] = self.values(v);
         let (sin, cos) = f.sin_cos();
-        let turn = -2.0 * self.mean_curvature(v) * r - sin;
+        let turn = -2.0 * h * r - sin;
         Profile {
             at: [r, z],
             slope: [r * cos, r * sin],
@@ -312,8 +346,8 @@ impl HarmonicProfile {
 }
 
 /// Do two segments of the half-plane (r, z) cross?
-fn cross(a: [&[f64; 4]; 2], b: [&[f64; 4]; 2]) -> bool {
-    let side = |p: &[f64; 4], q: &[f64; 4], x: &[f64; 4]| {
+fn cross(a: [&[f64; 6]; 2], b: [&[f64; 6]; 2]) -> bool {
+    let side = |p: &[f64; 6], q: &[f64; 6], x: &[f64; 6]| {
         (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]) > 0.0
     };
     side(a[0], a[1], b[0]) != side(a[0], a[1], b[1]) && side(b[0], b[1], a[0]) != side(b[0], b[1], a[1])
@@ -372,20 +406,46 @@ mod tests {
         }
     }
 
+    /// `Delta_B H` by its definition, `(r H')' / r`, and its own flux `r dphi/ds`, in fourth-order differences.
+    #[test]
+    fn the_laplacian_of_a_biharmonic_profile_is_harmonic() {
+        for (laplacian, length) in [([0.7, -0.4], 1.2), ([-2.0, 0.0], 1.0), ([0.5, 3.0], 0.8)] {
+            let profile = HarmonicProfile::biharmonic(1.2, -0.8, 0.5, laplacian, length).unwrap();
+            let d = 2e-3;
+            let difference = |at: &dyn Fn(f64) -> f64, s: f64| {
+                (8.0 * (at(s + d) - at(s - d)) - at(s + 2.0 * d) + at(s - 2.0 * d)) / (12.0 * d)
+            };
+            let r = |s: f64| profile.at(s)[0];
+            let flux = |s: f64| r(s) * difference(&|s| profile.at(s)[3], s);
+            let phi = |s: f64| difference(&flux, s) / r(s);
+            for i in 1..10 {
+                let s = 6.0 * d + (length - 12.0 * d) * f64::from(i) / 10.0;
+                let v = profile.height(s);
+                assert!(
+                    (phi(s) - laplacian[0] - laplacian[1] * v).abs() < 1e-7,
+                    "{}",
+                    phi(s)
+                );
+                let turn = difference(&|s| profile.at(s)[2], s);
+                let [r, _, f, h] = profile.at(s);
+                assert!((turn + 2.0 * h + f.sin() / r).abs() < 1e-9);
+            }
+        }
+    }
+
     /// What was continued downwards and begins there comes back to where it began.
     #[test]
     fn upwards_and_downwards_agree() {
         let mut profile = HarmonicProfile::new(1.2, -0.8, 0.5, 1.0).unwrap();
         profile.extend([-0.9, 1.5]).unwrap();
-        let [r, z, f, s] = profile.values(-0.8);
-        let (h0, c) = (profile.mean_curvature(-0.8), profile.c);
+        let [r, z, f, s, h0, c] = profile.values(-0.8);
         // The same surface in units of its own first radius.
         let again = HarmonicProfile::new(f, h0 * r, c * r, (0.5 - s) / r).unwrap();
         for i in 0..=20 {
             let at = (0.5 - s) * f64::from(i) / 20.0;
             let [r_2, z_2, f_2, h_2] = again.at(at / r);
             let v = -0.8 + again.height(at / r);
-            let [r_1, z_1, f_1, _] = profile.values(v);
+            let [r_1, z_1, f_1, ..] = profile.values(v);
             assert!((r * r_2 - r_1).abs() < 1e-14 && (r * z_2 - (z_1 - z)).abs() < 1e-14);
             assert!((f_2 - f_1).abs() < 1e-14 && (h_2 / r - profile.mean_curvature(v)).abs() < 1e-14);
         }

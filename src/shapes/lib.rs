@@ -10,6 +10,7 @@ mod blend;
 mod blend_start;
 mod chart;
 mod conjugate_gradients;
+mod ellipsoid;
 mod harmonic_profile;
 mod irregular;
 mod planar;
@@ -22,12 +23,14 @@ mod size;
 mod sphere;
 mod surface;
 mod tetra;
+mod torus;
 mod unduloid;
 
 pub use blend::{
     BLEND_DISTANCE, BLEND_RADIUS, cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine,
     cylinder_blend_of, cylinder_blend_refined_patch, cylinder_blend_with,
 };
+pub use ellipsoid::{Ellipsoid, ellipsoid_cap};
 pub use harmonic_profile::{HarmonicProfile, ProfileError};
 pub use revolution::{catenoid_band, cylinder_band, revolution_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
@@ -35,6 +38,7 @@ pub use shape::Shape;
 pub use sphere::{saddle_graph, sphere_cap, sphere_with_hole};
 pub use surface::{Similarity, Surface};
 pub use tetra::{TETRA_RADIUS, tetra_thing, tetra_thing_coarse, tetra_thing_of, tetra_thing_with};
+pub use torus::{Torus, torus_patch};
 pub use unduloid::Unduloid;
 
 /// Rings of fixed triangles around the free region unless there is a reason for another number.
@@ -50,4 +54,9 @@ fn between(low: f64, x: f64, high: f64) -> f64 {
     } else {
         low
     }
+}
+
+/// The length of a vector.
+fn length(p: [f64; 3]) -> f64 {
+    p[0].hypot(p[1]).hypot(p[2])
 }

@@ -16,6 +16,7 @@ pub(super) fn margin(outside: usize) -> f64 {
 pub(super) fn disc_chart(radius: f64, n: usize, sampling: Sampling, outside: usize) -> Chart<[f64; 2]> {
     let mut disc = Disc {
         radius,
+        rectangle: None,
         h: 0.0,
         reach: 0.0,
     };
@@ -27,8 +28,39 @@ pub(super) fn disc_chart(radius: f64, n: usize, sampling: Sampling, outside: usi
     cut(&points, &delaunay(&points), &free, outside)
 }
 
+/// The rectangle with these half sides about the origin, triangulated; the rings outside stay within the half sides of `whole`.
+pub(super) fn rectangle_chart(
+    half: [f64; 2],
+    whole: [f64; 2],
+    n: usize,
+    sampling: Sampling,
+    outside: usize,
+) -> Chart<[f64; 2]> {
+    let radius = half[0].hypot(half[1]);
+    let mut disc = Disc {
+        radius,
+        rectangle: Some(half),
+        h: 0.0,
+        reach: 0.0,
+    };
+    let count = lattice_count(n, sampling, &disc);
+    disc.h = (8.0 * half[0] * half[1] / (3f64.sqrt() * count)).sqrt();
+    let room = (whole[0] - half[0]).min(whole[1] - half[1]) / disc.h;
+    let outside = outside.min((room / 1.7 - 1.0).max(0.0) as usize);
+    disc.reach = radius + margin(outside) * disc.h;
+    let mut points = sample(&disc, sampling);
+    points.retain(|p| p[0].abs() < whole[0] && p[1].abs() < whole[1]);
+    let free: Vec<bool> = points
+        .iter()
+        .map(|p| p[0].abs() < half[0] && p[1].abs() < half[1])
+        .collect();
+    cut(&points, &delaunay(&points), &free, outside)
+}
+
 struct Disc {
     radius: f64,
+    /// Half sides of the free part, where that is a rectangle in the disc.
+    rectangle: Option<[f64; 2]>,
     h: f64,
     reach: f64,
 }
@@ -75,7 +107,14 @@ impl Domain for Disc {
     }
 
     fn density(&self, c: [f64; 2]) -> f64 {
-        if c[0].hypot(c[1]) < 1.0 { 1.0 / PI } else { 0.0 }
+        let (within, area) = match self.rectangle {
+            None => (c[0].hypot(c[1]) < 1.0, PI),
+            Some(half) => {
+                let [a, b] = half.map(|side| side / self.radius);
+                (c[0].abs() < a && c[1].abs() < b, 4.0 * a * b)
+            }
+        };
+        if within { 1.0 / area } else { 0.0 }
     }
 }
 

@@ -127,7 +127,7 @@ pub fn unduloid_band(neck: f64, bulge: f64, n: usize, sampling: Sampling, outsid
 }
 
 /// The surface of revolution of harmonic mean curvature with this profile: an exact solution of `Delta_B H = 0` whose `H` is
-/// not constant.
+/// not constant; with a biharmonic profile, of `Delta_B^2 H = 0`.
 ///
 /// # Errors
 /// The rings outside come too near to the axis, or cross the profile.

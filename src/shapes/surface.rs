@@ -1,6 +1,8 @@
 //! The exact surfaces: distance and mean curvature.
 
+use super::ellipsoid::Ellipsoid;
 use super::harmonic_profile::HarmonicProfile;
+use super::torus::Torus;
 use super::unduloid::Unduloid;
 
 /// An exact surface. Axes of revolution are the z axis.
@@ -17,8 +19,12 @@ pub enum Surface {
     Catenoid,
     /// A surface of revolution of constant mean curvature.
     Unduloid(Unduloid),
-    /// A surface of revolution of harmonic mean curvature.
+    /// A surface of revolution of harmonic or biharmonic mean curvature.
     Revolution(HarmonicProfile),
+    /// The ellipsoid about the origin.
+    Ellipsoid(Ellipsoid),
+    /// The torus about the z axis.
+    Torus(Torus),
     /// Another surface moved and scaled.
     Placed {
         /// Where the surface went.
@@ -45,6 +51,8 @@ impl Surface {
             Surface::Catenoid => closest(catenoid_profile, catenoid_starts(p), p).1,
             Surface::Unduloid(u) => closest(|t| u.profile(t), u.starts(p[2]), p).1,
             Surface::Revolution(h) => closest(|v| h.profile(v), vec![h.start(p)], p).1,
+            Surface::Ellipsoid(e) => e.signed_distance(p),
+            Surface::Torus(t) => t.signed_distance(p),
             Surface::Placed { by, surface } => by.scale * surface.signed_distance(by.undo(p)),
         }
     }
@@ -57,6 +65,8 @@ impl Surface {
             Surface::Catenoid => 0.0,
             Surface::Unduloid(u) => u.mean_curvature(),
             Surface::Revolution(h) => h.mean_curvature(closest(|v| h.profile(v), vec![h.start(p)], p).0),
+            Surface::Ellipsoid(e) => e.mean_curvature(e.nearest(p)),
+            Surface::Torus(t) => t.mean_curvature(p),
             Surface::Placed { by, surface } => surface.mean_curvature(by.undo(p)) / by.scale,
         }
     }
@@ -77,6 +87,8 @@ impl Surface {
                 p,
                 h.profile(closest(|v| h.profile(v), vec![h.start(p)], p).0).slope,
             ),
+            Surface::Ellipsoid(e) => e.normal(e.nearest(p)),
+            Surface::Torus(t) => t.normal(p),
             Surface::Placed { by, surface } => by.turn(surface.normal(by.undo(p))),
         }
     }

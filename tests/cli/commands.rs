@@ -558,6 +558,14 @@ fn what_cannot_be_generated_or_shown_is_refused() {
     generate("cylinder", &["--noise=-1"], "--noise");
     generate("cone", &[], "cone");
     generate("cylinder", &["--c", "-1"], "only revolution");
+    generate("cylinder", &["--phi0", "1"], "only revolution");
+    generate("torus", &["--angle", "150"], "--angle 150: give 6 to 143 degrees");
+    generate("torus", &["--semi-axes", "1,1,1"], "only ellipsoid");
+    generate(
+        "ellipsoid",
+        &["--semi-axes", "1,0,1"],
+        "three numbers from 0.1 to 10",
+    );
     generate("revolution", &["--f0", "nan"], "--f0 NaN");
     generate("revolution", &["--length", "9"], "crosses itself");
     generate("revolution", &["--f0", "1.6", "--c", "0"], "nearer to the axis");
