@@ -10,6 +10,7 @@ use super::interrupt::Interrupt;
 use super::real::Real;
 use super::symbolic::{Symbolic, Task};
 use super::tile::LANES;
+pub use super::traversal::Passed;
 use super::traversal::{Factor, Scratch};
 
 /// A pivot that is not positive and finite.
@@ -37,6 +38,13 @@ pub struct UpdateStacks<T>([Vec<T>; 2]);
 impl<T> Default for UpdateStacks<T> {
     fn default() -> Self {
         Self([Vec::new(), Vec::new()])
+    }
+}
+
+impl<T> UpdateStacks<T> {
+    /// The memory in use, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of::<T>() * (self.0[0].len() + self.0[1].len())
     }
 }
 
@@ -152,20 +160,37 @@ impl<T: Real> Cholesky<T> {
         let (y, _) = ordered.as_chunks_mut::<K>();
         self.enter(x, y);
         let factor = self.checked();
-        factor.forward(y, scratch);
-        factor.backward(y, scratch);
+        factor.forward(y, Passed::All, scratch);
+        factor.backward(y, Passed::All, scratch);
         self.leave(y, x);
     }
 
+    /// The same in the order of elimination, for right-hand sides that are zero but for the rows that `forward` passes, and
+    /// solutions that are wanted only at those that `backward` passes: elsewhere they are meaningless.
+    ///
+    /// # Panics
+    /// As [`Cholesky::solve`].
+    pub fn solve_ordered<const K: usize>(
+        &self,
+        y: &mut [[T; K]],
+        [forward, backward]: [Passed<'_>; 2],
+        work: &mut SolveWork<T>,
+    ) {
+        assert_eq!(y.len(), self.symbolic.n, "one right-hand side value per row");
+        let factor = self.checked();
+        factor.forward(y, forward, &mut work.scratch);
+        factor.backward(y, backward, &mut work.scratch);
+    }
+
     /// Puts values into the order of elimination.
-    fn enter<const K: usize>(&self, x: &[[f64; K]], y: &mut [[T; K]]) {
+    pub fn enter<const K: usize>(&self, x: &[[f64; K]], y: &mut [[T; K]]) {
         for (y, &old) in y.iter_mut().zip(&self.symbolic.order) {
             *y = x[old as usize].map(T::from_f64);
         }
     }
 
     /// And back.
-    fn leave<const K: usize>(&self, y: &[[T; K]], x: &mut [[f64; K]]) {
+    pub fn leave<const K: usize>(&self, y: &[[T; K]], x: &mut [[f64; K]]) {
         for (y, &old) in y.iter().zip(&self.symbolic.order) {
             x[old as usize] = y.map(T::to_f64);
         }
@@ -491,6 +516,31 @@ mod tests {
         assert!(factor.factor(&values).is_err());
         factor.heed(&Interrupt::default());
         assert_eq!(factor.factor(&values), Ok(()));
+    }
+
+    #[test]
+    fn a_sparse_right_hand_side_needs_only_what_it_reaches() {
+        for (pattern, order) in meshes() {
+            let n = pattern.order();
+            let factor = factored::<f64>(&pattern, &order, &laplacian(&pattern, 0.01));
+            let rows = || (0..n).step_by(n.div_ceil(5));
+            let reach = factor.symbolic().reach(rows());
+            let mut work = SolveWork::default();
+            let mut x = vec![[0.0; 2]; n];
+            rows().for_each(|i| x[i] = [1.0, i as f64]);
+            let mut y = vec![[0.0; 2]; n];
+            factor.enter(&x, &mut y);
+            factor.solve(&mut x, &mut work);
+            let mut part = y.clone();
+            factor.solve_ordered(&mut y, [Passed::Only(&reach), Passed::All], &mut work);
+            factor.solve_ordered(&mut part, [Passed::Only(&reach); 2], &mut work);
+            let mut found = x.clone();
+            factor.leave(&y, &mut found);
+            assert_eq!(found, x);
+            factor.leave(&part, &mut found);
+            assert!(rows().all(|i| found[i] == x[i]));
+            assert!(n < 100 || reach.len() < factor.symbolic().supernodes());
+        }
     }
 
     #[test]

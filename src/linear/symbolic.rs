@@ -155,6 +155,23 @@ impl Symbolic {
         4 * words + 8 * long + self.stack.len()
     }
 
+    /// The supernodes of these rows of the matrix with all their ancestors, ascending: what a substitution passes through
+    /// whose right-hand side is zero, or whose solution is not wanted, at other rows.
+    pub fn reach(&self, rows: impl Iterator<Item = usize>) -> Vec<u32> {
+        let mut wanted = vec![false; self.n];
+        rows.for_each(|row| wanted[row] = true);
+        let mut reached = vec![false; self.supernodes()];
+        let mut list = Vec::new();
+        for s in 0..self.supernodes() {
+            let own = self.columns(s).any(|k| wanted[self.order[k] as usize]);
+            reached[s] = own || self.children(s).iter().any(|&c| reached[c as usize]);
+            if reached[s] {
+                list.push(s as u32);
+            }
+        }
+        list
+    }
+
     /// The numbers that the factor and the update stacks need.
     pub(crate) fn panel_size(&self) -> usize {
         self.panel_start[self.supernodes()]

@@ -1,4 +1,4 @@
-//! Forward and backward substitution through a whole factor.
+//! Forward and backward substitution through a whole factor, or through what a sparse right-hand side reaches of it.
 //!
 //! The two halves below the topmost separator of a large matrix go side by side. What the lower half adds to the rows of
 //! the separator is summed apart, for any number of threads.
@@ -13,6 +13,54 @@ use super::tile::LANES;
 
 /// Matrices with fewer rows are not worth a second thread.
 const SIDE_BY_SIDE: usize = 60_000;
+
+/// The supernodes that a substitution passes through.
+#[derive(Debug, Clone, Copy)]
+pub enum Passed<'a> {
+    /// All: the vector is full.
+    All,
+    /// These, ascending, with all their ancestors, as [`Symbolic::reach`] finds them: forward where the vector is zero
+    /// elsewhere, backward where only its values there are wanted.
+    Only(&'a [u32]),
+}
+
+impl<'a> Passed<'a> {
+    /// Those within a range.
+    fn within(self, range: &Range<usize>) -> Supernodes<'a> {
+        match self {
+            Self::All => Supernodes::Range(range.clone()),
+            Self::Only(list) => {
+                let at = |s: usize| list.partition_point(|&k| (k as usize) < s);
+                Supernodes::List(&list[at(range.start)..at(range.end)])
+            }
+        }
+    }
+}
+
+/// The supernodes of one part.
+#[derive(Clone)]
+enum Supernodes<'a> {
+    Range(Range<usize>),
+    List(&'a [u32]),
+}
+
+impl Supernodes<'_> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        match self {
+            Self::Range(range) => range.len(),
+            Self::List(list) => list.len(),
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, k: usize) -> usize {
+        match self {
+            Self::Range(range) => range.start + k,
+            Self::List(list) => list[k] as usize,
+        }
+    }
+}
 
 /// Vectors to work in, one per half.
 #[derive(Debug)]
@@ -46,11 +94,16 @@ pub(super) struct Factor<'a, T> {
 
 impl<T: Real> Factor<'_, T> {
     /// `L y = y` in the order of elimination.
-    pub(super) fn forward<const K: usize>(self, y: &mut [[T; K]], scratch: &mut Scratch<T>) {
+    pub(super) fn forward<const K: usize>(
+        self,
+        y: &mut [[T; K]],
+        passed: Passed<'_>,
+        scratch: &mut Scratch<T>,
+    ) {
         let local = self.locals::<K>(scratch);
         let Some(parts) = self.halves() else {
             let all = 0..self.symbolic.supernodes();
-            self.forward_part(all, y, 0, &mut [], local[0]);
+            self.forward_part(passed.within(&all), y, 0, &mut [], local[0]);
             return;
         };
         let [low, high, top] = &parts;
@@ -62,35 +115,40 @@ impl<T: Real> Factor<'_, T> {
         let above = scratch.above.as_chunks_mut::<K>().0;
         let [a, b] = &mut scratch.local;
         rayon::join(
-            || self.forward_part(low.clone(), y_low, 0, above, a),
-            || self.forward_part(high.clone(), y_high, starts[0], y_top, b),
+            || self.forward_part(passed.within(low), y_low, 0, above, a),
+            || self.forward_part(passed.within(high), y_high, starts[0], y_top, b),
         );
         for (y, above) in y_top.iter_mut().zip(above) {
             for c in 0..K {
                 y[c] += above[c];
             }
         }
-        self.forward_part(top.clone(), y_top, starts[1], &mut [], a);
+        self.forward_part(passed.within(top), y_top, starts[1], &mut [], a);
     }
 
-    /// `L^T y = y` in the order of elimination.
-    pub(super) fn backward<const K: usize>(self, y: &mut [[T; K]], scratch: &mut Scratch<T>) {
+    /// `L^T y = y` in the order of elimination. Where not [`Passed::All`] the other values are left as they are.
+    pub(super) fn backward<const K: usize>(
+        self,
+        y: &mut [[T; K]],
+        passed: Passed<'_>,
+        scratch: &mut Scratch<T>,
+    ) {
         self.locals::<K>(scratch);
         let [a, b] = &mut scratch.local;
         let Some(parts) = self.halves() else {
             let all = 0..self.symbolic.supernodes();
-            self.backward_part(all, y, 0, &[], a);
+            self.backward_part(passed.within(&all), y, 0, &[], a);
             return;
         };
         let [low, high, top] = &parts;
         let starts = [high.start, top.start].map(|s| self.symbolic.first[s] as usize);
         let (below, y_top) = y.split_at_mut(starts[1]);
         let (y_low, y_high) = below.split_at_mut(starts[0]);
-        self.backward_part(top.clone(), y_top, starts[1], &[], a);
+        self.backward_part(passed.within(top), y_top, starts[1], &[], a);
         let y_top = &*y_top;
         rayon::join(
-            || self.backward_part(low.clone(), y_low, 0, y_top, a),
-            || self.backward_part(high.clone(), y_high, starts[0], y_top, b),
+            || self.backward_part(passed.within(low), y_low, 0, y_top, a),
+            || self.backward_part(passed.within(high), y_high, starts[0], y_top, b),
         );
     }
 
@@ -111,7 +169,7 @@ impl<T: Real> Factor<'_, T> {
 
     fn forward_part<const K: usize>(
         self,
-        supernodes: Range<usize>,
+        supernodes: Supernodes<'_>,
         y: &mut [[T; K]],
         first: usize,
         above: &mut [[T; K]],
@@ -119,13 +177,13 @@ impl<T: Real> Factor<'_, T> {
     ) {
         vectorized(
             #[inline(always)]
-            || forward(self, supernodes, y, first, above, local),
+            || forward(self, &supernodes, y, first, above, local),
         );
     }
 
     fn backward_part<const K: usize>(
         self,
-        supernodes: Range<usize>,
+        supernodes: Supernodes<'_>,
         y: &mut [[T; K]],
         first: usize,
         above: &[[T; K]],
@@ -133,7 +191,7 @@ impl<T: Real> Factor<'_, T> {
     ) {
         vectorized(
             #[inline(always)]
-            || backward(self, supernodes, y, first, above, local),
+            || backward(self, &supernodes, y, first, above, local),
         );
     }
 }
@@ -143,14 +201,15 @@ impl<T: Real> Factor<'_, T> {
 #[inline(always)]
 fn forward<T: Real, const K: usize>(
     Factor { symbolic, panels }: Factor<'_, T>,
-    supernodes: Range<usize>,
+    supernodes: &Supernodes<'_>,
     y: &mut [[T; K]],
     first: usize,
     above: &mut [[T; K]],
     local: &mut [T],
 ) {
     let (end, top) = (first + y.len(), symbolic.n - above.len());
-    for s in supernodes {
+    for k in 0..supernodes.len() {
+        let s = supernodes.at(k);
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
         let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
@@ -184,14 +243,15 @@ fn forward<T: Real, const K: usize>(
 #[inline(always)]
 fn backward<T: Real, const K: usize>(
     Factor { symbolic, panels }: Factor<'_, T>,
-    supernodes: Range<usize>,
+    supernodes: &Supernodes<'_>,
     y: &mut [[T; K]],
     first: usize,
     above: &[[T; K]],
     local: &mut [T],
 ) {
     let (end, top) = (first + y.len(), symbolic.n - above.len());
-    for s in supernodes.rev() {
+    for k in (0..supernodes.len()).rev() {
+        let s = supernodes.at(k);
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
         let (p, m) = (columns.len(), columns.len() + rows.len());
         let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];

@@ -39,25 +39,8 @@ pub(crate) struct Coarsening {
 /// Removes free vertices of `region` until at most `target` are left, or none can go without thin triangles. `length` is that of
 /// the edge between two neighbours, in any unit.
 pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) -> f64) -> Coarsening {
-    let mesh = EditableMesh::new(region);
-    let triangles = mesh.region_triangles().iter();
-    let lengths = triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(u, v)| length(u, v)));
-    let lengths: Vec<f64> = lengths.collect();
-    let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
-    let coarsening = Coarsening {
-        mesh,
-        removed: Vec::with_capacity(region.free),
-        rings: Rows::default(),
-        left: Rows::default(),
-        lengths,
-        free: region.free,
-    };
-    let mut work = Work {
-        coarsening,
-        disk: Disk::default(),
-        changed: (0..region.triangles().len() as u32).collect(),
-        is_changed: vec![false; region.triangles().len()],
-    };
+    let (mut work, mean) = Work::new(region, length);
+    work.changed = (0..region.triangles().len() as u32).collect();
     let mut left: Vec<u32> = (0..region.free as u32).collect();
     let mut limit = FIRST * mean;
     while left.len() > target && limit < LONGEST * mean {
@@ -77,7 +60,44 @@ pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) 
     work.coarsening
 }
 
+/// Removes free vertices of `region` along edges up to the length that each allows, in mean edges. Where that is 0 they stay, and no
+/// edge of their triangles is turned.
+pub(crate) fn coarsen_graded(
+    region: &Region,
+    length: impl Fn(u32, u32) -> f64,
+    longest: &[f64],
+) -> Coarsening {
+    let (mut work, mean) = Work::new(region, length);
+    work.stays = longest.iter().map(|&l| l == 0.0).collect();
+    let most = longest.iter().copied().fold(0.0, f64::max);
+    let mut left: Vec<u32> = (0..region.free as u32)
+        .filter(|&u| longest[u as usize] > 0.0)
+        .collect();
+    let mut limit = FIRST * mean;
+    loop {
+        left.retain(|&u| !work.remove(u, limit.min(mean * longest[u as usize])));
+        work.flip_to_delaunay();
+        if limit > mean * most {
+            return work.coarsening;
+        }
+        limit *= GROWTH;
+    }
+}
+
 impl Coarsening {
+    /// The triangles of the region with the lengths of their edges, from each corner to the next.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = ([u32; 3], [f64; 3])> {
+        let all = self.mesh.triangles();
+        let region = all.filter(|(t, _)| 3 * t < self.lengths.len());
+        region.map(|(t, corners)| (corners, std::array::from_fn(|k| self.lengths[3 * t + k])))
+    }
+
+    /// The removed vertices, the first one first, each with the ring that it left and its coordinates there.
+    pub(crate) fn going(&self) -> impl Iterator<Item = (u32, &[(u32, f64)])> {
+        let removed = self.removed.iter().enumerate();
+        removed.map(|(k, &vertex)| (vertex, self.rings.row(k)))
+    }
+
     /// How many free vertices are left.
     pub(crate) fn free(&self) -> usize {
         self.free - self.removed.len()
@@ -134,9 +154,36 @@ struct Work {
     changed: Vec<u32>,
     /// Per triangle of the region whether it is among them, while edges are turned.
     is_changed: Vec<bool>,
+    /// Vertices whose triangles' edges are not turned; none beyond its end.
+    stays: Vec<bool>,
 }
 
 impl Work {
+    /// The region as it is, and the mean length of its triangles' edges.
+    fn new(region: &Region, length: impl Fn(u32, u32) -> f64) -> (Self, f64) {
+        let mesh = EditableMesh::new(region);
+        let triangles = mesh.region_triangles().iter();
+        let lengths = triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(u, v)| length(u, v)));
+        let lengths: Vec<f64> = lengths.collect();
+        let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let coarsening = Coarsening {
+            mesh,
+            removed: Vec::with_capacity(region.free),
+            rings: Rows::default(),
+            left: Rows::default(),
+            lengths,
+            free: region.free,
+        };
+        let work = Self {
+            coarsening,
+            disk: Disk::default(),
+            changed: Vec::new(),
+            is_changed: vec![false; region.triangles().len()],
+            stays: Vec::new(),
+        };
+        (work, mean)
+    }
+
     /// Removes `u` along the edge no longer than `limit` whose collapse leaves the roundest triangles. Returns whether there is one.
     fn remove(&mut self, u: u32, limit: f64) -> bool {
         let (disk, coarsening) = (&mut self.disk, &mut self.coarsening);
@@ -202,6 +249,11 @@ impl Work {
 
     fn flip_if_better(&mut self, h: u32, o: u32) -> bool {
         let length = |h: u32| self.coarsening.lengths[h as usize];
+        let mesh = &self.coarsening.mesh;
+        let corners = [mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(o)];
+        if corners.iter().any(|&v| self.stays.get(v as usize) == Some(&true)) {
+            return false;
+        }
         let [ab, bc, ca] = [length(h), length(next(h)), length(previous(h))];
         let [ad, db] = [length(next(o)), length(previous(o))];
         // The angles opposite to the edge exceed 180 degrees where their cosines have a negative sum.

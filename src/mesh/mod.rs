@@ -11,6 +11,7 @@ mod disk;
 mod draft;
 pub(crate) mod editable;
 mod excerpt;
+pub(crate) mod graded;
 pub(crate) mod halfedge;
 pub(crate) mod hierarchy;
 pub(crate) mod input;

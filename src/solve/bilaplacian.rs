@@ -216,6 +216,58 @@ impl Metric {
         }
     }
 
+    /// `D` at free vertices.
+    pub(crate) fn free_d(&self) -> &[f64] {
+        &self.d[..self.total.len()]
+    }
+
+    /// `D` at boundary vertices.
+    pub(crate) fn boundary_d(&self) -> &[f64] {
+        &self.d[self.total.len()..]
+    }
+
+    /// The neighbours of a free vertex, and their weights.
+    pub(crate) fn free_row<'m>(&'m self, rings: &'m Rings, i: usize) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.weight[rings.neighbour.range(i)];
+        let row = rings.ring(i).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
+    }
+
+    /// The free neighbours of a boundary vertex, and their one-sided weights.
+    pub(crate) fn boundary_row<'m>(
+        &'m self,
+        rings: &'m Rings,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let weights = &self.boundary_weight[rings.boundary_neighbour.range(b)];
+        let row = rings.boundary_ring(b).iter().zip(weights);
+        row.map(|(&j, &w)| (j as usize, w))
+            .filter(|(j, _)| *j < self.total.len())
+    }
+
+    /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
+    pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern) -> Vec<f64> {
+        let mut values = vec![0.0; pattern.column.len()];
+        let pieces = split_rows(pattern, &mut values).into_par_iter();
+        pieces.enumerate().for_each(|(chunk, piece)| {
+            let first = chunk * CHUNK;
+            for i in first..(first + CHUNK).min(pattern.order()) {
+                let row = pattern.row(i);
+                let offset = pattern.start[i] - pattern.start[first];
+                let own = &mut piece[offset..offset + row.len()];
+                for (&j, w) in rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]) {
+                    if (j as usize) < i
+                        && let Some(c) = row.iter().position(|&k| k == j)
+                    {
+                        own[c] = -w;
+                    }
+                }
+                own[row.len() - 1] = self.total[i];
+            }
+        });
+        values
+    }
+
     /// `w_ij` of free vertex `i` and its neighbour `j`.
     fn weight_between(&self, rings: &Rings, i: usize, j: u32) -> f64 {
         let place = rings.ring(i).iter().position(|&n| n == j);

@@ -1,12 +1,17 @@
-//! The matrix `P` of the normal step, on the free two-ring graph, with its factor.
+//! The matrix `P` of the normal step, ready to be solved with: factored itself, or by way of the simply supported plate.
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use super::bilaplacian::Metric;
 use super::factor::{Factor, Stacks};
+use super::plate::Plate;
 use super::system::Collapsed;
 use crate::mesh::Rings;
+use crate::mesh::graded::GradedMesh;
 use crate::profile::clock;
+use fairmesh_linear::cholesky::NotPositiveDefinite;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::sparse::SymmetricPattern;
@@ -16,18 +21,157 @@ use fairmesh_linear::symbolic::Symbolic;
 /// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
 const SINGLE_UP_TO: usize = 250_000;
 
-/// `P` with its factor.
+/// From this number of free vertices on the plate is used: with fewer it takes as long, and saves little memory.
+const PLATE_FROM: usize = 60_000;
+
+/// How `P` is solved with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Means {
+    /// By its factor, on the two-ring graph.
+    Factor,
+    /// By the plate, where nothing forbids it.
+    Plate,
+}
+
+impl Means {
+    /// What is best for a region of so many free vertices.
+    pub(crate) fn of(free: usize) -> Self {
+        if free < PLATE_FROM {
+            Self::Factor
+        } else {
+            Self::Plate
+        }
+    }
+}
+
+/// `P`, solved with by its factor where that is there, else by the plate.
 pub(crate) struct NormalMatrix {
-    pattern: SymmetricPattern,
-    symbolic: Arc<Symbolic>,
-    values: Vec<f64>,
-    factor: Factor,
+    factored: Option<FactoredMatrix>,
+    plate: Option<Plate>,
     interrupt: Interrupt,
 }
 
 impl NormalMatrix {
-    /// Orders and analyses `P` of a region; `graph` is the free one-ring graph.
-    pub(crate) fn new(rings: &Rings, graph: &SymmetricPattern) -> Self {
+    /// `P` on the two-ring graph of a region.
+    pub(crate) fn by_factor(rings: &Rings, graph: &SymmetricPattern) -> Self {
+        Self {
+            factored: Some(FactoredMatrix::new(rings, graph)),
+            plate: None,
+            interrupt: Interrupt::default(),
+        }
+    }
+
+    /// `P` by the plate; `symbolic` is that of the free one-ring graph.
+    pub(crate) fn by_plate(mesh: GradedMesh, rings: &Rings, symbolic: &Arc<Symbolic>) -> Self {
+        Self {
+            factored: None,
+            plate: Some(Plate::new(mesh, rings, symbolic)),
+            interrupt: Interrupt::default(),
+        }
+    }
+
+    /// Factorizations fail from when this is set.
+    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
+        self.interrupt = interrupt.clone();
+        if let Some(plate) = &mut self.plate {
+            plate.set_interrupt(interrupt);
+        }
+        if let Some(factored) = &mut self.factored {
+            factored.factor.set_interrupt(interrupt);
+        }
+    }
+
+    /// Takes the matrix of a metric, that of the surface `x` or of connectivity, with `mass` on its diagonal: that the plate cannot do.
+    /// `graph` is the free one-ring graph.
+    pub(crate) fn factor(
+        &mut self,
+        metric: &Metric,
+        rings: &Rings,
+        x: Option<&[Vector3<f64>]>,
+        graph: &SymmetricPattern,
+        mass: Option<&[f64]>,
+        stacks: &mut Stacks,
+    ) -> Result<(), Collapsed> {
+        if let (Some(plate), None) = (&mut self.plate, mass) {
+            let made = plate.factor(metric, rings, x, graph, &mut stacks.single);
+            if made.is_ok() {
+                self.factored = None;
+                return Ok(());
+            }
+            if self.interrupt.is_set() {
+                return Err(Collapsed);
+            }
+            // The next surface is not far from this one.
+            self.plate = None;
+        }
+        let factored = self.factored_matrix(rings, graph);
+        metric.assemble(rings, &factored.pattern, mass, &mut factored.values);
+        let made = factored.factor(stacks);
+        if made.is_err() && !self.interrupt.is_set() {
+            return self.factor_double(metric, rings, graph, mass, stacks);
+        }
+        made.map_err(|_| Collapsed)
+    }
+
+    /// Goes over to a 64-bit factor of the same matrix.
+    pub(crate) fn factor_double(
+        &mut self,
+        metric: &Metric,
+        rings: &Rings,
+        graph: &SymmetricPattern,
+        mass: Option<&[f64]>,
+        stacks: &mut Stacks,
+    ) -> Result<(), Collapsed> {
+        if self.is_double() {
+            return Err(Collapsed);
+        }
+        let interrupt = self.interrupt.clone();
+        let factored = self.factored_matrix(rings, graph);
+        metric.assemble(rings, &factored.pattern, mass, &mut factored.values);
+        factored.factor = Factor::new(&factored.symbolic, true);
+        factored.factor.set_interrupt(&interrupt);
+        factored.factor(stacks).map_err(|_| Collapsed)
+    }
+
+    fn factored_matrix(&mut self, rings: &Rings, graph: &SymmetricPattern) -> &mut FactoredMatrix {
+        self.factored.get_or_insert_with(|| {
+            let mut factored = FactoredMatrix::new(rings, graph);
+            factored.factor.set_interrupt(&self.interrupt);
+            factored
+        })
+    }
+
+    /// Whether a 64-bit factor of `P` is in use.
+    pub(crate) fn is_double(&self) -> bool {
+        self.factored.as_ref().is_some_and(|f| f.factor.is_double())
+    }
+
+    /// Whether the plate is in use.
+    #[cfg(test)]
+    pub(crate) fn is_by_plate(&self) -> bool {
+        self.factored.is_none()
+    }
+
+    /// Solves in place.
+    pub(crate) fn solve<const K: usize>(&mut self, x: &mut [[f64; K]]) {
+        match (&mut self.factored, &mut self.plate) {
+            (Some(factored), _) => factored.factor.solve(x),
+            (None, Some(plate)) => plate.solve(x),
+            (None, None) => {}
+        }
+    }
+}
+
+/// `P` with its factor.
+struct FactoredMatrix {
+    pattern: SymmetricPattern,
+    symbolic: Arc<Symbolic>,
+    values: Vec<f64>,
+    factor: Factor,
+}
+
+impl FactoredMatrix {
+    fn new(rings: &Rings, graph: &SymmetricPattern) -> Self {
         let pattern = rings.two_ring_pattern();
         let order = {
             let _clock = clock("orders");
@@ -40,51 +184,11 @@ impl NormalMatrix {
             factor: Factor::new(&symbolic, pattern.order() > SINGLE_UP_TO),
             symbolic,
             pattern,
-            interrupt: Interrupt::default(),
         }
     }
 
-    /// Factorizations fail from when this is set.
-    pub(crate) fn set_interrupt(&mut self, interrupt: &Interrupt) {
-        self.interrupt = interrupt.clone();
-        self.factor.set_interrupt(interrupt);
-    }
-
-    /// Takes the matrix of a metric, with `mass` on its diagonal, and factors it.
-    pub(crate) fn factor(
-        &mut self,
-        metric: &Metric,
-        rings: &Rings,
-        mass: Option<&[f64]>,
-        stacks: &mut Stacks,
-    ) -> Result<(), Collapsed> {
-        metric.assemble(rings, &self.pattern, mass, &mut self.values);
+    fn factor(&mut self, stacks: &mut Stacks) -> Result<(), NotPositiveDefinite> {
         let _clock = clock("factor P");
-        let made = self.factor.factor(&self.values, stacks);
-        if made.is_err() && !self.interrupt.is_set() {
-            return self.factor_double(stacks);
-        }
-        made.map_err(|_| Collapsed)
-    }
-
-    /// Goes over to a 64-bit factor of the same matrix.
-    pub(crate) fn factor_double(&mut self, stacks: &mut Stacks) -> Result<(), Collapsed> {
-        if self.is_double() {
-            return Err(Collapsed);
-        }
-        self.factor = Factor::new(&self.symbolic, true);
-        self.factor.set_interrupt(&self.interrupt);
-        let _clock = clock("factor P");
-        self.factor.factor(&self.values, stacks).map_err(|_| Collapsed)
-    }
-
-    /// Whether the factor is one of 64 bits.
-    pub(crate) fn is_double(&self) -> bool {
-        self.factor.is_double()
-    }
-
-    /// Solves in place.
-    pub(crate) fn solve<const K: usize>(&mut self, x: &mut [[f64; K]]) {
-        self.factor.solve(x);
+        self.factor.factor(&self.values, stacks)
     }
 }

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
 use super::factor::{Factor, Stacks};
-use super::normal_matrix::NormalMatrix;
+use super::normal_matrix::{Means, NormalMatrix};
+use super::plate::Plate;
 use super::problem::{Domain, Problem};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
@@ -68,6 +69,11 @@ pub(crate) struct Collapsed;
 impl System {
     /// Orders and analyses the matrices from connectivity, and factors `G`.
     pub(crate) fn new(problem: &Problem<'_>) -> Self {
+        Self::by_means(problem, Means::of(problem.domain.region.free))
+    }
+
+    /// The same with this way to solve with `P`.
+    pub(crate) fn by_means(problem: &Problem<'_>, means: Means) -> Self {
         let Domain {
             region,
             rings,
@@ -76,7 +82,7 @@ impl System {
         } = &**problem.domain;
         let weights = problem.weights;
         let graph = rings.graph();
-        let ((symbolic, g_values), p) = rayon::join(
+        let ((symbolic, g_values), graded) = rayon::join(
             || {
                 let order = {
                     let _clock = clock("orders");
@@ -86,8 +92,17 @@ impl System {
                 let _clock = clock("symbolic");
                 (Arc::new(Symbolic::new(&graph, &order)), values)
             },
-            || NormalMatrix::new(rings, &graph),
+            || {
+                let mesh = (means == Means::Plate)
+                    .then(|| Plate::mesh(region, rings))
+                    .flatten();
+                mesh.ok_or_else(|| NormalMatrix::by_factor(rings, &graph))
+            },
         );
+        let p = match graded {
+            Ok(mesh) => NormalMatrix::by_plate(mesh, rings, &symbolic),
+            Err(factored) => factored,
+        };
         let mut g = Factor::new(&symbolic, false);
         let mut stacks = Stacks::default();
         // Convex weights make G an irreducible M-matrix with a fixed vertex in every component: it is positive
@@ -342,7 +357,7 @@ impl System {
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
-        let made = self.refactor(mass);
+        let made = self.refactor_at(Some(x), mass);
         // The next one is far off, and the iterations need the memory.
         if response && mass.is_none() && self.free() > KEPT_UP_TO {
             self.stacks = Stacks::default();
@@ -352,13 +367,20 @@ impl System {
 
     /// Makes `P` of the metric that is there.
     pub(crate) fn refactor(&mut self, mass: Option<&[f64]>) -> Result<(), Collapsed> {
-        self.p
-            .factor(&self.metric, &self.domain.rings, mass, &mut self.stacks)
+        self.refactor_at(None, mass)
     }
 
-    /// Goes over to a 64-bit factor of the same matrix.
+    fn refactor_at(&mut self, x: Option<&[Vector3<f64>]>, mass: Option<&[f64]>) -> Result<(), Collapsed> {
+        let rings = &self.domain.rings;
+        self.p
+            .factor(&self.metric, rings, x, &self.graph, mass, &mut self.stacks)
+    }
+
+    /// Goes over to a 64-bit factor of the same matrix, without mass.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
-        self.p.factor_double(&mut self.stacks)
+        let rings = &self.domain.rings;
+        self.p
+            .factor_double(&self.metric, rings, &self.graph, None, &mut self.stacks)
     }
 
     /// Whether `P` is factored in 64 bits.
@@ -366,8 +388,14 @@ impl System {
         self.p.is_double()
     }
 
-    /// Solves with the factor of `P`, three columns.
-    pub(crate) fn solve_p(&mut self, x: &mut [[f64; 3]]) {
+    /// Whether `P` is solved with by the plate.
+    #[cfg(test)]
+    pub(crate) fn is_by_plate(&self) -> bool {
+        self.p.is_by_plate()
+    }
+
+    /// Solves with `P`.
+    pub(crate) fn solve_p<const K: usize>(&mut self, x: &mut [[f64; K]]) {
         let _clock = clock("start: solves with P");
         self.p.solve(x);
     }
