@@ -10,7 +10,6 @@ use super::halfedge::{next, previous};
 use super::region::{Region, Selection};
 use super::rows::Rows;
 use super::{EditableMesh, NONE};
-use crate::error::Error;
 
 /// From pass to pass, longer edges are collapsed by this factor.
 const GROWTH: f64 = 1.5;
@@ -104,33 +103,21 @@ impl Coarsening {
     }
 
     /// The coarse region with the same outside, and the lengths of its triangles' edges, from each corner to the next; its `vertex_ids` are the numbers of the region that it was made from.
-    /// `positions` are those of all vertices of that region, those of its outside and beyond it.
-    ///
-    /// # Errors
-    /// None is expected: a coarse mesh is as sound as the mesh that it was made from.
-    pub(crate) fn region(
-        &self,
-        region: &Region,
-        positions: &[[f64; 3]],
-    ) -> Result<(Region, Vec<[f64; 3]>), Error> {
+    /// `positions` are those of all vertices of that region, those of its outside and beyond it. `None` where a triangle of the outside
+    /// would be one of the region: between fixed vertices of a closed curve along which the region is cut.
+    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Option<(Region, Vec<[f64; 3]>)> {
         let (numbers, triangles): (Vec<usize>, Vec<[u32; 3]>) = self.mesh.triangles().unzip();
         let triangles = [&triangles[..], &region.beyond].concat();
         let mut is_free = vec![true; self.free];
         self.removed.iter().for_each(|&v| is_free[v as usize] = false);
         let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_free[v as usize]).collect();
-        let coarse = Region::new(positions, &triangles, Selection::Vertices(&free))?;
+        let coarse = Region::new(positions, &triangles, Selection::Vertices(&free)).ok()?;
         let of_region = &coarse.half_edges.triangle_ids[..coarse.triangles().len()];
-        let length = |&t: &u32| {
-            let first = 3 * numbers[t as usize];
-            // A region's triangle keeps the order of its corners.
-            [
-                self.lengths[first],
-                self.lengths[first + 1],
-                self.lengths[first + 2],
-            ]
-        };
-        let lengths = of_region.iter().map(length).collect();
-        Ok((coarse, lengths))
+        // A region's triangle keeps the order of its corners.
+        let (lengths, _) = self.lengths.as_chunks();
+        let of = |&t: &u32| lengths.get(*numbers.get(t as usize)?).copied();
+        let lengths = of_region.iter().map(of).collect::<Option<_>>()?;
+        Some((coarse, lengths))
     }
 
     /// Per free vertex that is left, in the order of their numbers, its neighbours and its coordinates among them: how the vertices of

@@ -59,7 +59,7 @@ impl CoarseLevel {
             return None;
         }
         let positions: Vec<[f64; 3]> = input.iter().map(|p| (*p).into()).collect();
-        let (mut coarse, lengths) = coarsening.region(region, &positions).ok()?;
+        let (mut coarse, lengths) = coarsening.region(region, &positions)?;
         let boundary = (region.free..)
             .zip(&coarse.vertex_ids[coarse.free..])
             .take(region.boundary);

@@ -21,8 +21,8 @@ use fairmesh_linear::symbolic::Symbolic;
 /// modes of a 32-bit factor are then hardly right to a single digit. (With fewer, the linear start finds out.)
 const SINGLE_UP_TO: usize = 250_000;
 
-/// From this number of free vertices on the plate is used: with fewer it takes as long, and saves little memory.
-const PLATE_FROM: usize = 60_000;
+/// From this number of free vertices on the plate is used: with fewer it takes longer, here a tenth, and the memory that it saves is little.
+const PLATE_FROM: usize = 90_000;
 
 /// How `P` is solved with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

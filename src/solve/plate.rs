@@ -418,7 +418,7 @@ mod tests {
     #[test]
     fn solves_as_a_factor_of_p_does() {
         let mut count = 0;
-        for case in cases(3000) {
+        for case in cases(4000) {
             // Where there are many pieces of boundary the factor is used.
             let is_by_plate = with_problem(&case, |p| system(p, Means::Plate, false).is_by_plate());
             count += usize::from(is_by_plate);
@@ -530,7 +530,7 @@ mod tests {
 
     #[test]
     fn whole_solves_end_where_those_with_a_factor_do() {
-        for case in cases(1500) {
+        for case in cases(3000) {
             let (far, before, after) = with_problem(&case, |problem| {
                 let (x, before) = faired(problem, Means::Factor);
                 let (y, after) = faired(problem, Means::Plate);
