@@ -52,7 +52,7 @@ impl Torus {
     }
 
     /// Distance and direction in the meridian plane from the circle of centres: `(distance, [outwards, upwards])`.
-    fn from_centre(&self, p: [f64; 3]) -> (f64, [f64; 2]) {
+    fn around_centre(&self, p: [f64; 3]) -> (f64, [f64; 2]) {
         let d = [p[0].hypot(p[1]) - self.major, p[2]];
         let distance = d[0].hypot(d[1]);
         (distance, d.map(|x| x / distance.max(f64::MIN_POSITIVE)))
@@ -60,18 +60,18 @@ impl Torus {
 
     /// Distance of a point, positive outside.
     pub(super) fn signed_distance(&self, p: [f64; 3]) -> f64 {
-        self.from_centre(p).0 - self.minor
+        self.around_centre(p).0 - self.minor
     }
 
     /// Mean curvature at the point nearest to `p`.
     pub(super) fn mean_curvature(&self, p: [f64; 3]) -> f64 {
-        let (_, [outwards, _]) = self.from_centre(p);
+        let (_, [outwards, _]) = self.around_centre(p);
         -0.5 * (1.0 / self.minor + outwards / (self.major + self.minor * outwards))
     }
 
     /// Outward unit normal at the point nearest to `p`.
     pub(super) fn normal(&self, p: [f64; 3]) -> [f64; 3] {
-        let (_, [outwards, upwards]) = self.from_centre(p);
+        let (_, [outwards, upwards]) = self.around_centre(p);
         let radial = unit([p[0], p[1], 0.0]);
         [radial[0] * outwards, radial[1] * outwards, upwards]
     }

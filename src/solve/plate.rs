@@ -107,7 +107,13 @@ impl Plate {
 
     /// Whether steps on the boundary take enough of an error away that is as large everywhere.
     fn gains(&mut self) -> bool {
-        let signs = (0..).map(|k: u32| if k.count_ones() % 2 == 0 { 1.0 } else { -1.0 });
+        let signs = (0..).map(|k: u32| {
+            if k.count_ones().is_multiple_of(2) {
+                1.0
+            } else {
+                -1.0
+            }
+        });
         let of = |(d, sign): (&f64, f64)| sign / d.sqrt();
         let mut rest = [self.boundary_d.iter().zip(signs).map(of).collect::<Vec<f64>>()];
         let mut memory = Vec::new();

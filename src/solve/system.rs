@@ -96,12 +96,12 @@ impl System {
                 let mesh = (means == Means::Plate)
                     .then(|| Plate::mesh(region, rings))
                     .flatten();
-                mesh.ok_or_else(|| NormalMatrix::by_factor(rings, &graph))
+                mesh.ok_or_else(|| Box::new(NormalMatrix::by_factor(rings, &graph)))
             },
         );
         let p = match graded {
             Ok(mesh) => NormalMatrix::by_plate(mesh, rings, &symbolic),
-            Err(factored) => factored,
+            Err(factored) => *factored,
         };
         let mut g = Factor::new(&symbolic, false);
         let mut stacks = Stacks::default();
