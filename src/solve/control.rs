@@ -34,10 +34,8 @@ pub(crate) struct Control<'a> {
     pub tally: Tally,
     /// The limit of iterations.
     pub max_iterations: usize,
-    /// The step norm to reach, in diagonals,
+    /// The step norm to reach, in diagonals.
     pub tolerance: f64,
-    /// and whether no single vertex may be far above that mean.
-    pub every_vertex: bool,
     /// Set when the callback asked to stop.
     pub cancelled: bool,
     /// Set when the run is to stop, also between two calls of the callback.
@@ -52,7 +50,6 @@ impl<'a> Control<'a> {
             tally: Tally::default(),
             max_iterations,
             tolerance,
-            every_vertex: true,
             cancelled: false,
             interrupt: Interrupt::default(),
             callback,
@@ -83,7 +80,7 @@ impl<'a> Control<'a> {
         self.tell(fraction, d, phase);
     }
 
-    /// A run within this one that leads to a start, with limits of its own: its iterations are not counted here, but it can be stopped.
+    /// A run within this one, with limits of its own: its iterations are not counted here, but it can be stopped.
     pub(crate) fn within<T>(
         &mut self,
         phase: &'static str,
@@ -101,7 +98,6 @@ impl<'a> Control<'a> {
         };
         let mut within = Control::new(tolerance, max_iterations, Some(&mut tell));
         within.interrupt = interrupt;
-        within.every_vertex = false;
         run(&mut within)
     }
 

@@ -250,7 +250,7 @@ impl Iteration {
             self.best.d = d;
             self.best.x.clone_from(&self.x);
         }
-        if self.is_converged(norm, control.every_vertex) {
+        if self.is_converged(norm) {
             return Some(IterationStatus::Converged);
         }
         if control.exhausted() {
@@ -265,13 +265,12 @@ impl Iteration {
         self.is_stalling(d).then_some(IterationStatus::Stalled)
     }
 
-    fn is_converged(&mut self, norm: &StepNorm, every_vertex: bool) -> bool {
+    fn is_converged(&mut self, norm: &StepNorm) -> bool {
         if norm.total() > self.tolerance {
             return false;
         }
         self.round.within += 1;
-        let is_even =
-            !every_vertex || norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
+        let is_even = norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
         // Not on the first sight: a start may be close for reasons of its own.
         is_even && !self.round.history.is_empty()
     }
