@@ -1419,7 +1419,7 @@ typedef struct fairmesh_report {
      */
     uint64_t level_count;
     /**
-     * Free vertices that took fallback weights of inner fairness.
+     * Free vertices that inner fairness does not spread as asked.
      */
     uint64_t fallback_weights;
     /**

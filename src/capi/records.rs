@@ -29,7 +29,7 @@ pub struct fairmesh_report {
     pub free_vertices: u64,
     /// Levels of the paper's scheme; 0 for the fast solver.
     pub level_count: u64,
-    /// Free vertices that took fallback weights of inner fairness.
+    /// Free vertices that inner fairness does not spread as asked.
     pub fallback_weights: u64,
     /// Size of the list POOR_TRIANGLES.
     pub poor_triangle_count: u64,

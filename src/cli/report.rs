@@ -187,7 +187,7 @@ impl Summary<'_> {
         if count > 0 {
             table.row(
                 "fallback weights",
-                format_args!("{count} vertices (poor input triangles)"),
+                format_args!("{count} vertices (inner fairness does not spread them as asked)"),
             );
         }
         if !self.blamed().is_empty() {

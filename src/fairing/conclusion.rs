@@ -60,7 +60,7 @@ impl Found<'_> {
             report,
             boundary: domain.region.boundary,
             suspicious_normals,
-            fallback_weights: if self.result.uniform_weights {
+            fallback_weights: if self.result.uniform_weights || self.result.along_normals {
                 domain.region.free
             } else {
                 self.prepared.weights.clamped

@@ -446,8 +446,9 @@ pub struct Report {
     /// Boundary vertices whose prescribed normal points against the surface beside it or contradicts its
     /// neighbours': probably flipped or wrong.
     pub suspicious_normals: Vec<u32>,
-    /// Free vertices that took fallback weights, because their input triangles allow no conformal or
-    /// convex ones; all of a component where no surface was found with those, and the vertices are spread evenly.
+    /// Free vertices that inner fairness does not spread as asked: those that took fallback weights, because their input triangles allow no
+    /// conformal or convex ones; all of a component where no surface was found with the weights asked for, and they are spread evenly; and
+    /// all where none was found with these either, as on a surface that is nearly closed, and they were moved along the normals alone.
     pub fallback_weights: usize,
     /// Triangles that intersect, measured on the positions returned. None: not looked for, because
     /// [`Options::intersections`] says so or because the run was held up before its end.

@@ -82,6 +82,7 @@ pub(crate) fn solve(
         defect: defect * run.diagonal,
         iterations: control.tally.iterations,
         uniform_weights: false,
+        along_normals: false,
         trials: Vec::new(),
         start_seconds: run.start_seconds,
         x,

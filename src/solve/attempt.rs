@@ -80,6 +80,10 @@ pub(crate) enum Weights {
     AsLeft,
     /// Uniform.
     Uniform,
+    /// None: vertices move along the normals alone. On a surface that is nearly closed, inner fairness (7.3) has no solution, or one that
+    /// the vertices slide away from: an elastic net drawn over a ball slips off to one side. To (4) it is all one where the vertices lie,
+    /// as long as the triangles are sound.
+    None,
 }
 
 /// Curvature at free vertices.
@@ -110,6 +114,8 @@ pub(crate) enum Start {
     MinimalEnergy,
     /// The linear surface with the inner fairness of the attempt.
     LinearAnew,
+    /// The surface of smallest step norm at which an attempt at the solution has stalled.
+    Stalled,
     /// Where a second surface may be, beside the sound one that is found.
     BesideSound,
 }
@@ -186,6 +192,20 @@ pub(crate) const LADDER: &[Attempt] = &[
         kept: Kept::Result,
     },
     Attempt {
+        name: "along normals",
+        mesh: Mesh::Fine,
+        condition: Condition::Always,
+        weights: Weights::None,
+        curvature: Curvature::Asked,
+        start: Start::Stalled,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            phase: "along the normals",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
         name: "member of the coarse mesh",
         mesh: Mesh::Fine,
         condition: Condition::Harmonic,
@@ -232,6 +252,20 @@ pub(crate) const LADDER: &[Attempt] = &[
         procedure: Procedure::WeightRepair,
         options: IterateOptions {
             measured_response: false,
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    },
+    Attempt {
+        name: "along normals",
+        mesh: Mesh::Any,
+        condition: Condition::Always,
+        weights: Weights::None,
+        curvature: Curvature::Asked,
+        start: Start::Stalled,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            phase: "along the normals",
             ..DIRECT
         },
         kept: Kept::Result,
@@ -413,6 +447,7 @@ mod tests {
             Weights::Asked => "asked",
             Weights::AsLeft => "as left",
             Weights::Uniform => "uniform",
+            Weights::None => "none",
         };
         let curvature = match attempt.curvature {
             Curvature::Asked => "asked",
@@ -427,6 +462,7 @@ mod tests {
             Start::PlainSolution => "plain solution",
             Start::MinimalEnergy => "minimal energy",
             Start::LinearAnew => "linear, these weights",
+            Start::Stalled => "best that stalled",
             Start::BesideSound => "along the softest mode",
         };
         let procedure = match attempt.procedure {

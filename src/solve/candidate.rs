@@ -28,6 +28,8 @@ pub(crate) struct Candidate {
     pub status: IterationStatus,
     /// Its step norm.
     pub step: f64,
+    /// Its vertices are where the normals have led them: inner fairness was not asked of them.
+    pub along_normals: bool,
     /// Its poor triangles (local numbers).
     pub poor: Vec<u32>,
     /// Its mean curvature inside exceeds what the equation allows ([`super::curvature_bounds`]).
@@ -61,6 +63,7 @@ impl Candidate {
             suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
+            along_normals: system.along_normals,
             poor: surface.poor(NEEDLE),
             curvature_overshoot: system.overshoots(),
             detached_from_normals: surface.is_detached_from_normals(),

@@ -12,6 +12,7 @@ use super::control::Control;
 use super::initial::PHASE;
 use super::problem::diagonal;
 use super::procedure::{Next, Procedure, Run, Underway};
+use super::quasi_newton::IterationStatus;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
 use super::soft_mode::second_surface;
@@ -44,6 +45,9 @@ pub(crate) struct Ladder {
     linear: Option<Vec<Vector3<f64>>>,
     /// The solution with plain curvature, if there is one.
     plain: Option<Vec<Vector3<f64>>>,
+    /// The surface of smallest step norm at which an attempt at the solution has stalled since the last one along the normals, and that
+    /// step norm.
+    stalled: Option<(Vec<Vector3<f64>>, f64)>,
     /// The surface of minimal energy, if there is one.
     minimal_energy: Option<Vec<Vector3<f64>>>,
     /// What the coarse mesh has led to, once it was asked.
@@ -70,16 +74,19 @@ pub(crate) struct Ladder {
     is_search: bool,
     /// Uniform weights have taken the place of those that are asked for.
     uniform_weights: bool,
+    /// The surface at hand moves along the normals alone.
+    along_normals: bool,
     start_seconds: f64,
 }
 
 impl Ladder {
     /// A solve that goes on from a surface that solved a problem close to this one, with the matrices and weights that are
     /// there; where that leads to no sound surface, it begins at the beginning.
-    pub(crate) fn resume(x: Vec<Vector3<f64>>, uniform_weights: bool) -> Self {
+    pub(crate) fn resume(x: Vec<Vector3<f64>>, uniform_weights: bool, along_normals: bool) -> Self {
         Self {
             at_hand: Some(x),
             uniform_weights,
+            along_normals,
             ..Self::default()
         }
     }
@@ -97,7 +104,7 @@ impl Ladder {
     pub(crate) fn renewed(self) -> Self {
         let x = self.run.map(Run::into_x).or(self.at_hand);
         match x {
-            Some(x) => Self::resume(x, self.uniform_weights),
+            Some(x) => Self::resume(x, self.uniform_weights, self.along_normals),
             None => Self::default(),
         }
     }
@@ -110,6 +117,11 @@ impl Ladder {
     /// Whether uniform weights have taken the place of those that are asked for.
     pub(crate) fn has_uniform_weights(&self) -> bool {
         self.uniform_weights
+    }
+
+    /// Whether inner fairness is not asked of the surface at hand.
+    pub(crate) fn is_along_normals(&self) -> bool {
+        self.along_normals
     }
 
     /// One iteration, and everything up to the next one.
@@ -140,6 +152,7 @@ impl Ladder {
                 },
             };
             self.note(&next, system, control);
+            self.keep_stalled(&next);
             match next {
                 Next::Run(mut run) => {
                     ended = run.begin(system, control);
@@ -185,6 +198,23 @@ impl Ladder {
             bending_energy: candidate.map_or(f64::NAN, |c| c.bending_energy),
         });
         self.iterations = iterations;
+    }
+
+    /// Keeps the surface of an attempt at what is asked that stalled nearest to a solution.
+    fn keep_stalled(&mut self, next: &Next) {
+        let attempt = &LADDER[self.attempts - 1];
+        let is_asked = attempt.kept == Kept::Result && attempt.curvature == Curvature::Asked;
+        if let Next::Done(candidate) = next
+            && is_asked
+            && candidate.status == IterationStatus::Stalled
+            && !candidate.along_normals
+            && self
+                .stalled
+                .as_ref()
+                .is_none_or(|(_, step)| candidate.step < *step)
+        {
+            self.stalled = Some((candidate.x.clone(), candidate.step));
+        }
     }
 
     /// What was tried so far, on the coarse mesh too.
@@ -261,23 +291,43 @@ impl Ladder {
 
     /// Whether the coarse mesh has a harmonic surface: then there ought to be one on the fine mesh too, at any price.
     fn has_coarse_solution(&self) -> bool {
-        matches!(self.coarse, Some(Search::Found(_, 0.0)))
+        matches!(self.coarse, Some(Search::Found { member: 0.0, .. }))
     }
 
     /// The member of the family that the coarse mesh has.
     fn member(&self) -> f64 {
         match self.coarse {
-            Some(Search::Found(_, w)) => w,
+            Some(Search::Found { member, .. }) => member,
             _ => 0.0,
         }
     }
 
-    /// The coarse mesh's surface, if it is harmonic or not, as asked.
-    fn of_coarse_mesh(&self, harmonic: bool) -> Option<Vec<Vector3<f64>>> {
-        match &self.coarse {
-            Some(Search::Found(x, w)) if (*w == 0.0) == harmonic => Some(x.clone()),
-            _ => None,
+    /// The coarse mesh's surface, if it is harmonic or not, as asked; where that was found along the normals, the system goes on so.
+    fn of_coarse_mesh(
+        &self,
+        harmonic: bool,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<Vec<Vector3<f64>>> {
+        let Some(Search::Found {
+            x,
+            member,
+            along_normals,
+        }) = &self.coarse
+        else {
+            return None;
+        };
+        if (*member == 0.0) != harmonic {
+            return None;
         }
+        let mut x = x.clone();
+        system.diagonal = diagonal(&x);
+        if *along_normals {
+            system.step_along_normals();
+        } else {
+            system.tangential_steps(&mut x, control);
+        }
+        Some(x)
     }
 
     /// Makes the linear surface, if it is not there yet. Returns whether it is; if not, the run was stopped.
@@ -312,21 +362,24 @@ impl Ladder {
                 let uniform = Arc::new(FairnessWeights::uniform());
                 system.use_weights(uniform).ok()?;
             }
+            Weights::None => system.step_along_normals(),
         }
         if attempt.curvature == Curvature::Plain {
             system.use_curvature(FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT });
         }
         let start = match attempt.start {
-            Start::AtHand => self.at_hand.take(),
-            Start::Linear => self.linear.clone(),
-            Start::Coarse | Start::CoarseMember => {
-                let mut x = self.of_coarse_mesh(attempt.start == Start::Coarse)?;
-                system.diagonal = diagonal(&x);
-                system.tangential_steps(&mut x, control);
-                Some(x)
+            Start::AtHand => {
+                if self.along_normals {
+                    system.step_along_normals();
+                }
+                self.at_hand.take()
             }
+            Start::Linear => self.linear.clone(),
+            Start::Coarse => self.of_coarse_mesh(true, system, control),
+            Start::CoarseMember => self.of_coarse_mesh(false, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::PlainSolution => self.plain.clone(),
+            Start::Stalled => self.stalled.take().map(|(x, _)| x),
             Start::BesideSound => second_surface(&self.sound.as_ref()?.0.x, system, control),
             Start::LinearAnew => system.start(control).ok(),
             Start::MembraneMetric => {
@@ -336,7 +389,8 @@ impl Ladder {
                 Some(x)
             }
         };
-        if start.is_some() && attempt.weights != Weights::AsLeft {
+        self.along_normals = system.along_normals;
+        if start.is_some() && matches!(attempt.weights, Weights::Asked | Weights::Uniform) {
             self.uniform_weights = attempt.weights == Weights::Uniform;
         }
         start
@@ -437,10 +491,14 @@ impl Ladder {
             status => status,
         };
         let linear = self.linear.take();
+        let mut along_normals = false;
         let (x, step, poor) = match (candidate, linear) {
             // Stopped on the way over poor triangles: the linear surface is the better one.
             (Some(c), Some(linear)) if c.is_stopped() && !c.poor.is_empty() => (linear, f64::NAN, None),
-            (Some(c), _) => (c.x, c.step, Some(c.poor)),
+            (Some(c), _) => {
+                along_normals = c.along_normals;
+                (c.x, c.step, Some(c.poor))
+            }
             (None, linear) => (linear.unwrap_or_default(), f64::NAN, None),
         };
         system.evaluate(&x);
@@ -451,6 +509,7 @@ impl Ladder {
             iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
             uniform_weights: self.uniform_weights,
+            along_normals,
             trials: std::mem::take(&mut self.trials),
             start_seconds: self.start_seconds,
             x,
@@ -461,13 +520,13 @@ impl Ladder {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::quasi_newton::IterationStatus;
 
     fn stalled(step: f64) -> Candidate {
         Candidate {
             x: Vec::new(),
             status: IterationStatus::Stalled,
             step,
+            along_normals: false,
             poor: Vec::new(),
             curvature_overshoot: false,
             bending_energy: 0.0,

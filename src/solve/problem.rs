@@ -119,6 +119,7 @@ impl<'a> Problem<'a> {
             step: f64::NAN,
             iterations: 0,
             uniform_weights: false,
+            along_normals: false,
             trials: Vec::new(),
             start_seconds: 0.0,
         };

@@ -91,6 +91,8 @@ pub(crate) struct SolveResult {
     pub poor: Vec<u32>,
     /// The vertices are distributed evenly, because no surface was found with the inner fairness that was asked for.
     pub uniform_weights: bool,
+    /// Inner fairness is not met, because none was found to go with a surface: the vertices were moved along the normals alone.
+    pub along_normals: bool,
     /// Seconds until the first iteration.
     pub start_seconds: f64,
 }

@@ -18,8 +18,15 @@ const ITERATIONS: usize = 600;
 pub(super) enum Search {
     /// There is none.
     NoCoarseMesh,
-    /// A surface, on the fine mesh, and the member of the family that it is: 0 for what is asked.
-    Found(Vec<Vector3<f64>>, f64),
+    /// A surface.
+    Found {
+        /// On the fine mesh.
+        x: Vec<Vector3<f64>>,
+        /// The member of the family that it is: 0 for what is asked.
+        member: f64,
+        /// Found along the normals alone.
+        along_normals: bool,
+    },
     /// None, for this reason.
     Missed(SolveStatus),
 }
@@ -43,7 +50,11 @@ impl Search {
             SolveStatus::NearestMember(w) => w,
             status => return (Self::Missed(status), trials),
         };
-        let x = level.prolongate(&fine, &result.x, &state.corrected);
-        (Self::Found(x, member), trials)
+        let found = Self::Found {
+            x: level.prolongate(&fine, &result.x, &state.corrected),
+            member,
+            along_normals: result.along_normals,
+        };
+        (found, trials)
     }
 }

@@ -33,8 +33,9 @@ impl StepNorm {
 
 impl System {
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
-    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`.
+    /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`, if there is to be one.
     pub(crate) fn step(&mut self, step: &mut [f64]) -> StepNorm {
+        let has_inner = !self.along_normals;
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
         rayon::join(
@@ -43,7 +44,13 @@ impl System {
                 let _clock = clock("solves with P");
                 p.solve(t);
             },
-            || solve_inner(g, state, d),
+            || {
+                if has_inner {
+                    solve_inner(g, state, d);
+                } else {
+                    d.fill([0.0; 3]);
+                }
+            },
         );
         let norm = self.step_norm();
         self.combine(&norm, step);

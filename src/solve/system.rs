@@ -47,6 +47,8 @@ pub(crate) struct System {
     prescribed: Option<Vec<Vector3<f64>>>,
     /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
     smooth_interior: Vec<bool>,
+    /// Steps have no tangential part, until [`System::reset`].
+    pub(super) along_normals: bool,
     /// The last evaluation.
     pub(super) state: State,
     /// The metric that `P` was made from.
@@ -125,6 +127,7 @@ impl System {
             boundary_normals: problem.boundary_normals.to_vec(),
             prescribed: None,
             smooth_interior: problem.smooth_interior.to_vec(),
+            along_normals: false,
             state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
@@ -156,8 +159,9 @@ impl System {
         self.right_hand_side = right_hand_side;
     }
 
-    /// Back to the curvature, boundary normals and right-hand side that are asked for.
+    /// Back to the curvature, boundary normals and right-hand side that are asked for, and to tangential steps.
     pub(crate) fn reset(&mut self) {
+        self.along_normals = false;
         self.curvature = self.asked.curvature;
         self.right_hand_side = self.asked.right_hand_side;
         if let Some(prescribed) = self.prescribed.take() {
@@ -168,6 +172,11 @@ impl System {
     /// Takes another curvature, until [`System::reset`].
     pub(crate) fn use_curvature(&mut self, curvature: FreeCurvature) {
         self.curvature = curvature;
+    }
+
+    /// Steps along the normals alone, until [`System::reset`].
+    pub(crate) fn step_along_normals(&mut self) {
+        self.along_normals = true;
     }
 
     /// Takes other boundary normals, until [`System::reset`].

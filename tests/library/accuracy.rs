@@ -361,7 +361,14 @@ fn fitted_normals() {
 #[test]
 fn sphere_with_one_hole() {
     let mut bars = Bars::default();
-    for (half_angle, n) in [(45.0, 1_000), (45.0, 5_000), (30.0, 1_000), (30.0, 5_000)] {
+    let cases = [
+        (45.0, 1_000),
+        (45.0, 5_000),
+        (30.0, 1_000),
+        (30.0, 5_000),
+        (20.0, 5_000),
+    ];
+    for (half_angle, n) in cases {
         for seed in 1..=6 {
             let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
             let solution = solve(&shape, &flat(&shape), options(1e-8));

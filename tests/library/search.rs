@@ -5,7 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::boundary::tilted;
 use crate::fairing::*;
-use fairmesh::{AttemptEnd, InnerFairness, Options, Outcome, Report, Selection, Solution, fair};
+use fairmesh::{
+    AttemptEnd, BoundaryNormals, InnerFairness, Options, Outcome, Report, Selection, Session, Solution, fair,
+};
 use fairmesh_shapes::*;
 
 /// The cylinder of radius 1, free over this length.
@@ -249,5 +251,46 @@ fn an_ear_with_many_vertices_behind_a_short_boundary_becomes_a_disk() {
                 "{around} {rows}"
             );
         }
+    }
+}
+
+/// Inner fairness slides off a sphere that is held at a small hole, and kept the surface from being found.
+#[test]
+fn most_of_a_sphere_is_found_along_the_normals() {
+    let shape = sphere_with_hole(20.0, 5_000, irregular(3), OUTSIDE);
+    let start = flat(&shape);
+    let solution = solve(&shape, &start, options(1e-8));
+    let report = &solution.report;
+    assert_eq!(report.outcome, Outcome::Converged);
+    assert!(errors(&shape, &solution).max < 2e-9);
+    assert_eq!(report.fallback_weights, report.free_vertices);
+    assert!(report.iterations <= 20, "{}", report.iterations);
+    let attempts = &report.components[0].attempts;
+    assert!(attempts.iter().any(|a| a.name == "along normals"));
+    assert_eq!(attempts.last().unwrap().name, "from the coarse mesh");
+
+    // A session goes on from there in the same way.
+    let selection = Selection::Mask(&shape.free);
+    let mut session = Session::new(&start, &shape.triangles, selection, &options(1e-6)).unwrap();
+    session.run(1000, None).unwrap();
+    session.set_boundary_normals(BoundaryNormals::Fitted).unwrap();
+    let renewed = &session.run(1000, None).unwrap().report;
+    assert_eq!(renewed.outcome, Outcome::Converged);
+    assert_eq!(renewed.fallback_weights, renewed.free_vertices);
+    let attempts = &renewed.components[0].attempts;
+    assert!(renewed.iterations <= 10, "{attempts:?}");
+}
+
+/// Where inner fairness has a solution, it is met.
+#[test]
+fn inner_fairness_is_met_where_it_can_be() {
+    for angle in [60.0, 110.0] {
+        let shape = sphere_cap(angle, 3_000, irregular(2), OUTSIDE);
+        let report = solve(&shape, &flat(&shape), options(1e-8)).report;
+        assert_eq!(
+            (report.outcome, report.fallback_weights),
+            (Outcome::Converged, 0),
+            "{angle} degrees"
+        );
     }
 }

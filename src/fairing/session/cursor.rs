@@ -162,7 +162,7 @@ impl Cursor {
         self.ladder = if result.status.is_linear() {
             Ladder::default()
         } else {
-            Ladder::resume(result.x.clone(), result.uniform_weights)
+            Ladder::resume(result.x.clone(), result.uniform_weights, result.along_normals)
         };
     }
 
@@ -177,6 +177,7 @@ impl Cursor {
             defect: self.system.defect(),
             iterations: self.tally.iterations,
             uniform_weights: self.ladder.has_uniform_weights(),
+            along_normals: self.ladder.is_along_normals(),
             trials: self.ladder.trials().to_vec(),
             start_seconds: 0.0,
         }

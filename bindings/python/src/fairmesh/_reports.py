@@ -37,7 +37,7 @@ class Report:
     linear_surface: bool
     #: Levels of the paper's scheme; 0 for the fast solver.
     level_count: int
-    #: Free vertices that took fallback weights of inner fairness.
+    #: Free vertices that inner fairness does not spread as asked.
     fallback_weights: int
     poor_triangle_count: int
     flipped_count: int
