@@ -225,3 +225,18 @@ impl Similarity {
         std::array::from_fn(|i| r[0][i] * q[0] + r[1][i] * q[1] + r[2][i] * q[2])
     }
 }
+
+/// Mean curvature at `x` of the level set with these unit normals: `2 H` is minus their divergence, here in differences of fourth order.
+#[cfg(test)]
+pub(super) fn mean_curvature_by_differences(normal: impl Fn([f64; 3]) -> [f64; 3], x: [f64; 3]) -> f64 {
+    let d = 1e-3;
+    let rate = |i: usize| {
+        let n = |t: f64| {
+            let mut y = x;
+            y[i] += t * d;
+            normal(y)[i]
+        };
+        (8.0 * (n(1.0) - n(-1.0)) - n(2.0) + n(-2.0)) / (12.0 * d)
+    };
+    -0.5 * (rate(0) + rate(1) + rate(2))
+}
