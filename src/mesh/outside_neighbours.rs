@@ -29,6 +29,11 @@ impl OutsideNeighbours {
         }
     }
 
+    /// The neighbours of a vertex.
+    pub(crate) fn of(&self, v: u32) -> &[u32] {
+        self.neighbour.row(v as usize)
+    }
+
     /// The vertices within `N` edges of `v`, without `v`: `ends[k]` of them, the first of the list, within `k + 1`.
     pub(crate) fn rings<const N: usize>(&self, v: u32, found: &mut Vec<u32>) -> [usize; N] {
         found.clear();

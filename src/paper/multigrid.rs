@@ -83,6 +83,7 @@ pub(crate) fn solve(
         iterations: control.tally.iterations,
         uniform_weights: false,
         trials: Vec::new(),
+        continuity: Vec::new(),
         start_seconds: run.start_seconds,
         x,
     };
@@ -178,6 +179,7 @@ impl Run<'_> {
             Some(weigh) => weigh(&domain.batches, &domain.input),
         });
         let level_problem = Problem {
+            continuity: None,
             domain: &domain,
             weights: &weights,
             ..*self.problem
@@ -271,6 +273,7 @@ fn status(
     control: &Control<'_>,
 ) -> SolveStatus {
     let bounds = Judged {
+        phi: &[],
         state,
         right_hand_side: problem.right_hand_side,
         diagonal: diagonal(x),

@@ -72,6 +72,23 @@ pub(crate) enum TrialEnd {
     Stopped,
 }
 
+/// What came of the continuity of curvature along a boundary loop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoopContinuity {
+    /// Its smallest boundary vertex.
+    pub vertex: u32,
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// How much of the way to the curvature of the surroundings was taken.
+    pub reached: f64,
+    /// The jump of `H`, root mean square and largest, of the tangent-continuous surface,
+    pub jump_before: [f64; 2],
+    /// and of this one.
+    pub jump: [f64; 2],
+    /// The root mean square of `H` of the surroundings.
+    pub curvature: f64,
+}
+
 /// What was found.
 #[derive(Debug, Clone)]
 pub(crate) struct SolveResult {
@@ -91,6 +108,8 @@ pub(crate) struct SolveResult {
     pub poor: Vec<u32>,
     /// The vertices are distributed evenly, because no surface was found with the inner fairness that was asked for.
     pub uniform_weights: bool,
+    /// Where the curvature of the surroundings was to be continued, what came of it.
+    pub continuity: Vec<LoopContinuity>,
     /// Seconds until the first iteration.
     pub start_seconds: f64,
 }

@@ -45,6 +45,11 @@ impl System {
             },
             || solve_inner(g, state, d),
         );
+        let (step, modes) = step.split_at_mut(3 * self.free());
+        if let Some(continuity) = self.continuity.take() {
+            continuity.correct(&mut self.normal_step, modes);
+            self.continuity = Some(continuity);
+        }
         let norm = self.step_norm();
         self.combine(&norm, step);
         norm

@@ -178,6 +178,7 @@ impl Cursor {
             iterations: self.tally.iterations,
             uniform_weights: self.ladder.has_uniform_weights(),
             trials: self.ladder.trials().to_vec(),
+            continuity: Vec::new(),
             start_seconds: 0.0,
         }
     }

@@ -1,0 +1,144 @@
+//! Curvature continuity: what it keeps, known answers, invariances, and refusals.
+
+use crate::fairing::*;
+use fairmesh::{
+    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, Solver,
+    fair,
+};
+use fairmesh_shapes::*;
+
+fn asked(continuity: f64) -> Options {
+    Options {
+        continuity,
+        ..Options::default()
+    }
+}
+
+fn faired(shape: &Shape, options: &Options) -> Solution {
+    let selection = Selection::Mask(&shape.free);
+    fair(&shape.flat(), &shape.triangles, selection, options).expect("a sound problem")
+}
+
+fn loops(solution: &Solution) -> &[CurvatureContinuity] {
+    &solution.report.components[0].continuity
+}
+
+/// The root mean square of the distances of the free vertices from the exact surface.
+fn error(shape: &Shape, solution: &Solution) -> f64 {
+    let surface = shape.surface.as_ref().expect("an exact surface");
+    let free = shape.free_vertices();
+    let squares = free
+        .iter()
+        .map(|&v| surface.distance(solution.positions[v as usize]).powi(2));
+    (squares.sum::<f64>() / free.len() as f64).sqrt()
+}
+
+fn torus(n: usize) -> Shape {
+    torus_patch(1.0, 0.4, 1.0, n, irregular(7), 10)
+}
+
+/// On which the Laplacian of the mean curvature is harmonic.
+fn band(n: usize) -> Shape {
+    let profile = HarmonicProfile::biharmonic(1.2, -0.8, 0.5, [0.7, -0.4], 1.2).expect("a sound profile");
+    revolution_band(&profile, n, irregular(7), 10).expect("sound surroundings")
+}
+
+#[test]
+fn spheres_are_exact() {
+    let shape = sphere_cap(60.0, 1_000, irregular(7), 10);
+    let solution = faired(&shape, &asked(1.0));
+    assert!(solution.report.outcome.is_success());
+    assert!(error(&shape, &solution) < 1e-9);
+    assert_eq!(loops(&solution).len(), 1);
+    assert!(loops(&solution)[0].jump < 1e-6);
+}
+
+/// The bits of tangent continuity, and nothing told of curvature.
+#[test]
+fn zero_is_tangent_continuity() {
+    let shape = torus(400);
+    let given = BoundaryCurvature::Given(vec![(0, 1.0)]);
+    let options = Options {
+        boundary_curvature: given,
+        ..asked(0.0)
+    };
+    let solution = faired(&shape, &options);
+    assert!(solution.positions == faired(&shape, &Options::default()).positions);
+    assert!(loops(&solution).is_empty());
+}
+
+#[test]
+fn surfaces_of_biharmonic_curvature_are_found_where_tangent_planes_alone_do_not_suffice() {
+    let errors = |n: usize, continuity: f64| error(&band(n), &faired(&band(n), &asked(continuity)));
+    let [tangent, coarse, fine] = [errors(2_000, 0.0), errors(1_000, 1.0), errors(4_000, 1.0)];
+    println!("{tangent:e} {coarse:e} {fine:e}");
+    assert!(coarse < 0.4 * tangent && fine < 0.4 * coarse);
+}
+
+#[test]
+fn the_blend_acts_monotonically_on_the_jump() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
+    let jumps: Vec<f64> = [0.2, 0.4, 0.6, 0.8, 1.0]
+        .map(|blend| loops(&faired(&shape, &asked(blend)))[0].jump)
+        .to_vec();
+    println!("{jumps:?}");
+    assert!(jumps.is_sorted_by(|a, b| a > b));
+    let whole = faired(&shape, &asked(1.0));
+    let [of_loop] = loops(&whole) else {
+        panic!("one loop")
+    };
+    assert!(of_loop.reached > 0.8 && of_loop.jump < 0.3 * of_loop.jump_before);
+}
+
+/// The exact curvature, given, does what the fitted one does.
+#[test]
+fn curvature_can_be_given() {
+    let shape = torus(1_000);
+    let surface = shape.surface.as_ref().unwrap();
+    let exact = shape.boundary_normals().into_iter();
+    let exact = exact.map(|(v, _)| (v, surface.mean_curvature(shape.positions[v as usize])));
+    let options = Options {
+        boundary_curvature: BoundaryCurvature::Given(exact.collect()),
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
+        ..asked(1.0)
+    };
+    let tangent = error(&shape, &faired(&shape, &asked(0.0)));
+    let given = error(&shape, &faired(&shape, &options));
+    println!("{given:e} {tangent:e}");
+    assert!(given < 0.2 * tangent);
+}
+
+#[test]
+fn no_number_of_threads_changes_a_bit() {
+    let shape = torus(3_000);
+    let by = |threads| {
+        faired(
+            &shape,
+            &Options {
+                threads,
+                ..asked(1.0)
+            },
+        )
+    };
+    let (one, two) = (by(1), by(2));
+    assert!(one.positions == two.positions && loops(&one) == loops(&two));
+}
+
+#[test]
+fn what_cannot_be_asked_is_refused() {
+    let refused = |options: Options| match options.validate() {
+        Err(Error::BadOption { name, .. }) => name,
+        other => panic!("{other:?}"),
+    };
+    for blend in [-0.1, 1.5, f64::NAN] {
+        assert_eq!(refused(asked(blend)), "continuity");
+    }
+    let solver = Solver::Paper(fairmesh::PaperOptions::default());
+    assert_eq!(refused(Options { solver, ..asked(0.5) }), "continuity");
+    let boundary_curvature = BoundaryCurvature::Given(vec![(3, 1.0), (4, f64::INFINITY)]);
+    let options = Options {
+        boundary_curvature,
+        ..asked(1.0)
+    };
+    assert_eq!(refused(options), "boundary_curvature");
+}
