@@ -71,7 +71,8 @@ const SAMPLES_PER_UNKNOWN: f64 = 1.4;
 /// Keeps the fit defined, relative to the sum of weights.
 const RIDGE: f64 = 1e-9;
 
-/// `1, (u^2 - v^2)/d, 2uv/d` and the cubics, as normal curvatures `2w/d`, of a sample in units of the samples' length.
+/// `1, (u^2 - v^2)/d, 2uv/d` and the cubics, as normal curvatures `2w/d`, of a sample in units of the samples' length. The monomials are
+/// orthonormal in Bombieri's product, so that the ridge does not depend on where `u` points.
 fn third_order([u, v, d]: [f64; 3]) -> SVector<f64, 7> {
     let cubic = 2.0 / d;
     SVector::from([
@@ -79,8 +80,8 @@ fn third_order([u, v, d]: [f64; 3]) -> SVector<f64, 7> {
         (u * u - v * v) / d,
         2.0 * u * v / d,
         cubic * u * u * u,
-        cubic * u * u * v,
-        cubic * u * v * v,
+        3f64.sqrt() * cubic * u * u * v,
+        3f64.sqrt() * cubic * u * v * v,
         cubic * v * v * v,
     ])
 }
@@ -91,9 +92,9 @@ fn fourth_order([u, v, d]: [f64; 3]) -> SVector<f64, 12> {
     let quartic = 2.0 / d;
     let quartics = [
         quartic * u * u * u * u,
-        quartic * u * u * u * v,
-        quartic * u * u * v * v,
-        quartic * u * v * v * v,
+        2.0 * quartic * u * u * u * v,
+        6f64.sqrt() * quartic * u * u * v * v,
+        2.0 * quartic * u * v * v * v,
         quartic * v * v * v * v,
     ];
     SVector::from_fn(|k, _| if k < 7 { third[k] } else { quartics[k - 7] })

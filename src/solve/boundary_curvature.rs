@@ -51,6 +51,8 @@ pub(crate) struct LoopCondition {
     pub surroundings: Vec<f64>,
     /// How far it is trusted, from 0 to 1.
     pub trust: Vec<f64>,
+    /// How uncertain it is, root mean square.
+    pub uncertainty: f64,
     /// `H` of the tangent-continuous surface, as its equation has it.
     pub before: Vec<f64>,
     /// What `H` shall be.
@@ -172,7 +174,7 @@ fn loop_condition(
     let most = (vertices.len() / (2 * INSIDE.rings())).clamp(1, MOST_MODES);
     let modes = LoopModes::new(&polygon, most - (most + 1) % 2);
     let before: Vec<f64> = centres().map(|v| h[v as usize]).collect();
-    let trust = trust(&before, &surroundings, &modes);
+    let (trust, uncertainty) = trust(&before, &surroundings, &modes);
     let known = surroundings.iter().zip(&before);
     Some(LoopCondition {
         samples: BoundarySamples::new(centres(), INSIDE.rings(), x.len(), |v| {
@@ -184,13 +186,14 @@ fn loop_condition(
         vertices,
         modes,
         trust,
+        uncertainty,
         before,
     })
 }
 
 /// How far the surroundings are to be trusted: by the mismatch that is to be closed, against the standard error of the fit and what
-/// the modes cannot tell of the surroundings' own curvature, all around each vertex.
-fn trust(before: &[f64], surroundings: &[Option<[f64; 2]>], modes: &LoopModes) -> Vec<f64> {
+/// the modes cannot tell of the surroundings' own curvature, all around each vertex; and that doubt, root mean square along the loop.
+fn trust(before: &[f64], surroundings: &[Option<[f64; 2]>], modes: &LoopModes) -> (Vec<f64>, f64) {
     let there = |missing: &dyn Fn(f64) -> f64, value: &dyn Fn(f64, [f64; 2]) -> f64| -> Vec<f64> {
         let vertices = surroundings.iter().zip(before);
         vertices
@@ -209,12 +212,12 @@ fn trust(before: &[f64], surroundings: &[Option<[f64; 2]>], modes: &LoopModes) -
     let rough = square(less_smooth(&curvature));
     let wanted = square(modes.projected(&mismatch).iter().map(|s| s * s).collect());
     let known = square(there(&|_| 0.0, &|_, _| 1.0));
-    (0..before.len())
-        .map(|k| {
-            let doubt = ERROR_COUNTS * error[k] + ROUGHNESS_COUNTS * rough[k];
-            known[k] * wanted[k] / (wanted[k] + doubt).max(f64::MIN_POSITIVE)
-        })
-        .collect()
+    let trust = (0..before.len()).map(|k| {
+        let doubt = ERROR_COUNTS * error[k] + ROUGHNESS_COUNTS * rough[k];
+        known[k] * wanted[k] / (wanted[k] + doubt).max(f64::MIN_POSITIVE)
+    });
+    let sum: f64 = error.iter().chain(&rough).sum();
+    (trust.collect(), (sum / before.len() as f64).sqrt())
 }
 
 /// The mean over so many neighbours along the loop to both sides.

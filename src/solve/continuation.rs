@@ -212,6 +212,7 @@ fn reached(system: &System, part: f64, [before, after]: [&[Vector3<f64>]; 2]) ->
         jump_before: l.jump(&system.domain, before, &system.boundary_normals),
         jump: l.jump(&system.domain, after, &system.boundary_normals),
         curvature: l.modes.product(&l.surroundings, &l.surroundings).sqrt(),
+        uncertainty: l.uncertainty,
     };
     continuity.loops.iter().map(of_loop).collect()
 }

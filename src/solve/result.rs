@@ -85,8 +85,10 @@ pub(crate) struct LoopContinuity {
     pub jump_before: [f64; 2],
     /// and of this one.
     pub jump: [f64; 2],
-    /// The root mean square of `H` of the surroundings.
+    /// The root mean square of `H` of the surroundings,
     pub curvature: f64,
+    /// and of its uncertainty.
+    pub uncertainty: f64,
 }
 
 /// What was found.

@@ -142,3 +142,57 @@ fn what_cannot_be_asked_is_refused() {
     };
     assert_eq!(refused(options), "boundary_curvature");
 }
+/// No coordinate of a free vertex is further off than this.
+fn assert_same(shape: &Shape, ours: impl Fn(u32) -> [f64; 3], theirs: impl Fn(u32) -> [f64; 3], bound: f64) {
+    for v in shape.free_vertices() {
+        let (p, q) = (ours(v), theirs(v));
+        assert!((0..3).all(|k| (p[k] - q[k]).abs() < bound), "{p:?} {q:?}");
+    }
+}
+
+/// Boundary normals and curvatures are fitted: neither fit knows where the axes point.
+#[test]
+fn motions_and_units_do_not_matter() {
+    let shape = torus(1_000);
+    for continuity in [0.0, 1.0] {
+        let options = Options {
+            tolerance: TIGHT,
+            ..asked(continuity)
+        };
+        let before = faired(&shape, &options);
+        for scale in [1e-6, 1.0, 1e6] {
+            let by = Similarity::new([1.0, 2.0, -1.0], 0.7, scale, [5.0 * scale, -2.0 * scale, scale]);
+            let moved = faired(&shape.transformed(&by), &options);
+            let (ours, theirs) = (&before.positions, &moved.positions);
+            assert_same(
+                &shape,
+                |v| by.apply(ours[v as usize]),
+                |v| theirs[v as usize],
+                1e-11 * scale,
+            );
+            for (a, b) in loops(&before).iter().zip(loops(&moved)) {
+                assert!((a.jump - scale * b.jump).abs() < 1e-6 * a.jump_before);
+                assert!((a.reached - b.reached).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_of_vertices_do_not_matter() {
+    let shape = torus(1_000);
+    let options = Options {
+        tolerance: TIGHT,
+        ..asked(1.0)
+    };
+    let before = faired(&shape, &options);
+    let (other, new) = shape.renumbered(3);
+    let after = faired(&other, &options);
+    let (ours, theirs) = (&before.positions, &after.positions);
+    assert_same(
+        &shape,
+        |v| ours[v as usize],
+        |v| theirs[new[v as usize] as usize],
+        1e-8,
+    );
+}
