@@ -1,7 +1,5 @@
 //! The vertices around boundary vertices, on one side of the boundary, ring by ring.
 
-use nalgebra::Vector3;
-
 /// For each vertex of a loop its samples and how many edges away they are.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BoundarySamples {
@@ -53,17 +51,5 @@ impl BoundarySamples {
     pub(crate) fn of(&self, k: usize) -> (&[u32], &[u8]) {
         let range = self.start[k]..self.start[k + 1];
         (&self.vertex[range.clone()], &self.reach[range])
-    }
-
-    /// The vectors from `q` to the samples of centre `k`.
-    pub(crate) fn edges(
-        &self,
-        k: usize,
-        x: &[Vector3<f64>],
-        q: &Vector3<f64>,
-        edges: &mut Vec<Vector3<f64>>,
-    ) {
-        edges.clear();
-        edges.extend(self.of(k).0.iter().map(|&j| x[j as usize] - q));
     }
 }

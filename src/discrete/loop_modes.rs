@@ -70,14 +70,33 @@ impl LoopModes {
         vertices.map(|((a, b), share)| a * b * share).sum()
     }
 
-    /// What the modes can tell of a function.
-    pub(crate) fn projected(&self, f: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; f.len()];
-        for mode in &self.modes {
-            let part = self.product(mode, f);
+    /// The parts of the modes in a function.
+    pub(crate) fn parts(&self, f: &[f64]) -> Vec<f64> {
+        self.modes.iter().map(|mode| self.product(mode, f)).collect()
+    }
+
+    /// The function with these parts.
+    pub(crate) fn sum(&self, parts: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.share.len()];
+        for (mode, part) in self.modes.iter().zip(parts) {
             sum.iter_mut().zip(mode).for_each(|(sum, m)| *sum += part * m);
         }
         sum
+    }
+
+    /// What the modes can tell of a function.
+    pub(crate) fn projected(&self, f: &[f64]) -> Vec<f64> {
+        self.sum(&self.parts(f))
+    }
+
+    /// The squares of parts, of both waves of a length together.
+    pub(crate) fn energies(parts: &[f64]) -> Vec<f64> {
+        let square = |m: usize| parts.get(m).map_or(0.0, |p| p * p);
+        let of_pair = |m: usize| match m {
+            0 => square(0),
+            _ => square(m - 1 + m % 2) + square(m + m % 2),
+        };
+        (0..parts.len()).map(of_pair).collect()
     }
 }
 

@@ -25,4 +25,5 @@ pub(crate) mod simd;
 mod single_ring;
 pub(crate) mod smooth_interior;
 pub(crate) mod target;
+pub(crate) mod trace;
 pub(crate) mod valence_batches;

@@ -16,6 +16,8 @@ const PHASE: &str = "curvature continuity";
 const SHORTER: f64 = 0.5;
 /// so many times.
 const TRIES: usize = 3;
+/// Where less of the way can be trusted on all loops, none of it is gone.
+const LEAST_REACHED: f64 = 1e-3;
 /// No boundary normal is missed by more than this factor, against the tangent-continuous surface,
 const DEVIATION: f64 = 1.1;
 /// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
@@ -60,8 +62,12 @@ impl Continuation {
             (&tangent.x, &system.state.h),
             &asked,
         );
-        if loops.is_empty() {
-            return Err(tangent);
+        if loops.iter().all(|l| l.trusted.part < LEAST_REACHED) {
+            let continuity = loops.iter().map(|l| came_of(l, 0.0, &l.before)).collect();
+            return Err(SolveResult {
+                continuity,
+                ..tangent
+            });
         }
         let judged = Candidate::new(
             system,
@@ -157,7 +163,7 @@ impl Continuation {
             status,
             step: candidate.step,
             defect: system.defect(),
-            continuity: reached(system, self.part, [&self.tangent.x, &candidate.x]),
+            continuity: reached(system, self.part, (&candidate.x, &system.state.h)),
             poor: candidate.poor,
             x: candidate.x,
             ..self.tangent.clone()
@@ -171,7 +177,7 @@ impl Continuation {
         system.evaluate(&self.tangent.x);
         self.told(control, None, system);
         SolveResult {
-            continuity: reached(system, 0.0, [&self.tangent.x; 2]),
+            continuity: reached(system, 0.0, (&self.tangent.x, &system.state.h)),
             ..self.tangent.clone()
         }
     }
@@ -200,19 +206,25 @@ fn largest_deviation(system: &System, result: &SolveResult) -> f64 {
     deviations.into_iter().fold(0.0, f64::max)
 }
 
-/// What came of each loop, from one surface to another one.
-fn reached(system: &System, part: f64, [before, after]: [&[Vector3<f64>]; 2]) -> Vec<LoopContinuity> {
-    let Some(continuity) = system.continuity() else {
-        return Vec::new();
-    };
-    let of_loop = |l: &LoopCondition| LoopContinuity {
+/// What came of each loop, whose surface has these mean curvatures.
+fn reached(system: &System, part: f64, surface: (&[Vector3<f64>], &[f64])) -> Vec<LoopContinuity> {
+    let loops = system.continuity().map_or(&[][..], |c| &c.loops);
+    let inside = |l: &LoopCondition| l.curvature_inside(system.free(), surface, &system.boundary_normals);
+    loops
+        .iter()
+        .map(|l| came_of(l, part * l.trusted.part, &inside(l)))
+        .collect()
+}
+
+/// What came of a loop where the surface has this mean curvature.
+fn came_of(l: &LoopCondition, reached: f64, inside: &[f64]) -> LoopContinuity {
+    LoopContinuity {
         vertex: l.vertices[0],
         vertices: l.vertices.len(),
-        reached: part * l.mean_trust(),
-        jump_before: l.jump(&system.domain, before, &system.boundary_normals),
-        jump: l.jump(&system.domain, after, &system.boundary_normals),
+        reached,
+        jump_before: l.jump(&l.before),
+        jump: l.jump(inside),
         curvature: l.modes.product(&l.surroundings, &l.surroundings).sqrt(),
-        uncertainty: l.uncertainty,
-    };
-    continuity.loops.iter().map(of_loop).collect()
+        uncertainty: l.trusted.uncertainty,
+    }
 }

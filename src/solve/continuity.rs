@@ -3,19 +3,21 @@
 //! With `phi = Delta_B H` as an unknown of its own the equations are `R1 = S H + (2A/3) phi = 0` and `S phi = 0` at the free vertices, and
 //! `H = H*` along the loops. Along a loop `phi` is a sum of its lowest modes, whose coefficients `c` are the further unknowns of the
 //! iteration; inside it is their harmonic extension. In one step, with matrices frozen: `E = ` extension of the modes,
-//! `W = P^-1 (2A/3) E`, `J = ` answer of the fits along the loops to normal motions, and `c` such that `J (t + W c)` closes the mismatch.
+//! `W = P^-1 (2A/3) E`, and `c` such that `H - D S (t + W c)` has the trace `H*` along the loops, as far as the modes tell.
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Dyn, LU, Vector3};
 use rayon::prelude::*;
 
-use super::boundary_curvature::{INSIDE, LoopCondition};
+use super::bilaplacian::Metric;
+use super::boundary_curvature::LoopCondition;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::NormalMatrix;
 use super::system::Collapsed;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::valence_batches::CHUNK;
+use crate::mesh::Rings;
 use crate::profile::clock;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
@@ -46,8 +48,8 @@ pub(crate) struct Continuity {
     laplacian: Factor,
     /// `H - H*` along the loops, one after the other, at the last evaluation,
     mismatch: Vec<f64>,
-    /// and its answer to motions of the samples along the normals of the loop.
-    response: Vec<Vec<f64>>,
+    /// and with which weights `H` there is made of that at free vertices.
+    trace: Vec<Vec<(u32, f64)>>,
     /// Projected answer of the mismatch to the modes.
     answer: Option<LU<f64, Dyn, Dyn>>,
     residual: Vec<[f64; 1]>,
@@ -69,7 +71,7 @@ impl Continuity {
             coefficients: vec![0.0; modes],
             laplacian: Factor::new(symbolic, false),
             mismatch: vec![0.0; vertices],
-            response: vec![Vec::new(); vertices],
+            trace: vec![Vec::new(); vertices],
             answer: None,
             residual: vec![[0.0]; free],
         }
@@ -129,21 +131,12 @@ impl Continuity {
         }
         let free = equations.free();
         let mut row = 0;
-        let mut edges = Vec::new();
         for l in &self.loops {
-            for (k, &b) in l.vertices.iter().enumerate() {
-                let b = b as usize;
-                l.samples.edges(k, x, &x[free + b], &mut edges);
-                let (around, reach) = l.samples.of(k);
-                let normal = &equations.boundary_normals[b];
-                let response = &mut self.response[row];
-                self.mismatch[row] = state.h[free + b] - l.target[k];
-                if INSIDE.fit(normal, &edges, reach, response).is_none() {
-                    response.clear();
-                }
-                for (r, &j) in response.iter_mut().zip(around) {
-                    *r *= state.normal.get(j as usize).map_or(0.0, |n| n.dot(normal));
-                }
+            for (k, target) in l.target.iter().enumerate() {
+                let weights = l.trace(k, free, x, equations.boundary_normals);
+                let h: f64 = weights.iter().map(|&(j, w)| w * state.h[j as usize]).sum();
+                self.mismatch[row] = h - target;
+                self.trace[row] = weights;
                 row += 1;
             }
         }
@@ -153,7 +146,7 @@ impl Continuity {
     pub(super) fn prepare(
         &mut self,
         equations: &Equations<'_>,
-        state: &State,
+        (state, metric): (&State, &Metric),
         (pattern, p, stacks): (&SymmetricPattern, &mut NormalMatrix, &mut Stacks),
     ) -> Result<(), Collapsed> {
         let _clock = clock("curvature continuity");
@@ -207,25 +200,25 @@ impl Continuity {
         }
         let mut answer = DMatrix::zeros(self.modes(), self.modes());
         for m in 0..self.modes() {
-            let along = self.answer_to(&self.columns[m].motion);
+            let along = self.answer_to(metric, equations.rings, &self.columns[m].motion);
             answer.set_column(m, &self.projected(&along));
         }
-        self.answer = Some(answer.lu());
-        Ok(())
+        let answer = answer.lu();
+        let is_sound = answer.is_invertible();
+        self.answer = Some(answer);
+        if is_sound { Ok(()) } else { Err(Collapsed) }
     }
 
-    /// How the mismatch answers to a normal motion.
-    fn answer_to(&self, motion: &[f64]) -> Vec<f64> {
-        let loops = self.loops.iter();
-        let centres = loops.flat_map(|l| (0..l.vertices.len()).map(move |k| l.samples.of(k).0));
-        let rows = centres.zip(&self.response);
-        rows.map(|(around, response)| {
-            let samples = around.iter().zip(response);
-            samples
-                .map(|(&j, r)| motion.get(j as usize).map_or(0.0, |t| r * t))
+    /// How the mismatch answers to a normal motion, by that of `H` in `P`.
+    fn answer_to(&self, metric: &Metric, rings: &Rings, motion: &[f64]) -> Vec<f64> {
+        let answer = metric.curvature_answer(rings, motion);
+        let of_vertex = |weights: &Vec<(u32, f64)>| {
+            let inside = weights.iter();
+            inside
+                .map(|&(j, w)| answer.get(j as usize).map_or(0.0, |h| w * h))
                 .sum()
-        })
-        .collect()
+        };
+        self.trace.iter().map(of_vertex).collect()
     }
 
     /// The parts of the modes in values along the loops.
@@ -241,10 +234,10 @@ impl Continuity {
     }
 
     /// Adds to the normal step what closes the mismatch, and writes the step of the coefficients.
-    pub(super) fn correct(&self, t: &mut [[f64; 1]], steps: &mut [f64]) {
+    pub(super) fn correct(&self, (metric, rings): (&Metric, &Rings), t: &mut [[f64; 1]], steps: &mut [f64]) {
         let _clock = clock("curvature continuity");
         let plain: Vec<f64> = t.iter().map(|t| t[0]).collect();
-        let answered = self.answer_to(&plain);
+        let answered = self.answer_to(metric, rings, &plain);
         let left: Vec<f64> = self.mismatch.iter().zip(&answered).map(|(m, a)| m + a).collect();
         let solved = self
             .answer

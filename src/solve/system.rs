@@ -410,7 +410,11 @@ impl System {
             curvature: self.curvature,
             right_hand_side: self.right_hand_side,
         };
-        let made = continuity.prepare(&equations, &state, (&self.graph, &mut self.p, &mut self.stacks));
+        let made = continuity.prepare(
+            &equations,
+            (&state, &self.metric),
+            (&self.graph, &mut self.p, &mut self.stacks),
+        );
         self.state = state;
         self.continuity = Some(continuity);
         made
