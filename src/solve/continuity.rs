@@ -23,7 +23,7 @@ use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
 /// Right-hand sides solved at once.
-const COLUMNS: usize = 4;
+const COLUMNS: usize = 8;
 
 /// A mode of a loop.
 #[derive(Debug, Default, Clone)]

@@ -70,9 +70,53 @@ fn zero_is_tangent_continuity() {
 #[test]
 fn surfaces_of_biharmonic_curvature_are_found_where_tangent_planes_alone_do_not_suffice() {
     let errors = |n: usize, continuity: f64| error(&band(n), &faired(&band(n), &asked(continuity)));
-    let [tangent, coarse, fine] = [errors(2_000, 0.0), errors(1_000, 1.0), errors(4_000, 1.0)];
-    println!("{tangent:e} {coarse:e} {fine:e}");
-    assert!(coarse < 0.4 * tangent && fine < 0.4 * coarse);
+    let [tangent, coarse, fine] = [errors(2_000, 0.0), errors(2_000, 1.0), errors(8_000, 1.0)];
+    assert!(
+        coarse < 0.2 * tangent && fine < coarse,
+        "{tangent:e} {coarse:e} {fine:e}"
+    );
+}
+
+/// Where the tangent-continuous surface is right, nothing is made worse; where it is not, the error falls.
+#[test]
+fn cylinders_and_catenoids_stay_as_good_as_they_are() {
+    for (shape, name) in [
+        (cylinder_band(2_000, irregular(7), 10), "cylinder"),
+        (catenoid_band(2_000, irregular(7), 10), "catenoid"),
+    ] {
+        let [tangent, continued] = [0.0, 1.0].map(|c| error(&shape, &faired(&shape, &asked(c))));
+        assert!(continued < 3.0 * tangent, "{name} {continued:e} {tangent:e}");
+    }
+}
+
+/// Noise of the surroundings is not taken for a jump of the curvature, and the jump that there is is found in spite of it.
+#[test]
+fn noise_is_not_continued() {
+    let noisy = |shape: Shape, size: f64| {
+        let mut all = shape.clone();
+        all.free.fill(true);
+        let noise = all.noise(3, size);
+        let mut positions = shape.flat();
+        for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
+            *p = noise[v];
+        }
+        let of = |continuity: f64| {
+            let selection = Selection::Mask(&shape.free);
+            let options = asked(continuity);
+            let solution = fair(&positions, &shape.triangles, selection, &options).unwrap();
+            error(&shape, &solution)
+        };
+        of(1.0) / of(0.0)
+    };
+    for size in [0.003, 0.01] {
+        let ratio = noisy(sphere_cap(60.0, 2_000, irregular(9), 10), size);
+        assert!(ratio < 1.5, "sphere {size} {ratio}");
+        let ratio = noisy(catenoid_band(2_000, irregular(8), 10), size);
+        assert!(ratio < 1.5, "catenoid {size} {ratio}");
+    }
+    let ellipsoid = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
+    let ratio = noisy(ellipsoid, 0.003);
+    assert!(ratio < 0.6, "ellipsoid {ratio}");
 }
 
 #[test]
