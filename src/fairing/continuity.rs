@@ -8,8 +8,7 @@ use crate::solve::{AskedContinuity, LoopContinuity};
 /// [`Options::continuity`](crate::Options::continuity).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum BoundaryCurvature {
-    /// Fitted to the surface outside the region with the boundary's normals, to three, four or eight rings, whichever is most certain along the
-    /// loop.
+    /// Fitted to the surface outside the region, to three to eight rings, whichever is most certain along the loop.
     #[default]
     Estimated,
     /// Given for some or all boundary vertices (`(vertex, mean curvature)`), in one over the unit of the positions, negative on a sphere with
