@@ -2,6 +2,7 @@
 
 mod component_solution;
 mod conclusion;
+mod continuity;
 mod joined;
 mod normalization;
 mod normals;
@@ -26,6 +27,7 @@ use crate::solve::control::{Callback, Interrupt};
 use crate::solve::{self, Control};
 use component_solution::{ComponentSolution, whole};
 use conclusion::Found;
+pub use continuity::{BoundaryCurvature, CurvatureContinuity};
 pub(crate) use joined::joined_options;
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};

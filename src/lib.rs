@@ -26,10 +26,10 @@ mod table;
 pub use curvature::{mean_curvature, mean_curvature_joined};
 pub use error::Error;
 pub use fairing::{
-    Attempt, AttemptEnd, BoundaryNormals, Coincident, ComponentReport, Discretization, InnerFairness,
-    InteriorNormals, Intersections, LooseReason, Options, Outcome, OutputPrecision, Progress,
-    ProgressCallback, Report, Seconds, Selection, SelfIntersections, Session, Solution, Solver, Target, fair,
-    fair_with_progress,
+    Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Coincident, ComponentReport,
+    CurvatureContinuity, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason, Options,
+    Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections,
+    Session, Solution, Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, LoopReport, Loops, OpenReason,

@@ -283,6 +283,7 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         intersections,
         // The mesh says it.
         coincident: Coincident::default(),
+        ..Options::default()
     })
 }
 

@@ -65,6 +65,7 @@ mod tests {
             bending_energy,
         };
         ComponentReport {
+            continuity: Vec::new(),
             vertex,
             free_vertices: 900,
             outcome: Outcome::Converged,

@@ -181,6 +181,7 @@ pub fn solve(
         threads: args.threads,
         intersections: args.intersections.intersections(),
         coincident: args.mesh.coincident,
+        ..defaults
     };
     let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;

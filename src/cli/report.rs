@@ -388,6 +388,7 @@ mod tests {
 
     fn component(vertex: usize, outcome: Outcome) -> ComponentReport {
         ComponentReport {
+            continuity: Vec::new(),
             vertex,
             free_vertices: 5,
             outcome,

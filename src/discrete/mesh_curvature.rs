@@ -18,12 +18,30 @@ const BOUNDARY_PASSES: usize = 5;
 pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<Vec<f64>, Error> {
     input::check(positions.len(), triangles)?;
     input::check_finite(positions, triangles)?;
-    let fans = VertexTriangles::new(positions.len(), triangles);
+    let fans = VertexTriangles::new(positions.len(), triangles.iter().copied());
     Ok((0..positions.len())
         .into_par_iter()
         .with_min_len(256)
         .map_init(Work::default, |work, v| fans.curvature(positions, v, work))
         .collect())
+}
+
+/// Mean curvature at the vertices with a closed ring of these triangles; not a number elsewhere.
+pub(crate) fn closed_ring_curvature(
+    positions: &[[f64; 3]],
+    triangles: impl Iterator<Item = [u32; 3]> + Clone,
+) -> Vec<f64> {
+    let fans = VertexTriangles::new(positions.len(), triangles);
+    let mut work = Work::default();
+    let at = |v: usize| {
+        let is_closed = !fans.of(v as u32).is_empty() && fans.walk(v as u32, &mut work.walked);
+        if is_closed {
+            fans.ring_curvature(positions, v, &mut work)
+        } else {
+            f64::NAN
+        }
+    };
+    (0..positions.len()).map(at).collect()
 }
 
 /// Per vertex `v` its triangles `(v, a, b)` as `[a, b]`, by `a`.
@@ -39,10 +57,8 @@ struct Work {
 }
 
 impl VertexTriangles {
-    fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
-        let corners = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| [(a, [b, c]), (b, [c, a]), (c, [a, b])]);
+    fn new(vertices: usize, triangles: impl Iterator<Item = [u32; 3]> + Clone) -> Self {
+        let corners = triangles.flat_map(|[a, b, c]| [(a, [b, c]), (b, [c, a]), (c, [a, b])]);
         let mut fans = Rows::collect(vertices, corners);
         (0..vertices).for_each(|v| fans.row_mut(v).sort_unstable());
         Self(fans)
@@ -81,6 +97,13 @@ impl VertexTriangles {
         if !self.walk(v as u32, &mut work.walked) {
             return self.boundary_curvature(v as u32, from, work);
         }
+        self.ring_curvature(positions, v, work)
+    }
+
+    /// That of the ring walked last, which is closed.
+    fn ring_curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut Work) -> f64 {
+        let q = Vector3::from(positions[v]);
+        let from = |w: u32| one(&(Vector3::from(positions[w as usize]) - q));
         work.ring.fill(work.walked.iter().map(|&[a, b]| {
             let flap = self.apex(b, a).filter(|&f| f as usize != v);
             (from(a), flap.map(&from))

@@ -122,10 +122,21 @@ pub(crate) const SECOND: Order<5> = Order {
     fewest: 6,
 };
 
-/// The same with `w = u^3, u^2 v, u v^2, v^3`: from one side alone, what the quadric leaves out would else tilt it.
+/// The same with `w = u^3, u^2 v, u v^2, v^3`: from one side alone, what the quadric leaves out would else tilt it. Their ridge is that of
+/// Bombieri's norm of a cubic, `a^2 + b^2/3 + c^2/3 + d^2`, which does not depend on where `u` points.
 pub(crate) const THIRD: Order<9> = Order {
     weights: [1.0, 0.5, 0.1],
-    ridges: [0.0, 1e-6, 1e-6, TILT_RIDGE, TILT_RIDGE, 1e-4, 1e-4, 1e-4, 1e-4],
+    ridges: [
+        0.0,
+        1e-6,
+        1e-6,
+        TILT_RIDGE,
+        TILT_RIDGE,
+        1e-4,
+        1e-4 / 3.0,
+        1e-4 / 3.0,
+        1e-4,
+    ],
     fewest: 14,
 };
 

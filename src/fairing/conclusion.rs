@@ -5,6 +5,7 @@ use std::time::Instant;
 use nalgebra::Vector3;
 
 use super::component_solution::ComponentSolution;
+use super::continuity::CurvatureContinuity;
 use super::options::OutputPrecision;
 use super::prepared::Prepared;
 use super::report::{Attempt, ComponentReport, LooseReason, Outcome, Seconds};
@@ -170,7 +171,16 @@ impl Found<'_> {
             linear_surface: result.status.is_linear(),
             attempts: result.trials.iter().map(Attempt::new).collect(),
             quality,
+            continuity: self.continuity(),
         }
+    }
+
+    fn continuity(&self) -> Vec<CurvatureContinuity> {
+        let (region, scale) = (&self.prepared.domain.region, self.prepared.normalization.scale);
+        let loops = self.result.continuity.iter();
+        loops
+            .map(|of_loop| CurvatureContinuity::new(of_loop, region, scale))
+            .collect()
     }
 
     fn outcome(&self, quality: &Quality, suspicious_normals: &[u32], creases: &[Kink]) -> Outcome {

@@ -1,5 +1,6 @@
 //! What is asked: plain data, checked in one place.
 
+use super::continuity::BoundaryCurvature;
 use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
 use crate::error::Error;
@@ -96,6 +97,13 @@ pub struct Options {
     pub boundary_normals: BoundaryNormals,
     /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
     pub interior_normals: InteriorNormals,
+    /// How far the surface continues the mean curvature of its surroundings, from 0 (default: tangent planes alone, G1) to 1 (curvature,
+    /// G2): part of the way between those surfaces. What is solved then is `Delta_B^2 H = 0`, with a target that of `Delta_B H` less the target. Only as
+    /// far as the surroundings are smooth enough to tell their curvature, see [`ComponentReport::continuity`](crate::ComponentReport::continuity). For
+    /// the fast solver.
+    pub continuity: f64,
+    /// Where that curvature comes from. Default: fitted to the surroundings.
+    pub boundary_curvature: BoundaryCurvature,
     /// What `Delta_B H` has to be. Default: zero.
     pub target: Target,
     /// How vertices are distributed within the surface. Default: uniform.
@@ -125,6 +133,8 @@ impl Default for Options {
         Self {
             boundary_normals: BoundaryNormals::default(),
             interior_normals: InteriorNormals::default(),
+            continuity: 0.0,
+            boundary_curvature: BoundaryCurvature::default(),
             target: Target::default(),
             inner_fairness: InnerFairness::default(),
             discretization: Discretization::default(),
@@ -161,6 +171,7 @@ impl Options {
         if let Solver::Paper(options) = &self.solver {
             options.validate()?;
         }
+        self.validate_continuity()?;
         self.coincident.validate()?;
         let t = self.tolerance;
         Error::check_option(
@@ -172,5 +183,13 @@ impl Options {
         Error::check_option("max_iterations", 0.0, self.max_iterations > 0, "at least 1")?;
         let threads = self.threads;
         Error::check_option("threads", threads as f64, threads <= MOST_THREADS, "at most 1024")
+    }
+
+    fn validate_continuity(&self) -> Result<(), Error> {
+        let (blend, is_fast) = (self.continuity, self.solver == Solver::Fast);
+        let range = "between 0 and 1; 0 for the paper's solver";
+        let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
+        Error::check_option("continuity", blend, is_fine, range)?;
+        self.boundary_curvature.validate()
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::continuity::asked_continuity;
 use super::normalization::Normalization;
 use super::normals::{GivenNormals, boundary_normals};
 use super::options::{Discretization, InnerFairness, Options, Solver};
@@ -17,7 +18,7 @@ use crate::mesh::numbering::Numbering;
 use crate::mesh::region::Selection;
 use crate::profile::clock;
 use crate::solve::problem::Weigh;
-use crate::solve::{Domain, Problem};
+use crate::solve::{AskedContinuity, Domain, Problem};
 
 /// What both solvers begin with: one component of what is to be faired.
 pub(super) struct Prepared {
@@ -33,6 +34,7 @@ pub(super) struct Prepared {
     weigh: Option<Weigh>,
     curvature: FreeCurvature,
     right_hand_side: RightHandSide,
+    continuity: Option<Arc<AskedContinuity>>,
 }
 
 /// The region of each component, cut where given normals ask for it.
@@ -41,7 +43,7 @@ pub(super) fn regions(
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     given: &GivenNormals,
-    solver: &Solver,
+    (solver, continuity): (&Solver, f64),
 ) -> Result<Vec<Region>, Error> {
     let numbering = match solver {
         Solver::Fast => Numbering::BreadthFirst,
@@ -49,7 +51,14 @@ pub(super) fn regions(
         Solver::Paper(_) => Numbering::AsGiven,
     };
     let _clock = clock("region");
-    Region::of_components(positions, triangles, selection, |v| given.has(v), numbering)
+    let is_wide = continuity > 0.0;
+    Region::of_components(
+        positions,
+        triangles,
+        selection,
+        |v| given.has(v),
+        (numbering, is_wide),
+    )
 }
 
 impl Prepared {
@@ -62,7 +71,13 @@ impl Prepared {
         options: &Options,
     ) -> Result<Vec<Self>, Error> {
         let given = GivenNormals::new(&options.boundary_normals);
-        let regions = regions(positions, triangles, selection, &given, &options.solver)?;
+        let regions = regions(
+            positions,
+            triangles,
+            selection,
+            &given,
+            (&options.solver, options.continuity),
+        )?;
         let prepared = regions
             .into_iter()
             .map(|region| Self::new(positions, region, &given, options));
@@ -98,6 +113,13 @@ impl Prepared {
         Ok(Self {
             has_given_normal: given.at_boundary(&domain.region),
             right_hand_side: options.target.right_hand_side(normalization.scale),
+            continuity: asked_continuity(
+                &domain.region,
+                options.continuity,
+                &options.boundary_curvature,
+                normalization.scale,
+            )
+            .map(Arc::new),
             domain: Arc::new(domain),
             normalization,
             boundary_normals,
@@ -130,6 +152,7 @@ impl Prepared {
             weigh: self.weigh,
             curvature: self.curvature,
             right_hand_side: self.right_hand_side,
+            continuity: self.continuity.as_ref(),
         }
     }
 }

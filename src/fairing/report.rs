@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::continuity::CurvatureContinuity;
 use crate::discrete::target::Target;
 #[cfg(doc)]
 use crate::fairing::{Options, Solver};
@@ -412,6 +413,9 @@ pub struct ComponentReport {
     pub attempts: Vec<Attempt>,
     /// Soundness of its surface.
     pub quality: Quality,
+    /// What came of [`Options::continuity`] along each boundary loop with surroundings; empty where it was not asked for, or no surface was
+    /// found to begin with.
+    pub continuity: Vec<CurvatureContinuity>,
 }
 
 /// What came of it: of the whole, and of each component. The whole has the worst of its components: their worst outcome and

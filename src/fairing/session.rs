@@ -77,7 +77,7 @@ impl Input {
             &self.triangles,
             self.selection(),
             given,
-            &self.options.solver,
+            (&self.options.solver, self.options.continuity),
         )
     }
 

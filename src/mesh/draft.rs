@@ -75,7 +75,7 @@ impl Draft {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         prescribed: impl Fn(u32) -> bool,
-        numbering: Numbering,
+        (numbering, is_wide): (Numbering, bool),
     ) -> Result<Region, Error> {
         let region_triangles = self.region_triangles;
         check_corners(triangles, &self.triangle_ids)?;
@@ -108,7 +108,11 @@ impl Draft {
         let outside = half_edges.triangle_ids[region_triangles..].iter();
         let is_rounded =
             rounding::single_precision_matters(positions, outside.map(|&t| triangles[t as usize]));
-        let rings = if is_rounded { RINGS_WIDE - 1 } else { RINGS_BEYOND };
+        let rings = if is_rounded || is_wide {
+            RINGS_WIDE - 1
+        } else {
+            RINGS_BEYOND
+        };
         let beyond = add_beyond(positions, triangles, &self.role, rings, &mut vertex_ids);
         Ok(Region {
             vertex_ids,

@@ -48,10 +48,12 @@ impl<'a> Excerpts<'a> {
         &mut self,
         free: &[u32],
         given: impl Fn(u32) -> bool,
-        numbering: Numbering,
+        (numbering, is_wide): (Numbering, bool),
     ) -> Result<Region, Error> {
-        let region = self.region_within(free, RINGS_BEYOND, &given, numbering)?;
-        if region.is_rounded {
+        let numbering = (numbering, is_wide);
+        let rings = if is_wide { RINGS_WIDE - 1 } else { RINGS_BEYOND };
+        let region = self.region_within(free, rings, &given, numbering)?;
+        if region.is_rounded && !is_wide {
             return self.region_within(free, RINGS_WIDE - 1, &given, numbering);
         }
         Ok(region)
@@ -63,7 +65,7 @@ impl<'a> Excerpts<'a> {
         free: &[u32],
         rings: usize,
         given: impl Fn(u32) -> bool,
-        numbering: Numbering,
+        numbering: (Numbering, bool),
     ) -> Result<Region, Error> {
         let Excerpt { vertices, triangles } = self.gather(free, 2 + rings);
         for (l, &v) in (0..).zip(&vertices) {

@@ -1,5 +1,6 @@
 //! The region of a triangle mesh: half-edges, rings, and which vertices are free, fixed and boundary.
 
+pub(crate) mod boundary_loops;
 mod checks;
 pub(crate) mod circles;
 pub(crate) mod coarsening;

@@ -4,6 +4,13 @@
 use super::region::Region;
 use super::rows::Rows;
 
+/// The triangles outside the region and a little beyond.
+pub(crate) fn outside_triangles(region: &Region) -> impl Iterator<Item = [u32; 3]> + Clone {
+    let half_edges = &region.half_edges;
+    let outside = &half_edges.triangles[half_edges.region_triangles..];
+    outside.iter().chain(&region.beyond).copied()
+}
+
 /// Neighbours of the vertices outside, boundary vertices included, along edges of triangles that are not of the region.
 #[derive(Debug, Clone)]
 pub(crate) struct OutsideNeighbours {
@@ -20,13 +27,16 @@ pub(crate) struct Marks(Vec<bool>);
 impl OutsideNeighbours {
     /// Those of a region, by local vertex number.
     pub(crate) fn new(region: &Region) -> Self {
-        let half_edges = &region.half_edges;
-        let outside = &half_edges.triangles[half_edges.region_triangles..];
-        let triangles = outside.iter().chain(&region.beyond);
-        let pairs = triangles.flat_map(|&[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
+        let pairs =
+            outside_triangles(region).flat_map(|[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
         Self {
             neighbour: Rows::collect(region.vertex_ids.len(), pairs),
         }
+    }
+
+    /// The neighbours of a vertex.
+    pub(crate) fn of(&self, v: u32) -> &[u32] {
+        self.neighbour.row(v as usize)
     }
 
     /// The vertices within `N` edges of `v`, without `v`: `ends[k]` of them, the first of the list, within `k + 1`.

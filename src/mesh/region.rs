@@ -83,10 +83,12 @@ impl Region {
         selection: Selection<'_>,
         prescribed: impl Fn(u32) -> bool,
     ) -> Result<Self, Error> {
-        Self::numbered(positions, triangles, selection, prescribed, Numbering::AsGiven)
+        let numbering = (Numbering::AsGiven, false);
+        Self::numbered(positions, triangles, selection, prescribed, numbering)
     }
 
-    /// The same with another numbering of the free vertices.
+    /// The same with another numbering of the free vertices, and with [`Region::beyond`] as where coordinates are rounded, if that is asked
+    /// for.
     ///
     /// # Errors
     /// As [`Region::new`].
@@ -95,13 +97,13 @@ impl Region {
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
         prescribed: impl Fn(u32) -> bool,
-        numbering: Numbering,
+        (numbering, is_wide): (Numbering, bool),
     ) -> Result<Self, Error> {
         let draft = Draft::new(positions, triangles, selection, &prescribed)?;
-        draft.check(positions, triangles, prescribed, numbering)
+        draft.check(positions, triangles, prescribed, (numbering, is_wide))
     }
 
-    /// The region of each component, as [`with_normals`](Self::with_normals) finds it where the component's vertices alone are
+    /// The region of each component, as [`numbered`](Self::numbered) finds it where the component's vertices alone are
     /// selected, by their smallest free vertices.
     ///
     /// # Errors
@@ -111,11 +113,16 @@ impl Region {
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
         prescribed: impl Fn(u32) -> bool,
-        numbering: Numbering,
+        (numbering, is_wide): (Numbering, bool),
     ) -> Result<Vec<Self>, Error> {
         let draft = Draft::new(positions, triangles, selection, &prescribed)?;
         if draft.components.count == 1 {
-            return Ok(vec![draft.check(positions, triangles, prescribed, numbering)?]);
+            return Ok(vec![draft.check(
+                positions,
+                triangles,
+                prescribed,
+                (numbering, is_wide),
+            )?]);
         }
         let mut members = vec![Vec::new(); draft.components.count];
         for (&c, &v) in draft.components.number.iter().zip(&draft.vertex_ids) {
@@ -125,7 +132,7 @@ impl Region {
         drop(draft);
         let mut excerpts = Excerpts::new(positions, triangles);
         let regions = members.iter().map(|free| {
-            let mut region = excerpts.region(free, &prescribed, numbering)?;
+            let mut region = excerpts.region(free, &prescribed, (numbering, is_wide))?;
             let outside = region.vertex_ids.iter().skip(region.free);
             let moves = outside.map(|&v| is_free[v as usize]);
             region.moves_elsewhere = std::iter::repeat_n(false, region.free).chain(moves).collect();

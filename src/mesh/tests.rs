@@ -620,12 +620,12 @@ fn agree_alone_numbered(
     numbering: Numbering,
 ) -> Vec<Region> {
     let list_of = |list| Selection::Vertices(list);
-    let regions = Region::of_components(&mesh.0, &mesh.1, list_of(list), &given, numbering).unwrap();
+    let regions = Region::of_components(&mesh.0, &mesh.1, list_of(list), &given, (numbering, false)).unwrap();
     let mut free: Vec<u32> = Vec::new();
     for region in &regions {
         assert_eq!(region.components, 1);
         let own = free_ids(region);
-        let alone = Region::numbered(&mesh.0, &mesh.1, list_of(own), &given, numbering).unwrap();
+        let alone = Region::numbered(&mesh.0, &mesh.1, list_of(own), &given, (numbering, false)).unwrap();
         alone.validate().unwrap();
         // All but what the others move.
         let mut here = region.clone();

@@ -84,6 +84,7 @@ pub(crate) fn solve(
         uniform_weights: false,
         along_normals: false,
         trials: Vec::new(),
+        continuity: Vec::new(),
         start_seconds: run.start_seconds,
         x,
     };
@@ -179,6 +180,7 @@ impl Run<'_> {
             Some(weigh) => weigh(&domain.batches, &domain.input),
         });
         let level_problem = Problem {
+            continuity: None,
             domain: &domain,
             weights: &weights,
             ..*self.problem
@@ -272,6 +274,7 @@ fn status(
     control: &Control<'_>,
 ) -> SolveStatus {
     let bounds = Judged {
+        phi: &[],
         state,
         right_hand_side: problem.right_hand_side,
         diagonal: diagonal(x),

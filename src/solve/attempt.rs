@@ -136,7 +136,7 @@ pub(crate) enum Kept {
 }
 
 /// Quasi-Newton steps to the tolerance.
-const DIRECT: IterateOptions = IterateOptions {
+pub(super) const DIRECT: IterateOptions = IterateOptions {
     tolerance_floor: 0.0,
     // Every change of matrix makes the step norm jump.
     divergence_factor: 10.0,

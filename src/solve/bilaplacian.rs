@@ -123,6 +123,16 @@ impl Metric {
         self.bound(free);
     }
 
+    /// `-D S t` at the free vertices: how `H` answers to the motion `t` of these along the normals.
+    pub(crate) fn curvature_answer(&self, rings: &Rings, t: &[f64]) -> Vec<f64> {
+        let at = |i: usize| {
+            let ring = rings.ring(i).iter().zip(&self.weight[rings.neighbour.range(i)]);
+            let beside: f64 = ring.map(|(&j, w)| t.get(j as usize).map_or(0.0, |t| w * t)).sum();
+            self.d[i] * (beside - self.total[i] * t[i])
+        };
+        (0..t.len()).into_par_iter().with_min_len(CHUNK).map(at).collect()
+    }
+
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
     /// the inner fairness condition has about these weights, whatever its shape.
     pub(crate) fn combinatorial(

@@ -88,6 +88,7 @@ impl CoarseLevel {
     /// The problem on the coarse mesh: that of the fine one but for the inner fairness.
     pub(crate) fn problem<'a>(&'a self, fine: &Problem<'a>) -> Problem<'a> {
         Problem {
+            continuity: None,
             domain: &self.domain,
             weights: &self.weights,
             weigh: None,
@@ -191,6 +192,7 @@ mod tests {
         let x = region.positions(&shape.positions);
         let domain = Arc::new(Domain::new(region, x));
         let problem = Problem {
+            continuity: None,
             domain: &domain,
             boundary_normals: &domain.surface()[domain.region.free..],
             smooth_interior: &[],

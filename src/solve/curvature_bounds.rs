@@ -1,6 +1,7 @@
 //! What the equation says about the extent of `H` inside, as a guard against bumps: surfaces that satisfy the discrete
 //! equations, but no smooth one does.
 
+use super::continuity::Continuity;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::target::RightHandSide;
@@ -19,6 +20,7 @@ impl System {
         let judged = Judged {
             state: self.state(),
             right_hand_side: self.right_hand_side(),
+            phi: self.continuity().map_or(&[], Continuity::phi),
             diagonal: self.diagonal,
         };
         judged.overshoots()
@@ -32,6 +34,8 @@ pub(crate) struct Judged<'a> {
     pub state: &'a State,
     /// What `Delta_B H` should be.
     pub right_hand_side: RightHandSide,
+    /// What it should be besides, at the vertices of the region, where the curvature of the surroundings is continued; empty: nothing.
+    pub phi: &'a [f64],
     /// The region's diagonal.
     pub diagonal: f64,
 }
@@ -46,6 +50,9 @@ impl Judged<'_> {
         let right = &self.right_hand_side;
         if right.energy != 0.0 {
             self.is_unresolved()
+        } else if self.phi.iter().any(|phi| *phi != 0.0) {
+            let [low, high] = range(self.phi.iter().map(|phi| phi + right.constant));
+            self.is_unresolved() || self.overshoots_loads([low, high])
         } else if right.constant != 0.0 {
             self.overshoots_load(right.constant)
         } else {
@@ -79,6 +86,17 @@ impl Judged<'_> {
         high > boundary_high + slack || low < boundary_low - dip - slack
     }
 
+    /// The same of `Delta_B H` between these bounds, that may have both signs.
+    fn overshoots_loads(&self, [least, most]: [f64; 2]) -> bool {
+        let (inside, boundary) = self.state.h.split_at(self.free());
+        let ([low, high], [boundary_low, boundary_high]) =
+            (range(inside.iter().copied()), range(boundary.iter().copied()));
+        let slack =
+            (OVERSHOOT - 1.0) * boundary_low.abs().max(boundary_high.abs()) + OVERSHOOT_FLOOR / self.diagonal;
+        let dip = |load: f64| load.max(0.0) * self.diagonal * self.diagonal / 8.0;
+        high > boundary_high + dip(-least) + slack || low < boundary_low - dip(most) - slack
+    }
+
     /// Surfaces of minimal energy obey no maximum principle: a strip bent round is curved most in its middle. But where a
     /// single 1-disk holds much of the energy, the surface is none that the mesh can tell.
     fn is_unresolved(&self) -> bool {
@@ -88,4 +106,11 @@ impl Judged<'_> {
             state.area[i] * (4.0 * h * h - 2.0 * state.k[i]) > TOTAL_CURVATURE
         })
     }
+}
+
+/// The smallest and the largest.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+        [low.min(v), high.max(v)]
+    })
 }

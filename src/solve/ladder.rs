@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::attempt::{Attempt, Curvature, Kept, LADDER, Mesh, Start, Weights};
 use super::candidate::Candidate;
+use super::continuation::Continuation;
 use super::control::Control;
 use super::initial::PHASE;
 use super::problem::diagonal;
@@ -77,6 +78,8 @@ pub(crate) struct Ladder {
     /// The surface at hand moves along the normals alone.
     along_normals: bool,
     start_seconds: f64,
+    /// To the curvature-continuous surface, once this one is found.
+    continuation: Option<Continuation>,
 }
 
 impl Ladder {
@@ -111,7 +114,8 @@ impl Ladder {
 
     /// The surface at hand, at which the system stands evaluated; none before the first iteration.
     pub(crate) fn x(&self) -> Option<&[Vector3<f64>]> {
-        self.run.as_ref().map(Run::x)
+        let continued = self.continuation.as_ref().map(Continuation::x);
+        continued.or_else(|| self.run.as_ref().map(Run::x))
     }
 
     /// Whether uniform weights have taken the place of those that are asked for.
@@ -124,7 +128,8 @@ impl Ladder {
         self.along_normals
     }
 
-    /// One iteration, and everything up to the next one.
+    /// One iteration, and everything up to the next one; after the surface is found, of its continuation to one that continues the
+    /// curvature as well, where that is asked for.
     ///
     /// # Errors
     /// [`Collapsed`] where not even the linear surface exists.
@@ -133,6 +138,27 @@ impl Ladder {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Result<Step, Collapsed> {
+        if let Some(continuation) = &mut self.continuation {
+            return Ok(continuation
+                .advance(system, control)
+                .map_or(Step::Iterated, Step::Ended));
+        }
+        system.end_continuity();
+        let result = match self.climb(system, control)? {
+            Step::Ended(result) => result,
+            step => return Ok(step),
+        };
+        Ok(match Continuation::begin(result, system, control) {
+            Ok(continuation) => {
+                self.continuation = Some(continuation);
+                Step::Iterated
+            }
+            Err(result) => Step::Ended(result),
+        })
+    }
+
+    /// The same, without continuation.
+    fn climb(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
         let mut ended = None;
         if let Some(run) = &mut self.run {
             ended = run.advance(system, control);
@@ -511,6 +537,7 @@ impl Ladder {
             uniform_weights: self.uniform_weights,
             along_normals,
             trials: std::mem::take(&mut self.trials),
+            continuity: Vec::new(),
             start_seconds: self.start_seconds,
             x,
         }

@@ -20,9 +20,14 @@ pub(crate) fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
 /// Takes the step, or as much of it as changes no edge by more than `largest` where the whole would by `change`. Returns
 /// how much that is.
 pub(crate) fn advance_limited(x: &mut [Vector3<f64>], step: &[f64], change: f64, largest: f64) -> f64 {
-    let part = (largest / change.max(f64::MIN_POSITIVE)).min(1.0);
+    let part = limited_part(change, largest);
     advance(x, step, part);
     part
+}
+
+/// How much of a step that changes an edge by `change` changes none by more than `largest`.
+pub(crate) fn limited_part(change: f64, largest: f64) -> f64 {
+    (largest / change.max(f64::MIN_POSITIVE)).min(1.0)
 }
 
 impl System {

@@ -5,10 +5,14 @@
 
 pub(crate) mod attempt;
 pub(crate) mod bilaplacian;
+pub(crate) mod boundary_curvature;
 pub(crate) mod candidate;
 pub(crate) mod coarse;
+mod continuation;
+pub(crate) mod continuity;
 pub(crate) mod control;
 pub(crate) mod curvature_bounds;
+mod curvature_trust;
 pub(crate) mod direction;
 pub(crate) mod factor;
 pub(crate) mod family;
@@ -27,6 +31,7 @@ pub(crate) mod result;
 mod search;
 mod soft_mode;
 pub(crate) mod step;
+mod surroundings;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;
@@ -35,10 +40,11 @@ pub(crate) mod weight_repair;
 use std::time::Instant;
 
 use crate::discrete::equations::State;
+pub(crate) use boundary_curvature::AskedContinuity;
 pub(crate) use control::Control;
 use ladder::{Ladder, Step};
 pub(crate) use problem::{Domain, Problem};
-pub(crate) use result::{SolveResult, SolveStatus, Trial, TrialEnd};
+pub(crate) use result::{LoopContinuity, SolveResult, SolveStatus, Trial, TrialEnd};
 pub(crate) use system::System;
 
 /// Solves both fairness equations. Returns the surface, and its evaluation.

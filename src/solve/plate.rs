@@ -348,6 +348,7 @@ mod tests {
         let normal = |&v: &u32| Vector3::from(surface.normal(shape.positions[v as usize]));
         let closed = domain.rings.closed.iter();
         call(&Problem {
+            continuity: None,
             domain: &domain,
             boundary_normals: &fixed.clone().map(normal).collect::<Vec<_>>(),
             smooth_interior: &fixed

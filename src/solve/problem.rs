@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::boundary_curvature::AskedContinuity;
 use super::result::{SolveResult, SolveStatus};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::FairnessWeights;
@@ -75,6 +76,8 @@ pub(crate) struct Problem<'a> {
     pub curvature: FreeCurvature,
     /// What `Delta_B H` has to be.
     pub right_hand_side: RightHandSide,
+    /// Continuity of the curvature, where it is asked for.
+    pub continuity: Option<&'a Arc<AskedContinuity>>,
 }
 
 impl<'a> Problem<'a> {
@@ -121,6 +124,7 @@ impl<'a> Problem<'a> {
             uniform_weights: false,
             along_normals: false,
             trials: Vec::new(),
+            continuity: Vec::new(),
             start_seconds: 0.0,
         };
         (result, state)

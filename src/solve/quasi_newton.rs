@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
-use super::limited_step::{LARGEST_CHANGE, advance, advance_limited};
+use super::limited_step::{LARGEST_CHANGE, advance, limited_part};
 use super::step::StepNorm;
 use super::system::System;
 use crate::profile::clock;
@@ -85,11 +85,21 @@ impl IterateOptions {
     }
 }
 
+/// Which step is taken.
+#[derive(Debug, Clone, Copy)]
+enum Step {
+    /// The quasi-Newton step itself.
+    Plain,
+    /// The accelerated one.
+    Accelerated,
+}
+
 /// The surface with the smallest step norm of a round. Norms of different rounds do not compare: each round has a
 /// matrix of its own.
 #[derive(Debug)]
 struct Best {
     x: Vec<Vector3<f64>>,
+    modes: Vec<f64>,
     d: f64,
 }
 
@@ -100,6 +110,8 @@ pub(crate) struct Iteration {
     tolerance: f64,
     /// The surface.
     pub(crate) x: Vec<Vector3<f64>>,
+    /// The coefficients of curvature continuity, where that is asked for.
+    modes: Vec<f64>,
     best: Best,
     anderson: Anderson,
     step: Vec<f64>,
@@ -133,7 +145,8 @@ impl Iteration {
         options: IterateOptions,
         control: &Control<'_>,
     ) -> Self {
-        let n = 3 * system.free();
+        let modes = vec![0.0; system.modes()];
+        let n = 3 * system.free() + modes.len();
         let window = if system.free() > LONG_UP_TO {
             WINDOW_OF_LARGE
         } else {
@@ -144,9 +157,11 @@ impl Iteration {
             options,
             best: Best {
                 x: x.clone(),
+                modes: modes.clone(),
                 d: f64::INFINITY,
             },
             x,
+            modes,
             anderson: Anderson::new(n, window),
             step: vec![0.0; n],
             accelerated: vec![0.0; n],
@@ -185,6 +200,7 @@ impl Iteration {
             within: 0,
         };
         self.anderson.clear();
+        system.set_modes(&self.modes);
         if reuse || !measured_response {
             system.evaluate(&self.x);
         }
@@ -213,11 +229,16 @@ impl Iteration {
         match self.stop(&norm, system, control) {
             Some(IterationStatus::Stalled) => return self.next_round(system, control),
             Some(IterationStatus::Converged) => {
-                self.take_last_step();
-                return Some(IterationStatus::Converged);
+                let left = self.take_last_step() / system.diagonal;
+                system.set_modes(&self.modes);
+                if left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA {
+                    return Some(IterationStatus::Converged);
+                }
+                system.evaluate(&self.x);
+                return None;
             }
             Some(status) => {
-                self.x.clone_from(&self.best.x);
+                self.take_best(system);
                 return Some(status);
             }
             None => {}
@@ -228,6 +249,7 @@ impl Iteration {
             self.accelerate(system);
         }
         // (4), (7.3) at the new surface.
+        system.set_modes(&self.modes);
         system.evaluate(&self.x);
         None
     }
@@ -249,6 +271,7 @@ impl Iteration {
         if d < self.best.d {
             self.best.d = d;
             self.best.x.clone_from(&self.x);
+            self.best.modes.clone_from(&self.modes);
         }
         if self.is_converged(norm) {
             return Some(IterationStatus::Converged);
@@ -285,7 +308,7 @@ impl Iteration {
 
     /// After a round that stalls: another one from the best surface, if that promises something.
     fn next_round(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
-        self.x.clone_from(&self.best.x);
+        self.take_best(system);
         if self.best.d <= self.tolerance {
             // The mean step is small enough; a few slow vertices do not gain any more.
             return Some(IterationStatus::Converged);
@@ -309,7 +332,7 @@ impl Iteration {
     /// Back to the best surface, and from there without history.
     fn go_back(&mut self, system: &mut System) {
         self.round.was_accelerated = false;
-        self.x.clone_from(&self.best.x);
+        self.take_best(system);
         self.anderson.clear();
         system.evaluate(&self.x);
         system.step(&mut self.step);
@@ -323,9 +346,9 @@ impl Iteration {
             self.anderson
                 .accelerate(&self.step, self.taken, &mut self.accelerated);
         }
-        let change = system.edge_change(&self.x, &self.accelerated);
+        let change = system.edge_change(&self.x, &self.accelerated[..3 * system.free()]);
         if change <= LARGEST_EXCESS * LARGEST_CHANGE {
-            self.taken = advance_limited(&mut self.x, &self.accelerated, change, LARGEST_CHANGE);
+            self.taken = self.take_limited(Step::Accelerated, change);
         } else {
             self.anderson.clear();
             self.plain_step(system);
@@ -333,19 +356,54 @@ impl Iteration {
     }
 
     /// The step after which nothing is evaluated: the accelerated one, which leaves less of the error, unless the history is one of
-    /// rounding.
-    fn take_last_step(&mut self) {
+    /// rounding. Returns the largest way of a vertex, which tells how much is left: a mean hides it, and so do steps that hardly shrink.
+    fn take_last_step(&mut self) -> f64 {
         let _clock = clock("Anderson");
         self.anderson
             .accelerate(&self.step, self.taken, &mut self.accelerated);
         let square = |step: &[f64]| step.iter().map(|s| s * s).sum::<f64>();
         let is_alike = square(&self.accelerated) <= LONGEST_LAST * LONGEST_LAST * square(&self.step);
-        let step = if is_alike { &self.accelerated } else { &self.step };
-        advance(&mut self.x, step, 1.0);
+        let (last, step) = if is_alike {
+            (Step::Accelerated, &self.accelerated)
+        } else {
+            (Step::Plain, &self.step)
+        };
+        let ways = step[..step.len() - self.modes.len()].as_chunks::<3>().0.iter();
+        let longest = ways.map(|way| square(way)).fold(0.0, f64::max).sqrt();
+        self.take(last, 1.0);
+        longest
     }
 
     fn plain_step(&mut self, system: &System) {
-        let change = system.edge_change(&self.x, &self.step);
-        advance_limited(&mut self.x, &self.step, change, LARGEST_CHANGE);
+        let change = system.edge_change(&self.x, &self.step[..3 * system.free()]);
+        self.take_limited(Step::Plain, change);
+    }
+
+    /// As much of a step as changes no edge too far. Returns how much that is.
+    fn take_limited(&mut self, step: Step, change: f64) -> f64 {
+        let part = limited_part(change, LARGEST_CHANGE);
+        self.take(step, part);
+        part
+    }
+
+    /// A part of a step, of the surface and of the modes.
+    fn take(&mut self, step: Step, part: f64) {
+        let step = match step {
+            Step::Plain => &self.step,
+            Step::Accelerated => &self.accelerated,
+        };
+        let (of_x, of_modes) = step.split_at(step.len() - self.modes.len());
+        advance(&mut self.x, of_x, part);
+        self.modes
+            .iter_mut()
+            .zip(of_modes)
+            .for_each(|(m, s)| *m += part * s);
+    }
+
+    /// The best surface of the round.
+    fn take_best(&mut self, system: &mut System) {
+        self.x.clone_from(&self.best.x);
+        self.modes.clone_from(&self.best.modes);
+        system.set_modes(&self.modes);
     }
 }

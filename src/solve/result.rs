@@ -72,6 +72,25 @@ pub(crate) enum TrialEnd {
     Stopped,
 }
 
+/// What came of the continuity of curvature along a boundary loop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoopContinuity {
+    /// Its smallest boundary vertex.
+    pub vertex: u32,
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// How much of the way to the curvature of the surroundings was taken.
+    pub reached: f64,
+    /// The jump of `H`, root mean square and largest, of the tangent-continuous surface,
+    pub jump_before: [f64; 2],
+    /// and of this one.
+    pub jump: [f64; 2],
+    /// The root mean square of `H` of the surroundings,
+    pub curvature: f64,
+    /// and of its uncertainty.
+    pub uncertainty: f64,
+}
+
 /// What was found.
 #[derive(Debug, Clone)]
 pub(crate) struct SolveResult {
@@ -93,6 +112,8 @@ pub(crate) struct SolveResult {
     pub uniform_weights: bool,
     /// Inner fairness is not met, because none was found to go with a surface: the vertices were moved along the normals alone.
     pub along_normals: bool,
+    /// Where the curvature of the surroundings was to be continued, what came of it.
+    pub continuity: Vec<LoopContinuity>,
     /// Seconds until the first iteration.
     pub start_seconds: f64,
 }

@@ -52,6 +52,11 @@ impl System {
                 }
             },
         );
+        let (step, modes) = step.split_at_mut(3 * self.free());
+        if let Some(continuity) = self.continuity.take() {
+            continuity.correct((&self.metric, &self.domain.rings), &mut self.normal_step, modes);
+            self.continuity = Some(continuity);
+        }
         let norm = self.step_norm();
         self.combine(&norm, step);
         norm

@@ -5,6 +5,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
+use super::boundary_curvature::{AskedContinuity, LoopCondition};
+use super::continuity::Continuity;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::{Means, NormalMatrix};
 use super::plate::Plate;
@@ -28,6 +30,7 @@ struct Asked {
     weights: Arc<FairnessWeights>,
     curvature: FreeCurvature,
     right_hand_side: RightHandSide,
+    continuity: Option<Arc<AskedContinuity>>,
 }
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
@@ -57,6 +60,9 @@ pub(crate) struct System {
     pub(super) diagonal: f64,
     /// The free one-ring graph.
     graph: SymmetricPattern,
+    graph_symbolic: Arc<Symbolic>,
+    /// The further unknowns of curvature continuity, while they are.
+    pub(super) continuity: Option<Box<Continuity>>,
     pub(super) g: Factor,
     pub(super) p: NormalMatrix,
     stacks: Stacks,
@@ -120,6 +126,7 @@ impl System {
                 weights: weights.clone(),
                 curvature: problem.curvature,
                 right_hand_side: problem.right_hand_side,
+                continuity: problem.continuity.cloned(),
             },
             weights: weights.clone(),
             curvature: problem.curvature,
@@ -132,6 +139,8 @@ impl System {
             metric: Metric::default(),
             diagonal: 1.0,
             graph,
+            graph_symbolic: symbolic,
+            continuity: None,
             g,
             p,
             stacks,
@@ -254,6 +263,7 @@ impl System {
     /// What is asked, on this mesh.
     pub(crate) fn problem(&self) -> Problem<'_> {
         Problem {
+            continuity: None,
             domain: &self.domain,
             boundary_normals: self.prescribed.as_ref().unwrap_or(&self.boundary_normals),
             smooth_interior: &self.smooth_interior,
@@ -325,6 +335,7 @@ impl System {
         let mut state = std::mem::take(&mut self.state);
         self.equations().evaluate(x, &mut state);
         self.state = state;
+        self.evaluate_continuity(x);
         self.take_smooth_interior_normals();
     }
 
@@ -340,6 +351,82 @@ impl System {
                 *normal = *current;
             }
         }
+    }
+
+    /// The continuity of curvature that is asked for.
+    pub(super) fn asked_continuity(&self) -> Option<Arc<AskedContinuity>> {
+        self.asked.continuity.clone()
+    }
+
+    /// Takes the curvatures along the loops as conditions, until [`System::end_continuity`].
+    pub(super) fn set_continuity(&mut self, loops: Vec<LoopCondition>) {
+        let size = (self.free(), self.region().boundary);
+        self.continuity = Some(Box::new(Continuity::new(loops, &self.graph_symbolic, size)));
+    }
+
+    /// Back to tangent continuity.
+    pub(super) fn end_continuity(&mut self) {
+        self.continuity = None;
+    }
+
+    /// The further unknowns, where they are.
+    pub(super) fn continuity(&self) -> Option<&Continuity> {
+        self.continuity.as_deref()
+    }
+
+    /// How many modes are unknowns.
+    pub(super) fn modes(&self) -> usize {
+        self.continuity().map_or(0, Continuity::modes)
+    }
+
+    /// Takes these coefficients of the modes, zero where there are fewer.
+    pub(super) fn set_modes(&mut self, values: &[f64]) {
+        if let Some(continuity) = &mut self.continuity {
+            let mut all = values.to_vec();
+            all.resize(continuity.modes(), 0.0);
+            continuity.set(&all);
+        }
+    }
+
+    /// Sets out for a part of the way to the surroundings' curvature.
+    pub(super) fn aim(&mut self, part: f64) {
+        if let Some(continuity) = &mut self.continuity {
+            continuity.loops.iter_mut().for_each(|l| l.aim(part));
+        }
+    }
+
+    fn evaluate_continuity(&mut self, x: &[Vector3<f64>]) {
+        if let Some(mut continuity) = self.continuity.take() {
+            let mut state = std::mem::take(&mut self.state);
+            continuity.evaluate(&self.equations(), x, &mut state);
+            self.state = state;
+            self.continuity = Some(continuity);
+        }
+    }
+
+    fn prepare_continuity(&mut self) -> Result<(), Collapsed> {
+        let Some(mut continuity) = self.continuity.take() else {
+            return Ok(());
+        };
+        let state = std::mem::take(&mut self.state);
+        let domain = self.domain.clone();
+        let equations = Equations {
+            rings: &domain.rings,
+            batches: &domain.batches,
+            boundary_normals: &self.boundary_normals,
+            smooth_interior: &self.smooth_interior,
+            weights: &self.weights,
+            curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
+        };
+        let made = continuity.prepare(
+            &equations,
+            (&state, &self.metric),
+            (&self.graph, &mut self.p, &mut self.stacks),
+        );
+        self.state = state;
+        self.continuity = Some(continuity);
+        made
     }
 
     /// Evaluates only what a tangential step needs.
@@ -361,12 +448,14 @@ impl System {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
             self.state = state;
+            self.evaluate_continuity(x);
             self.take_smooth_interior_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
         let made = self.refactor_at(Some(x), mass);
+        let made = made.and_then(|()| self.prepare_continuity());
         // The next one is far off, and the iterations need the memory.
         if response && mass.is_none() && self.free() > KEPT_UP_TO {
             self.stacks = Stacks::default();

@@ -133,8 +133,13 @@ mod tests {
         let positions = shape.noise(3, 0.4);
         let untangled = [Numbering::AsGiven, Numbering::BreadthFirst].map(|numbering| {
             let selection = Selection::Mask(&shape.free);
-            let regions =
-                Region::of_components(&positions, &shape.triangles, selection, |_| false, numbering);
+            let regions = Region::of_components(
+                &positions,
+                &shape.triangles,
+                selection,
+                |_| false,
+                (numbering, false),
+            );
             let region = &regions.unwrap()[0];
             let mut x = region.positions(&positions);
             untangle(region, &Rings::new(region), &vec![true; region.free], &mut x);

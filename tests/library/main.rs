@@ -7,6 +7,7 @@ mod accuracy;
 mod boundary;
 mod coincident;
 mod components;
+mod continuity;
 mod golden;
 mod holes;
 mod independence;

@@ -179,6 +179,7 @@ impl Cursor {
             uniform_weights: self.ladder.has_uniform_weights(),
             along_normals: self.ladder.is_along_normals(),
             trials: self.ladder.trials().to_vec(),
+            continuity: Vec::new(),
             start_seconds: 0.0,
         }
     }

@@ -1,0 +1,152 @@
+//! What a function of the vertices on one side of the boundary tends to at a boundary vertex.
+//!
+//! Mean curvatures at the vertices of a smooth surface err from vertex to vertex, and in the mean along a boundary by the same on both of
+//! its sides: where traces of both agree, the surface's own curvatures do by more than either is known.
+
+use nalgebra::{Cholesky, Const, SMatrix, SVector, Vector3};
+
+/// Unknowns of a quadric.
+const N: usize = 6;
+/// Weights by the number of edges to the boundary vertex,
+const WEIGHTS: [f64; 3] = [1.0, 1.0, 0.5];
+/// and where the samples are noisy.
+const WIDE_WEIGHTS: [f64; 7] = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5];
+/// Fewer samples cannot judge the fit.
+const FEWEST: usize = 9;
+/// Keeps the fit defined, relative to the sum of weights.
+const RIDGE: f64 = 1e-9;
+
+/// How far samples reach.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reach {
+    /// Three edges: waves along the boundary reach little further.
+    Near,
+    /// Seven.
+    Wide,
+}
+
+impl Reach {
+    fn weights(self) -> &'static [f64] {
+        match self {
+            Self::Near => &WEIGHTS,
+            Self::Wide => &WIDE_WEIGHTS,
+        }
+    }
+
+    /// Samples lie within so many edges.
+    pub(crate) fn rings(self) -> usize {
+        self.weights().len()
+    }
+}
+
+/// The quadric through samples, in the plane of a normal.
+pub(crate) struct Trace {
+    samples: Vec<(SVector<f64, N>, f64)>,
+    factor: Cholesky<f64, Const<N>>,
+}
+
+impl Trace {
+    /// That of samples `(edge, number of edges)`; `None` where they are too few.
+    pub(crate) fn new(
+        normal: &Vector3<f64>,
+        reach: Reach,
+        edges: impl Iterator<Item = (Vector3<f64>, u8)> + Clone,
+    ) -> Option<Self> {
+        let count = edges.clone().count();
+        if count < FEWEST {
+            return None;
+        }
+        let [a, b] = tangents(normal);
+        let squares: f64 = edges.clone().map(|(e, _)| e.norm_squared()).sum();
+        let unit = (count as f64 / squares.max(f64::MIN_POSITIVE)).sqrt();
+        let weights = reach.weights();
+        let sample = |(e, ring): (Vector3<f64>, u8)| {
+            let (u, v) = (e.dot(&a) * unit, e.dot(&b) * unit);
+            // Orthonormal in Bombieri's product: the ridge does not depend on where u points.
+            let phi = SVector::from([1.0, u, v, u * u, 2f64.sqrt() * u * v, v * v]);
+            (phi, weights[usize::from(ring).clamp(1, weights.len()) - 1])
+        };
+        let samples: Vec<_> = edges.map(sample).collect();
+        let mut matrix = SMatrix::<f64, N, N>::zeros();
+        for (phi, weight) in &samples {
+            matrix += phi * phi.transpose() * *weight;
+        }
+        for k in 1..N {
+            matrix[(k, k)] += RIDGE * count as f64;
+        }
+        let factor = matrix.cholesky()?;
+        Some(Self { samples, factor })
+    }
+
+    /// The weights with which values at the samples make the one at the boundary vertex.
+    pub(crate) fn weights(&self) -> Vec<f64> {
+        let z = self.influence();
+        self.samples.iter().map(|(phi, w)| w * phi.dot(&z)).collect()
+    }
+
+    fn influence(&self) -> SVector<f64, N> {
+        let mut first = SVector::<f64, N>::zeros();
+        first[0] = 1.0;
+        self.factor.solve(&first)
+    }
+
+    /// The value at the boundary vertex, and its standard error.
+    pub(crate) fn value(&self, values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+        let mut right = SVector::<f64, N>::zeros();
+        // From one of the values, so that constants are exact.
+        let level = values.clone().next().unwrap_or(0.0);
+        for ((phi, weight), value) in self.samples.iter().zip(values.clone()) {
+            right += phi * (weight * (value - level));
+        }
+        let y = self.factor.solve(&right);
+        let z = self.influence();
+        let (mut residual, mut total, mut squares) = (0.0, 0.0, 0.0);
+        for ((phi, weight), value) in self.samples.iter().zip(values) {
+            residual += weight * (value - level - phi.dot(&y)).powi(2);
+            total += weight;
+            squares += (weight * phi.dot(&z)).powi(2);
+        }
+        let count = self.samples.len() as f64;
+        let variance = residual / total * count / (count - N as f64);
+        [y[0] + level, (variance * squares).sqrt()]
+    }
+}
+
+/// Two unit vectors that are orthogonal to the normal and to each other.
+fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let along = if n.x.abs() < 0.6 {
+        Vector3::x()
+    } else {
+        Vector3::y()
+    };
+    let a = n.cross(&along).normalize();
+    [a, n.cross(&a)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quadratic_functions_are_exact_and_errors_beside_the_boundary_hardly_matter() {
+        let f = |u: f64, v: f64| 0.3 + 0.5 * u - 0.2 * v + u * v - 0.7 * v * v;
+        let at = |k: u32| {
+            let (ring, angle) = (1 + k / 8, 0.4 * f64::from(k % 8));
+            let r = f64::from(ring);
+            (Vector3::new(r * angle.cos(), r * angle.sin(), 0.1), ring as u8)
+        };
+        let trace = Trace::new(&Vector3::z(), Reach::Near, (0..32).map(at)).unwrap();
+        let values = |error: f64| {
+            let samples = (0..32).map(at).enumerate();
+            samples
+                .map(move |(k, (e, ring))| f(e.x, e.y) + if ring == 1 { [error, -error][k % 2] } else { 0.0 })
+        };
+        let [value, error] = trace.value(values(0.0));
+        assert!((value - 0.3).abs() < 1e-7 && error < 1e-7);
+        let [value, error] = trace.value(values(0.1));
+        assert!((value - 0.3).abs() < 0.01 && error > 0.001);
+        let sum: f64 = trace.weights().iter().zip(values(0.1)).map(|(w, f)| w * f).sum();
+        assert!((sum - value).abs() < 1e-12);
+        assert!(Trace::new(&Vector3::z(), Reach::Near, (0..8).map(at)).is_none());
+    }
+}

@@ -1,0 +1,196 @@
+//! What mean curvature the surface shall have along a boundary loop: that of the surroundings, as far as they can be trusted.
+//!
+//! At the boundary positions and normals fix two of the three entries of the second fundamental form; the mean curvature `H*` of the
+//! surroundings fixes the third. The surface's own is the trace of the curvatures at its vertices, which are smooth, other than positions.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::curvature_trust::Trusted;
+use super::problem::Domain;
+use super::surroundings::{MOST_FITS, Outside};
+use crate::discrete::boundary_samples::BoundarySamples;
+use crate::discrete::loop_modes::LoopModes;
+use crate::discrete::trace::{Reach, Trace};
+use crate::mesh::boundary_loops::boundary_loops;
+
+/// The most modes of a loop.
+const MOST_MODES: usize = 32;
+/// A mode for so many vertices at most: the waves of shorter ones are not resolved.
+const LEAST_VERTICES_PER_MODE: usize = 8;
+/// Loops with fewer vertices stay as they are.
+const FEWEST_VERTICES: usize = 8;
+
+/// Continuity of the curvature, as it is asked for.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct AskedContinuity {
+    /// From 0, tangent planes alone, to 1.
+    pub blend: f64,
+    /// `H` where it is given, by boundary vertex; empty: nowhere.
+    pub given: Vec<Option<f64>>,
+}
+
+/// What holds along a loop.
+#[derive(Debug)]
+pub(crate) struct LoopCondition {
+    /// Boundary vertices in their order.
+    pub vertices: Vec<u32>,
+    /// The lowest modes.
+    pub modes: LoopModes,
+    /// Samples of the trace inside.
+    inside: BoundarySamples,
+    /// Where there is something outside.
+    pub has_surroundings: Vec<bool>,
+    /// `H` of the surroundings; the surface's own where there is none.
+    pub surroundings: Vec<f64>,
+    /// How much of the way there can be trusted.
+    pub trusted: Trusted,
+    /// `H` of the tangent-continuous surface, as its equation has it.
+    pub before: Vec<f64>,
+    /// What `H` shall be.
+    pub target: Vec<f64>,
+}
+
+impl LoopCondition {
+    /// Takes a part of the way from the tangent-continuous surface to the surroundings.
+    pub(super) fn aim(&mut self, part: f64) {
+        for (k, target) in self.target.iter_mut().enumerate() {
+            *target = self.before[k] + part * self.trusted.change[k];
+        }
+    }
+
+    /// The free vertices around vertex `k` of the loop, and with which weights values there make the one that they tend to at it; where
+    /// there are too few around, its own.
+    pub(super) fn trace(
+        &self,
+        k: usize,
+        free: usize,
+        x: &[Vector3<f64>],
+        normals: &[Vector3<f64>],
+    ) -> Vec<(u32, f64)> {
+        let b = self.vertices[k] as usize;
+        trace_inside(&self.inside, (k, b), free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
+    }
+
+    /// `H` of the surface along the loop.
+    pub(super) fn curvature_inside(
+        &self,
+        free: usize,
+        (x, h): (&[Vector3<f64>], &[f64]),
+        normals: &[Vector3<f64>],
+    ) -> Vec<f64> {
+        let at = |k: usize| {
+            let weights = self.trace(k, free, x, normals);
+            weights.iter().map(|&(j, w)| w * h[j as usize]).sum()
+        };
+        (0..self.vertices.len()).map(at).collect()
+    }
+
+    /// The jump between the surface's `H` along the loop and that of the surroundings, root mean square and largest.
+    pub(super) fn jump(&self, inside: &[f64]) -> [f64; 2] {
+        let pairs = inside.iter().zip(&self.surroundings).zip(&self.has_surroundings);
+        let jumps: Vec<f64> = pairs
+            .map(|((h, outside), is_there)| if *is_there { h - outside } else { 0.0 })
+            .collect();
+        let largest = jumps.iter().fold(0.0f64, |m, j| m.max(j.abs()));
+        [self.modes.product(&jumps, &jumps).sqrt(), largest]
+    }
+}
+
+/// See [`LoopCondition::trace`].
+fn trace_inside(
+    around: &BoundarySamples,
+    (k, b): (usize, usize),
+    free: usize,
+    x: &[Vector3<f64>],
+    normals: &[Vector3<f64>],
+) -> Option<Vec<(u32, f64)>> {
+    let (vertices, reach) = around.of(k);
+    let inside = vertices.iter().zip(reach).filter(|(j, _)| (**j as usize) < free);
+    let edges = inside
+        .clone()
+        .map(|(&j, &reach)| (x[j as usize] - x[free + b], reach));
+    let trace = Trace::new(&normals[b], Reach::Near, edges)?;
+    Some(inside.zip(trace.weights()).map(|((&j, _), w)| (j, w)).collect())
+}
+
+/// The conditions along all loops of the tangent-continuous surface `x` with mean curvatures `h` where there is something to continue.
+pub(super) fn loop_conditions(
+    domain: &Arc<Domain>,
+    normals: &[Vector3<f64>],
+    surface: (&[Vector3<f64>], &[f64]),
+    asked: &AskedContinuity,
+) -> Vec<LoopCondition> {
+    let outside = Outside::new(domain);
+    let loops = boundary_loops(&domain.region, &domain.rings);
+    let long = loops.into_iter().filter(|along| along.len() >= FEWEST_VERTICES);
+    long.filter_map(|along| loop_condition(along, &outside, normals, surface, asked))
+        .collect()
+}
+
+fn loop_condition(
+    vertices: Vec<u32>,
+    outside: &Outside<'_>,
+    normals: &[Vector3<f64>],
+    (x, h): (&[Vector3<f64>], &[f64]),
+    asked: &AskedContinuity,
+) -> Option<LoopCondition> {
+    let domain = outside.domain;
+    let free = domain.region.free;
+    let centres = || vertices.iter().map(|b| free as u32 + b);
+    let inside = BoundarySamples::new(centres(), Reach::Near.rings(), x.len(), |v| {
+        domain.rings.neighbours(v as usize)
+    });
+    let is_there =
+        |(k, b): (usize, &u32)| trace_inside(&inside, (k, *b as usize), free, x, normals).is_some();
+    let there = vertices.iter().enumerate().filter(|at| is_there(*at)).count();
+    if (there as f64) < MOST_FITS * vertices.len() as f64 {
+        return None;
+    }
+    let given = |b: u32| asked.given.get(b as usize).copied().flatten();
+    let surroundings = outside.along(&vertices, normals, given)?;
+    let polygon: Vec<_> = centres().map(|v| x[v as usize]).collect();
+    let most = (vertices.len() / LEAST_VERTICES_PER_MODE).clamp(1, MOST_MODES);
+    let modes = LoopModes::new(&polygon, most - (most + 1) % 2);
+    let mut this = LoopCondition {
+        inside,
+        has_surroundings: surroundings.h.iter().map(|h| h.is_some()).collect(),
+        surroundings: Vec::new(),
+        target: Vec::new(),
+        trusted: Trusted::default(),
+        before: Vec::new(),
+        vertices,
+        modes,
+    };
+    this.before = this.curvature_inside(free, (x, h), normals);
+    this.target.clone_from(&this.before);
+    let known = surroundings.h.iter().zip(&this.before);
+    this.surroundings = known.map(|(h, before)| h.unwrap_or(*before)).collect();
+    let offset = offsets(
+        &this.modes,
+        &polygon,
+        this.vertices.iter().map(|&b| normals[b as usize]),
+    );
+    let known = [&*this.before, &this.surroundings, &offset];
+    this.trusted = Trusted::new(&this.modes, known, &surroundings);
+    Some(this)
+}
+
+/// How far each vertex of a closed polygon lies to the side of the smooth curve through its modes, along the surface.
+fn offsets(
+    modes: &LoopModes,
+    polygon: &[Vector3<f64>],
+    normals: impl Iterator<Item = Vector3<f64>>,
+) -> Vec<f64> {
+    let coordinate = |c: usize| modes.projected(&polygon.iter().map(|p| p[c]).collect::<Vec<_>>());
+    let smooth = [0, 1, 2].map(coordinate);
+    let n = polygon.len();
+    let curve = |k: usize| Vector3::from(smooth.each_ref().map(|c| c[k % n]));
+    let to_the_side = |(k, normal): (usize, Vector3<f64>)| {
+        let along = curve(k + 1) - curve(k + n - 1);
+        let side = along.cross(&normal).try_normalize(0.0).unwrap_or_default();
+        (polygon[k] - curve(k)).dot(&side)
+    };
+    normals.enumerate().map(to_the_side).collect()
+}

@@ -1,0 +1,221 @@
+//! How much of the way to the surroundings' mean curvature along a loop can be trusted.
+//!
+//! Three doubts stand against the mismatch that is to be closed. Around each vertex: what the modes cannot tell of the surroundings' own
+//! curvature, as at creases, and a boundary whose normals are far worse than elsewhere. Wave by wave: how uncertain the fit to the
+//! surroundings is, by its standard error and by how much it differs from curvatures as the equation has them. Where the doubt is as
+//! large as the mismatch, nothing is left of it: what noise there is would be taken for a jump.
+
+use super::surroundings::Surroundings;
+use crate::discrete::loop_modes::LoopModes;
+
+/// Where the surface's own curvature varies from vertex to vertex so many times as much, in squares, as in the mean of the loop, its
+/// boundary normals are wrong.
+const OUTLYING: f64 = 2.0;
+/// A doubt counts so many times in squares.
+const DOUBT_COUNTS: f64 = 8.0;
+
+/// What is left of a mismatch.
+#[derive(Debug, Default)]
+pub(crate) struct Trusted {
+    /// The change of `H` along the loop that can be trusted,
+    pub change: Vec<f64>,
+    /// and how much that is of what the modes can tell of the mismatch, from 0 to 1.
+    pub part: f64,
+    /// How uncertain the surroundings' `H` is, root mean square.
+    pub uncertainty: f64,
+}
+
+impl Trusted {
+    /// Of the surface's `H` before and what is wanted in its place; `offset` is how far each vertex lies to the side of a smooth curve.
+    pub(super) fn new(
+        modes: &LoopModes,
+        [before, wanted, offset]: [&[f64]; 3],
+        fitted: &Surroundings,
+    ) -> Self {
+        let mismatch = difference(wanted, before);
+        let told = modes.projected(&mismatch);
+        let mut rough = unexplained(modes, &less_smooth(modes, wanted), offset);
+        for (rough, is_given) in rough.iter_mut().zip(&fitted.is_given) {
+            if *is_given {
+                *rough = 0.0;
+            }
+        }
+        let own = unexplained(modes, &less_smooth(modes, before), offset);
+        let trust = around_vertices(modes, &told, [&rough, &own]);
+        let known = fitted.h.iter().map(|h| f64::from(u8::from(h.is_some())));
+        let known = smoothed(modes, &known.collect::<Vec<_>>());
+        let weighed: Vec<f64> = (0..mismatch.len())
+            .map(|k| mismatch[k] * known[k] * trust[k])
+            .collect();
+        let change = modes.sum(&certain_waves(modes, &weighed, fitted));
+        let whole = modes.product(&told, &told).max(f64::MIN_POSITIVE);
+        let error = modes.product(&fitted.error, &fitted.error);
+        Self {
+            part: (modes.product(&told, &change) / whole).clamp(0.0, 1.0),
+            change,
+            uncertainty: (modes.product(&rough, &rough) + error).sqrt(),
+        }
+    }
+}
+
+/// The trust at each vertex, by what the modes cannot tell of the curvatures outside and inside around it.
+fn around_vertices(modes: &LoopModes, told: &[f64], [rough, own]: [&[f64]; 2]) -> Vec<f64> {
+    let usual = OUTLYING * modes.product(own, own);
+    let around = |values: &[f64]| smoothed(modes, &values.iter().map(|v| v * v).collect::<Vec<_>>());
+    let (told, rough, own) = (around(told), around(rough), around(own));
+    (0..told.len())
+        .map(|k| {
+            let doubt = rough[k] + (own[k] - usual).max(0.0);
+            told[k] / (told[k] + doubt).max(f64::MIN_POSITIVE)
+        })
+        .collect()
+}
+
+/// The parts of the modes in a mismatch, less where they are uncertain. Both waves of a length are treated alike: it does not matter
+/// where the loop begins.
+fn certain_waves(modes: &LoopModes, mismatch: &[f64], fitted: &Surroundings) -> Vec<f64> {
+    // Neighbours share most of their samples: noise is in waves longer than these reach.
+    let shared = (2.0 * fitted.rings as f64 / mismatch.len() as f64).min(1.0);
+    let noise = shared * modes.product(&fitted.error, &fitted.error);
+    let differences = LoopModes::energies(&modes.parts(&fitted.difference));
+    let mean = differences.iter().sum::<f64>() / differences.len() as f64;
+    let mut parts = modes.parts(mismatch);
+    let energies = LoopModes::energies(&parts);
+    for (m, (part, energy)) in parts.iter_mut().zip(energies).enumerate() {
+        let waves = if m == 0 { 1.0 } else { 2.0 };
+        let doubt = waves * noise + differences[m] + mean;
+        *part *= (1.0 - DOUBT_COUNTS * doubt / energy.max(f64::MIN_POSITIVE)).max(0.0);
+    }
+    parts
+}
+
+/// What is left of what the modes cannot tell where it is not in proportion to the offsets around: a boundary that zigzags on a surface
+/// with a slope of `H` meets different values of it.
+fn unexplained(modes: &LoopModes, rough: &[f64], offset: &[f64]) -> Vec<f64> {
+    let products = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a * b).collect() };
+    let both = smoothed(modes, &products(rough, offset));
+    let squares = smoothed(modes, &products(offset, offset));
+    let slope = both
+        .iter()
+        .zip(squares)
+        .map(|(b, s)| b / s.max(f64::MIN_POSITIVE));
+    let explained: Vec<f64> = slope.zip(offset).map(|(slope, o)| slope * o).collect();
+    difference(rough, &explained)
+}
+
+/// What the modes cannot tell.
+fn less_smooth(modes: &LoopModes, values: &[f64]) -> Vec<f64> {
+    difference(values, &modes.projected(values))
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Twice the mean over as many neighbours along the loop to both sides as there are for each mode.
+fn smoothed(modes: &LoopModes, values: &[f64]) -> Vec<f64> {
+    let around = (values.len() / modes.modes.len()).max(1);
+    averaged(&averaged(values, around), around)
+}
+
+fn averaged(values: &[f64], around: usize) -> Vec<f64> {
+    let n = values.len();
+    let around = around.min((n - 1) / 2);
+    let mean = |k: usize| {
+        let window = (0..=2 * around).map(|j| values[(k + n + j - around) % n]);
+        window.sum::<f64>() / (2 * around + 1) as f64
+    };
+    (0..n).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+    use std::f64::consts::TAU;
+
+    const N: usize = 120;
+
+    fn circle() -> LoopModes {
+        let at = |k: usize| TAU * k as f64 / N as f64;
+        let polygon: Vec<_> = (0..N)
+            .map(|k| Vector3::new(at(k).cos(), at(k).sin(), 0.0))
+            .collect();
+        LoopModes::new(&polygon, 15)
+    }
+
+    fn fitted(h: &[f64], error: f64) -> Surroundings {
+        Surroundings {
+            h: h.iter().map(|h| Some(*h)).collect(),
+            error: vec![error; N],
+            difference: vec![0.0; N],
+            is_given: vec![false; N],
+            rings: 4,
+        }
+    }
+
+    fn wave(size: f64) -> Vec<f64> {
+        (0..N)
+            .map(|k| size * (3.0 * TAU * k as f64 / N as f64).cos())
+            .collect()
+    }
+
+    #[test]
+    fn what_is_certain_is_closed_and_what_is_not_is_left() {
+        let (modes, before) = (circle(), vec![-1.0; N]);
+        let wanted: Vec<f64> = wave(0.2).iter().map(|w| w - 1.0).collect();
+        let of = |error: f64| Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &fitted(&wanted, error));
+        let certain = of(1e-4);
+        assert!(certain.part > 0.99);
+        let left = difference(&certain.change, &wave(0.2));
+        assert!(modes.product(&left, &left).sqrt() < 1e-3);
+        assert!((0.2..0.95).contains(&of(0.1).part));
+        assert_eq!(of(1.0).part, 0.0);
+        assert!((of(0.1).uncertainty - 0.1).abs() < 1e-3);
+    }
+
+    /// The curvatures that the equation has there are another measure of the same: what differs cannot be told.
+    #[test]
+    fn a_difference_between_two_measures_is_a_doubt_of_its_wave() {
+        let (modes, before) = (circle(), vec![-1.0; N]);
+        let wanted: Vec<f64> = wave(0.2).iter().map(|w| w - 0.9).collect();
+        let mut both = fitted(&wanted, 0.0);
+        both.difference = vec![0.1; N];
+        let left = Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &both).change;
+        let parts = modes.parts(&left);
+        assert!(parts[0].abs() < 1e-12 && modes.product(&left, &wave(0.2)) > 0.01);
+    }
+
+    /// Around a crease the trust is less, far from it as without it.
+    #[test]
+    fn a_crease_counts_where_it_is() {
+        let (modes, before) = (circle(), vec![-1.0; N]);
+        let mut wanted = vec![-0.8; N];
+        (0..6).for_each(|k| wanted[k] += if k % 2 == 0 { 3.0 } else { -3.0 });
+        let change = Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &fitted(&wanted, 0.0)).change;
+        assert!(change[3] < 0.5 * change[60] && change[60] > 0.1, "{change:?}");
+        let mut given = fitted(&wanted, 0.0);
+        given.is_given = vec![true; N];
+        assert!(Trusted::new(&modes, [&before, &wanted, &[0.0; N]], &given).part > 0.99);
+    }
+
+    /// A boundary that zigzags on a surface with a slope of `H`.
+    #[test]
+    fn offsets_of_a_boundary_are_no_roughness() {
+        let (modes, before) = (circle(), vec![-1.0; N]);
+        let offset: Vec<f64> = (0..N).map(|k| 0.1 * ((5 * k) as f64).sin()).collect();
+        let wanted: Vec<f64> = offset.iter().map(|o| -0.9 + 2.0 * o).collect();
+        let part =
+            |offset: &[f64]| Trusted::new(&modes, [&before, &wanted, offset], &fitted(&wanted, 0.0)).part;
+        assert!(part(&offset) > 0.98 && part(&[0.0; N]) < 0.5);
+    }
+
+    #[test]
+    fn where_nothing_is_known_nothing_changes() {
+        let (modes, before) = (circle(), vec![-1.0; N]);
+        let mut fitted = fitted(&before, 0.0);
+        fitted.h = vec![None; N];
+        let trusted = Trusted::new(&modes, [&before, &before, &[0.0; N]], &fitted);
+        assert!(trusted.part == 0.0 && trusted.change.iter().all(|c| *c == 0.0));
+    }
+}

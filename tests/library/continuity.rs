@@ -1,0 +1,242 @@
+//! Curvature continuity: what it keeps, known answers, invariances, and refusals.
+
+use crate::fairing::*;
+use fairmesh::{
+    BoundaryCurvature, BoundaryNormals, CurvatureContinuity, Error, Options, Selection, Solution, Solver,
+    fair,
+};
+use fairmesh_shapes::*;
+
+fn asked(continuity: f64) -> Options {
+    Options {
+        continuity,
+        ..Options::default()
+    }
+}
+
+fn faired(shape: &Shape, options: &Options) -> Solution {
+    let selection = Selection::Mask(&shape.free);
+    fair(&shape.flat(), &shape.triangles, selection, options).expect("a sound problem")
+}
+
+fn loops(solution: &Solution) -> &[CurvatureContinuity] {
+    &solution.report.components[0].continuity
+}
+
+/// The root mean square of the distances of the free vertices from the exact surface.
+fn error(shape: &Shape, solution: &Solution) -> f64 {
+    let surface = shape.surface.as_ref().expect("an exact surface");
+    let free = shape.free_vertices();
+    let squares = free
+        .iter()
+        .map(|&v| surface.distance(solution.positions[v as usize]).powi(2));
+    (squares.sum::<f64>() / free.len() as f64).sqrt()
+}
+
+fn torus(n: usize) -> Shape {
+    torus_patch(1.0, 0.4, 1.0, n, irregular(7), 10)
+}
+
+/// On which the Laplacian of the mean curvature is harmonic.
+fn band(n: usize) -> Shape {
+    let profile = HarmonicProfile::biharmonic(1.2, -0.8, 0.5, [0.7, -0.4], 1.2).expect("a sound profile");
+    revolution_band(&profile, n, irregular(7), 10).expect("sound surroundings")
+}
+
+#[test]
+fn spheres_are_exact() {
+    let shape = sphere_cap(60.0, 1_000, irregular(7), 10);
+    let solution = faired(&shape, &asked(1.0));
+    assert!(solution.report.outcome.is_success());
+    assert!(error(&shape, &solution) < 1e-9);
+    assert_eq!(loops(&solution).len(), 1);
+    assert!(loops(&solution)[0].jump < 1e-6);
+}
+
+/// The bits of tangent continuity, and nothing told of curvature.
+#[test]
+fn zero_is_tangent_continuity() {
+    let shape = torus(400);
+    let given = BoundaryCurvature::Given(vec![(0, 1.0)]);
+    let options = Options {
+        boundary_curvature: given,
+        ..asked(0.0)
+    };
+    let solution = faired(&shape, &options);
+    assert!(solution.positions == faired(&shape, &Options::default()).positions);
+    assert!(loops(&solution).is_empty());
+}
+
+#[test]
+fn surfaces_of_biharmonic_curvature_are_found_where_tangent_planes_alone_do_not_suffice() {
+    let errors = |n: usize, continuity: f64| error(&band(n), &faired(&band(n), &asked(continuity)));
+    let [tangent, coarse, fine] = [errors(2_000, 0.0), errors(2_000, 1.0), errors(8_000, 1.0)];
+    assert!(
+        coarse < 0.2 * tangent && fine < coarse,
+        "{tangent:e} {coarse:e} {fine:e}"
+    );
+}
+
+/// Where the tangent-continuous surface is right, nothing is made worse; where it is not, the error falls.
+#[test]
+fn cylinders_and_catenoids_stay_as_good_as_they_are() {
+    for (shape, name) in [
+        (cylinder_band(2_000, irregular(7), 10), "cylinder"),
+        (catenoid_band(2_000, irregular(7), 10), "catenoid"),
+    ] {
+        let [tangent, continued] = [0.0, 1.0].map(|c| error(&shape, &faired(&shape, &asked(c))));
+        assert!(continued < 3.0 * tangent, "{name} {continued:e} {tangent:e}");
+    }
+}
+
+/// Noise of the surroundings is not taken for a jump of the curvature, and the jump that there is is found in spite of it.
+#[test]
+fn noise_is_not_continued() {
+    let noisy = |shape: Shape, size: f64| {
+        let mut all = shape.clone();
+        all.free.fill(true);
+        let noise = all.noise(3, size);
+        let mut positions = shape.flat();
+        for (v, p) in positions.iter_mut().enumerate().filter(|(v, _)| !shape.free[*v]) {
+            *p = noise[v];
+        }
+        let of = |continuity: f64| {
+            let selection = Selection::Mask(&shape.free);
+            let options = asked(continuity);
+            let solution = fair(&positions, &shape.triangles, selection, &options).unwrap();
+            error(&shape, &solution)
+        };
+        of(1.0) / of(0.0)
+    };
+    for size in [0.003, 0.01] {
+        let ratio = noisy(sphere_cap(60.0, 2_000, irregular(9), 10), size);
+        assert!(ratio < 1.5, "sphere {size} {ratio}");
+        let ratio = noisy(catenoid_band(2_000, irregular(8), 10), size);
+        assert!(ratio < 1.5, "catenoid {size} {ratio}");
+    }
+    let ellipsoid = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
+    let ratio = noisy(ellipsoid, 0.003);
+    assert!(ratio < 0.6, "ellipsoid {ratio}");
+}
+
+#[test]
+fn the_blend_acts_monotonically_on_the_jump() {
+    let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 2_000, irregular(7), 10);
+    let jumps: Vec<f64> = [0.2, 0.4, 0.6, 0.8, 1.0]
+        .map(|blend| loops(&faired(&shape, &asked(blend)))[0].jump)
+        .to_vec();
+    println!("{jumps:?}");
+    assert!(jumps.is_sorted_by(|a, b| a > b));
+    let whole = faired(&shape, &asked(1.0));
+    let [of_loop] = loops(&whole) else {
+        panic!("one loop")
+    };
+    assert!(of_loop.reached > 0.8 && of_loop.jump < 0.3 * of_loop.jump_before);
+}
+
+/// The exact curvature, given, does what the fitted one does.
+#[test]
+fn curvature_can_be_given() {
+    let shape = torus(1_000);
+    let surface = shape.surface.as_ref().unwrap();
+    let exact = shape.boundary_normals().into_iter();
+    let exact = exact.map(|(v, _)| (v, surface.mean_curvature(shape.positions[v as usize])));
+    let options = Options {
+        boundary_curvature: BoundaryCurvature::Given(exact.collect()),
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
+        ..asked(1.0)
+    };
+    let tangent = error(&shape, &faired(&shape, &asked(0.0)));
+    let given = error(&shape, &faired(&shape, &options));
+    println!("{given:e} {tangent:e}");
+    assert!(given < 0.2 * tangent);
+}
+
+#[test]
+fn no_number_of_threads_changes_a_bit() {
+    let shape = torus(3_000);
+    let by = |threads| {
+        faired(
+            &shape,
+            &Options {
+                threads,
+                ..asked(1.0)
+            },
+        )
+    };
+    let (one, two) = (by(1), by(2));
+    assert!(one.positions == two.positions && loops(&one) == loops(&two));
+}
+
+#[test]
+fn what_cannot_be_asked_is_refused() {
+    let refused = |options: Options| match options.validate() {
+        Err(Error::BadOption { name, .. }) => name,
+        other => panic!("{other:?}"),
+    };
+    for blend in [-0.1, 1.5, f64::NAN] {
+        assert_eq!(refused(asked(blend)), "continuity");
+    }
+    let solver = Solver::Paper(fairmesh::PaperOptions::default());
+    assert_eq!(refused(Options { solver, ..asked(0.5) }), "continuity");
+    let boundary_curvature = BoundaryCurvature::Given(vec![(3, 1.0), (4, f64::INFINITY)]);
+    let options = Options {
+        boundary_curvature,
+        ..asked(1.0)
+    };
+    assert_eq!(refused(options), "boundary_curvature");
+}
+/// No coordinate of a free vertex is further off than this.
+fn assert_same(shape: &Shape, ours: impl Fn(u32) -> [f64; 3], theirs: impl Fn(u32) -> [f64; 3], bound: f64) {
+    for v in shape.free_vertices() {
+        let (p, q) = (ours(v), theirs(v));
+        assert!((0..3).all(|k| (p[k] - q[k]).abs() < bound), "{p:?} {q:?}");
+    }
+}
+
+/// Boundary normals and curvatures are fitted: neither fit knows where the axes point.
+#[test]
+fn motions_and_units_do_not_matter() {
+    let shape = torus(1_000);
+    for continuity in [0.0, 1.0] {
+        let options = Options {
+            tolerance: TIGHT,
+            ..asked(continuity)
+        };
+        let before = faired(&shape, &options);
+        for scale in [1e-6, 1.0, 1e6] {
+            let by = Similarity::new([1.0, 2.0, -1.0], 0.7, scale, [5.0 * scale, -2.0 * scale, scale]);
+            let moved = faired(&shape.transformed(&by), &options);
+            let (ours, theirs) = (&before.positions, &moved.positions);
+            assert_same(
+                &shape,
+                |v| by.apply(ours[v as usize]),
+                |v| theirs[v as usize],
+                1e-11 * scale,
+            );
+            for (a, b) in loops(&before).iter().zip(loops(&moved)) {
+                assert!((a.jump - scale * b.jump).abs() < 1e-6 * a.jump_before);
+                assert!((a.reached - b.reached).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_of_vertices_do_not_matter() {
+    let shape = torus(1_000);
+    let options = Options {
+        tolerance: TIGHT,
+        ..asked(1.0)
+    };
+    let before = faired(&shape, &options);
+    let (other, new) = shape.renumbered(3);
+    let after = faired(&other, &options);
+    let (ours, theirs) = (&before.positions, &after.positions);
+    assert_same(
+        &shape,
+        |v| ours[v as usize],
+        |v| theirs[new[v as usize] as usize],
+        1e-8,
+    );
+}
