@@ -69,6 +69,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (head[17] & 1) options.tolerance = 1e-3;
     options.boundary_normals.vectors = sized.mesh.positions;
     options.interior_normals = head[18] % 3;
+    memcpy(&options.continuity, head + 40, 8);
+    if (head[22] & 1) options.continuity = 1.0;
+    options.boundary_curvature.kind = head[23] % 3;
+    options.boundary_curvature.values.data = sized.mesh.positions.data;
+    options.boundary_curvature.values.count = sized.mesh.positions.count;
+    options.boundary_curvature.values.stride = sized.mesh.positions.stride;
+    options.boundary_curvature.values.scalar = sized.mesh.positions.scalar;
     options.discretization = head[19] % 3;
     options.threads = 1;
     options.max_iterations = head[20] % 8;

@@ -79,6 +79,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.target.constant = 20.0 * unit(&bytes);
     options.boundary_normals.kind = what / 4u % 2u;
     options.interior_normals = what / 8u % 2u;
+    options.continuity = what / 16u % 2u;
     mesh.struct_size = sizeof mesh;
     mesh.positions.data = positions;
     mesh.positions.count = vertices;

@@ -294,6 +294,31 @@ typedef uint32_t fairmesh_boundary_normals_kind;
 #endif // __cplusplus
 
 /**
+ * Where the mean curvature comes from that the surface is to continue.
+ */
+enum fairmesh_boundary_curvature_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Fitted to the surface outside the region.
+     */
+    FAIRMESH_BOUNDARY_CURVATURE_KIND_ESTIMATED = 0,
+    /**
+     * Given, for some or all boundary vertices; fitted for the others.
+     */
+    FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_boundary_curvature_kind fairmesh_boundary_curvature_kind;
+#else
+typedef uint32_t fairmesh_boundary_curvature_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * Normals of fixed vertices inside the region that have none given. Numbers are never reused.
  */
 enum fairmesh_interior_normals
@@ -1138,6 +1163,55 @@ typedef struct fairmesh_progress {
 typedef int32_t (*fairmesh_progress_fn)(const struct fairmesh_progress *progress, void *user_data);
 
 /**
+ * Numbers to be read, one at every `stride` bytes.
+ */
+typedef struct fairmesh_numbers {
+    /**
+     * The first number, aligned as its type. May be NULL only if `count` is 0.
+     */
+    const void *data;
+    /**
+     * How many numbers.
+     */
+    size_t count;
+    /**
+     * Bytes from one number to the next, a multiple of the number's size; 0: nothing between.
+     */
+    size_t stride;
+    /**
+     * A `fairmesh_scalar`.
+     */
+    uint32_t scalar;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} fairmesh_numbers;
+
+/**
+ * Mean curvature at the boundary vertices. All zero: fitted.
+ */
+typedef struct fairmesh_boundary_curvature {
+    /**
+     * A `fairmesh_boundary_curvature_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Given mean curvatures, in 1 / length; negative on a sphere with outward normals.
+     */
+    struct fairmesh_numbers values;
+    /**
+     * The vertex of each number, which is finite then. NULL (with count 0): there is one number per vertex of the mesh, and NaN
+     * says that none is given. Numbers at vertices that are not on the boundary are ignored.
+     */
+    struct fairmesh_indices vertices;
+} fairmesh_boundary_curvature;
+
+/**
  * What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
  */
 typedef struct fairmesh_options {
@@ -1232,6 +1306,15 @@ typedef struct fairmesh_options {
      * the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
      */
     uint32_t output_precision;
+    /**
+     * How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature,
+     * G2), as far as the surroundings are smooth enough to tell it; see `fairmesh_result_continuity`. 0 for the paper's scheme.
+     */
+    double continuity;
+    /**
+     * Where that curvature comes from. Default: fitted.
+     */
+    struct fairmesh_boundary_curvature boundary_curvature;
 } fairmesh_options;
 
 /**
@@ -1691,6 +1774,11 @@ typedef struct fairmesh_component {
      * Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
      */
     uint64_t attempt_count;
+    /**
+     * Boundary loops whose curvature was to be continued, see `fairmesh_result_continuity`, `fairmesh_solver_continuity`; 0 where the
+     * options' `continuity` is 0, no loop has surroundings and vertices enough, or no surface was found to begin with.
+     */
+    uint64_t continuity_count;
 } fairmesh_component;
 
 /**
@@ -1723,6 +1811,58 @@ typedef struct fairmesh_attempt {
      */
     char name[48];
 } fairmesh_attempt;
+
+/**
+ * How far the surface continues the mean curvature of its surroundings along one boundary loop; curvatures in 1 / length. Set
+ * `struct_size` before the call.
+ */
+typedef struct fairmesh_continuity {
+    /**
+     * `sizeof(fairmesh_continuity)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The boundary vertex of the loop with the smallest index.
+     */
+    uint64_t vertex;
+    /**
+     * The vertices of the loop.
+     */
+    uint64_t vertex_count;
+    /**
+     * How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
+     * along the loop: from 0 to `continuity` of the options.
+     */
+    double reached;
+    /**
+     * The jump of the mean curvature at the loop of the tangent-continuous surface, root mean square.
+     */
+    double jump_before;
+    /**
+     * The largest such jump.
+     */
+    double largest_jump_before;
+    /**
+     * The jump of the mean curvature at the loop, root mean square.
+     */
+    double jump;
+    /**
+     * The largest jump.
+     */
+    double largest_jump;
+    /**
+     * The root mean square of the mean curvature of the surroundings along the loop.
+     */
+    double curvature;
+    /**
+     * How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
+     */
+    double uncertainty;
+} fairmesh_continuity;
 
 /**
  * The sizes of a result. Set `struct_size` before the call.
@@ -2189,6 +2329,17 @@ fairmesh_status fairmesh_solver_attempt(const struct fairmesh_solver *solver,
                                         struct fairmesh_error *error);
 
 /**
+ * How far the surface continues the curvature of its surroundings along one boundary loop of a component in that report, by its
+ * number.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_continuity(const struct fairmesh_solver *solver,
+                                           uint64_t component,
+                                           uint64_t number,
+                                           struct fairmesh_continuity *continuity,
+                                           struct fairmesh_error *error);
+
+/**
  * A copy of everything that is known of the surface as it stands: curvatures, lists, boundary normals. `result` gets a
  * handle of its own; free it.
  */
@@ -2216,7 +2367,7 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
  * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
  * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
- * given normals are those of boundary vertices. `result` gets a handle; free it.
+ * given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_fill_holes(const struct fairmesh_mesh *mesh,
@@ -2284,6 +2435,18 @@ fairmesh_status fairmesh_result_attempt(const struct fairmesh_result *result,
                                         uint64_t number,
                                         struct fairmesh_attempt *attempt,
                                         struct fairmesh_error *error);
+
+/**
+ * How far the surface continues the curvature of its surroundings along one boundary loop of a component, by its number: the
+ * component has `continuity_count` of them. `index` and `component` are those of `fairmesh_result_component`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_continuity(const struct fairmesh_result *result,
+                                           uint64_t index,
+                                           uint64_t component,
+                                           uint64_t number,
+                                           struct fairmesh_continuity *continuity,
+                                           struct fairmesh_error *error);
 
 /**
  * One of the boundary loops.

@@ -77,6 +77,11 @@ template <class Scalar> fairmesh_points_out points_out(Scalar *data, std::size_t
     return {data, count, stride, detail::scalar<Scalar>(), 0};
 }
 
+/** Numbers to be read, such as given mean curvatures. */
+template <class Scalar> fairmesh_numbers numbers(const Scalar *data, std::size_t count, std::size_t stride = 0) {
+    return {data, count, stride, detail::scalar<Scalar>(), 0};
+}
+
 template <class Scalar> fairmesh_scalars_out scalars_out(Scalar *data, std::size_t count, std::size_t stride = 0) {
     return {data, count, stride, detail::scalar<Scalar>(), 0};
 }
@@ -214,6 +219,12 @@ public:
     fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
         auto made = detail::sized<fairmesh_attempt>();
         detail::call(fairmesh_result_attempt, handle_, index, component, number, &made);
+        return made;
+    }
+    /** A boundary loop of a component whose curvature was to be continued. */
+    fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number, std::uint64_t index = 0) const {
+        auto made = detail::sized<fairmesh_continuity>();
+        detail::call(fairmesh_result_continuity, handle_, index, component, number, &made);
         return made;
     }
     fairmesh_loop loop(std::uint64_t index) const {
@@ -370,6 +381,11 @@ public:
     fairmesh_attempt attempt(std::uint64_t component, std::uint64_t number) const {
         auto made = detail::sized<fairmesh_attempt>();
         detail::call(fairmesh_solver_attempt, handle_, component, number, &made);
+        return made;
+    }
+    fairmesh_continuity continuity(std::uint64_t component, std::uint64_t number) const {
+        auto made = detail::sized<fairmesh_continuity>();
+        detail::call(fairmesh_solver_continuity, handle_, component, number, &made);
         return made;
     }
     result snapshot() const {

@@ -60,15 +60,14 @@ pub extern "C" fn fairmesh_fair(
         aliases.error(error, Argument(7))?;
 
         let selected = selection.read(&mesh)?;
-        let normals = asked.normals.read(mesh.vertices())?;
+        let mut options = asked.read(mesh.vertices(), mesh.coincident)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, asked.threads())?)?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, &asked)?)?;
         let callback = asked.callback.fresh();
         point();
         let solution = {
             let mut tell = |progress: &Progress| callback.tell(progress);
-            let mut options = asked.options(normals, mesh.coincident);
             if out.as_ref().is_some_and(NumbersOut::is_single) {
                 options.output_precision = OutputPrecision::Single;
             }

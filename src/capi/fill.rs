@@ -47,7 +47,7 @@ pub extern "C" fn fairmesh_boundary_loops(
 /// ones follow. A loop that cannot be filled says so in its report and does not affect the others.
 ///
 /// `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
-/// given normals are those of boundary vertices. `result` gets a handle; free it.
+/// given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_fill_holes(
     mesh: *const fairmesh_mesh,
@@ -64,10 +64,10 @@ pub extern "C" fn fairmesh_fill_holes(
         check_slot(result, Argument(4), &mut aliases)?;
         aliases.error(error, Argument(5))?;
 
-        let normals = asked.normals.read(mesh.vertices())?;
+        let options = asked.read(mesh.vertices(), mesh.coincident)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let fill = fill.read(asked.options(normals, mesh.coincident))?;
+        let fill = fill.read(options)?;
         let callback = asked.callback.fresh();
         let (new_vertices, longest) = {
             let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
@@ -76,7 +76,7 @@ pub extern "C" fn fairmesh_fill_holes(
             size_of_patches(&loops, &fill)?
         };
         let new_vertices = new_vertices.min(fill.max_new_vertices).saturating_add(1000);
-        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, asked.threads());
+        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, &asked);
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let mut tell = |progress: &Progress| callback.tell(progress);

@@ -6,10 +6,10 @@ use std::borrow::Cow;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::types::*;
 use super::views::{
-    AliasCheck, Argument, Array, FieldPath, PointsIn, check_count, check_pointer, check_reserved, entries,
-    indices_in, read_struct, try_with_capacity,
+    AliasCheck, Argument, Array, FieldPath, NumbersIn, PointsIn, check_count, check_pointer, check_reserved,
+    entries, indices_in, read_struct, try_with_capacity,
 };
-use fairmesh::{BoundaryNormals, Coincident, Selection};
+use fairmesh::{BoundaryCurvature, BoundaryNormals, Coincident, Selection};
 
 /// A mesh, checked but not read.
 pub(crate) struct MeshIn {
@@ -337,5 +337,86 @@ impl NormalsIn {
             }
         }
         Ok(BoundaryNormals::Given(given))
+    }
+}
+
+/// Mean curvatures at the boundary, checked but not read; None: fitted.
+pub(crate) struct CurvatureIn(Option<GivenCurvature>);
+
+struct GivenCurvature {
+    values: NumbersIn<1>,
+    vertices: Array,
+}
+
+impl CurvatureIn {
+    pub(crate) fn new(
+        view: &fairmesh_boundary_curvature,
+        base: FieldPath,
+        vertices: usize,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
+        use fairmesh_boundary_curvature_kind as Kind;
+        check_reserved(
+            view.reserved,
+            base.field(offset_of!(fairmesh_boundary_curvature, reserved), "reserved"),
+        )?;
+        let place = base.field(offset_of!(fairmesh_boundary_curvature, vertices), "vertices");
+        let list = indices_in(&view.vertices, 1, place)?;
+        if view.kind == Kind::Estimated as u32 {
+            return Ok(Self(None));
+        }
+        if view.kind != Kind::Given as u32 {
+            let place = base.field(offset_of!(fairmesh_boundary_curvature, kind), "kind");
+            let why = format_args!("{} is no fairmesh_boundary_curvature_kind", view.kind);
+            return Err(place.refuse(Status::BadEnum, why));
+        }
+        let place = base.field(offset_of!(fairmesh_boundary_curvature, values), "values");
+        let values = NumbersIn::<1>::new(&view.values, place)?;
+        let wanted = if view.vertices.data.is_null() {
+            vertices
+        } else {
+            list.count
+        };
+        check_count(
+            values.array.count,
+            wanted,
+            place.field(offset_of!(fairmesh_numbers, count), "count"),
+        )?;
+        aliases.input(values.array.data, values.array.bytes);
+        aliases.input(list.data, list.bytes);
+        let vertices = list;
+        Ok(Self(Some(GivenCurvature { values, vertices })))
+    }
+
+    pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryCurvature> {
+        let Some(view) = &self.0 else {
+            return Ok(BoundaryCurvature::Estimated);
+        };
+        let listed = !view.vertices.data.is_null();
+        let count = view.values.array.count;
+        let is_given = |h: f64| listed || !h.is_nan();
+        let value = |k| view.values.get(k)[0];
+        let mut given = try_with_capacity((0..count).filter(|&k| is_given(value(k))).count())?;
+        for k in (0..count).filter(|&k| is_given(value(k))) {
+            let (h, vertex) = match listed {
+                true => (value(k), view.vertices.index::<1>(k)[0]),
+                false => (value(k), k as u32),
+            };
+            let refused = |status, why| {
+                let failure = Failure::new(status, why);
+                Err(failure.at(fairmesh_element::Vertex, vertex as usize))
+            };
+            if vertex as usize >= vertices {
+                let why =
+                    format_args!("a curvature is given for vertex {vertex}, but there are only {vertices}");
+                return refused(Status::SelectionOutOfRange, why);
+            }
+            if !h.is_finite() {
+                let why = format_args!("the mean curvature given for vertex {vertex} is not finite");
+                return refused(Status::BadOption, why);
+            }
+            given.push((vertex, h));
+        }
+        Ok(BoundaryCurvature::Given(given))
     }
 }

@@ -3,6 +3,7 @@
 
 use super::input::{MeshIn, Selected};
 use super::memory::Reserve;
+use super::options::OptionsIn;
 use super::status::{CallResult, Failure};
 use super::views::try_with_capacity;
 
@@ -18,6 +19,8 @@ const FREE: usize = 4 << 10;
 const FREE_DIGIT: usize = 400;
 /// Per component of the region but the first: its surroundings, up to eight rings of them.
 const COMPONENT: usize = 32 << 10;
+/// Per free vertex, where curvature is continued: modes along the loops, extended over the region, and a factor for that.
+const CONTINUED: usize = 3 << 10;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
@@ -37,7 +40,7 @@ fn threads(asked: usize) -> usize {
 }
 
 /// For fairing a region.
-pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usize) -> CallResult<usize> {
+pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked: &OptionsIn) -> CallResult<usize> {
     let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
     let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
@@ -68,8 +71,8 @@ pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked_threads: usiz
         .filter(|(v, f)| **f && connected.0[*v] == *v as u32);
     let components = roots.count().saturating_sub(1).saturating_mul(COMPONENT);
     let free = free.iter().filter(|f| **f).count();
-    let region = of_region(free, irregular).saturating_add(components);
-    Ok(sum(mesh, asked_threads).saturating_add(region))
+    let region = of_region(free, irregular, asked).saturating_add(components);
+    Ok(sum(mesh, asked.threads()).saturating_add(region))
 }
 
 /// Per vertex one that it is connected with, or itself: of each set of connected vertices one.
@@ -96,9 +99,10 @@ fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {
     BASE + threads(asked_threads) * THREAD + counts
 }
 
-fn of_region(free: usize, irregular: usize) -> usize {
+fn of_region(free: usize, irregular: usize, asked: &OptionsIn) -> usize {
     let digits = (usize::BITS - free.leading_zeros()) as usize;
-    free.saturating_mul(FREE + FREE_DIGIT * digits)
+    let continued = CONTINUED * usize::from(asked.continuity() > 0.0);
+    free.saturating_mul(FREE + FREE_DIGIT * digits + continued)
         .saturating_add(irregular.saturating_mul(PATTERN))
 }
 
@@ -108,10 +112,10 @@ pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
 }
 
 /// For patches with so many new vertices, at most, on boundaries of so many edges.
-pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked_threads: usize) -> usize {
+pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked: &OptionsIn) -> usize {
     // Triangulation is quadratic up to the length where ears are cut first.
     let table = longest.min(200).pow(2) * 64;
-    of_whole_mesh(mesh, asked_threads) + table + of_region(vertices, 0) + vertices * 2000
+    of_whole_mesh(mesh, asked.threads()) + table + of_region(vertices, 0, asked) + vertices * 2000
 }
 
 /// For remeshing a region.

@@ -4,12 +4,13 @@ use core::mem::offset_of;
 use libc::c_void;
 
 use super::callback::{HostCallback, fairmesh_progress_fn};
-use super::input::NormalsIn;
+use super::input::{CurvatureIn, NormalsIn};
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
 use fairmesh::{
-    BoundaryNormals, Coincident, Discretization, Error, Estimate, InnerFairness, InteriorNormals,
+    BoundaryCurvature, BoundaryNormals, Coincident, Discretization, Error, Estimate, InnerFairness,
+    InteriorNormals,
 };
 use fairmesh::{Intersections, Options, OutputPrecision, PaperOptions, Solver, Target};
 
@@ -64,6 +65,11 @@ pub struct fairmesh_options {
     /// A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
     /// the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
     pub output_precision: u32,
+    /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature,
+    /// G2), as far as the surroundings are smooth enough to tell it; see `fairmesh_result_continuity`. 0 for the paper's scheme.
+    pub continuity: f64,
+    /// Where that curvature comes from. Default: fitted.
+    pub boundary_curvature: fairmesh_boundary_curvature,
 }
 
 /// The library's defaults, which are the C interface's.
@@ -110,6 +116,19 @@ pub(crate) fn default_options() -> fairmesh_options {
         paper_max_updates: paper.max_updates as u64,
         intersections: options.intersections.entry().number(),
         output_precision: options.output_precision.entry().number(),
+        continuity: options.continuity,
+        boundary_curvature: fairmesh_boundary_curvature {
+            kind: fairmesh_boundary_curvature_kind::Estimated as u32,
+            reserved: 0,
+            values: fairmesh_numbers {
+                data: core::ptr::null(),
+                count: 0,
+                stride: 0,
+                scalar: fairmesh_scalar::Float64 as u32,
+                reserved: 0,
+            },
+            vertices: NO_INDICES,
+        },
     }
 }
 
@@ -143,7 +162,7 @@ fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
 const FIELDS: fn(Argument, &str) -> Option<FieldPath> = fields!(fairmesh_options:
     inner_fairness boundary_normals target interior_normals discretization solver threads tolerance max_iterations
     paper_estimate paper_estimate_iterations paper_damping paper_levels paper_base paper_defect paper_laplacian
-    paper_max_updates output_precision
+    paper_max_updates output_precision continuity
 );
 
 /// What the library refuses, at its place in the argument.
@@ -168,8 +187,9 @@ fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallR
 /// Options, checked; arrays in them not read.
 pub(crate) struct OptionsIn {
     pub normals: NormalsIn,
+    pub curvature: CurvatureIn,
     pub callback: HostCallback,
-    /// Boundary normals are not read yet.
+    /// Boundary normals and curvature are not read yet.
     options: Options,
 }
 
@@ -187,6 +207,11 @@ impl OptionsIn {
         };
         let place = argument.field(offset_of!(fairmesh_options, boundary_normals), "boundary_normals");
         let normals = NormalsIn::new(&view.boundary_normals, place, vertices, aliases)?;
+        let place = argument.field(
+            offset_of!(fairmesh_options, boundary_curvature),
+            "boundary_curvature",
+        );
+        let curvature = CurvatureIn::new(&view.boundary_curvature, place, vertices, aliases)?;
         let asked = read_options(&view, argument)?;
         asked
             .validate()
@@ -197,6 +222,7 @@ impl OptionsIn {
         );
         Ok(Self {
             normals,
+            curvature,
             callback: HostCallback::new(view.progress, view.user_data),
             options: asked,
         })
@@ -218,12 +244,19 @@ impl OptionsIn {
         ))
     }
 
-    pub(crate) fn options(&self, boundary_normals: BoundaryNormals, coincident: Coincident) -> Options {
-        Options {
-            boundary_normals,
+    /// How far curvature is to be continued.
+    pub(crate) fn continuity(&self) -> f64 {
+        self.options.continuity
+    }
+
+    /// With what is given per vertex of a mesh of so many.
+    pub(crate) fn read(&self, vertices: usize, coincident: Coincident) -> CallResult<Options> {
+        Ok(Options {
+            boundary_normals: self.normals.read(vertices)?,
+            boundary_curvature: self.curvature.read(vertices)?,
             coincident,
             ..self.options.clone()
-        }
+        })
     }
 }
 
@@ -272,6 +305,8 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
     Ok(Options {
         boundary_normals: BoundaryNormals::default(),
         interior_normals,
+        continuity: view.continuity,
+        boundary_curvature: BoundaryCurvature::default(),
         target: target(&view.target, place)?,
         inner_fairness,
         discretization,
@@ -283,7 +318,6 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         intersections,
         // The mesh says it.
         coincident: Coincident::default(),
-        ..Options::default()
     })
 }
 

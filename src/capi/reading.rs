@@ -96,6 +96,25 @@ pub extern "C" fn fairmesh_result_attempt(
     })
 }
 
+/// How far the surface continues the curvature of its surroundings along one boundary loop of a component, by its number: the
+/// component has `continuity_count` of them. `index` and `component` are those of `fairmesh_result_component`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_continuity(
+    result: *const fairmesh_result,
+    index: u64,
+    component: u64,
+    number: u64,
+    continuity: *mut fairmesh_continuity,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(continuity, Argument(5), aliases)?;
+        aliases.error(error, Argument(6))?;
+        out.write(&content.continuity(index, component, number)?);
+        Ok(())
+    })
+}
+
 /// One of the boundary loops.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_loop(

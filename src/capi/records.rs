@@ -143,6 +143,9 @@ pub struct fairmesh_component {
     pub bending_energy: f64,
     /// Attempts at its surface, see `fairmesh_result_attempt`, `fairmesh_solver_attempt`; 0 for the paper's scheme.
     pub attempt_count: u64,
+    /// Boundary loops whose curvature was to be continued, see `fairmesh_result_continuity`, `fairmesh_solver_continuity`; 0 where the
+    /// options' `continuity` is 0, no loop has surroundings and vertices enough, or no surface was found to begin with.
+    pub continuity_count: u64,
 }
 
 /// An attempt at the surface of a component. Those on the coarse mesh decide where the fine one begins; of two sound surfaces
@@ -162,6 +165,36 @@ pub struct fairmesh_attempt {
     pub bending_energy: f64,
     /// What was tried, in a few words of English, ending with a NUL.
     pub name: [c_char; 48],
+}
+
+/// How far the surface continues the mean curvature of its surroundings along one boundary loop; curvatures in 1 / length. Set
+/// `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_continuity {
+    /// `sizeof(fairmesh_continuity)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// The boundary vertex of the loop with the smallest index.
+    pub vertex: u64,
+    /// The vertices of the loop.
+    pub vertex_count: u64,
+    /// How much of the way from the tangent-continuous surface's mean curvature to that of the surroundings was taken, in the mean
+    /// along the loop: from 0 to `continuity` of the options.
+    pub reached: f64,
+    /// The jump of the mean curvature at the loop of the tangent-continuous surface, root mean square.
+    pub jump_before: f64,
+    /// The largest such jump.
+    pub largest_jump_before: f64,
+    /// The jump of the mean curvature at the loop, root mean square.
+    pub jump: f64,
+    /// The largest jump.
+    pub largest_jump: f64,
+    /// The root mean square of the mean curvature of the surroundings along the loop.
+    pub curvature: f64,
+    /// How uncertain that is, root mean square. Where it is no smaller than `jump_before`, there is nothing to be continued.
+    pub uncertainty: f64,
 }
 
 /// What was done on one level of the paper's scheme. Set `struct_size` before the call.

@@ -2,7 +2,7 @@
 
 use super::status::{Failure, Text, fairmesh_status};
 use super::types::*;
-use fairmesh::{Attempt, ComponentReport, LevelReport};
+use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport};
 use fairmesh::{Outcome, Report};
 
@@ -80,6 +80,7 @@ pub(crate) fn component(of: &ComponentReport) -> fairmesh_component {
         member_weight: member_weight(&of.outcome),
         bending_energy: quality.bending_energy,
         attempt_count: of.attempts.len() as u64,
+        continuity_count: of.continuity.len() as u64,
     }
 }
 
@@ -92,6 +93,23 @@ pub(crate) fn attempt(of: &Attempt) -> fairmesh_attempt {
         iterations: of.iterations as u64,
         bending_energy: of.bending_energy,
         name: Text::new(format_args!("{}", of.name)).characters(),
+    }
+}
+
+/// What came of the continuity of curvature along one boundary loop.
+pub(crate) fn continuity(of: &CurvatureContinuity) -> fairmesh_continuity {
+    fairmesh_continuity {
+        struct_size: size_of::<fairmesh_continuity>() as u32,
+        reserved: 0,
+        vertex: of.vertex as u64,
+        vertex_count: of.vertices as u64,
+        reached: of.reached,
+        jump_before: of.jump_before,
+        largest_jump_before: of.largest_jump_before,
+        jump: of.jump,
+        largest_jump: of.largest_jump,
+        curvature: of.curvature,
+        uncertainty: of.uncertainty,
     }
 }
 

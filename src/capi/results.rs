@@ -50,6 +50,12 @@ pub(crate) fn attempt_of(report: &Report, component: u64, attempt: u64) -> CallR
     entry(&of.attempts, attempt, "attempt").map(report::attempt)
 }
 
+/// One boundary loop of a component in a report, whose curvature was to be continued.
+pub(crate) fn continuity_of(report: &Report, component: u64, number: u64) -> CallResult<fairmesh_continuity> {
+    let of = entry(&report.components, component, "component")?;
+    entry(&of.continuity, number, "loop of continuous curvature").map(report::continuity)
+}
+
 impl Content {
     pub(crate) fn info(&self) -> fairmesh_info {
         let mut info = fairmesh_info {
@@ -119,6 +125,15 @@ impl Content {
 
     pub(crate) fn attempt(&self, index: u64, component: u64, attempt: u64) -> CallResult<fairmesh_attempt> {
         attempt_of(self.report(index)?, component, attempt)
+    }
+
+    pub(crate) fn continuity(
+        &self,
+        index: u64,
+        component: u64,
+        number: u64,
+    ) -> CallResult<fairmesh_continuity> {
+        continuity_of(self.report(index)?, component, number)
     }
 
     pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {

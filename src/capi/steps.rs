@@ -10,7 +10,7 @@ use super::memory_bounds;
 use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
 use super::report;
-use super::results::{Content, attempt_of, component_of};
+use super::results::{Content, attempt_of, component_of, continuity_of};
 use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
@@ -40,20 +40,15 @@ pub extern "C" fn fairmesh_solver_new(
         aliases.error(error, Argument(5))?;
 
         let selected = selection.read(&mesh)?;
-        let normals = asked.normals.read(mesh.vertices())?;
+        let options = asked.read(mesh.vertices(), mesh.coincident)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let need = memory_bounds::of_fairing(&mesh, &selected, asked.threads())?;
+        let need = memory_bounds::of_fairing(&mesh, &selected, &asked)?;
         let _reserve = memory_bounds::reserve(need)?;
         let standing = memory_bounds::reserve(memory_bounds::STANDING)?;
         let callback = asked.callback.fresh();
         point();
-        let session = Session::new(
-            &positions,
-            &triangles,
-            selected.selection(),
-            &asked.options(normals, mesh.coincident),
-        )?;
+        let session = Session::new(&positions, &triangles, selected.selection(), &options)?;
         let made = Solver {
             session,
             callback,
@@ -263,6 +258,29 @@ pub extern "C" fn fairmesh_solver_attempt(
         point();
         let report = &solver.session.solution().report;
         out.write(&attempt_of(report, component, number)?);
+        Ok(())
+    })
+}
+
+/// How far the surface continues the curvature of its surroundings along one boundary loop of a component in that report, by its
+/// number.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_continuity(
+    solver: *const fairmesh_solver,
+    component: u64,
+    number: u64,
+    continuity: *mut fairmesh_continuity,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let out = StructOut::new(continuity, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
+        let solver = shared.take()?;
+        point();
+        let report = &solver.session.solution().report;
+        out.write(&continuity_of(report, component, number)?);
         Ok(())
     })
 }

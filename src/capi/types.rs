@@ -35,6 +35,22 @@ pub struct fairmesh_points {
     pub reserved: u32,
 }
 
+/// Numbers to be read, one at every `stride` bytes.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_numbers {
+    /// The first number, aligned as its type. May be NULL only if `count` is 0.
+    pub data: *const c_void,
+    /// How many numbers.
+    pub count: usize,
+    /// Bytes from one number to the next, a multiple of the number's size; 0: nothing between.
+    pub stride: usize,
+    /// A `fairmesh_scalar`.
+    pub scalar: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
 /// Points or vectors to be written, as `fairmesh_points`. What lies between them is not touched.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -153,6 +169,31 @@ pub struct fairmesh_boundary_normals {
     pub vectors: fairmesh_points,
     /// The vertex of each vector. NULL (with count 0): there is one vector per vertex of the mesh, and 0 0 0 says that
     /// none is given. Vectors at vertices that are not on the boundary are ignored.
+    pub vertices: fairmesh_indices,
+}
+
+/// Where the mean curvature comes from that the surface is to continue.
+#[repr(u32)]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_boundary_curvature_kind {
+    /// Fitted to the surface outside the region.
+    Estimated = 0,
+    /// Given, for some or all boundary vertices; fitted for the others.
+    Given = 1,
+}
+
+/// Mean curvature at the boundary vertices. All zero: fitted.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_boundary_curvature {
+    /// A `fairmesh_boundary_curvature_kind`.
+    pub kind: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Given mean curvatures, in 1 / length; negative on a sphere with outward normals.
+    pub values: fairmesh_numbers,
+    /// The vertex of each number, which is finite then. NULL (with count 0): there is one number per vertex of the mesh, and NaN
+    /// says that none is given. Numbers at vertices that are not on the boundary are ignored.
     pub vertices: fairmesh_indices,
 }
 

@@ -30,6 +30,7 @@ versioned! {
     fairmesh_level 40,
     fairmesh_component 160,
     fairmesh_attempt 80,
+    fairmesh_continuity 80,
     fairmesh_fill_options 32 + 3 * WORD,
     fairmesh_remesh_options 24,
     fairmesh_loop 56,

@@ -98,56 +98,56 @@ macro_rules! places {
     };
 }
 
-/// Rows of three numbers to be read.
+/// Numbers to be read, rows of `N`.
 #[derive(Clone, Copy)]
-pub(crate) struct PointsIn {
+pub(crate) struct NumbersIn<const N: usize> {
     pub array: Array,
     pub double: bool,
 }
 
-impl PointsIn {
-    pub(crate) fn new(view: &fairmesh_points, base: FieldPath) -> CallResult<Self> {
-        check_reserved(
-            view.reserved,
-            base.field(core::mem::offset_of!(fairmesh_points, reserved), "reserved"),
-        )?;
-        let size = numbers_size(
-            view.scalar,
-            base.field(core::mem::offset_of!(fairmesh_points, scalar), "scalar"),
-        )?;
-        let array = array(
-            view.data,
-            view.count,
-            view.stride,
-            3,
-            size,
-            places!(fairmesh_points, base),
-        )?;
-        Ok(Self {
-            array,
-            double: size == 8,
-        })
-    }
+pub(crate) type PointsIn = NumbersIn<3>;
 
-    pub(crate) fn get(&self, k: usize) -> [f64; 3] {
+/// Rows of `$width` numbers from a view of type `$view`.
+macro_rules! numbers_in {
+    ($view:ident, $width:literal) => {
+        impl NumbersIn<$width> {
+            pub(crate) fn new(view: &$view, base: FieldPath) -> CallResult<Self> {
+                let reserved = base.field(core::mem::offset_of!($view, reserved), "reserved");
+                check_reserved(view.reserved, reserved)?;
+                let scalar = base.field(core::mem::offset_of!($view, scalar), "scalar");
+                let size = numbers_size(view.scalar, scalar)?;
+                let at = places!($view, base);
+                let array = array(view.data, view.count, view.stride, $width, size, at)?;
+                let double = size == 8;
+                Ok(Self { array, double })
+            }
+        }
+    };
+}
+
+numbers_in!(fairmesh_points, 3);
+numbers_in!(fairmesh_numbers, 1);
+
+impl<const N: usize> NumbersIn<N> {
+    pub(crate) fn get(&self, k: usize) -> [f64; N] {
         debug_assert!(k < self.array.count);
         // SAFETY: row k of an array that was checked; by contract the caller's memory holds it.
         unsafe {
             let row = self.array.data.add(k * self.array.stride);
             if self.double {
-                row.cast::<[f64; 3]>().read()
+                row.cast::<[f64; N]>().read()
             } else {
-                row.cast::<[f32; 3]>().read().map(f64::from)
+                row.cast::<[f32; N]>().read().map(f64::from)
             }
         }
     }
 
     /// As the library wants them: without a copy where they are so already.
-    pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[f64; 3]]>> {
+    pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[f64; N]]>> {
         if self.array.count == 0 {
             return Ok(Cow::Borrowed(&[]));
         }
-        if self.double && self.array.stride == 24 {
+        if self.double && self.array.stride == 8 * N {
             // SAFETY: checked for NULL, alignment and size; nobody writes it during the call, by contract.
             return Ok(Cow::Borrowed(unsafe {
                 std::slice::from_raw_parts(self.array.data.cast(), self.array.count)

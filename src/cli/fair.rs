@@ -5,10 +5,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver};
+use fairmesh::{
+    BoundaryCurvature, BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver,
+};
 
 use crate::answer::Answer;
 use crate::bar::Bar;
+use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry, MeshFile, Written};
@@ -52,6 +55,8 @@ pub struct FairArgs {
     )]
     normals: PathBuf,
     #[command(flatten)]
+    continuity: ContinuityArgs,
+    #[command(flatten)]
     surface: SurfaceArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
@@ -78,11 +83,12 @@ pub struct FairArgs {
     threads: usize,
 }
 
-/// A mesh of triangles, what may move in it, and the normals at the boundary of that.
+/// A mesh of triangles, what may move in it, and the normals and the curvature at the boundary of that.
 pub struct FairInput<'a> {
     pub geometry: Cow<'a, Geometry>,
     pub selected: Selected,
     pub boundary_normals: BoundaryNormals,
+    pub boundary_curvature: BoundaryCurvature,
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -134,6 +140,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         },
         stale_normals: written.stale_normals,
         is_verbose: args.verbose,
+        asks_continuity: args.continuity.is_asked(),
     };
     answer.tell(&[&args.output], || summary.json(), || summary.readable())?;
     Ok(solution.report.outcome == Outcome::Converged)
@@ -143,10 +150,12 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
 fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
     let selected = selection::find(mesh, &args.input, &args.region)?;
     let geometry = &mesh.geometry;
+    let vertex_count = geometry.positions.len();
     Ok(FairInput {
         geometry: Cow::Borrowed(geometry),
         selected: selected.in_triangles(geometry),
-        boundary_normals: selection::boundary_normals(&args.normals, geometry.positions.len())?,
+        boundary_normals: selection::boundary_normals(&args.normals, vertex_count)?,
+        boundary_curvature: args.continuity.boundary_curvature(vertex_count)?,
     })
 }
 
@@ -171,6 +180,8 @@ pub fn solve(
     let options = Options {
         boundary_normals: input.boundary_normals.clone(),
         interior_normals: surface.interior_normals(),
+        continuity: args.continuity.continuity,
+        boundary_curvature: input.boundary_curvature.clone(),
         target: surface.target,
         inner_fairness: surface.inner_fairness(),
         discretization: surface.discretization(),
@@ -181,7 +192,6 @@ pub fn solve(
         threads: args.threads,
         intersections: args.intersections.intersections(),
         coincident: args.mesh.coincident,
-        ..defaults
     };
     let mut bar = Bar::new(args.quiet);
     let geometry = &input.geometry;

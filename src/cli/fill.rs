@@ -6,14 +6,15 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options, Outcome,
-    OutputPrecision, Progress, fill_holes_with_progress,
+    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options,
+    Outcome, OutputPrecision, Progress, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
 use crate::attempts;
 use crate::bar::Bar;
+use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
@@ -56,6 +57,8 @@ pub struct FillArgs {
     #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
     threads: usize,
     #[command(flatten)]
+    continuity: ContinuityArgs,
+    #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
     intersections: IntersectionArgs,
@@ -78,12 +81,16 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     mesh.check_writable(&args.input, format)?;
     let output = Output::prepare(&args.output)?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let boundary_curvature = args
+        .continuity
+        .boundary_curvature(mesh.geometry.positions.len())?;
     let solving = Instant::now();
     let precision = match (mesh.format(), format) {
         (Format::Ply, Format::Ply) => mesh.output_precision(),
         _ => format.output_precision(),
     };
-    let filled = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
+    let filled =
+        solve(args, &mesh, boundary_curvature, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -104,7 +111,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&filled, args.verbose))?;
+    answer.tell(&[&args.output], json, || readable(&filled, args))?;
     Ok(filled.loops.iter().all(is_clean))
 }
 
@@ -122,6 +129,7 @@ fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure
 fn solve(
     args: &FillArgs,
     mesh: &MeshFile,
+    boundary_curvature: BoundaryCurvature,
     output_precision: OutputPrecision,
 ) -> Result<Filled, fairmesh::Error> {
     let mut bar = Bar::new(args.quiet);
@@ -137,6 +145,8 @@ fn solve(
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
         fair: !args.no_fair,
         fairing: Options {
+            continuity: args.continuity.continuity,
+            boundary_curvature,
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             output_precision,
             threads: args.threads,
@@ -225,7 +235,7 @@ fn why(reason: OpenReason) -> String {
     }
 }
 
-fn readable(filled: &Filled, is_verbose: bool) -> String {
+fn readable(filled: &Filled, args: &FillArgs) -> String {
     let mut text = String::new();
     if filled.loops.is_empty() {
         text += "no boundary: nothing to fill\n";
@@ -247,8 +257,11 @@ fn readable(filled: &Filled, is_verbose: bool) -> String {
             );
         }
         text.push('\n');
-        let fairing = report.fairing.as_ref().filter(|_| is_verbose);
-        for line in fairing.map_or(Vec::new(), |f| attempts::lines(&f.components)) {
+        let Some(fairing) = &report.fairing else { continue };
+        let tried = args.verbose.then(|| attempts::lines(&fairing.components));
+        let continued = args.continuity.is_asked();
+        let continued = continued.then(|| continuity::lines(&fairing.components));
+        for line in [tried, continued].into_iter().flatten().flatten() {
             let _ = writeln!(text, "  {line}");
         }
     }
@@ -272,7 +285,8 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
             "h_inside": f.quality.h_inside, "h_boundary": f.quality.h_boundary,
             "normal_deviation": f.quality.normal_deviation, "suspicious_normals": f.suspicious_normals,
             "member_weight": member_weight(&f.outcome), "bending_energy": f.quality.bending_energy,
-            "attempts": attempts::json(f.components.iter().flat_map(|c| &c.attempts)) })
+            "attempts": attempts::json(f.components.iter().flat_map(|c| &c.attempts)),
+            "continuity": continuity::json(f.components.iter().flat_map(|c| &c.continuity)) })
     });
     json!({
         "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),

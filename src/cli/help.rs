@@ -48,7 +48,9 @@ pub const FAIR_LONG: &str = concat!(
     examples!(),
     "\
 Lists (--free, --faces): one number per line; blank lines and what follows a # are ignored. Normals (--normals):
-'vertex nx ny nz' per line, of any length but zero, pointing to the side that the faces turn to.
+'vertex nx ny nz' per line, of any length but zero, pointing to the side that the faces turn to. Mean curvatures
+(--boundary-curvature): 'vertex H' per line, in one over the unit of the file, negative on a sphere with outward normals; read at
+boundary vertices, fitted at those that are not named.
 
 The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
 (of Delta_B H = 0, without unit), step, seconds, quality, components, free_vertices, diagonal, linear_surface,
@@ -57,10 +59,12 @@ Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_wei
 whose normals in the file could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
-its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface, member_weight, quality and
+its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface, member_weight, quality,
 attempts: what was tried, in its order, each with the free_vertices of its mesh (coarse or its own), name, iterations,
-end and bending_energy (the integral of H^2). Numbers that are
-not finite are null.
+end and bending_energy (the integral of H^2), and continuity, where more than g1 is asked for: for each boundary loop its smallest vertex,
+how many vertices it has, how much of the way was reached, the jump of H there of the g1 surface (jump_before, root mean
+square, and largest_jump_before) and now (jump, largest_jump), H of the surroundings (curvature) and how uncertain that
+is (uncertainty), root mean squares in one over the unit of the file. Numbers that are not finite are null.
 
 ",
     exit_codes!()

@@ -6,6 +6,7 @@ mod answer;
 mod attempts;
 mod bar;
 mod component_report;
+mod continuity;
 mod demo;
 mod explain;
 mod failure;

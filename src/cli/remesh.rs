@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use fairmesh::{BoundaryNormals, OutputPrecision, RemeshOptions, Solver, remesh_region};
+use fairmesh::{BoundaryCurvature, BoundaryNormals, OutputPrecision, RemeshOptions, Solver, remesh_region};
 
 use crate::fair::{FairArgs, FairInput, solve};
 use crate::formats::{Geometry, Kind};
@@ -40,6 +40,13 @@ pub fn remesh(
         }
         other => other.clone(),
     };
+    let boundary_curvature = match &input.boundary_curvature {
+        BoundaryCurvature::Given(list) => {
+            let kept = list.iter().filter_map(|&(v, h)| Some((moved(v)?, h)));
+            BoundaryCurvature::Given(kept.collect())
+        }
+        BoundaryCurvature::Estimated => BoundaryCurvature::Estimated,
+    };
     let selected = Selected {
         kind: Kind::Vertex,
         elements: mesh.free,
@@ -48,5 +55,6 @@ pub fn remesh(
         geometry: Cow::Owned(Geometry::of_triangles(mesh.positions, mesh.triangles)),
         selected,
         boundary_normals,
+        boundary_curvature,
     })
 }

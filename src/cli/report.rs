@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use crate::attempts;
 use crate::component_report;
+use crate::continuity;
 use crate::explain;
 use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
 
@@ -31,6 +32,8 @@ pub struct Summary<'a> {
     pub stale_normals: usize,
     /// Whether the attempts are listed for people, too.
     pub is_verbose: bool,
+    /// Whether more than tangent planes was to be continued.
+    pub asks_continuity: bool,
 }
 
 /// The readable report.
@@ -44,6 +47,12 @@ impl Table {
             format!("{name}:")
         };
         let _ = writeln!(self.0, "  {name:<20} {value}");
+    }
+
+    /// Several lines under one name.
+    fn rows(&mut self, name: &str, lines: Vec<String>) {
+        let names = std::iter::once(name).chain(std::iter::repeat(""));
+        names.zip(lines).for_each(|(name, line)| self.row(name, line));
     }
 }
 
@@ -117,11 +126,7 @@ impl Summary<'_> {
     }
 
     fn tell_attempts(&self, table: &mut Table) {
-        let lines = attempts::lines(&self.report.components);
-        let names = std::iter::once("attempts").chain(std::iter::repeat(""));
-        for (name, line) in names.zip(lines) {
-            table.row(name, line);
-        }
+        table.rows("attempts", attempts::lines(&self.report.components));
         let energy = self.report.quality.bending_energy;
         table.row("bending energy", significant(energy));
     }
@@ -151,6 +156,9 @@ impl Summary<'_> {
             "boundary kink",
             format_args!("at most {kink} degrees (vertex {vertex}, {before} in the input)"),
         );
+        if self.asks_continuity {
+            table.rows("continuity", continuity::lines(&self.report.components));
+        }
     }
 
     /// Intersecting triangles as pairs of faces of the file.
@@ -279,6 +287,7 @@ impl Summary<'_> {
             "linear_surface": of.linear_surface,
             "member_weight": member_weight(&of.outcome),
             "attempts": attempts::json(&of.attempts),
+            "continuity": continuity::json(&of.continuity),
             "quality": self.quality(&of.quality),
         })
     }
@@ -418,6 +427,7 @@ mod tests {
                 times: Times::default(),
                 stale_normals: 0,
                 is_verbose: false,
+                asks_continuity: false,
             };
             (summary.readable(), summary.json())
         };
@@ -475,6 +485,7 @@ mod tests {
             times,
             stale_normals: 2,
             is_verbose: false,
+            asks_continuity: false,
         };
         let json = summary.json();
         assert_eq!(json["outcome"], "not_converged");
@@ -530,6 +541,7 @@ mod tests {
                 times,
                 stale_normals: 0,
                 is_verbose: false,
+                asks_continuity: false,
             };
             assert!(summary.readable().contains("\n  what to do:"));
         }

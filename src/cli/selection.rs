@@ -187,6 +187,26 @@ pub fn boundary_normals(which: &Path, vertex_count: usize) -> Result<BoundaryNor
     }
 }
 
+/// Mean curvatures, `index H` per line.
+pub fn given_curvature(path: &Path, vertex_count: usize) -> Result<Vec<(u32, f64)>, Failure> {
+    let (name, bytes) = read(path)?;
+    let mut given = Vec::new();
+    lines(&bytes, |words| {
+        let vertex = index(&bytes, words, vertex_count, "vertices")?;
+        let at = words.offset();
+        let wrong = |why| Malformed::text(at, format!("the mean curvature of vertex {vertex} is {why}"));
+        let word = words.next().ok_or_else(|| wrong("missing"))?;
+        let curvature = text::number(&bytes, word, "mean curvature")?;
+        if !curvature.is_finite() {
+            return Err(wrong("not finite"));
+        }
+        given.push((vertex, curvature));
+        Ok(())
+    })
+    .map_err(|malformed| malformed.locate(&name, &bytes))?;
+    Ok(given)
+}
+
 /// Normals, `index nx ny nz` per line, brought to length one.
 fn given_normals(path: &Path, vertex_count: usize) -> Result<Vec<(u32, [f64; 3])>, Failure> {
     let (name, bytes) = read(path)?;

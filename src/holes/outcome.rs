@@ -160,6 +160,9 @@ pub(super) fn renumber(report: &mut Report, vertex: impl Fn(u32) -> u32, triangl
     renumber_judgement(&mut report.quality, &mut report.outcome, &vertex, &triangle);
     for component in &mut report.components {
         component.vertex = vertex(component.vertex as u32) as usize;
+        for of_loop in &mut component.continuity {
+            of_loop.vertex = vertex(of_loop.vertex as u32) as usize;
+        }
         renumber_judgement(&mut component.quality, &mut component.outcome, &vertex, &triangle);
     }
     report.suspicious_normals.iter_mut().for_each(|v| *v = vertex(*v));

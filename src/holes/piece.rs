@@ -15,8 +15,8 @@ use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Coincident, Intersections, Options, Outcome, OutputPrecision, Progress,
-    ProgressCallback, Report, Selection, Solution, Target, fair_with_progress,
+    BoundaryCurvature, BoundaryNormals, Coincident, CurvatureContinuity, Intersections, Options, Outcome,
+    OutputPrecision, Progress, ProgressCallback, Report, Selection, Solution, Target, fair_with_progress,
 };
 use crate::quality::Quality;
 
@@ -129,12 +129,19 @@ pub(super) struct Task<'a> {
     pub(super) precision: OutputPrecision,
 }
 
-/// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths.
+/// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths, a curvature an inverse length.
 pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
     Options {
         boundary_normals: match &asked.boundary_normals {
-            BoundaryNormals::Given(list) => BoundaryNormals::Given(local_normals(around, list)),
+            BoundaryNormals::Given(list) => BoundaryNormals::Given(local_entries(around, list)),
             other => other.clone(),
+        },
+        boundary_curvature: match &asked.boundary_curvature {
+            BoundaryCurvature::Given(list) => {
+                let local = local_entries(around, list).into_iter();
+                BoundaryCurvature::Given(local.map(|(v, h)| (v, h * around.scale())).collect())
+            }
+            BoundaryCurvature::Estimated => BoundaryCurvature::Estimated,
         },
         target: match asked.target {
             Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
@@ -150,8 +157,8 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
     }
 }
 
-/// The normals given for the loop's vertices, in local numbers.
-fn local_normals(around: &Surroundings, list: &[(u32, [f64; 3])]) -> Vec<(u32, [f64; 3])> {
+/// What is given for the loop's vertices, in local numbers.
+fn local_entries<T: Copy>(around: &Surroundings, list: &[(u32, T)]) -> Vec<(u32, T)> {
     let mut list = list.to_vec();
     list.sort_by_key(|entry| entry.0);
     let boundary = (0..).zip(&around.ids[..around.loop_vertices]);
@@ -310,6 +317,8 @@ impl Task<'_> {
         let mut rough = Options {
             tolerance: COARSE_TOLERANCE,
             max_iterations: COARSE_ITERATIONS,
+            // Where the coarse vertices lie does not depend on it much.
+            continuity: 0.0,
             ..self.options.clone()
         };
         if rough.boundary_normals == BoundaryNormals::Fitted {
@@ -480,7 +489,27 @@ impl Task<'_> {
         in_units(&mut report.diagonal, &mut report.quality);
         for component in &mut report.components {
             in_units(&mut component.diagonal, &mut component.quality);
+            let loops = component.continuity.iter_mut();
+            loops.for_each(|of_loop| *of_loop = self.loop_in_units(of_loop));
         }
         report
+    }
+
+    /// Its vertex is still one of the surroundings, but the one with the smallest number in the mesh.
+    fn loop_in_units(&self, of_loop: &CurvatureContinuity) -> CurvatureContinuity {
+        let (around, scale) = (self.surroundings, self.surroundings.scale());
+        CurvatureContinuity {
+            vertex: (0..around.loop_vertices)
+                .min_by_key(|&v| around.ids[v])
+                .unwrap_or(of_loop.vertex),
+            vertices: of_loop.vertices,
+            reached: of_loop.reached,
+            jump_before: of_loop.jump_before / scale,
+            largest_jump_before: of_loop.largest_jump_before / scale,
+            jump: of_loop.jump / scale,
+            largest_jump: of_loop.largest_jump / scale,
+            curvature: of_loop.curvature / scale,
+            uncertainty: of_loop.uncertainty / scale,
+        }
     }
 }

@@ -163,6 +163,14 @@ static Expected null_normals(Call *c, int f, int k) {
                     OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors));
 }
 
+static Expected null_curvature(Call *c, int f, int k) {
+    (void)k;
+    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    c->options.boundary_curvature.values = numbers_of(NULL, SIDE * SIDE);
+    return argument(FAIRMESH_STATUS_NULL_POINTER, options_argument(f),
+                    OFFSET2(fairmesh_options, boundary_curvature, fairmesh_boundary_curvature, values));
+}
+
 static Expected misaligned_struct(Call *c, int f, int k) {
     static union { double align; char bytes[1024]; } room;
     int off = 1 + k % 7;
@@ -276,6 +284,19 @@ static Expected count_mismatch_normals(Call *c, int f, int k) {
                     OFFSET2(fairmesh_options, boundary_normals, fairmesh_boundary_normals, vectors) + offsetof(fairmesh_points, count));
 }
 
+static Expected count_mismatch_curvature(Call *c, int f, int k) {
+    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    c->options.boundary_curvature.values = numbers_of(c->normals, (size_t)(SIDE * SIDE - 1 - k));
+    if (k > 2) {
+        c->options.boundary_curvature.vertices.data = c->list;
+        c->options.boundary_curvature.vertices.count = 2;
+        c->options.boundary_curvature.values.count = (size_t)k;
+    }
+    return argument(FAIRMESH_STATUS_COUNT_MISMATCH, options_argument(f),
+                    OFFSET2(fairmesh_options, boundary_curvature, fairmesh_boundary_curvature, values) +
+                        offsetof(fairmesh_numbers, count));
+}
+
 static Expected index_out_of_range(Call *c, int f, int k) {
     static const uint32_t wrong[] = {SIDE * SIDE, SIDE * SIDE + 1, 0x7fffffff, 0xffffffff};
     uint64_t t = (uint64_t)(k * 17) % c->cap.triangles;
@@ -314,6 +335,16 @@ static Expected normal_out_of_range(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
 }
 
+static Expected curvature_out_of_range(Call *c, int f, int k) {
+    (void)f;
+    c->list[0] = (uint32_t)(SIDE * SIDE + 100 * k);
+    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    c->options.boundary_curvature.values = numbers_of(c->normals, 1);
+    c->options.boundary_curvature.vertices.data = c->list;
+    c->options.boundary_curvature.vertices.count = 1;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, c->list[0], NONE);
+}
+
 /* Free vertices of the grid of 9: 3 to 5 in both directions; 2 and 6 are their boundary. */
 static uint64_t inner(int k) { return (uint64_t)((2 + k % 5) + SIDE * (2 + k / 5 % 5)); }
 
@@ -334,6 +365,24 @@ static Expected bad_normal(Call *c, int f, int k) {
     c->options.boundary_normals.vertices.data = c->list;
     c->options.boundary_normals.vertices.count = 1;
     return expect(FAIRMESH_STATUS_BAD_NORMAL, FAIRMESH_ELEMENT_VERTEX, v, NONE);
+}
+
+static Expected bad_curvature(Call *c, int f, int k) {
+    static const double wrong[] = {INFINITY, -INFINITY, NAN};
+    uint32_t v = 2 + SIDE * 3;
+    (void)f;
+    c->options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    if (k < 2) {
+        c->normals[v] = wrong[k];
+        c->options.boundary_curvature.values = numbers_of(c->normals, SIDE * SIDE);
+    } else {
+        c->list[0] = v;
+        c->normals[0] = wrong[k - 2];
+        c->options.boundary_curvature.values = numbers_of(c->normals, 1);
+        c->options.boundary_curvature.vertices.data = c->list;
+        c->options.boundary_curvature.vertices.count = 1;
+    }
+    return expect(FAIRMESH_STATUS_BAD_OPTION, FAIRMESH_ELEMENT_VERTEX, v, NONE);
 }
 
 /* A triangle of the region. */
@@ -440,7 +489,7 @@ static Expected selection_size(Call *c, int f, int k) {
     return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, selection_argument(f), 0);
 }
 static Expected options_size(Call *c, int f, int k) {
-    c->options.struct_size = k == 7 ? (uint32_t)sizeof c->options - 8 : k == 3 ? (uint32_t)sizeof c->options + 1 : sizes[k];
+    c->options.struct_size = k == 7 ? (uint32_t)offsetof(fairmesh_options, continuity) - 8 : k == 3 ? (uint32_t)sizeof c->options + 1 : sizes[k];
     return argument(FAIRMESH_STATUS_BAD_STRUCT_SIZE, options_argument(f), 0);
 }
 static Expected other_sizes(Call *c, int f, int k) {
@@ -472,6 +521,7 @@ static Expected option_enums(Call *c, int f, int k) {
     case 4: c->options.discretization = n, at = OFFSET(fairmesh_options, discretization); break;
     case 5: c->options.solver = n, at = OFFSET(fairmesh_options, solver); break;
     case 6: c->options.intersections = n, at = OFFSET(fairmesh_options, intersections); break;
+    case 7: c->options.boundary_curvature.kind = n, at = OFFSET(fairmesh_options, boundary_curvature); break;
     default:
         c->options.solver = FAIRMESH_SOLVER_KIND_PAPER;
         c->options.paper_estimate = n, at = OFFSET(fairmesh_options, paper_estimate);
@@ -524,6 +574,11 @@ static Expected option_ranges(Call *c, int f, int k) {
         c->options.threads = k == 9 ? 1025 : k == 10 ? 0x7fffffff : 0xffffffff;
         return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, threads));
     }
+    if (k > 14) {
+        static const double blends[] = {-0.1, 1.01, NAN, INFINITY, -INFINITY};
+        c->options.continuity = blends[k - 15];
+        return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), OFFSET(fairmesh_options, continuity));
+    }
     c->options.target.kind = FAIRMESH_TARGET_KIND_CONSTANT;
     c->options.target.constant = k == 12 ? NAN : k == 13 ? INFINITY : -INFINITY;
     return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f),
@@ -538,7 +593,8 @@ static Expected paper_ranges(Call *c, int f, int k) {
     else if (k < 12) c->options.paper_laplacian = wrong[k - 8], at = OFFSET(fairmesh_options, paper_laplacian);
     else if (k == 12) c->options.paper_max_updates = 0, at = OFFSET(fairmesh_options, paper_max_updates);
     else if (k == 13) c->options.paper_estimate_iterations = 0, at = OFFSET(fairmesh_options, paper_estimate_iterations);
-    else c->options.paper_damping = 1.5, at = OFFSET(fairmesh_options, paper_damping);
+    else if (k == 14) c->options.paper_damping = 1.5, at = OFFSET(fairmesh_options, paper_damping);
+    else c->options.continuity = 0.5, at = OFFSET(fairmesh_options, continuity);
     return argument(FAIRMESH_STATUS_BAD_OPTION, options_argument(f), at);
 }
 static Expected paper_in_steps(Call *c, int f, int k) {
@@ -604,6 +660,7 @@ static const Row table[] = {
     {"null", "output data", null_output, FAIR | CURVATURE, 1},
     {"null", "output view", null_numbers, CURVATURE, 1},
     {"null", "normals", null_normals, FAIR | SOLVER | FILL, 1},
+    {"null", "curvature", null_curvature, FAIR | SOLVER | FILL, 1},
     {"alignment", "mesh struct", misaligned_struct, ALL, 2},
     {"alignment", "options struct", misaligned_options, FAIR | SOLVER | FILL, 3},
     {"alignment", "positions", misaligned_positions, ALL, 3},
@@ -619,12 +676,15 @@ static const Row table[] = {
     {"counts", "mask", count_mismatch, REGION, 11},
     {"counts", "output", count_mismatch_out, FAIR | CURVATURE, 5},
     {"counts", "normals", count_mismatch_normals, FAIR | SOLVER | FILL, 5},
+    {"counts", "curvature", count_mismatch_curvature, FAIR | SOLVER | FILL, 5},
     {"index", "triangle", index_out_of_range, ALL, 12},
     {"index", "selection", selection_out_of_range, REGION, 8},
     {"index", "loop", loop_out_of_range, FILL, 3},
     {"index", "normal", normal_out_of_range, FAIR | SOLVER | FILL, 3},
+    {"index", "curvature", curvature_out_of_range, FAIR | SOLVER | FILL, 3},
     {"not finite", "position", not_finite, REGION | CURVATURE, 25},
     {"not finite", "normal", bad_normal, FAIR | SOLVER, 9},
+    {"not finite", "curvature", bad_curvature, FAIR | SOLVER | FILL, 5},
     {"degenerate", "repeated index", repeated_index, REGION, 9},
     {"duplicate", "triangle", duplicate_triangle, REGION, 9},
     {"non-manifold edge", "fin", non_manifold_edge, REGION, 9},
@@ -639,15 +699,15 @@ static const Row table[] = {
     {"struct size", "options", options_size, FAIR | SOLVER | FILL, 10},
     {"struct size", "others", other_sizes, FAIR | FILL | REMESH, 10},
     {"struct size", "later fields", future_fields, ALL, 7},
-    {"enum", "options", option_enums, FAIR | FILL, 40},
-    {"enum", "options", option_enums, SOLVER, 35},
+    {"enum", "options", option_enums, FAIR | FILL, 45},
+    {"enum", "options", option_enums, SOLVER, 40},
     {"enum", "scalar", scalar_enum, ALL, 4},
     {"enum", "selection", selection_enum, REGION, 5},
     {"enum", "output", output_enum, FAIR | CURVATURE, 4},
     {"enum", "coincident", coincident, ALL, 4},
     {"reserved", "mesh", reserved, ALL, 1},
-    {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 15},
-    {"option range", "paper", paper_ranges, FAIR | FILL, 15},
+    {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 20},
+    {"option range", "paper", paper_ranges, FAIR | FILL, 16},
     {"option range", "paper in steps", paper_in_steps, SOLVER, 1},
     {"option range", "density", density, FILL | REMESH, 8},
     {"aliasing", "positions", aliasing, FAIR, 8},
@@ -743,6 +803,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_level level;
     fairmesh_component component;
     fairmesh_attempt attempt;
+    fairmesh_continuity continuity;
     fairmesh_loop boundary;
     fairmesh_fill_report filled;
     fairmesh_error e;
@@ -758,6 +819,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     level.struct_size = sizeof level;
     component.struct_size = sizeof component;
     attempt.struct_size = sizeof attempt;
+    continuity.struct_size = sizeof continuity;
     boundary.struct_size = sizeof boundary;
     filled.struct_size = sizeof filled;
     if (is_solver) {
@@ -769,6 +831,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_component(s, 0, &component, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_attempt(s, 0, 0, &attempt, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_continuity(s, 0, 0, &continuity, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_result(s, &result, &e), &e, wanted, what);
         if (handle != NULL) {
             cases++;
@@ -780,6 +843,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_result_level(r, 0, &level, &e), &e, wanted, what);
         expect_handle(fairmesh_result_component(r, 0, 0, &component, &e), &e, wanted, what);
         expect_handle(fairmesh_result_attempt(r, 0, 0, 0, &attempt, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_continuity(r, 0, 0, 0, &continuity, &e), &e, wanted, what);
         expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
         expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
         expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);

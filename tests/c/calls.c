@@ -290,7 +290,7 @@ static void one_shot(void) {
             CHECK(part.vertex == two[v] && part.free_vertices == 1 && part.outcome == FAIRMESH_OUTCOME_CONVERGED);
             CHECK(part.iterations <= report.iterations && part.diagonal <= report.diagonal);
             CHECK(part.bending_energy > 0 && part.bending_energy < report.bending_energy && part.member_weight == 0);
-            CHECK(part.attempt_count == 1);
+            CHECK(part.attempt_count == 1 && part.continuity_count == 0);
             attempt.struct_size = sizeof attempt;
             OK(fairmesh_result_attempt(result, 0, v, 0, &attempt, &error));
             CHECK(strcmp(attempt.name, "direct") == 0 && attempt.end == FAIRMESH_ATTEMPT_END_SOUND);
@@ -643,6 +643,81 @@ static void nearest_member(void) {
     cap_free(&cap);
 }
 
+/* Half of the way to a given mean curvature: by a list, or one number per vertex, as a float, with NaN where none is given. */
+static void continuity(void) {
+    Cap cap = cap_new(31);
+    fairmesh_options options = quick();
+    fairmesh_result *result;
+    fairmesh_solver *solver;
+    fairmesh_component whole;
+    fairmesh_continuity loop, again;
+    fairmesh_error error;
+    size_t size, v, bytes = 24 * cap.vertices;
+    uint32_t *boundary = (uint32_t *)must(malloc(cap.vertices * sizeof(uint32_t)));
+    double *given = (double *)must(malloc(cap.vertices * sizeof(double)));
+    float *all = (float *)must(malloc(cap.vertices * sizeof(float)));
+    double *by_list = (double *)must(malloc(bytes)), *by_vertex = (double *)must(malloc(bytes));
+    double *fitted = (double *)must(malloc(bytes));
+    fairmesh_points_out into = points_out_of(fitted, cap.vertices);
+    whole.struct_size = sizeof whole;
+    loop.struct_size = again.struct_size = sizeof loop;
+    CHECK(options.continuity == 0.0);
+    CHECK(options.boundary_curvature.kind == FAIRMESH_BOUNDARY_CURVATURE_KIND_ESTIMATED);
+    options.continuity = 0.5;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, &result, &error));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BOUNDARY_VERTICES, 0, boundary, cap.vertices, &size, &error));
+    OK(fairmesh_result_component(result, 0, 0, &whole, &error));
+    CHECK(whole.continuity_count == 1);
+    OK(fairmesh_result_free(result));
+
+    for (v = 0; v < cap.vertices; v++) all[v] = NAN;
+    for (v = 0; v < size; v++) given[v] = -1.25, all[boundary[v]] = -1.25f;
+    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    options.boundary_curvature.values = numbers_of(given, size);
+    options.boundary_curvature.vertices.data = boundary;
+    options.boundary_curvature.vertices.count = size;
+    into.data = by_list;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, &result, &error));
+    CHECK(memcmp(by_list, fitted, bytes) != 0);
+    OK(fairmesh_result_continuity(result, 0, 0, 0, &loop, &error));
+    CHECK(loop.struct_size == sizeof loop && loop.reserved == 0);
+    CHECK(loop.vertex == boundary[0] && loop.vertex_count == size);
+    CHECK(fabs(loop.curvature - 1.25) < 1e-9 && loop.uncertainty >= 0.0);
+    CHECK(loop.reached > 0.0 && loop.reached <= 0.5 && loop.jump < loop.jump_before);
+    CHECK(loop.largest_jump_before >= loop.jump_before && loop.largest_jump >= loop.jump);
+    CHECK(fairmesh_result_continuity(result, 0, 0, 1, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_continuity(result, 0, 1, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_continuity(result, 1, 0, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(result));
+
+    memset(&options.boundary_curvature, 0, sizeof options.boundary_curvature);
+    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    options.boundary_curvature.values.data = all;
+    options.boundary_curvature.values.count = cap.vertices;
+    options.boundary_curvature.values.scalar = FAIRMESH_SCALAR_FLOAT32;
+    into.data = by_vertex;
+    OK(fairmesh_fair(&cap.mesh, &cap.selection, &options, &into, NULL, NULL, &error));
+    CHECK(memcmp(by_list, by_vertex, bytes) == 0);
+
+    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
+    CHECK(fairmesh_solver_continuity(solver, 0, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_solver_run(solver, UINT64_MAX, NULL, &error));
+    OK(fairmesh_solver_component(solver, 0, &whole, &error));
+    CHECK(whole.continuity_count == 1);
+    OK(fairmesh_solver_continuity(solver, 0, 0, &again, &error));
+    CHECK(memcmp(&again, &loop, sizeof loop) == 0);
+    CHECK(fairmesh_solver_continuity(solver, 0, 1, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_solver_continuity(solver, 1, 0, &again, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_solver_free(solver));
+    free(boundary);
+    free(given);
+    free(all);
+    free(by_list);
+    free(by_vertex);
+    free(fitted);
+    cap_free(&cap);
+}
+
 int main(void) {
     versions();
     one_shot();
@@ -650,6 +725,7 @@ int main(void) {
     hub();
     nearest_member();
     in_steps();
+    continuity();
     holes();
     puts("calls: passed");
     return 0;

@@ -107,6 +107,15 @@ COMMON_MAY_STAY_UNUSED static fairmesh_points_out points_out_of(double *data, si
     return points;
 }
 
+COMMON_MAY_STAY_UNUSED static fairmesh_numbers numbers_of(const double *data, size_t count) {
+    fairmesh_numbers numbers;
+    memset(&numbers, 0, sizeof numbers);
+    numbers.data = data;
+    numbers.count = count;
+    numbers.scalar = FAIRMESH_SCALAR_FLOAT64;
+    return numbers;
+}
+
 COMMON_MAY_STAY_UNUSED static fairmesh_scalars_out scalars_out_of(double *data, size_t count) {
     fairmesh_scalars_out numbers;
     memset(&numbers, 0, sizeof numbers);

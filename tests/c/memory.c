@@ -202,6 +202,9 @@ int main(int count, char **arguments) {
     memcpy(s.kept_corners, s.cap.corners, 12 * s.cap.triangles);
     panics(&s);
     every_allocation(&s, fair_once, "fair", by);
+    s.options.continuity = 1.0;
+    every_allocation(&s, fair_once, "fair, continuous curvature", by);
+    s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
     if (count > 4) return 0;
     every_allocation(&s, loops, "loops", by);

@@ -61,6 +61,16 @@ fn wrong_usage_exits_with_2() {
         ],
         &["fair", "cap.obj", "-o", "x.obj", "--inner-fairness", "best"],
         &["fair", "cap.obj", "-o", "x.obj", "--interior-normals", "best"],
+        &["fair", "cap.obj", "-o", "x.obj", "--continuity", "g3"],
+        &["fair", "cap.obj", "-o", "x.obj", "--continuity", "1.01"],
+        &[
+            "fair",
+            "cap.obj",
+            "-o",
+            "x.obj",
+            "--boundary-curvature",
+            "free.txt",
+        ],
         &["unfair"],
     ] {
         expect(&directory, args, 2);
@@ -122,6 +132,33 @@ fn wrong_input_is_told_in_one_line() {
         &["--free", "free.txt", "--normals", "bad.txt"],
         "bad.txt:1: the normal of vertex 4 is zero or not finite",
     );
+    let curvature = [
+        "--free",
+        "free.txt",
+        "--continuity",
+        "g2",
+        "--boundary-curvature",
+        "bad.txt",
+    ];
+    for (text, message) in [
+        (
+            "# H\n4 0.5\n5\n",
+            "bad.txt:3: the mean curvature of vertex 5 is missing",
+        ),
+        (
+            "4 nan\n",
+            "bad.txt:1: the mean curvature of vertex 4 is not finite",
+        ),
+        ("4 high\n", "bad.txt:1: mean curvature: 'high' is not a number"),
+        ("4 0.5 1\n", "bad.txt:1: '1' is more than this line should have"),
+        (
+            "225 0.5\n",
+            "bad.txt:1: index 225 is out of range: the mesh has 225 vertices, counted from 0",
+        ),
+    ] {
+        write("bad.txt", text);
+        fair(&curvature, message);
+    }
     fair(
         &["--free", "free.txt", "--json", "cap.obj"],
         "cap.obj: --json would overwrite the mesh",
@@ -393,6 +430,83 @@ fn normals_are_fitted_averaged_or_those_of_a_file() {
     let averaged = result(&["--normals", "averaged"]);
     let exact = result(&["--normals", "normals.txt"]);
     assert!(averaged != fitted && exact != fitted && exact != averaged);
+}
+
+/// A torus has no harmonic curvature: tangent planes alone leave a jump.
+#[test]
+fn curvature_is_continued_as_far_as_asked() {
+    let directory = directory("continuity");
+    let make = [
+        "generate",
+        "torus",
+        "-o",
+        "torus.obj",
+        "--vertices",
+        "600",
+        "--seed",
+        "7",
+    ];
+    let lists = [
+        "--triangulation",
+        "irregular",
+        "--free",
+        "free.txt",
+        "--normals",
+        "normals.txt",
+    ];
+    expect(&directory, &[&make[..], &lists].concat(), 0);
+    let fair = |asked: &[&str]| {
+        let args = [
+            "fair",
+            "torus.obj",
+            "-o",
+            "out.obj",
+            "--free",
+            "free.txt",
+            "--json",
+            "r.json",
+        ];
+        let (out, _) = expect(&directory, &[&args[..], asked].concat(), 0);
+        let json: serde_json::Value =
+            serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+        let loops = json["components"][0]["continuity"].as_array().unwrap().clone();
+        (fs::read(directory.join("out.obj")).unwrap(), loops, out)
+    };
+    let (tangent, loops, out) = fair(&[]);
+    assert!(loops.is_empty() && !out.contains("continuity"), "{out}");
+    for none in ["g1", "0"] {
+        assert_eq!(fair(&["--continuity", none]).0, tangent);
+    }
+    let (whole, loops, out) = fair(&["--continuity", "g2"]);
+    assert_eq!(fair(&["--continuity", "1"]).0, whole);
+    let [one] = &loops[..] else { panic!("{loops:?}") };
+    let figure = |of: &serde_json::Value, name: &str| of[name].as_f64().unwrap();
+    assert!(figure(one, "jump") < 0.4 * figure(one, "jump_before"), "{one}");
+    assert!(
+        figure(one, "reached") > 0.5 && figure(one, "vertices") > 30.0,
+        "{one}"
+    );
+    assert!(
+        figure(one, "largest_jump_before") > figure(one, "jump_before"),
+        "{one}"
+    );
+    let row = format!("  continuity:          loop of vertex {} and ", one["vertex"]);
+    assert!(
+        out.contains(&row) && out.contains(" reached, jump of H "),
+        "{out}"
+    );
+    let (half, loops, _) = fair(&["--continuity", "0.5"]);
+    assert!(half != tangent && half != whole);
+    assert!(figure(&loops[0], "jump") > figure(one, "jump"));
+
+    let normals = fs::read_to_string(directory.join("normals.txt")).unwrap();
+    let rows = normals.lines().filter_map(|line| line.split_whitespace().next());
+    let given: String = rows.map(|v| format!("{v} -1.5 # all around\n")).collect();
+    fs::write(directory.join("h.txt"), given).unwrap();
+    let asked = ["--continuity", "0.5", "--boundary-curvature", "h.txt"];
+    let (given, loops, _) = fair(&asked);
+    assert!(given != half);
+    assert!((figure(&loops[0], "curvature") - 1.5).abs() < 1e-9, "{loops:?}");
 }
 
 #[test]

@@ -349,3 +349,85 @@ fn a_hub_is_refused_by_name_and_the_hole_without_it_is_filled() {
     let new = vertices[1].as_u64().unwrap() - vertices[0].as_u64().unwrap();
     assert!(new <= 2 * valence as u64, "{new}");
 }
+
+/// Of a hole in a torus; the loop's smallest vertex is one of the file's.
+#[test]
+fn a_hole_is_filled_with_continuous_curvature() {
+    let directory = directory("fill_continuity");
+    let make = [
+        "generate",
+        "torus",
+        "-o",
+        "torus.off",
+        "--vertices",
+        "300",
+        "--seed",
+        "7",
+    ];
+    let lists = ["--triangulation", "irregular", "--free", "free.txt"];
+    expect(&directory, &[&make[..], &lists].concat(), 0);
+    let text = fs::read_to_string(directory.join("torus.off")).unwrap();
+    let free = fs::read_to_string(directory.join("free.txt")).unwrap();
+    let free: Vec<usize> = free.lines().filter_map(|line| line.trim().parse().ok()).collect();
+    fs::write(directory.join("hole.off"), without(&text, &free)).unwrap();
+    let fill = |asked: &[&str]| {
+        let args = [
+            "fill",
+            "hole.off",
+            "-o",
+            "out.off",
+            "--max-edges",
+            "100",
+            "--json",
+            "r.json",
+        ];
+        let (out, _) = expect(&directory, &[&args[..], asked].concat(), 0);
+        let report: Value = serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+        let loops = report["loops"].as_array().unwrap().clone();
+        let faired: Vec<Value> = loops.into_iter().filter(|l| l["outcome"] == "faired").collect();
+        assert_eq!(faired.len(), 1, "{out}");
+        (out, faired[0].clone())
+    };
+    let (out, faired) = fill(&[]);
+    assert!(!out.contains("jump of H"), "{out}");
+    assert_eq!(faired["fairing"]["continuity"], serde_json::json!([]));
+    let (out, faired) = fill(&["--continuity", "g2"]);
+    let one = &faired["fairing"]["continuity"][0];
+    let figure = |name: &str| one[name].as_f64().unwrap();
+    assert!(figure("jump") < 0.8 * figure("jump_before"), "{one}");
+    assert_eq!(one["vertices"], faired["edges"]);
+    let row = format!("\n  loop of vertex {} and ", one["vertex"]);
+    assert!(out.contains(&row), "{out}");
+}
+
+/// An OFF file of triangles without some vertices.
+fn without(off: &str, removed: &[usize]) -> String {
+    let mut lines = off.lines();
+    assert_eq!(lines.next(), Some("OFF"));
+    let counts: Vec<usize> = lines
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .map(|n| n.parse().unwrap())
+        .collect();
+    let (vertices, faces): (Vec<&str>, Vec<&str>) =
+        (lines.by_ref().take(counts[0]).collect(), lines.collect());
+    let mut number = vec![None; vertices.len()];
+    let kept: Vec<usize> = (0..vertices.len()).filter(|v| !removed.contains(v)).collect();
+    kept.iter()
+        .enumerate()
+        .for_each(|(new, &v)| number[v] = Some(new));
+    let faces: Vec<String> = faces
+        .iter()
+        .filter_map(|face| {
+            let corners = face
+                .split_whitespace()
+                .skip(1)
+                .map(|v| number[v.parse::<usize>().unwrap()]);
+            let [a, b, c] = corners.collect::<Option<Vec<usize>>>()?.try_into().ok()?;
+            Some(format!("3 {a} {b} {c}\n"))
+        })
+        .collect();
+    let rows: String = kept.iter().map(|&v| format!("{}\n", vertices[v])).collect();
+    format!("OFF\n{} {} 0\n{rows}{}", kept.len(), faces.len(), faces.concat())
+}

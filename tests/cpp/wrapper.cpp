@@ -121,6 +121,28 @@ void exceptions() {
     CHECK(off_sphere(found.data()->data(), found.size()) < 2e-3);
 }
 
+void continuing_curvature() {
+    auto s = cap(31);
+    auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    fairmesh::options options;
+    auto plain = fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options);
+    CHECK(plain.component(0).continuity_count == 0);
+    auto boundary = plain.list(FAIRMESH_LIST_BOUNDARY_VERTICES);
+    const std::vector<float> given(boundary.size(), -1.25f);
+    options.continuity = 0.5;
+    options.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+    options.boundary_curvature.values = fairmesh::numbers(given.data(), given.size());
+    options.boundary_curvature.vertices = fairmesh::indices(boundary.data(), boundary.size());
+    auto found = fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options);
+    CHECK(found.component(0).continuity_count == 1);
+    auto loop = found.continuity(0, 0);
+    CHECK(loop.vertex_count == boundary.size() && loop.vertex == boundary[0]);
+    CHECK(std::abs(loop.curvature - 1.25) < 1e-6 && loop.reached <= 0.5 && loop.jump < loop.jump_before);
+    fairmesh::solver solver(mesh, fairmesh::free_mask(s.mask), options);
+    solver.run();
+    CHECK(solver.continuity(0, 0).jump == loop.jump);
+}
+
 void stepping() {
     auto s = cap(15);
     fairmesh::solver solver(fairmesh::mesh(s.positions, s.triangles), fairmesh::free_mask(s.mask));
@@ -166,6 +188,7 @@ int main() {
     errors();
     exceptions();
     stepping();
+    continuing_curvature();
     holes();
     std::puts("wrapper: passed");
 }

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::fairing::{Bars, angle, irregular, vector};
 use fairmesh::{
-    Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind, Loops, OpenReason, Options, Outcome,
-    boundary_loops, fill_holes, fill_holes_with_progress,
+    BoundaryCurvature, CurvatureContinuity, Error, FillOptions, FillOutcome, Filled, FlatReason, LoopKind,
+    Loops, OpenReason, Options, Outcome, boundary_loops, fill_holes, fill_holes_with_progress,
 };
-use fairmesh_shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole};
+use fairmesh_shapes::{Sampling, Shape, cylinder_band, sphere_cap, sphere_with_hole, torus_patch};
 
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
@@ -724,6 +724,51 @@ fn the_result_has_the_same_bits_for_any_number_of_threads_and_any_scale() {
     assert_eq!(scaled.triangles, one.triangles);
     let back: Vec<[f64; 3]> = scaled.positions.iter().map(|p| p.map(|c| c / 1024.0)).collect();
     assert_eq!(back, one.positions);
+}
+
+/// Curvature in the unit of the mesh, vertices in its numbers: what is given, and what is told.
+#[test]
+fn curvature_is_continued_into_a_hole_in_any_unit() {
+    let shape = torus_patch(1.0, 0.4, 1.0, 300, irregular(7), 10);
+    let free: std::collections::BTreeSet<u32> = shape.free_vertices().into_iter().collect();
+    let kept = |t: &&[u32; 3]| t.iter().all(|v| !free.contains(v));
+    let (x, t) = compact(
+        &shape.positions,
+        shape.triangles.iter().filter(kept).copied().collect(),
+    );
+    let loops = boundary_loops(&x, &t).unwrap();
+    let hole = (0..loops.len()).min_by_key(|&l| loops[l].vertices.len()).unwrap();
+    let around = loops[hole].vertices.clone();
+    let filled = |scale: f64, curvature: BoundaryCurvature| {
+        let mut asked = options(Loops::Chosen(vec![hole]));
+        asked.fairing.continuity = 1.0;
+        asked.fairing.boundary_curvature = curvature;
+        let x: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c * scale)).collect();
+        let filled = fill_holes(&x, &t, &asked).unwrap();
+        let report = filled.loops[0].fairing.as_ref().expect("it was faired");
+        let [of_loop] = report.components[0].continuity[..] else {
+            panic!("one loop")
+        };
+        assert_eq!(of_loop.vertex, *around.iter().min().unwrap() as usize);
+        assert_eq!(of_loop.vertices, around.len());
+        of_loop
+    };
+    let fitted = filled(1.0, BoundaryCurvature::Estimated);
+    assert!(fitted.jump < 0.8 * fitted.jump_before, "{fitted:?}");
+    let scaled = filled(1024.0, BoundaryCurvature::Estimated);
+    let figures = |of: &CurvatureContinuity, scale: f64| {
+        let jumps = [of.jump_before, of.largest_jump_before, of.jump, of.largest_jump];
+        let rest = [of.curvature, of.uncertainty];
+        jumps
+            .into_iter()
+            .chain(rest)
+            .map(|h| h * scale)
+            .collect::<Vec<f64>>()
+    };
+    assert_eq!(figures(&fitted, 1.0), figures(&scaled, 1024.0));
+    let given = around.iter().map(|&v| (v, -1.5 / 1024.0)).collect();
+    let given = filled(1024.0, BoundaryCurvature::Given(given));
+    assert!((given.curvature * 1024.0 - 1.5).abs() < 1e-9, "{given:?}");
 }
 
 #[test]

@@ -254,7 +254,30 @@ def test_a_normal_of_no_vertex():
     )
 
 
+@pytest.mark.parametrize("value", [np.inf, -np.inf, np.nan])
+def test_a_curvature_that_is_not_finite(value):
+    message = "the mean curvature given for vertex 40 is not finite"
+    refused(Status.BAD_OPTION, message, ElementKind.VERTEX, 40, boundary_curvature={40: value})
+    refused(Status.BAD_OPTION, message, ElementKind.VERTEX, 40, boundary_curvature=([40], [value]))
+    if np.isinf(value):
+        rows = changed(np.full(len(VERTICES), np.nan), 40, value)
+        refused(Status.BAD_OPTION, message, ElementKind.VERTEX, 40, boundary_curvature=rows)
+
+
+def test_a_curvature_of_no_vertex():
+    refused(
+        Status.SELECTION_OUT_OF_RANGE,
+        "a curvature is given for vertex 441, but there are only 441",
+        ElementKind.VERTEX,
+        441,
+        boundary_curvature={441: 0.5},
+    )
+
+
 OPTIONS = {
+    ("continuity", -0.1): "between 0 and 1; 0 for the paper's solver",
+    ("continuity", 1.01): "between 0 and 1; 0 for the paper's solver",
+    ("continuity", float("nan")): "between 0 and 1; 0 for the paper's solver",
     ("tolerance", 0.0): "at least 1e-15, the precision of double numbers, and less than 1",
     ("tolerance", 1.0): "at least 1e-15, the precision of double numbers, and less than 1",
     ("tolerance", float("nan")): "at least 1e-15, the precision of double numbers, and less than 1",
@@ -307,6 +330,8 @@ WRONG_TYPES = {
     "free: uint8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.uint8)},
     "free: int8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.int8)},
     "tolerance: a number is needed, not str": {"tolerance": "1e-8"},
+    "continuity: a number is needed, not bool": {"continuity": True},
+    "boundary_curvature: real numbers are needed, not bool": {"boundary_curvature": ([1], [True])},
     "tolerance: a number is needed, not bool": {"tolerance": True},
     "threads: an integer is needed, not float": {"threads": 2.0},
     "threads: an integer is needed, not bool": {"threads": True},
@@ -355,6 +380,11 @@ WRONG_VALUES = {
     "boundary_normals: 1 rows, but 2 are needed": {"boundary_normals": ([1, 2], [[0, 0, 1]])},
     "boundary_normals: the shape has to be (n, 3), not (3,)": {"boundary_normals": [0, 0, 1]},
     "boundary_normals: 'flat' is neither 'fitted' nor 'averaged' nor an array": {"boundary_normals": "flat"},
+    "continuity: 'g3' is neither 'g1' nor 'g2' nor a number": {"continuity": "g3"},
+    "boundary_curvature: 'exact' is neither 'estimated' nor a mapping nor an array": {"boundary_curvature": "exact"},
+    "boundary_curvature: 440 numbers, but 441 are needed": {"boundary_curvature": EXACT[1:, 0]},
+    "boundary_curvature: 1 numbers, but 2 are needed": {"boundary_curvature": ([1, 2], [0.5])},
+    "boundary_curvature: the shape has to be (k,), not (441, 3)": {"boundary_curvature": EXACT},
     "target: 'flat' is neither 'harmonic' nor 'minimal_energy' nor a number": {"target": "flat"},
     "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
     "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},

@@ -150,6 +150,45 @@ def test_given_normals_turn_a_disc_into_a_cap(angle):
     assert np.abs(result.boundary_normals - vectors).max() < 1e-12
 
 
+def test_an_ellipsoid_continues_its_curvature():
+    vertices, faces, free, _ = dented_sphere()
+    vertices = vertices * [1.0, 0.8, 0.6]
+    tangent = fairmesh.fair(vertices, faces, free=free)
+    assert tangent.report.components[0].continuity == ()
+    for none in ("g1", 0, 0.0):
+        assert np.array_equal(fairmesh.fair(vertices, faces, free=free, continuity=none).vertices, tangent.vertices)
+    result = fairmesh.fair(vertices, faces, free=free, continuity="g2")
+    assert result.outcome.is_success
+    (loop,) = result.report.components[0].continuity
+    assert loop.vertex == result.boundary_vertices.min() and loop.vertex_count == len(result.boundary_vertices)
+    assert 0.5 < loop.reached <= 1 and loop.jump < 0.5 * loop.jump_before
+    assert loop.largest_jump >= loop.jump and loop.largest_jump_before >= loop.jump_before
+    assert loop.curvature > 0.5 and loop.uncertainty > 0
+    with fairmesh.Solver(vertices, faces, free=free, continuity=1.0) as solver:
+        assert solver.run().components[0].continuity == (loop,)
+        assert np.array_equal(solver.vertices, result.vertices)
+
+
+def test_curvature_is_given_in_any_way():
+    vertices, faces, free, _ = dented_sphere()
+    boundary = fairmesh.fair(vertices, faces, free=free).boundary_vertices
+    by_vertex = np.full(len(vertices), np.nan)
+    by_vertex[boundary] = -1.25
+    asked = {"free": free, "continuity": 0.5}
+    results = [
+        fairmesh.fair(vertices, faces, **asked, boundary_curvature=given)
+        for given in (dict.fromkeys(boundary, -1.25), (boundary, np.full(len(boundary), -1.25)), by_vertex)
+    ]
+    (loop,) = results[0].report.components[0].continuity
+    assert loop.curvature == pytest.approx(1.25) and 0 <= loop.reached <= 0.5
+    assert all(np.array_equal(result.vertices, results[0].vertices) for result in results)
+    estimated = fairmesh.fair(vertices, faces, **asked, boundary_curvature="estimated")
+    assert not np.array_equal(estimated.vertices, results[0].vertices)
+    for nothing in ({}, ([], []), np.full(len(vertices), np.nan, np.float32)):
+        result = fairmesh.fair(vertices, faces, **asked, boundary_curvature=nothing)
+        assert np.array_equal(result.vertices, estimated.vertices)
+
+
 def test_some_normals_given_the_others_fitted():
     vertices, faces, free, exact = dented_sphere()
     boundary = fairmesh.fair(vertices, faces, free=free).boundary_vertices

@@ -12,12 +12,13 @@ from ._intersections import self_intersections
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Attempt, Component, Level, Report
+from ._reports import Attempt, Component, Continuity, Level, Report
 
 __all__ = [
     "Attempt",
     "AttemptEnd",
     "Component",
+    "Continuity",
     "ElementKind",
     "FairingOptions",
     "FairmeshError",

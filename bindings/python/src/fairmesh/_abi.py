@@ -201,6 +201,11 @@ class fairmesh_selection_kind(enum.IntEnum):
     FACES = 4
 
 
+class fairmesh_boundary_curvature_kind(enum.IntEnum):
+    ESTIMATED = 0
+    GIVEN = 1
+
+
 class fairmesh_result_kind(enum.IntEnum):
     FAIRED = 0
     LOOPS = 1
@@ -248,6 +253,16 @@ class fairmesh_error(Structure):
 
 
 class fairmesh_points(Structure):
+    _fields_ = (
+        ("data", c_void_p),
+        ("count", c_size_t),
+        ("stride", c_size_t),
+        ("scalar", c_uint32),
+        ("reserved", c_uint32),
+    )
+
+
+class fairmesh_numbers(Structure):
     _fields_ = (
         ("data", c_void_p),
         ("count", c_size_t),
@@ -318,6 +333,15 @@ class fairmesh_boundary_normals(Structure):
         ("kind", c_uint32),
         ("reserved", c_uint32),
         ("vectors", fairmesh_points),
+        ("vertices", fairmesh_indices),
+    )
+
+
+class fairmesh_boundary_curvature(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("reserved", c_uint32),
+        ("values", fairmesh_numbers),
         ("vertices", fairmesh_indices),
     )
 
@@ -400,6 +424,7 @@ class fairmesh_component(Structure):
         ("member_weight", c_double),
         ("bending_energy", c_double),
         ("attempt_count", c_uint64),
+        ("continuity_count", c_uint64),
     )
 
 
@@ -411,6 +436,22 @@ class fairmesh_attempt(Structure):
         ("iterations", c_uint64),
         ("bending_energy", c_double),
         ("name", c_char * 48),
+    )
+
+
+class fairmesh_continuity(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("vertex", c_uint64),
+        ("vertex_count", c_uint64),
+        ("reached", c_double),
+        ("jump_before", c_double),
+        ("largest_jump_before", c_double),
+        ("jump", c_double),
+        ("largest_jump", c_double),
+        ("curvature", c_double),
+        ("uncertainty", c_double),
     )
 
 
@@ -511,6 +552,8 @@ class fairmesh_options(Structure):
         ("paper_max_updates", c_uint64),
         ("intersections", c_uint32),
         ("output_precision", c_uint32),
+        ("continuity", c_double),
+        ("boundary_curvature", fairmesh_boundary_curvature),
     )
 
 
@@ -684,6 +727,16 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_solver_continuity": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            c_uint64,
+            POINTER(fairmesh_continuity),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_solver_result": (
         c_int32,
         (
@@ -765,6 +818,17 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             c_uint64,
             c_uint64,
             POINTER(fairmesh_attempt),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_continuity": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            c_uint64,
+            c_uint64,
+            POINTER(fairmesh_continuity),
             POINTER(fairmesh_error),
         ),
     ),

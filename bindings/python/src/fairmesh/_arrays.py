@@ -91,6 +91,22 @@ def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
     return array if _readable(array) else _packed(array)
 
 
+def numbers(given: ArrayLike, name: str, *, count: int) -> Floats:
+    """Real numbers, (count,), float32 or float64; others become float64."""
+    array = np.asarray(given)
+    if array.shape == (0,):
+        array = np.empty(0)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+    if array.ndim != 1:
+        raise ValueError(f"{name}: the shape has to be (k,), not {array.shape}")
+    if len(array) != count:
+        raise ValueError(f"{name}: {len(array)} numbers, but {count} are needed")
+    native = array.dtype.newbyteorder("=")
+    array = array.astype(native if native in _SCALARS else np.dtype(np.float64), copy=False)
+    return array if _readable(array) else _packed(array)
+
+
 def triangles(given: ArrayLike) -> tuple[UInt32, np.dtype[Any]]:
     """Triangles, (m, 3), as uint32; and the type of integers that they were given in."""
     array = np.asarray(given)
@@ -185,6 +201,11 @@ def _each_once(chosen: UInt32, name: str) -> None:
 def points_view(array: Floats) -> _abi.fairmesh_points:
     """The library's view of what `points` returned. The array has to live as long."""
     return _abi.fairmesh_points(_address(array), len(array), _stride(array), _SCALARS[array.dtype], 0)
+
+
+def numbers_view(array: Floats) -> _abi.fairmesh_numbers:
+    """The library's view of what `numbers` returned. The array has to live as long."""
+    return _abi.fairmesh_numbers(_address(array), len(array), _stride(array), _SCALARS[array.dtype], 0)
 
 
 def indices_view(array: UInt32) -> _abi.fairmesh_indices:

@@ -133,9 +133,9 @@ def fair(
 ) -> Result:
     """Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what ``target`` asks.
 
-    The surface passes through the fixed vertices with tangent continuity. A run that ends badly is an `Outcome`, no
-    exception: ``result.vertices`` is usable in every case. The interpreter lock is released; any number of threads may
-    call this at once.
+    The surface passes through the fixed vertices with tangent continuity, or with that of curvature as far as
+    ``continuity`` asks. A run that ends badly is an `Outcome`, no exception: ``result.vertices`` is usable in every
+    case. The interpreter lock is released; any number of threads may call this at once.
 
     Args:
         vertices: (n, 3) float32 or float64, any unit of length; other real numbers are converted to float64. Not
@@ -153,8 +153,8 @@ def fair(
             stops the run; an exception stops it too, and is raised again by this function.
         cancel: A `threading.Event` or anything with ``is_set()``, or a `Monitor`: set from another thread, it stops the
             run before the next iteration, with the outcome CANCELLED.
-        **options: How fairing is done: boundary_normals, target, tolerance, threads, ..., see `FairingOptions`. None is
-            the default.
+        **options: How fairing is done: boundary_normals, continuity, target, tolerance, threads, ..., see
+            `FairingOptions`. None is the default.
 
     Returns:
         `Result`: the vertices in the type given, the report, curvatures and lists.
@@ -259,7 +259,7 @@ class Solver:
         count = _abi.NO_ELEMENT if iterations is None else whole(iterations, "iterations")
         with self._relay:
             self._call("fairmesh_solver_run", count, ctypes.byref(report))
-        return report_of(report, self._component, self._attempt)
+        return report_of(report, self._component, self._attempt, self._continuity)
 
     def set_boundary_normals(self, normals: Normals) -> None:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
@@ -289,13 +289,16 @@ class Solver:
         """The report of the last run; before the first one, of the input."""
         made = sized(_abi.fairmesh_report)
         self._call("fairmesh_solver_report", ctypes.byref(made))
-        return report_of(made, self._component, self._attempt)
+        return report_of(made, self._component, self._attempt, self._continuity)
 
     def _component(self, number: int, to: Any) -> None:
         self._call("fairmesh_solver_component", number, to)
 
     def _attempt(self, component: int, number: int, to: Any) -> None:
         self._call("fairmesh_solver_attempt", component, number, to)
+
+    def _continuity(self, component: int, number: int, to: Any) -> None:
+        self._call("fairmesh_solver_continuity", component, number, to)
 
     def result(self) -> Result:
         """A copy of everything that is known of the surface as it stands."""

@@ -42,6 +42,7 @@ class ResultHandle:
             made,
             lambda number, to: self.read("fairmesh_result_component", index, number, to),
             lambda component, number, to: self.read("fairmesh_result_attempt", index, component, number, to),
+            lambda component, number, to: self.read("fairmesh_result_continuity", index, component, number, to),
         )
 
     def positions(self, count: int, dtype: np.dtype[Any]) -> NDArray[Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import difflib
 import inspect
+from collections import abc
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Union
 
 import numpy as np
@@ -27,6 +28,10 @@ Intersections = Literal["check", "skip"]
 Estimate = Literal["alternating", "gauss_seidel", "conjugate_gradients"]
 #: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
 Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]
+#: "g1", "g2", or a number from 0 (g1) to 1 (g2).
+HowFar = Union[Literal["g1", "g2"], float]
+#: "estimated", {index: H}, (indices, (k,)), or (n,) numbers with NaN where none is given.
+Curvature = Union[Literal["estimated"], abc.Mapping[int, float], ArrayLike, tuple[ArrayLike, ArrayLike]]
 #: "harmonic", "minimal_energy", or a constant in 1 / length^3.
 Target = Union[Literal["harmonic", "minimal_energy"], float]
 
@@ -39,6 +44,14 @@ class FairingOptions(TypedDict, total=False):
             counter-clockwise seen from: "fitted" (default) to second or third order to the surface outside;
             "averaged" over the faces outside; an array (n, 3), one row per vertex, zeros or NaN where none is given; or
             a pair (indices (k,), vectors (k, 3)). Where none is given they are fitted. Length 1 to 0.001.
+        continuity: How far the surface continues the mean curvature of its surroundings: "g1" or 0, tangent planes
+            alone; "g2" or 1, curvature, too; or a number between, part of the way. Default 0.0. Only as far as the
+            surroundings are smooth enough to tell their curvature: `Component.continuity` of the report says how far.
+            For the solver "fast".
+        boundary_curvature: The mean curvature to be continued, in 1 / length, negative where the normals point outward
+            of a sphere; "estimated" (default) from the surface outside; a mapping from vertices to numbers; a pair
+            (indices (k,), values (k,)); or an array (n,), one number per vertex, NaN where none is given. Where none is
+            given it is estimated.
         target: The Laplacian of the mean curvature: "harmonic" (default), zero; a number in 1 / length^3, a
             positive one pushes the surface out along its normals; or "minimal_energy", -2 H (H^2 - K).
         inner_fairness: How vertices are distributed within the surface: "uniform" (default), evenly; "conformal",
@@ -70,6 +83,8 @@ class FairingOptions(TypedDict, total=False):
     """
 
     boundary_normals: Normals | None
+    continuity: HowFar | None
+    boundary_curvature: Curvature | None
     target: Target | None
     inner_fairness: InnerFairness | None
     interior_normals: InteriorNormals | None
@@ -190,7 +205,7 @@ def _hint(name: str) -> str:
 
 
 class Options:
-    """The library's options. Keeps the arrays of normals alive."""
+    """The library's options. Keeps the arrays of normals and curvatures alive."""
 
     def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
         unknown = sorted(set(given) - set(FairingOptions.__annotations__))
@@ -199,15 +214,22 @@ class Options:
         self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
-        self.alive: NormalsView | None = None
+        self.alive: list[NormalsView | CurvatureView] = []
         for name, value in given.items():
             if value is not None:
                 self._set(name, value, len(vertices))
 
     def _set(self, name: str, value: Any, vertex_count: int) -> None:
         if name == "boundary_normals":
-            self.alive = NormalsView(value, vertex_count)
-            self.struct.boundary_normals = self.alive.struct
+            normals = NormalsView(value, vertex_count)
+            self.alive.append(normals)
+            self.struct.boundary_normals = normals.struct
+        elif name == "boundary_curvature":
+            curvature = CurvatureView(value, vertex_count)
+            self.alive.append(curvature)
+            self.struct.boundary_curvature = curvature.struct
+        elif name == "continuity":
+            self.struct.continuity = _how_far(value)
         elif name == "target":
             self.struct.target = target_struct(value)
         elif name in _NAMED:
@@ -222,6 +244,15 @@ def _number(value: Any, name: str) -> int:
     names = {member.name.lower(): member for member in _NAMED[name]}
     if not isinstance(value, str) or value not in names:
         raise ValueError(f"{name}: {value!r} is none of {', '.join(map(repr, names))}")
+    return names[value]
+
+
+def _how_far(value: HowFar) -> float:
+    names = {"g1": 0.0, "g2": 1.0}
+    if not isinstance(value, str):
+        return real(value, "continuity")
+    if value not in names:
+        raise ValueError(f"continuity: {value!r} is neither 'g1' nor 'g2' nor a number")
     return names[value]
 
 
@@ -259,6 +290,34 @@ class NormalsView:
             self.struct.vertices = _arrays.indices_view(self.indices)
 
 
+class CurvatureView:
+    """Mean curvature at the boundary, as the library reads it. Keeps the arrays alive."""
+
+    def __init__(self, given: Curvature, vertex_count: int) -> None:
+        kinds, name = _abi.fairmesh_boundary_curvature_kind, "boundary_curvature"
+        self.values: NDArray[Any] | None = None
+        self.indices: NDArray[np.uint32] | None = None
+        if isinstance(given, str):
+            if given != "estimated":
+                raise ValueError(f"{name}: {given!r} is neither 'estimated' nor a mapping nor an array")
+            self.struct = _abi.fairmesh_boundary_curvature(kinds.ESTIMATED, 0)
+            return
+        if isinstance(given, abc.Mapping):
+            given = (list(given), list(given.values()))
+        if isinstance(given, tuple) and len(given) == 2:
+            self.indices = _arrays.indices(given[0], name)
+            self.values = _arrays.numbers(given[1], name, count=len(self.indices))
+            if len(self.indices) == 0:
+                # For the library, no list of vertices is one number for each.
+                self.struct = _abi.fairmesh_boundary_curvature(kinds.ESTIMATED, 0)
+                return
+        else:
+            self.values = _arrays.numbers(given, name, count=vertex_count)
+        self.struct = _abi.fairmesh_boundary_curvature(kinds.GIVEN, 0, _arrays.numbers_view(self.values))
+        if self.indices is not None:
+            self.struct.vertices = _arrays.indices_view(self.indices)
+
+
 def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
     """Rows of NaN say that no normal is given: for the library, zeros do."""
     empty = np.isnan(vectors).all(axis=1)
@@ -276,6 +335,8 @@ def default_options() -> FairingOptions:
     struct = initial(load(), "fairmesh_options_init", _abi.fairmesh_options)
     options: dict[str, Any] = {
         "boundary_normals": _abi.fairmesh_boundary_normals_kind(struct.boundary_normals.kind).name.lower(),
+        "continuity": struct.continuity,
+        "boundary_curvature": _abi.fairmesh_boundary_curvature_kind(struct.boundary_curvature.kind).name.lower(),
         "target": _abi.fairmesh_target_kind(struct.target.kind).name.lower(),
     }
     for name in FairingOptions.__annotations__:

@@ -141,6 +141,9 @@ class Component:
     #: What was tried, in its order: on the coarse mesh, where the component is large, and then on its own. Empty for
     #: the paper's solver.
     attempts: tuple[Attempt, ...]
+    #: What came of the option ``continuity`` along each boundary loop; empty where it is 0, no loop has surroundings
+    #: and vertices enough, or no surface was found to begin with.
+    continuity: tuple[Continuity, ...]
 
 
 @dataclass(frozen=True)
@@ -157,6 +160,28 @@ class Attempt:
     bending_energy: float
 
 
+@dataclass(frozen=True)
+class Continuity:
+    """How far the surface continues the mean curvature of its surroundings along one boundary loop, in 1 / length."""
+
+    #: The boundary vertex of the loop with the smallest index.
+    vertex: int
+    vertex_count: int
+    #: How much of the way from the mean curvature of the tangent-continuous surface to that of the surroundings was
+    #: taken, in the mean along the loop, 0 to the option ``continuity``.
+    reached: float
+    #: The jump of the mean curvature at the loop of the tangent-continuous surface: root mean square, and the largest.
+    jump_before: float
+    largest_jump_before: float
+    #: The same of this surface.
+    jump: float
+    largest_jump: float
+    #: The mean curvature of the surroundings along the loop, root mean square.
+    curvature: float
+    #: How uncertain that is. Where it is no smaller than ``jump_before``, there is nothing to be continued.
+    uncertainty: float
+
+
 def sized(struct: type[Struct]) -> Struct:
     """A struct that says its size."""
     made = struct()
@@ -168,8 +193,9 @@ def report_of(
     struct: _abi.fairmesh_report,
     component: Callable[[int, Any], None],
     attempt: Callable[[int, int, Any], None],
+    continuity: Callable[[int, int, Any], None],
 ) -> Report:
-    """The library's report; `component` and `attempt` write the component or attempt with a number to an address."""
+    """The library's report; the others write the component, attempt or loop with a number to an address."""
     components = []
     for number in range(struct.component_count):
         made = sized(_abi.fairmesh_component)
@@ -179,7 +205,13 @@ def report_of(
             told = sized(_abi.fairmesh_attempt)
             attempt(number, tried, ctypes.byref(told))
             attempts.append(Attempt(**_fields(told, Attempt)))
-        components.append(Component(**_fields(made, Component), attempts=tuple(attempts)))
+        loops = []
+        for loop in range(made.continuity_count):
+            of_loop = sized(_abi.fairmesh_continuity)
+            continuity(number, loop, ctypes.byref(of_loop))
+            loops.append(Continuity(**_fields(of_loop, Continuity)))
+        own = _fields(made, Component)
+        components.append(Component(**own, attempts=tuple(attempts), continuity=tuple(loops)))
     return Report(**_fields(struct, Report), components=tuple(components))
 
 
@@ -204,9 +236,9 @@ _CONVERSIONS: dict[str, Callable[[Any], Any]] = {
 }
 
 
-def _fields(struct: Any, of: type[Report | Component | Attempt]) -> dict[str, Any]:
+def _fields(struct: Any, of: type[Report | Component | Attempt | Continuity]) -> dict[str, Any]:
     """The fields of a dataclass, from its struct."""
-    names = [name for name in of.__dataclass_fields__ if name not in ("components", "attempts")]
+    names = [name for name in of.__dataclass_fields__ if name not in ("components", "attempts", "continuity")]
     return {name: _CONVERSIONS.get(name, _as_it_is)(getattr(struct, name)) for name in names}
 
 
