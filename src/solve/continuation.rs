@@ -45,7 +45,7 @@ impl Continuation {
         tangent: SolveResult,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Result<Self, SolveResult> {
+    ) -> Result<Self, Box<SolveResult>> {
         let is_harmonic = matches!(
             tangent.status,
             SolveStatus::Converged | SolveStatus::ConvergedToRounding | SolveStatus::AboveTolerance
@@ -54,7 +54,7 @@ impl Continuation {
             .asked_continuity()
             .filter(|_| is_harmonic && !control.exhausted())
         else {
-            return Err(tangent);
+            return Err(Box::new(tangent));
         };
         let loops = loop_conditions(
             &system.domain,
@@ -64,10 +64,10 @@ impl Continuation {
         );
         if loops.iter().all(|l| l.trusted.part < LEAST_REACHED) {
             let continuity = loops.iter().map(|l| came_of(l, 0.0, &l.before)).collect();
-            return Err(SolveResult {
+            return Err(Box::new(SolveResult {
                 continuity,
                 ..tangent
-            });
+            }));
         }
         if tangent.along_normals {
             system.step_along_normals();
@@ -91,7 +91,7 @@ impl Continuation {
         };
         system.set_continuity(loops);
         match this.try_part(system, control) {
-            Some(result) => Err(result),
+            Some(result) => Err(Box::new(result)),
             None => Ok(this),
         }
     }

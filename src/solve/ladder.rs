@@ -153,7 +153,7 @@ impl Ladder {
                 self.continuation = Some(continuation);
                 Step::Iterated
             }
-            Err(result) => Step::Ended(result),
+            Err(result) => Step::Ended(*result),
         })
     }
 
