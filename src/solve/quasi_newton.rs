@@ -371,6 +371,10 @@ impl Iteration {
         let ways = step[..step.len() - self.modes.len()].as_chunks::<3>().0.iter();
         let longest = ways.map(|way| square(way)).fold(0.0, f64::max).sqrt();
         self.take(last, 1.0);
+        self.taken = 1.0;
+        if !is_alike {
+            self.anderson.clear();
+        }
         longest
     }
 
