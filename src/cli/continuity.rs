@@ -79,7 +79,9 @@ pub fn lines(components: &[ComponentReport]) -> Vec<String> {
         .flat_map(|component| component.continuity.iter().map(line))
         .collect();
     if told.is_empty() {
-        return vec!["not reached: no loop has surroundings and vertices enough, or no surface was found".to_owned()];
+        return vec![
+            "not reached: no loop has surroundings and vertices enough, or no surface was found".to_owned(),
+        ];
     }
     let rest = told.len().saturating_sub(SHOWN);
     let more = (rest > 0).then(|| format!("and {rest} loops more"));
