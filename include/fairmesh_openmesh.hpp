@@ -33,7 +33,8 @@ enum class openmesh_region {
     everything
 };
 
-/** What is asked: fairmesh::options, and what concerns OpenMesh. Vertices have OpenMesh's numbers in `boundary_normals`, too. */
+/** What is asked: fairmesh::options, and what concerns OpenMesh. Vertices have OpenMesh's numbers in `boundary_normals` and
+ *  `boundary_curvature`, too. */
 struct openmesh_options : options {
     openmesh_region region = openmesh_region::selected_vertices;
     /** Vertices stay that are features, or corners of feature edges or feature faces. The surface passes feature edges
@@ -47,6 +48,9 @@ struct openmesh_options : options {
     /** A vertex property of vectors, such as "v:normals" for the mesh's own normals: unit normals at the boundary of the region,
      *  0 0 0 where none is given. Empty: `boundary_normals` says where they come from. */
     std::string boundary_normals_property;
+    /** A vertex property of doubles or floats: the mean curvature that is to be continued, in 1 / length, negative on a sphere, where
+     *  `continuity` is not 0; NaN where none is given. Empty: `boundary_curvature` says where it comes from. */
+    std::string boundary_curvature_property;
     /** A vertex property of doubles or floats for the mean curvature, in 1 / length, negative on a sphere; NaN at vertices
      *  that are not free. It is made, of doubles, if there is none. Empty: not wanted. */
     std::string mean_curvature;
@@ -62,6 +66,8 @@ struct openmesh_report : fairmesh_report {
     std::vector<OpenMesh::VertexHandle> unreached_vertices;
     /** Pairs of faces that intersect; at least one of each has a free vertex. */
     std::vector<std::array<OpenMesh::FaceHandle, 2>> intersections;
+    /** Where `continuity` is not 0: how far the curvature of the surroundings is continued along each boundary loop. */
+    std::vector<fairmesh_continuity> continuity;
 };
 
 namespace detail {
@@ -256,6 +262,20 @@ std::vector<typename openmesh_view<Mesh>::scalar> openmesh_normals(const Mesh &m
     throw std::invalid_argument("the mesh has no vertex property of vectors with the name " + name);
 }
 
+/** The numbers of a vertex property by its name, of doubles or floats. */
+template <class Mesh> std::vector<double> openmesh_given(const Mesh &mesh, const std::string &name) {
+    std::vector<double> values(mesh.n_vertices());
+    const auto copied = [&](const auto &property) {
+        for (std::size_t v = 0; v < values.size(); v++) values[v] = mesh.property(property, openmesh_vertex(v));
+        return values;
+    };
+    OpenMesh::VPropHandleT<double> doubles;
+    if (mesh.get_property_handle(doubles, name)) return copied(doubles);
+    OpenMesh::VPropHandleT<float> floats;
+    if (mesh.get_property_handle(floats, name)) return copied(floats);
+    throw std::invalid_argument("the mesh has no vertex property of numbers with the name " + name);
+}
+
 /** The same error about the face that OpenMesh knows. */
 template <class View> [[noreturn]] void openmesh_rethrow(const View &view, const error &caught) {
     fairmesh_error why = caught.detail();
@@ -291,6 +311,10 @@ template <class View> openmesh_report openmesh_told(const View &view, const resu
     told.worst_triangle = view.face(told.worst_triangle);
     for (auto triangle : found.list(FAIRMESH_LIST_POOR_TRIANGLES)) {
         told.poor_triangles.emplace_back(static_cast<int>(view.face(triangle)));
+    }
+    for (std::uint64_t part = 0; part < told.component_count; part++) {
+        const std::uint64_t loops = found.component(part).continuity_count;
+        for (std::uint64_t loop = 0; loop < loops; loop++) told.continuity.push_back(found.continuity(part, loop));
     }
     told.suspicious_normals = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_SUSPICIOUS_NORMALS));
     told.unreached_vertices = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_UNREACHED_VERTICES));
@@ -336,6 +360,13 @@ openmesh_report fair(Mesh &mesh, const openmesh_options &asked = openmesh_option
         plain.boundary_normals = fairmesh_boundary_normals{};
         plain.boundary_normals.kind = FAIRMESH_BOUNDARY_NORMALS_KIND_GIVEN;
         plain.boundary_normals.vectors = points(normals.data(), normals.size() / 3);
+    }
+    std::vector<double> given;
+    if (!asked.boundary_curvature_property.empty()) {
+        given = detail::openmesh_given(mesh, asked.boundary_curvature_property);
+        plain.boundary_curvature = fairmesh_boundary_curvature{};
+        plain.boundary_curvature.kind = FAIRMESH_BOUNDARY_CURVATURE_KIND_GIVEN;
+        plain.boundary_curvature.values = numbers(given.data(), given.size());
     }
 
     try {

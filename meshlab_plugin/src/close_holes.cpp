@@ -39,7 +39,7 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
 }
 
 /** What became of the holes, in the log and as values. */
-Values told(const fairmesh::result &filled, const fairmesh::result &loops, const Host &host) {
+Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host) {
     const fairmesh_info info = filled.info();
     int open = 0, unfair = 0;
     // Of the first hole that did not become fair.
@@ -66,6 +66,7 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, const
         const std::string which =
             text("hole of %llu edges at vertex %u", static_cast<unsigned long long>(hole.edge_count), boundary.front());
         if (!but.empty()) host.warn("Warning, " + which + ": " + but);
+        if (continues_curvature && hole.has_report) log_continuity(filled, host, i);
     }
     const int closed = static_cast<int>(info.loop_count) - open;
     host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
@@ -119,7 +120,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     // Adjacency that the mesh carries has to know the new faces.
     model.updateDataMask(model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO));
     update_normals(mesh, made, false);
-    return told(filled, loops, host);
+    return told(filled, loops, asked.options.continuity > 0, host);
 }
 
 } // namespace fairmesh_meshlab

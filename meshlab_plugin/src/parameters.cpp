@@ -40,6 +40,11 @@ void add_solver_parameters(RichParameterList &list) {
                  "least distortion of the present triangles (cotangent weights). Convex: nearly so, and safe for any triangles "
                  "(mean-value weights)."));
     list.addParam(
+        RichFloat("continuity", static_cast<Scalar>(standard.continuity), "Curvature continuity",
+                  "How far the surface continues the mean curvature of its surroundings, between 0 and 1. 0: their tangent planes "
+                  "alone (G1). 1: their curvature, too (G2), so that no edge shows in reflections. Only as far as the surroundings "
+                  "are smooth enough to tell it; the log says how far, and the jump of the curvature before and after."));
+    list.addParam(
         RichEnum("target", static_cast<int>(standard.target.kind), {"Harmonic", "Constant", "Minimal energy"}, "Equation",
                  "What the Laplacian of the mean curvature H has to be. Harmonic: zero, which keeps spheres, cylinders and all "
                  "surfaces of constant mean curvature. Constant: the number below; a positive one pushes the surface out. Minimal "
@@ -62,6 +67,7 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
     options.inner_fairness = static_cast<std::uint32_t>(in_list(list, "inner_fairness", 3));
     options.target.kind = static_cast<std::uint32_t>(in_list(list, "target", 3));
     options.target.constant = list.getFloat("target_constant");
+    options.continuity = list.getFloat("continuity");
     options.tolerance = list.getFloat("tolerance");
     options.max_iterations = at_least(list, "max_iterations", 1);
     options.intersections = list.getBool("check_intersections") ? FAIRMESH_INTERSECTIONS_CHECK : FAIRMESH_INTERSECTIONS_SKIP;

@@ -86,6 +86,24 @@ void log_components(const fairmesh::result &result, const Host &host) {
                   static_cast<unsigned long long>(count - failed)));
 }
 
+void log_continuity(const fairmesh::result &result, const Host &host, std::uint64_t index) {
+    const std::uint64_t components = result.report(index).component_count, shown = 8;
+    std::uint64_t told = 0;
+    for (std::uint64_t i = 0; i < components; i++) {
+        const std::uint64_t loops = result.component(i, index).continuity_count;
+        for (std::uint64_t k = 0; k < loops && told < shown; k++, told++) {
+            const fairmesh_continuity loop = result.continuity(i, k, index);
+            host.log(
+                text("Curvature continuity at the boundary of %llu vertices (vertex %llu): %.2f reached, jump of H %.3g before, %.3g now "
+                     "(largest %.3g, %.3g); H of the surroundings %.4g, uncertain by %.2g",
+                     static_cast<unsigned long long>(loop.vertex_count), static_cast<unsigned long long>(loop.vertex), loop.reached,
+                     loop.jump_before, loop.jump, loop.largest_jump_before, loop.largest_jump, loop.curvature, loop.uncertainty));
+        }
+    }
+    if (told == 0)
+        host.log("Curvature continuity was not reached: no boundary has surroundings and vertices enough, or no surface was found");
+}
+
 std::string reservation(const fairmesh_report &report) {
     if (report.outcome == FAIRMESH_OUTCOME_CONVERGED) return "";
     const bool loosely = report.outcome == FAIRMESH_OUTCOME_CONVERGED_LOOSELY;

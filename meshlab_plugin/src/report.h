@@ -24,6 +24,9 @@ void log_report(const fairmesh_report &report, const MeshView &view, const Host 
 /** In the log: how many components the region has, where they are several, and those that are not fair. */
 void log_components(const fairmesh::result &result, const Host &host);
 
+/** In the log: how far curvature is continued along each boundary loop of a region, the one with this index of the result. */
+void log_continuity(const fairmesh::result &result, const Host &host, std::uint64_t index = 0);
+
 /** What an outcome means to the user; empty for one without reservation. */
 std::string reservation(const fairmesh_report &report);
 

@@ -16,6 +16,7 @@ CURVATURE = "Mean curvature (Moreton-Sequin) to quality"
 SOLVER = {
     "join_distance": ("RichFloat", 0),
     "inner_fairness": ("RichEnum", 0, 3),
+    "continuity": ("RichFloat", 0),
     "target": ("RichEnum", 0, 3),
     "target_constant": ("RichFloat", 0),
     "tolerance": ("RichFloat", 1e-8),

@@ -190,6 +190,30 @@ class Sphere(Case):
         self.assertLess(worst(attribute, a_point), 1e-6)
         self.assertLess(worst(attribute, three_numbers), 1e-6)
 
+    def test_continuity_of_curvature(self):
+        # An ellipsoid: tangent planes alone leave a jump of the curvature, and the surface off it.
+        axes = np.array([1.0, 0.8, 0.6])
+        dented, _ = dented_sphere()
+        selected = dented.current_mesh().face_selection_array()
+
+        def faired(**parameters):
+            ms = mesh_set(
+                axes * dented.current_mesh().vertex_matrix(),
+                dented.current_mesh().face_matrix(),
+                f_scalar_array=selected.astype(float),
+            )
+            ms.compute_selection_by_condition_per_face(condselect="fq > 0.5")
+            self.assertTrue(ms.apply_filter(FAIR, **parameters)["converged"])
+            return ms.current_mesh().vertex_matrix()
+
+        def error(vertices):
+            return np.sqrt(np.mean((np.linalg.norm(vertices / axes, axis=1) - 1) ** 2))
+
+        tangent, half, whole = faired(), faired(continuity=0.5), faired(continuity=1.0)
+        self.assertEqual(faired(continuity=0.0).tobytes(), tangent.tobytes())
+        self.assertLess(error(whole), error(half))
+        self.assertLess(error(half), error(tangent))
+
 
 class Curvature(Case):
     def test_of_a_sphere(self):
@@ -405,6 +429,8 @@ class Refused(Case):
         self.refused(ms, FAIR, f"Option tolerance is 2: {range_}", tolerance=2.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=0.0)
         self.refused(ms, FAIR, "Option tolerance is", tolerance=float("nan"))
+        self.refused(ms, FAIR, "Option continuity is", continuity=1.5)
+        self.refused(ms, FAIR, "Option continuity is", continuity=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
         self.refused(ms, FAIR, "Option target is", target="Constant", target_constant=float("inf"))

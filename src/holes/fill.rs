@@ -8,8 +8,9 @@ use super::crossing::{Neighbours, Owned};
 use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
-use super::piece::{Piece, Task, local_options};
+use super::piece::{Piece, Task};
 use super::surroundings::Surroundings;
+use super::units::local_options;
 use crate::error::Error;
 use crate::fairing::{
     Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, joined_options,

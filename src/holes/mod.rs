@@ -16,6 +16,7 @@ mod remesh;
 mod rounding;
 mod surroundings;
 mod triangulate;
+mod units;
 
 pub use fill::{FillOptions, Filled, Loops, fill_holes, fill_holes_with_progress};
 pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined};

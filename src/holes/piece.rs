@@ -13,12 +13,12 @@ use super::refine::{Fineness, Refiner};
 use super::rounding::Rounded;
 use super::surroundings::{Surroundings, bounds};
 use super::triangulate::Polygon;
+use super::units::{first_of_loop, in_units};
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryCurvature, BoundaryNormals, Coincident, CurvatureContinuity, Intersections, Options, Outcome,
-    OutputPrecision, Progress, ProgressCallback, Report, Selection, Solution, Target, fair_with_progress,
+    BoundaryNormals, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Selection,
+    Solution, fair_with_progress,
 };
-use crate::quality::Quality;
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
 const COARSE_GROWTH: f64 = 0.5;
@@ -35,10 +35,6 @@ const BESIDE_SHORT: f64 = 1.5;
 /// But they need not be shorter than this part of the edges around: one edge of nearly no length would ask for as many vertices as
 /// numbers have digits, and one narrow triangle does for it.
 const SHORTEST: f64 = 1.0 / 30.0;
-/// At most so many iterations for the fine patch, those after it was mended included. Of 227 fair patches on public meshes half
-/// took 7, nine of ten 18, the last but two 61; the rest of the ladder is long, and a patch that fails shall not take
-/// much longer than one that is found.
-const MOST_ITERATIONS: usize = 64;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
@@ -123,51 +119,10 @@ pub(super) struct Task<'a> {
     pub(super) factor: f64,
     pub(super) most: usize,
     pub(super) fair: bool,
-    /// As [`local_options`] gives them.
+    /// As [`local_options`](super::units::local_options) gives them.
     pub(super) options: Options,
     /// What the mesh will be written in.
     pub(super) precision: OutputPrecision,
-}
-
-/// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths, a curvature an inverse length.
-pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
-    Options {
-        boundary_normals: match &asked.boundary_normals {
-            BoundaryNormals::Given(list) => BoundaryNormals::Given(local_entries(around, list)),
-            other => other.clone(),
-        },
-        boundary_curvature: match &asked.boundary_curvature {
-            BoundaryCurvature::Given(list) => {
-                let local = local_entries(around, list).into_iter();
-                BoundaryCurvature::Given(local.map(|(v, h)| (v, h * around.scale())).collect())
-            }
-            BoundaryCurvature::Estimated => BoundaryCurvature::Estimated,
-        },
-        target: match asked.target {
-            Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
-            other => other,
-        },
-        // The patch is looked at in the whole mesh.
-        intersections: Intersections::Skip,
-        output_precision: OutputPrecision::Double,
-        max_iterations: asked.max_iterations.min(MOST_ITERATIONS),
-        // The surroundings are of the joined mesh.
-        coincident: Coincident::Separate,
-        ..asked.clone()
-    }
-}
-
-/// What is given for the loop's vertices, in local numbers.
-fn local_entries<T: Copy>(around: &Surroundings, list: &[(u32, T)]) -> Vec<(u32, T)> {
-    let mut list = list.to_vec();
-    list.sort_by_key(|entry| entry.0);
-    let boundary = (0..).zip(&around.ids[..around.loop_vertices]);
-    boundary
-        .filter_map(|(v, id)| {
-            let at = list.binary_search_by_key(id, |entry| entry.0).ok()?;
-            Some((v, list[at].1))
-        })
-        .collect()
 }
 
 /// Asks between two parts of the work.
@@ -442,9 +397,10 @@ impl Task<'_> {
     ) -> Piece {
         let around = self.surroundings;
         let rounded = Rounded::new(&patch, around, self.precision);
+        let first = first_of_loop(&patch, around);
         let fairing = fairing.map(|mut report| {
             rounded.tell(&mut report, self.given_normals());
-            self.in_units(report)
+            in_units(report, around, first)
         });
         let written = |p| self.precision.round(around.leave(p));
         Piece {
@@ -476,40 +432,5 @@ impl Task<'_> {
         let around = self.surroundings;
         let number = |ids: &[u32], i: usize| ids.get(i).map_or(i, |&id| id as usize);
         error.renumbered(|v| number(&around.ids, v), |t| number(&around.triangle_ids, t))
-    }
-
-    /// A report in the caller's units.
-    fn in_units(&self, mut report: Report) -> Report {
-        let scale = self.surroundings.scale();
-        let in_units = |diagonal: &mut f64, quality: &mut Quality| {
-            *diagonal *= scale;
-            let h = quality.h_inside.iter_mut().chain(&mut quality.h_boundary);
-            h.for_each(|h| *h /= scale);
-        };
-        in_units(&mut report.diagonal, &mut report.quality);
-        for component in &mut report.components {
-            in_units(&mut component.diagonal, &mut component.quality);
-            let loops = component.continuity.iter_mut();
-            loops.for_each(|of_loop| *of_loop = self.loop_in_units(of_loop));
-        }
-        report
-    }
-
-    /// Its vertex is still one of the surroundings, but the one with the smallest number in the mesh.
-    fn loop_in_units(&self, of_loop: &CurvatureContinuity) -> CurvatureContinuity {
-        let (around, scale) = (self.surroundings, self.surroundings.scale());
-        CurvatureContinuity {
-            vertex: (0..around.loop_vertices)
-                .min_by_key(|&v| around.ids[v])
-                .unwrap_or(of_loop.vertex),
-            vertices: of_loop.vertices,
-            reached: of_loop.reached,
-            jump_before: of_loop.jump_before / scale,
-            largest_jump_before: of_loop.largest_jump_before / scale,
-            jump: of_loop.jump / scale,
-            largest_jump: of_loop.largest_jump / scale,
-            curvature: of_loop.curvature / scale,
-            uncertainty: of_loop.uncertainty / scale,
-        }
     }
 }

@@ -105,7 +105,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
             snapshot.write_positions(part.mesh, indices, positions)
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
-            kind, text = messages.faired(part.result.report)
+            kind, text = messages.faired(part.result.report, self.continuity)
             name = f"{part.mesh.object.name}: " if len(regions) > 1 else ""
             self.report({kind}, name + text)
             _remember(part)

@@ -154,7 +154,7 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
             patch.add(holes.mesh, holes.result)
-            kind, text = messages.filled(holes.result.loops)
+            kind, text = messages.filled(holes.result.loops, self.continuity)
             name = f"{holes.mesh.object.name}: " if len(chosen) > 1 else ""
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"

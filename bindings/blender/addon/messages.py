@@ -72,13 +72,30 @@ def _sentence(text):
     return text[:1].upper() + text[1:]
 
 
-def faired(report):
-    """How a fairing went: ("INFO" or "WARNING", text)."""
+def faired(report, continuity=0.0):
+    """How a fairing went, `continuity` of curvature being asked for: ("INFO" or "WARNING", text)."""
     vertices = f"{report.free_vertices} vertices faired in {report.iterations} iterations"
+    short = _short_of_curvature([report], continuity)
     if report.outcome is Outcome.CONVERGED:
-        return "INFO", vertices
+        return "INFO", vertices + short
     figures = _FIGURES.get(report.outcome, "").format(r=report, reached=100 * report.reached)
-    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {_sentence(report.remedy)}"
+    return "WARNING", f"{vertices}{_components(report)}: {report.text}{figures}. {_sentence(report.remedy)}{short}"
+
+
+def _short_of_curvature(reports, asked):
+    """Where the curvature of the surroundings is not continued as far as was asked; empty where it is."""
+    if asked == 0 or not reports:
+        return ""
+    loops = [loop for report in reports for component in report.components for loop in component.continuity]
+    if not loops:
+        return "; curvature is not continued: no boundary has surroundings and vertices enough, or no surface was found"
+    # Where the jump is no larger than the doubt about it, there is nothing to be continued.
+    short = [loop for loop in loops if loop.reached < 0.9 * asked and loop.jump_before > loop.uncertainty]
+    if not short:
+        return ""
+    least = min(short, key=lambda loop: loop.reached)
+    where = f"the boundary of {least.vertex_count} vertices at vertex {least.vertex}"
+    return f"; curvature is continued by {least.reached:.2f} in place of {asked:.2f} along {where}"
 
 
 def _components(report):
@@ -90,7 +107,7 @@ def _components(report):
     return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {first.vertex})"
 
 
-def filled(loops):
+def filled(loops, continuity=0.0):
     """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`."""
     closed = [loop for loop in loops if loop.outcome is not FillOutcome.LEFT_OPEN]
     text = f"{len(closed)} {'hole' if len(closed) == 1 else 'holes'} filled"
@@ -103,6 +120,7 @@ def filled(loops):
     coarse = sum(loop.coarsened for loop in closed)
     if coarse:
         text += f"; {coarse} coarser than asked, to keep the number of vertices"
+    text += _short_of_curvature([loop.report for loop in closed if loop.report is not None], continuity)
     return ("WARNING" if rough or still or coarse else "INFO"), text
 
 

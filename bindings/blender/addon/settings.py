@@ -27,6 +27,17 @@ class FairingOptions:
         ),
         default="FITTED",
     )
+    continuity: FloatProperty(
+        name="Curvature Continuity",
+        description=(
+            "How far the surface continues the curvature of the faces around it: 0 its tangent planes alone (G1), 1 its "
+            "curvature, too (G2), so that reflections show no edge. Where the surroundings are too rough, less is reached"
+        ),
+        default=0.0,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+    )
     target: EnumProperty(
         name="Curvature",
         description="What the mean curvature H of the surface has to satisfy",
@@ -77,6 +88,7 @@ class FairingOptions:
         """All options, the constant only where it counts."""
         layout.prop(self, "inner_fairness")
         layout.prop(self, "boundary_normals")
+        layout.prop(self, "continuity", slider=True)
         layout.prop(self, "target")
         if self.target == "CONSTANT":
             layout.prop(self, "constant")
@@ -93,6 +105,7 @@ class FairingOptions:
         return {
             "inner_fairness": self.inner_fairness.lower(),
             "boundary_normals": self.boundary_normals.lower(),
+            "continuity": self.continuity,
             "target": target,
             "tolerance": 10.0**-self.digits,
             "max_iterations": self.max_iterations,

@@ -586,6 +586,7 @@ def test_options_reach_the_library():
         {"inner_fairness": "CONFORMAL"},
         {"inner_fairness": "CONVEX"},
         {"boundary_normals": "AVERAGED"},
+        {"boundary_normals": "AVERAGED", "continuity": 1.0},
         {"target": "MINIMAL_ENERGY"},
         {"digits": 3},
         {"max_iterations": 2},
@@ -600,6 +601,46 @@ def test_options_reach_the_library():
     for name in ("{}", "{'inner_fairness': 'CONFORMAL'}", "{'inner_fairness': 'CONVEX'}"):
         assert np.abs(np.linalg.norm(places[name], axis=1) - 1).max() < BAR, name
     assert part("fair_operator").last_reports[0].outcome == "iteration_limit"
+
+
+def test_continuity_of_curvature():
+    # An ellipsoid: tangent planes alone leave a jump of the curvature.
+    obj, free = dented()
+    obj.scale = (1.0, 0.95, 0.9)
+    bpy.context.view_layer.update()
+    before = coordinates(obj)
+    jumps = []
+    for continuity in (0.0, 0.5, 1.0):
+        restore(obj, before)
+        fair(continuity=continuity)
+        (component,) = part("fair_operator").last_reports[0].components
+        jumps.append([loop.jump for loop in component.continuity])
+        assert all(loop.reached <= continuity for loop in component.continuity)
+        assert all(loop.jump <= loop.jump_before for loop in component.continuity)
+    assert jumps[0] == [] and len(jumps[1]) == len(jumps[2]) == 1 and jumps[2] < jumps[1], jumps
+
+
+def test_what_is_not_continued_is_told():
+    messages = part("messages")
+
+    class Loop:
+        reached, jump_before, uncertainty, vertex, vertex_count = 0.25, 0.2, 0.01, 7, 40
+
+    class Component:
+        continuity = (Loop,)
+
+    class Report:
+        free_vertices, iterations, components = 5, 9, (Component,)
+        outcome = messages.Outcome.CONVERGED
+
+    kind, text = messages.faired(Report, 1.0)
+    assert kind == "INFO" and "continued by 0.25 in place of 1.00" in text and "40 vertices at vertex 7" in text, text
+    assert "curvature" not in messages.faired(Report, 0.25)[1]
+    assert "curvature" not in messages.faired(Report)[1]
+    Loop.uncertainty = 0.3
+    assert "curvature" not in messages.faired(Report, 1.0)[1]
+    Component.continuity = ()
+    assert "is not continued" in messages.faired(Report, 1.0)[1]
 
 
 def refused(obj, *parts):

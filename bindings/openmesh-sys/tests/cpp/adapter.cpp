@@ -417,6 +417,50 @@ void normals() {
     CHECK(points_of(zero) == before);
 }
 
+/** With rings enough inside to take a curvature there. */
+Doubles widely_selected_cap() {
+    auto mesh = selected_cap<Doubles>();
+    for (auto v : mesh.vertices()) {
+        int i = v.idx() % side, j = v.idx() / side;
+        if (i > 3 && i < 17 && j > 3 && j < 17) mesh.status(v).set_selected(true);
+    }
+    return mesh;
+}
+
+/** Curvature that is continued half of the way: fitted, or given by a property. */
+void given_curvature() {
+    const auto continued = [](auto number, const std::string &name, double h) {
+        auto mesh = widely_selected_cap();
+        OpenMesh::VPropHandleT<decltype(number)> property;
+        mesh.add_property(property, "mine");
+        for (auto v : mesh.vertices()) mesh.property(property, v) = static_cast<decltype(number)>(h);
+        fairmesh::openmesh_options options;
+        options.continuity = 0.5;
+        options.boundary_curvature_property = name;
+        auto report = fairmesh::fair(mesh, options);
+        CHECK(report.continuity.size() == 1 && report.continuity[0].reached <= 0.5);
+        if (!name.empty() && h == h) CHECK(std::abs(report.continuity[0].curvature - std::abs(h)) < 1e-6);
+        return points_of(mesh);
+    };
+    const auto fitted = continued(0.0, "", 0.0);
+    CHECK(continued(0.0, "mine", NAN) == fitted);
+    CHECK(continued(0.0, "mine", -1.25) == continued(0.0f, "mine", -1.25));
+    CHECK(continued(0.0, "mine", -1.25) != fitted);
+    auto mesh = selected_cap<Doubles>();
+    auto before = points_of(mesh);
+    CHECK(fairmesh::fair(mesh).continuity.empty());
+    mesh = selected_cap<Doubles>();
+    fairmesh::openmesh_options options;
+    options.boundary_curvature_property = "nowhere";
+    try {
+        fairmesh::fair(mesh, options);
+        CHECK(false);
+    } catch (const std::invalid_argument &e) {
+        CHECK(std::string(e.what()).find("nowhere") != std::string::npos);
+    }
+    CHECK(points_of(mesh) == before);
+}
+
 /** Deleted elements are not there, and stay until somebody collects them. */
 void deleted() {
     auto mesh = selected_cap<Doubles>();
@@ -559,6 +603,7 @@ int main() {
     fixed();
     by_hand();
     normals();
+    given_curvature();
     deleted();
     faces_of_errors();
     progress();
