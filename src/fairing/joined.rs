@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
+use super::continuity::BoundaryCurvature;
 use super::normals::{BoundaryNormals, is_unit};
 use super::options::Options;
 use super::report::Solution;
@@ -15,12 +16,26 @@ const SHORTEST_MEAN: f64 = 0.5;
 
 /// The options for the joined mesh.
 pub(crate) fn joined_options<'o>(copies: &Copies, options: &'o Options) -> Cow<'o, Options> {
-    match joined_normals(copies, &options.boundary_normals) {
-        Cow::Borrowed(_) => Cow::Borrowed(options),
-        Cow::Owned(boundary_normals) => Cow::Owned(Options {
-            boundary_normals,
+    let normals = joined_normals(copies, &options.boundary_normals);
+    let curvature = joined_curvature(copies, &options.boundary_curvature);
+    match (normals, curvature) {
+        (Cow::Borrowed(_), Cow::Borrowed(_)) => Cow::Borrowed(options),
+        (boundary_normals, boundary_curvature) => Cow::Owned(Options {
+            boundary_normals: boundary_normals.into_owned(),
+            boundary_curvature: boundary_curvature.into_owned(),
             ..options.clone()
         }),
+    }
+}
+
+/// The boundary curvature for the joined mesh: the mean of what is given for the copies of a vertex.
+fn joined_curvature<'h>(copies: &Copies, curvature: &'h BoundaryCurvature) -> Cow<'h, BoundaryCurvature> {
+    match curvature {
+        BoundaryCurvature::Given(list) if !copies.is_empty() => {
+            let mean = |of_copies: &[f64]| of_copies.iter().sum::<f64>() / of_copies.len() as f64;
+            Cow::Owned(BoundaryCurvature::Given(of_copies(copies, list, mean)))
+        }
+        other => Cow::Borrowed(other),
     }
 }
 
@@ -28,26 +43,26 @@ pub(crate) fn joined_options<'o>(copies: &Copies, options: &'o Options) -> Cow<'
 pub(super) fn joined_normals<'n>(copies: &Copies, normals: &'n BoundaryNormals) -> Cow<'n, BoundaryNormals> {
     match normals {
         BoundaryNormals::Given(list) if !copies.is_empty() => {
-            Cow::Owned(BoundaryNormals::Given(averaged(copies, list)))
+            Cow::Owned(BoundaryNormals::Given(of_copies(copies, list, mean)))
         }
         other => Cow::Borrowed(other),
     }
 }
 
-/// The given normals by the joined mesh's numbers. Of the entries of one number the last one holds.
-fn averaged(copies: &Copies, list: &[(u32, [f64; 3])]) -> Vec<(u32, [f64; 3])> {
-    let mut entries: Vec<(u32, u32, [f64; 3])> =
-        list.iter().map(|&(v, n)| (copies.smallest(v), v, n)).collect();
+/// What is given for vertices by the joined mesh's numbers: `mean` of what is given for the copies of each. Of the entries of one number the
+/// last one holds.
+fn of_copies<T: Copy>(copies: &Copies, list: &[(u32, T)], mean: impl Fn(&[T]) -> T) -> Vec<(u32, T)> {
+    let mut entries: Vec<(u32, u32, T)> = list.iter().map(|&(v, n)| (copies.smallest(v), v, n)).collect();
     entries.sort_by_key(|entry| (entry.0, entry.1));
     let by_vertex = entries.chunk_by(|a, b| a.0 == b.0);
     by_vertex
         .map(|of_vertex| {
             let of_copies = of_vertex.chunk_by(|a, b| a.1 == b.1);
-            let normals: Vec<[f64; 3]> = of_copies
+            let given: Vec<T> = of_copies
                 .filter_map(|same| same.last())
                 .map(|entry| entry.2)
                 .collect();
-            (of_vertex[0].0, mean(&normals))
+            (of_vertex[0].0, mean(&given))
         })
         .collect()
 }

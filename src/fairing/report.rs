@@ -413,8 +413,8 @@ pub struct ComponentReport {
     pub attempts: Vec<Attempt>,
     /// Soundness of its surface.
     pub quality: Quality,
-    /// What came of [`Options::continuity`] along each boundary loop with surroundings; empty where it was not asked for, or no surface was
-    /// found to begin with.
+    /// What came of [`Options::continuity`] along each boundary loop with surroundings; empty where it was not asked for, where no surface was
+    /// found to begin with, and where the loops are too short, or the region too narrow, to tell curvature.
     pub continuity: Vec<CurvatureContinuity>,
 }
 

@@ -2,11 +2,11 @@
 
 use crate::fairing::{flat, irregular, options, vector};
 use fairmesh::{
-    BoundaryLoop, BoundaryNormals, Coincident, Error, FillOptions, InnerFairness, Options, RemeshOptions,
-    Selection, Session, Solution, Target, boundary_loops, boundary_loops_joined, fair, fill_holes,
-    mean_curvature, mean_curvature_joined, remesh_region,
+    BoundaryCurvature, BoundaryLoop, BoundaryNormals, Coincident, Error, FillOptions, InnerFairness, Options,
+    RemeshOptions, Selection, Session, Solution, Target, boundary_loops, boundary_loops_joined, fair,
+    fill_holes, mean_curvature, mean_curvature_joined, remesh_region,
 };
-use fairmesh_shapes::{OUTSIDE, Shape, sphere_cap, sphere_with_hole};
+use fairmesh_shapes::{OUTSIDE, Shape, ellipsoid_cap, sphere_cap, sphere_with_hole};
 
 /// A mesh in which triangles of different classes have vertices of their own.
 struct Split {
@@ -417,6 +417,44 @@ fn errors_name_the_callers_vertices() {
         vertex_count: split.of.len(),
     };
     assert_eq!(refused.unwrap_err(), expected);
+}
+
+/// Curvature given for copies is that of the joined vertex: their mean.
+#[test]
+fn curvature_given_for_copies_is_that_of_the_vertex() {
+    let cap = ellipsoid_cap([1.0, 0.95, 0.9], 50.0, 600, irregular(1), OUTSIDE);
+    let start = flat(&cap);
+    let split = split(&start, &cap.triangles, |t| t);
+    let mask = split.each(&cap.free);
+    let given = |list: Vec<(u32, f64)>| Options {
+        continuity: 1.0,
+        boundary_curvature: BoundaryCurvature::Given(list),
+        ..options(1e-8)
+    };
+    let exact: Vec<(u32, f64)> = cap.boundary_normals().iter().map(|&(v, _)| (v, -1.0)).collect();
+    let selection = Selection::Mask(&cap.free);
+    let joined = fair(&start, &cap.triangles, selection, &given(exact.clone())).unwrap();
+    let reached = &joined.report.components[0].continuity[0];
+    assert!(reached.reached > 0.5, "{reached:?}");
+    // The copies differ, their mean does not.
+    let of_copy = |(copy, &v): (usize, &u32)| {
+        let of_vertex = exact.iter().find(|entry| entry.0 == v)?.1;
+        let copies = split.of.iter().filter(|of| **of == v).count();
+        let before = split.of[..copy].iter().filter(|of| **of == v).count();
+        let off = before as f64 - 0.5 * (copies - 1) as f64;
+        Some((copy as u32, of_vertex + 0.125 * off))
+    };
+    let list = split.of.iter().enumerate().filter_map(of_copy).collect();
+    let theirs = fair(
+        &split.positions,
+        &split.triangles,
+        Selection::Mask(&mask),
+        &given(list),
+    )
+    .unwrap();
+    let (a, b) = (&theirs.report.components[0].continuity[0], reached);
+    assert!((a.reached - b.reached).abs() < 1e-9, "{a:?} {b:?}");
+    assert!((a.jump - b.jump).abs() < 1e-9, "{a:?} {b:?}");
 }
 
 #[test]
