@@ -1,11 +1,13 @@
 //! The region with its frozen matrices: what connectivity decides once, and what is refreshed.
 
+mod continued;
+
 use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
-use super::boundary_curvature::{AskedContinuity, LoopCondition};
+use super::boundary_curvature::AskedContinuity;
 use super::continuity::Continuity;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::{Means, NormalMatrix};
@@ -351,82 +353,6 @@ impl System {
                 *normal = *current;
             }
         }
-    }
-
-    /// The continuity of curvature that is asked for.
-    pub(super) fn asked_continuity(&self) -> Option<Arc<AskedContinuity>> {
-        self.asked.continuity.clone()
-    }
-
-    /// Takes the curvatures along the loops as conditions, until [`System::end_continuity`].
-    pub(super) fn set_continuity(&mut self, loops: Vec<LoopCondition>) {
-        let size = (self.free(), self.region().boundary);
-        self.continuity = Some(Box::new(Continuity::new(loops, &self.graph_symbolic, size)));
-    }
-
-    /// Back to tangent continuity.
-    pub(super) fn end_continuity(&mut self) {
-        self.continuity = None;
-    }
-
-    /// The further unknowns, where they are.
-    pub(super) fn continuity(&self) -> Option<&Continuity> {
-        self.continuity.as_deref()
-    }
-
-    /// How many modes are unknowns.
-    pub(super) fn modes(&self) -> usize {
-        self.continuity().map_or(0, Continuity::modes)
-    }
-
-    /// Takes these coefficients of the modes, zero where there are fewer.
-    pub(super) fn set_modes(&mut self, values: &[f64]) {
-        if let Some(continuity) = &mut self.continuity {
-            let mut all = values.to_vec();
-            all.resize(continuity.modes(), 0.0);
-            continuity.set(&all);
-        }
-    }
-
-    /// Sets out for a part of the way to the surroundings' curvature.
-    pub(super) fn aim(&mut self, part: f64) {
-        if let Some(continuity) = &mut self.continuity {
-            continuity.loops.iter_mut().for_each(|l| l.aim(part));
-        }
-    }
-
-    fn evaluate_continuity(&mut self, x: &[Vector3<f64>]) {
-        if let Some(mut continuity) = self.continuity.take() {
-            let mut state = std::mem::take(&mut self.state);
-            continuity.evaluate(&self.equations(), x, &mut state);
-            self.state = state;
-            self.continuity = Some(continuity);
-        }
-    }
-
-    fn prepare_continuity(&mut self) -> Result<(), Collapsed> {
-        let Some(mut continuity) = self.continuity.take() else {
-            return Ok(());
-        };
-        let state = std::mem::take(&mut self.state);
-        let domain = self.domain.clone();
-        let equations = Equations {
-            rings: &domain.rings,
-            batches: &domain.batches,
-            boundary_normals: &self.boundary_normals,
-            smooth_interior: &self.smooth_interior,
-            weights: &self.weights,
-            curvature: self.curvature,
-            right_hand_side: self.right_hand_side,
-        };
-        let made = continuity.prepare(
-            &equations,
-            (&state, &self.metric),
-            (&self.graph, &mut self.p, &mut self.stacks),
-        );
-        self.state = state;
-        self.continuity = Some(continuity);
-        made
     }
 
     /// Evaluates only what a tangential step needs.

@@ -1,0 +1,118 @@
+//! Where attempts begin, and with what.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use nalgebra::Vector3;
+
+use super::Ladder;
+use crate::discrete::curvature::NO_TILT;
+use crate::discrete::equations::FreeCurvature;
+use crate::discrete::inner_fairness::FairnessWeights;
+use crate::solve::attempt::{Attempt, Curvature, Start, Weights};
+use crate::solve::control::Control;
+use crate::solve::initial::PHASE;
+use crate::solve::problem::diagonal;
+use crate::solve::search::Search;
+use crate::solve::soft_mode::second_surface;
+use crate::solve::system::{Collapsed, System};
+
+impl Ladder {
+    /// The coarse mesh's surface, if it is harmonic or not, as asked; where that was found along the normals, the system goes on so.
+    fn of_coarse_mesh(
+        &self,
+        harmonic: bool,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<Vec<Vector3<f64>>> {
+        let Some(Search::Found {
+            x,
+            member,
+            along_normals,
+        }) = &self.coarse
+        else {
+            return None;
+        };
+        if (*member == 0.0) != harmonic {
+            return None;
+        }
+        let mut x = x.clone();
+        system.diagonal = diagonal(&x);
+        if *along_normals {
+            system.step_along_normals();
+        } else {
+            system.tangential_steps(&mut x, control);
+        }
+        Some(x)
+    }
+
+    /// Makes the linear surface, if it is not there yet. Returns whether it is; if not, the run was stopped.
+    pub(super) fn make_linear(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Result<bool, Collapsed> {
+        if self.linear.is_some() {
+            return Ok(true);
+        }
+        let clock = Instant::now();
+        system.use_asked_weights();
+        control.phase(0.05, PHASE);
+        let linear = system.start(control);
+        if !control.checkpoint(PHASE) {
+            return Ok(false);
+        }
+        self.linear = Some(linear?);
+        control.phase(0.3, PHASE);
+        self.start_seconds += clock.elapsed().as_secs_f64();
+        Ok(true)
+    }
+
+    /// Weights, curvature and start of an attempt; `None` where there is no such start.
+    pub(super) fn set_up(
+        &mut self,
+        attempt: &Attempt,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<Vec<Vector3<f64>>> {
+        match attempt.weights {
+            Weights::Asked => system.use_asked_weights(),
+            Weights::AsLeft => {}
+            Weights::Uniform => {
+                let uniform = Arc::new(FairnessWeights::uniform());
+                system.use_weights(uniform).ok()?;
+            }
+            Weights::None => system.step_along_normals(),
+        }
+        if attempt.curvature == Curvature::Plain {
+            system.use_curvature(FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT });
+        }
+        let start = match attempt.start {
+            Start::AtHand => {
+                if self.along_normals {
+                    system.step_along_normals();
+                }
+                self.at_hand.take()
+            }
+            Start::Linear => self.linear.clone(),
+            Start::Coarse => self.of_coarse_mesh(true, system, control),
+            Start::CoarseMember => self.of_coarse_mesh(false, system, control),
+            Start::MinimalEnergy => self.minimal_energy.clone(),
+            Start::PlainSolution => self.plain.clone(),
+            Start::Stalled => self.stalled.take().map(|(x, _)| x),
+            Start::BesideSound => second_surface(&self.sound.as_ref()?.0.x, system, control),
+            Start::LinearAnew => system.start(control).ok(),
+            Start::MembraneMetric => {
+                let membrane = system.membrane();
+                let mut x = system.linear_surface_on(&membrane, control).ok()?;
+                system.tangential_steps(&mut x, control);
+                Some(x)
+            }
+        };
+        self.along_normals = system.along_normals;
+        if start.is_some() && matches!(attempt.weights, Weights::Asked | Weights::Uniform) {
+            self.uniform_weights = attempt.weights == Weights::Uniform;
+        }
+        start
+    }
+}

@@ -1,0 +1,88 @@
+//! The further unknowns of curvature continuity, while they are.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::{Collapsed, System};
+use crate::discrete::equations::Equations;
+use crate::solve::boundary_curvature::{AskedContinuity, LoopCondition};
+use crate::solve::continuity::Continuity;
+
+impl System {
+    /// The continuity of curvature that is asked for.
+    pub(in crate::solve) fn asked_continuity(&self) -> Option<Arc<AskedContinuity>> {
+        self.asked.continuity.clone()
+    }
+
+    /// Takes the curvatures along the loops as conditions, until [`System::end_continuity`].
+    pub(in crate::solve) fn set_continuity(&mut self, loops: Vec<LoopCondition>) {
+        let size = (self.free(), self.region().boundary);
+        self.continuity = Some(Box::new(Continuity::new(loops, &self.graph_symbolic, size)));
+    }
+
+    /// Back to tangent continuity.
+    pub(in crate::solve) fn end_continuity(&mut self) {
+        self.continuity = None;
+    }
+
+    /// The further unknowns, where they are.
+    pub(in crate::solve) fn continuity(&self) -> Option<&Continuity> {
+        self.continuity.as_deref()
+    }
+
+    /// How many modes are unknowns.
+    pub(in crate::solve) fn modes(&self) -> usize {
+        self.continuity().map_or(0, Continuity::modes)
+    }
+
+    /// Takes these coefficients of the modes, zero where there are fewer.
+    pub(in crate::solve) fn set_modes(&mut self, values: &[f64]) {
+        if let Some(continuity) = &mut self.continuity {
+            let mut all = values.to_vec();
+            all.resize(continuity.modes(), 0.0);
+            continuity.set(&all);
+        }
+    }
+
+    /// Sets out for a part of the way to the surroundings' curvature.
+    pub(in crate::solve) fn aim(&mut self, part: f64) {
+        if let Some(continuity) = &mut self.continuity {
+            continuity.loops.iter_mut().for_each(|l| l.aim(part));
+        }
+    }
+
+    pub(super) fn evaluate_continuity(&mut self, x: &[Vector3<f64>]) {
+        if let Some(mut continuity) = self.continuity.take() {
+            let mut state = std::mem::take(&mut self.state);
+            continuity.evaluate(&self.equations(), x, &mut state);
+            self.state = state;
+            self.continuity = Some(continuity);
+        }
+    }
+
+    pub(super) fn prepare_continuity(&mut self) -> Result<(), Collapsed> {
+        let Some(mut continuity) = self.continuity.take() else {
+            return Ok(());
+        };
+        let state = std::mem::take(&mut self.state);
+        let domain = self.domain.clone();
+        let equations = Equations {
+            rings: &domain.rings,
+            batches: &domain.batches,
+            boundary_normals: &self.boundary_normals,
+            smooth_interior: &self.smooth_interior,
+            weights: &self.weights,
+            curvature: self.curvature,
+            right_hand_side: self.right_hand_side,
+        };
+        let made = continuity.prepare(
+            &equations,
+            (&state, &self.metric),
+            (&self.graph, &mut self.p, &mut self.stacks),
+        );
+        self.state = state;
+        self.continuity = Some(continuity);
+        made
+    }
+}
