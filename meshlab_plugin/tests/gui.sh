@@ -84,7 +84,7 @@ xdotool key Escape Escape Escape
 
 open 'fair selection' 'Fair selection'
 dialog=$window
-xdotool windowmove "$dialog" 660 100
+xdotool windowmove "$dialog" 660 40
 shot dialog
 click 17 83 # Preview
 logged 1 'Fairing converged'
