@@ -289,18 +289,8 @@ impl NormalsIn {
         }
         let place = base.field(offset_of!(fairmesh_boundary_normals, vectors), "vectors");
         let vectors = PointsIn::new(&view.vectors, place)?;
-        let wanted = if view.vertices.data.is_null() {
-            vertices
-        } else {
-            list.count
-        };
-        check_count(
-            vectors.array.count,
-            wanted,
-            place.field(offset_of!(fairmesh_points, count), "count"),
-        )?;
-        aliases.input(vectors.array.data, vectors.array.bytes);
-        aliases.input(list.data, list.bytes);
+        let count = place.field(offset_of!(fairmesh_points, count), "count");
+        check_given(&vectors.array, &list, vertices, count, aliases)?;
         Ok(Self {
             kind,
             vectors: Some(vectors),
@@ -340,6 +330,21 @@ impl NormalsIn {
     }
 }
 
+/// Checks that there is a row for each vertex of the list, or without a list for each of the mesh, and takes note of both arrays.
+fn check_given(
+    rows: &Array,
+    list: &Array,
+    vertices: usize,
+    count: FieldPath,
+    aliases: &mut AliasCheck,
+) -> CallResult {
+    let wanted = if list.data.is_null() { vertices } else { list.count };
+    check_count(rows.count, wanted, count)?;
+    aliases.input(rows.data, rows.bytes);
+    aliases.input(list.data, list.bytes);
+    Ok(())
+}
+
 /// Mean curvatures at the boundary, checked but not read; None: fitted.
 pub(crate) struct CurvatureIn(Option<GivenCurvature>);
 
@@ -372,18 +377,8 @@ impl CurvatureIn {
         }
         let place = base.field(offset_of!(fairmesh_boundary_curvature, values), "values");
         let values = NumbersIn::<1>::new(&view.values, place)?;
-        let wanted = if view.vertices.data.is_null() {
-            vertices
-        } else {
-            list.count
-        };
-        check_count(
-            values.array.count,
-            wanted,
-            place.field(offset_of!(fairmesh_numbers, count), "count"),
-        )?;
-        aliases.input(values.array.data, values.array.bytes);
-        aliases.input(list.data, list.bytes);
+        let count = place.field(offset_of!(fairmesh_numbers, count), "count");
+        check_given(&values.array, &list, vertices, count, aliases)?;
         let vertices = list;
         Ok(Self(Some(GivenCurvature { values, vertices })))
     }

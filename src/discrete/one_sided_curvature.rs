@@ -5,6 +5,8 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
+use super::simd::tangents;
+
 /// Which samples a fit takes, and what it fits to them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum OneSided {
@@ -156,17 +158,6 @@ fn fit<const N: usize>(
         error: variance.max(0.0).sqrt() * unit,
     })
     .filter(|fit| fit.h.is_finite() && fit.error.is_finite())
-}
-
-/// Two unit vectors that are orthogonal to the normal and to each other.
-fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
-    let along = if n.x.abs() < 0.6 {
-        Vector3::x()
-    } else {
-        Vector3::y()
-    };
-    let a = n.cross(&along).normalize();
-    [a, n.cross(&a)]
 }
 
 #[cfg(test)]

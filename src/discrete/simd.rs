@@ -196,6 +196,12 @@ pub(crate) fn tangent_basis<const L: usize>(n: &Vec3<L>) -> (Vec3<L>, Vec3<L>) {
     )
 }
 
+/// The same of a single normal.
+pub(crate) fn tangents(n: &nalgebra::Vector3<f64>) -> [nalgebra::Vector3<f64>; 2] {
+    let (x, y) = tangent_basis(&one(n));
+    [lane(&x, 0), lane(&y, 0)]
+}
+
 /// One vector as one lane.
 #[inline(always)]
 pub(crate) fn one(v: &nalgebra::Vector3<f64>) -> Vec3<1> {

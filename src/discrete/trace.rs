@@ -5,6 +5,8 @@
 
 use nalgebra::{Cholesky, Const, SMatrix, SVector, Vector3};
 
+use super::simd::tangents;
+
 /// Unknowns of a quadric.
 const N: usize = 6;
 /// Weights by the number of edges to the boundary vertex,
@@ -110,17 +112,6 @@ impl Trace {
         let variance = residual / total * count / (count - N as f64);
         [y[0] + level, (variance * squares).sqrt()]
     }
-}
-
-/// Two unit vectors that are orthogonal to the normal and to each other.
-fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
-    let along = if n.x.abs() < 0.6 {
-        Vector3::x()
-    } else {
-        Vector3::y()
-    };
-    let a = n.cross(&along).normalize();
-    [a, n.cross(&a)]
 }
 
 #[cfg(test)]

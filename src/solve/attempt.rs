@@ -164,6 +164,24 @@ const PLAIN: IterateOptions = IterateOptions {
 /// Step norm of surfaces that others begin with.
 const COARSE: f64 = 1e-4;
 
+/// Goes on where attempts have stalled.
+const fn along_normals(mesh: Mesh) -> Attempt {
+    Attempt {
+        name: "along normals",
+        mesh,
+        condition: Condition::Always,
+        weights: Weights::None,
+        curvature: Curvature::Asked,
+        start: Start::Stalled,
+        procedure: Procedure::Iteration,
+        options: IterateOptions {
+            phase: "along the normals",
+            ..DIRECT
+        },
+        kept: Kept::Result,
+    }
+}
+
 /// The attempts, in their order.
 pub(crate) const LADDER: &[Attempt] = &[
     Attempt {
@@ -191,20 +209,7 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    Attempt {
-        name: "along normals",
-        mesh: Mesh::Fine,
-        condition: Condition::Always,
-        weights: Weights::None,
-        curvature: Curvature::Asked,
-        start: Start::Stalled,
-        procedure: Procedure::Iteration,
-        options: IterateOptions {
-            phase: "along the normals",
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    },
+    along_normals(Mesh::Fine),
     Attempt {
         name: "member of the coarse mesh",
         mesh: Mesh::Fine,
@@ -256,20 +261,7 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Result,
     },
-    Attempt {
-        name: "along normals",
-        mesh: Mesh::Any,
-        condition: Condition::Always,
-        weights: Weights::None,
-        curvature: Curvature::Asked,
-        start: Start::Stalled,
-        procedure: Procedure::Iteration,
-        options: IterateOptions {
-            phase: "along the normals",
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    },
+    along_normals(Mesh::Any),
     Attempt {
         name: "second surface",
         mesh: Mesh::Any,
