@@ -19,6 +19,10 @@ use crate::mesh::boundary_loops::boundary_loops;
 const MOST_MODES: usize = 32;
 /// A mode for so many vertices at most: the waves of shorter ones are not resolved.
 const LEAST_VERTICES_PER_MODE: usize = 8;
+/// The trace inside takes samples within so many edges,
+const NEAR: usize = 3;
+/// or more, where it would be an extrapolation: the sum of its weights' absolute values is above this.
+const STEADY: f64 = 4.0;
 /// Loops with fewer vertices stay as they are.
 const FEWEST_VERTICES: usize = 8;
 
@@ -70,7 +74,7 @@ impl LoopCondition {
         normals: &[Vector3<f64>],
     ) -> Vec<(u32, f64)> {
         let b = self.vertices[k] as usize;
-        trace_inside(&self.inside, (k, b), free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
+        trace_inside(self.inside.of(k), b, free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
     }
 
     /// `H` of the surface along the loop.
@@ -98,21 +102,43 @@ impl LoopCondition {
     }
 }
 
-/// See [`LoopCondition::trace`].
+/// See [`LoopCondition::trace`]; of these samples, at boundary vertex `b`.
 fn trace_inside(
-    around: &BoundarySamples,
-    (k, b): (usize, usize),
+    (vertices, reach): (&[u32], &[u8]),
+    b: usize,
     free: usize,
     x: &[Vector3<f64>],
     normals: &[Vector3<f64>],
 ) -> Option<Vec<(u32, f64)>> {
-    let (vertices, reach) = around.of(k);
     let inside = vertices.iter().zip(reach).filter(|(j, _)| (**j as usize) < free);
     let edges = inside
         .clone()
         .map(|(&j, &reach)| (x[j as usize] - x[free + b], reach));
     let trace = Trace::new(&normals[b], Reach::Near, edges)?;
     Some(inside.zip(trace.weights()).map(|((&j, _), w)| (j, w)).collect())
+}
+
+/// Within how many edges samples make a trace that does not extrapolate.
+fn steady_rings(
+    (vertices, reach): (&[u32], &[u8]),
+    b: usize,
+    free: usize,
+    x: &[Vector3<f64>],
+    normals: &[Vector3<f64>],
+) -> usize {
+    let mut best = (f64::INFINITY, NEAR);
+    for rings in NEAR..=Reach::Near.rings() {
+        let count = reach.partition_point(|r| usize::from(*r) <= rings);
+        let weights = trace_inside((&vertices[..count], &reach[..count]), b, free, x, normals);
+        let size = weights.map_or(f64::INFINITY, |w| w.iter().map(|(_, w)| w.abs()).sum());
+        if size < best.0 {
+            best = (size, rings);
+        }
+        if size <= STEADY {
+            break;
+        }
+    }
+    best.1
 }
 
 /// The conditions along all loops of the tangent-continuous surface `x` with mean curvatures `h` where there is something to continue.
@@ -142,8 +168,10 @@ fn loop_condition(
     let inside = BoundarySamples::new(centres(), Reach::Near.rings(), x.len(), |v| {
         domain.rings.neighbours(v as usize)
     });
+    let rings = |k: usize| steady_rings(inside.of(k), vertices[k] as usize, free, x, normals);
+    let inside = inside.within(rings);
     let is_there =
-        |(k, b): (usize, &u32)| trace_inside(&inside, (k, *b as usize), free, x, normals).is_some();
+        |(k, b): (usize, &u32)| trace_inside(inside.of(k), *b as usize, free, x, normals).is_some();
     let there = vertices.iter().enumerate().filter(|at| is_there(*at)).count();
     if (there as f64) < MOST_FITS * vertices.len() as f64 {
         return None;

@@ -15,6 +15,9 @@ use nalgebra::Vector3;
 /// As many fits as this part of a loop has to have, to be compared with others.
 pub(super) const MOST_FITS: f64 = 0.9;
 
+/// Gaps of so many vertices between fits are bridged: some vertices of irregular meshes have too few samples.
+const LONGEST_GAP: usize = 3;
+
 /// `H` with its standard error at each vertex of a loop, where there are enough samples.
 type Fitted = Vec<Option<[f64; 2]>>;
 
@@ -75,7 +78,8 @@ impl<'d> Outside<'d> {
         if best.is_none() && vertices.iter().all(|&b| given(b).is_none()) {
             return None;
         }
-        let (_, rings, fitted) = best.unwrap_or_else(|| (0.0, 0, vec![None; vertices.len()]));
+        let (_, rings, mut fitted) = best.unwrap_or_else(|| (0.0, 0, vec![None; vertices.len()]));
+        bridge_gaps(&mut fitted);
         let mut this = Surroundings {
             h: fitted.iter().map(|h| h.map(|h| h[0])).collect(),
             error: fitted.iter().map(|h| h.map_or(0.0, |h| h[1])).collect(),
@@ -149,6 +153,23 @@ impl<'d> Outside<'d> {
     }
 }
 
+/// Interpolates between the fits beside short gaps.
+fn bridge_gaps(fitted: &mut Fitted) {
+    let n = fitted.len();
+    let known: Vec<usize> = (0..n).filter(|&k| fitted[k].is_some()).collect();
+    for (i, &a) in known.iter().enumerate() {
+        let b = known[(i + 1) % known.len()];
+        let gap = (b + n - a - 1) % n;
+        let (Some(before), Some(after)) = (fitted[a], fitted[b]) else {
+            continue;
+        };
+        for j in 1..=gap * usize::from(gap <= LONGEST_GAP) {
+            let t = j as f64 / (gap + 1) as f64;
+            fitted[(a + j) % n] = Some([0, 1].map(|c| before[c] + t * (after[c] - before[c])));
+        }
+    }
+}
+
 /// The median of the standard errors, where there are enough fits.
 fn typical_error(fitted: &Fitted) -> Option<f64> {
     let mut errors: Vec<f64> = fitted.iter().flatten().map(|[_, error]| *error).collect();
@@ -157,4 +178,23 @@ fn typical_error(fitted: &Fitted) -> Option<f64> {
     }
     let middle = errors.len() / 2;
     Some(*errors.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_gaps_are_bridged_and_long_ones_are_not() {
+        let of = |h: f64| Some([h, 0.1]);
+        let mut fitted = vec![None, of(1.0), None, None, None, of(3.0), None, None, None, None, of(1.0)];
+        bridge_gaps(&mut fitted);
+        let h: Vec<_> = fitted.iter().map(|f| f.map(|f| f[0])).collect();
+        let known = [1.0, 1.0, 1.5, 2.0, 2.5, 3.0].map(Some);
+        assert_eq!(h[..6], known);
+        assert!(h[6..10].iter().all(Option::is_none) && h[10] == Some(1.0));
+        let mut one = vec![None, of(2.0), None];
+        bridge_gaps(&mut one);
+        assert!(one.iter().all(|f| *f == of(2.0)));
+    }
 }
