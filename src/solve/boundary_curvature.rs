@@ -40,6 +40,8 @@ pub(crate) struct AskedContinuity {
 pub(crate) struct LoopCondition {
     /// Boundary vertices in their order.
     pub vertices: Vec<u32>,
+    /// Where no earlier loop has the same vertex: loops may touch.
+    pub owns: Vec<bool>,
     /// The lowest modes.
     pub modes: LoopModes,
     /// Samples of the trace inside.
@@ -75,6 +77,13 @@ impl LoopCondition {
     ) -> Vec<(u32, f64)> {
         let b = self.vertices[k] as usize;
         trace_inside(self.inside.of(k), b, free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
+    }
+
+    /// Boundary vertices with the value of a mode there.
+    pub(super) fn mode(&self, m: usize) -> impl Iterator<Item = (usize, f64)> {
+        let values = self.vertices.iter().zip(&self.modes.modes[m]);
+        let owned = values.zip(&self.owns).filter(|(_, owns)| **owns);
+        owned.map(|((&b, value), _)| (b as usize, *value))
     }
 
     /// `H` of the surface along the loop.
@@ -151,8 +160,15 @@ pub(super) fn loop_conditions(
     let outside = Outside::new(domain);
     let loops = boundary_loops(&domain.region, &domain.rings);
     let long = loops.into_iter().filter(|along| along.len() >= FEWEST_VERTICES);
-    long.filter_map(|along| loop_condition(along, &outside, normals, surface, asked))
-        .collect()
+    let conditions = long.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));
+    let mut conditions: Vec<LoopCondition> = conditions.collect();
+    let mut is_taken = vec![false; domain.region.boundary];
+    for condition in &mut conditions {
+        for (owns, &b) in condition.owns.iter_mut().zip(&condition.vertices) {
+            *owns = !std::mem::replace(&mut is_taken[b as usize], true);
+        }
+    }
+    conditions
 }
 
 fn loop_condition(
@@ -189,6 +205,7 @@ fn loop_condition(
         trusted: Trusted::default(),
         before: Vec::new(),
         vertices,
+        owns: vec![true; modes.modes.first().map_or(0, Vec::len)],
         modes,
     };
     this.before = this.curvature_inside(free, (x, h), normals);

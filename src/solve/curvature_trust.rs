@@ -11,6 +11,8 @@ use crate::discrete::loop_modes::LoopModes;
 /// Where the surface's own curvature varies from vertex to vertex so many times as much, in squares, as in the mean of the loop, its
 /// boundary normals are wrong.
 const OUTLYING: f64 = 2.0;
+/// A difference of more than so many times the median is an outlier.
+const OUTLIER: f64 = 3.0;
 /// A doubt counts so many times in squares.
 const DOUBT_COUNTS: f64 = 8.0;
 
@@ -77,7 +79,7 @@ fn certain_waves(modes: &LoopModes, mismatch: &[f64], fitted: &Surroundings) -> 
     // Neighbours share most of their samples: noise is in waves longer than these reach.
     let shared = (2.0 * fitted.rings as f64 / mismatch.len() as f64).min(1.0);
     let noise = shared * modes.product(&fitted.error, &fitted.error);
-    let differences = LoopModes::energies(&modes.parts(&fitted.difference));
+    let differences = LoopModes::energies(&modes.parts(&without_outliers(&fitted.difference)));
     let mean = differences.iter().sum::<f64>() / differences.len() as f64;
     let mut parts = modes.parts(mismatch);
     let energies = LoopModes::energies(&parts);
@@ -87,6 +89,14 @@ fn certain_waves(modes: &LoopModes, mismatch: &[f64], fitted: &Surroundings) -> 
         *part *= (1.0 - DOUBT_COUNTS * doubt / energy.max(f64::MIN_POSITIVE)).max(0.0);
     }
     parts
+}
+
+/// Single large differences, of traces that meet a poor ring, count as others do: they are no doubt of any wave.
+fn without_outliers(differences: &[f64]) -> Vec<f64> {
+    let mut sizes: Vec<f64> = differences.iter().map(|d| d.abs()).collect();
+    let middle = sizes.len() / 2;
+    let most = OUTLIER * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1;
+    differences.iter().map(|d| d.clamp(-most, most)).collect()
 }
 
 /// What is left of what the modes cannot tell where it is not in proportion to the offsets around: a boundary that zigzags on a surface

@@ -187,7 +187,19 @@ mod tests {
     #[test]
     fn short_gaps_are_bridged_and_long_ones_are_not() {
         let of = |h: f64| Some([h, 0.1]);
-        let mut fitted = vec![None, of(1.0), None, None, None, of(3.0), None, None, None, None, of(1.0)];
+        let mut fitted = vec![
+            None,
+            of(1.0),
+            None,
+            None,
+            None,
+            of(3.0),
+            None,
+            None,
+            None,
+            None,
+            of(1.0),
+        ];
         bridge_gaps(&mut fitted);
         let h: Vec<_> = fitted.iter().map(|f| f.map(|f| f[0])).collect();
         let known = [1.0, 1.0, 1.5, 2.0, 2.5, 3.0].map(Some);
