@@ -77,7 +77,8 @@ pub struct CurvatureContinuity {
     pub largest_jump: f64,
     /// The root mean square of the mean curvature of the surroundings along the loop.
     pub curvature: f64,
-    /// How uncertain that is, root mean square: the standard error of its fit, and how much it varies from vertex to vertex. Where this is no
+    /// How uncertain that is, root mean square: the standard error of its fit, how much it differs from the curvatures of the vertices there,
+    /// and how much it varies from vertex to vertex. Where this is no
     /// smaller than [`jump_before`](Self::jump_before), there is nothing to be continued; where it is small and [`reached`](Self::reached) is
     /// small as well, no sound surface has that curvature.
     pub uncertainty: f64,

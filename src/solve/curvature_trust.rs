@@ -2,7 +2,8 @@
 //!
 //! Three doubts stand against the mismatch that is to be closed. Around each vertex: what the modes cannot tell of the surroundings' own
 //! curvature, as at creases, and a boundary whose normals are far worse than elsewhere. Wave by wave: how uncertain the fit to the
-//! surroundings is, by its standard error and by how much it differs from curvatures as the equation has them. Where the doubt is as
+//! surroundings is, by its standard error and by how much it differs from curvatures as the equation has them, and how noisy
+//! the surface's own curvature is, as the boundary's normals are. Where the doubt is as
 //! large as the mismatch, nothing is left of it: what noise there is would be taken for a jump.
 
 use super::surroundings::Surroundings;
@@ -11,6 +12,8 @@ use crate::discrete::loop_modes::LoopModes;
 /// Where the surface's own curvature varies from vertex to vertex so many times as much, in squares, as in the mean of the loop, its
 /// boundary normals are wrong.
 const OUTLYING: f64 = 2.0;
+/// Noise of the boundary and its normals is so many times larger, in squares, in the waves of the modes than in the shorter ones.
+const LONG_WAVES: f64 = 4.0;
 /// A doubt counts so many times in squares.
 const DOUBT_COUNTS: f64 = 8.0;
 
@@ -48,13 +51,17 @@ impl Trusted {
         let weighed: Vec<f64> = (0..mismatch.len())
             .map(|k| mismatch[k] * known[k] * trust[k])
             .collect();
-        let change = modes.sum(&certain_waves(modes, &weighed, fitted));
+        let differences = doubts_of_the_fit(modes, fitted);
+        let noise = noise_of_a_wave(modes, &own, fitted);
+        let change = modes.sum(&certain_waves(modes, &weighed, noise, &differences));
         let whole = modes.product(&told, &told).max(f64::MIN_POSITIVE);
         let error = modes.product(&fitted.noise.error, &fitted.noise.error);
+        // The energy of each pair of waves stands there twice.
+        let bias: f64 = differences.iter().enumerate().map(|(m, d)| d / waves(m)).sum();
         Self {
             part: (modes.product(&told, &change) / whole).clamp(0.0, 1.0),
             change,
-            uncertainty: (modes.product(&rough, &rough) + error).sqrt(),
+            uncertainty: (modes.product(&rough, &rough) + error + bias).sqrt(),
         }
     }
 }
@@ -72,17 +79,33 @@ fn around_vertices(modes: &LoopModes, told: &[f64], [rough, own]: [&[f64]; 2]) -
         .collect()
 }
 
-/// The parts of the modes in a mismatch, less where they are uncertain. Both waves of a length are treated alike: it does not matter
-/// where the loop begins.
-fn certain_waves(modes: &LoopModes, mismatch: &[f64], fitted: &Surroundings) -> Vec<f64> {
-    let noise = fitted.noise.of_a_wave(modes);
+/// The energies of what the fit to the surroundings differs from curvatures as the equation has them, without what is noise of the latter.
+fn doubts_of_the_fit(modes: &LoopModes, fitted: &Surroundings) -> Vec<f64> {
+    let of_trace = if fitted.is_noisy() {
+        fitted.trace_noise.of_a_wave(modes)
+    } else {
+        0.0
+    };
     let mut differences = LoopModes::energies(&modes.parts(&fitted.difference));
-    // Narrow samples are taken where the mesh is smooth: what differs there is no noise.
-    let is_wide = fitted.noise.rings >= fitted.trace_noise.rings;
-    let of_trace = f64::from(u8::from(is_wide)) * fitted.trace_noise.of_a_wave(modes);
     for (m, difference) in differences.iter_mut().enumerate() {
         *difference = (*difference - waves(m) * of_trace).max(0.0);
     }
+    differences
+}
+
+/// The noise of one wave of the mismatch: of the fit, and of the surface's own curvature, of which the modes cannot tell `own`.
+fn noise_of_a_wave(modes: &LoopModes, own: &[f64], fitted: &Surroundings) -> f64 {
+    let of_surface = if fitted.is_noisy() {
+        LONG_WAVES * modes.product(own, own) / own.len() as f64
+    } else {
+        0.0
+    };
+    fitted.noise.of_a_wave(modes) + of_surface
+}
+
+/// The parts of the modes in a mismatch, less where they are uncertain. Both waves of a length are treated alike: it does not matter
+/// where the loop begins.
+fn certain_waves(modes: &LoopModes, mismatch: &[f64], noise: f64, differences: &[f64]) -> Vec<f64> {
     let mean = differences.iter().sum::<f64>() / differences.len() as f64;
     let mut parts = modes.parts(mismatch);
     let energies = LoopModes::energies(&parts);

@@ -39,6 +39,13 @@ pub(super) struct Surroundings {
     pub is_given: Vec<bool>,
 }
 
+impl Surroundings {
+    /// Wide samples are the most certain ones where there is noise; on smooth meshes narrow ones are.
+    pub(super) fn is_noisy(&self) -> bool {
+        self.noise.rings >= self.trace_noise.rings
+    }
+}
+
 /// The noise of fits along a loop.
 #[derive(Debug, Default)]
 pub(super) struct Noise {
