@@ -22,6 +22,7 @@ pub(crate) mod ladder;
 pub(crate) mod limited_step;
 pub(crate) mod normal_continuation;
 pub(crate) mod normal_matrix;
+mod passed_vertices;
 pub(crate) mod plate;
 pub(crate) mod problem;
 pub(crate) mod procedure;
@@ -35,6 +36,7 @@ mod surroundings;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;
+mod ways;
 pub(crate) mod weight_repair;
 
 use std::time::Instant;
