@@ -22,6 +22,9 @@ const DEVIATION: f64 = 1.1;
 /// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
 const DEVIATION_DEGREES: f64 = 0.5;
 
+/// A jump below this part of the curvature is none.
+const LEAST_JUMP: f64 = 1e-3;
+
 /// A way to the curvature-continuous surface.
 #[derive(Debug)]
 pub(crate) struct Continuation {
@@ -142,7 +145,10 @@ impl Continuation {
             };
             return Some(self.result(candidate, status, system));
         }
-        let is_left = if self.is_as_sound(&candidate) {
+        let grown = self.grown_jumps(&candidate, system);
+        let is_left = if self.is_as_sound(&candidate) && !grown.is_empty() {
+            self.ways.leave(&grown)
+        } else if self.is_as_sound(&candidate) {
             let deviations = system.surface(&candidate.x).normal_deviations();
             let loops = system.continuity().map_or(&[][..], |c| &c.loops);
             let along = |l: &LoopCondition| largest(l.vertices.iter().map(|&b| &deviations[b as usize]));
@@ -169,6 +175,15 @@ impl Continuation {
             && (!candidate.has_bump() || self.judged.has_bump())
             && candidate.creases <= self.judged.creases
             && candidate.suspicious_normals <= self.judged.suspicious_normals
+    }
+
+    /// The loops along which the jump of the curvature has become larger, as at corners that their modes do not resolve.
+    fn grown_jumps(&self, candidate: &Candidate, system: &System) -> Vec<usize> {
+        let told = reached(system, &self.ways.parts(), (&candidate.x, &system.state.h));
+        let is_grown = |l: &LoopContinuity| {
+            l.reached > 0.0 && l.jump[0] > l.jump_before[0].max(LEAST_JUMP * l.curvature)
+        };
+        (0..told.len()).filter(|&k| is_grown(&told[k])).collect()
     }
 
     fn result(&self, candidate: Candidate, status: SolveStatus, system: &System) -> SolveResult {

@@ -14,7 +14,6 @@ use super::bilaplacian::Metric;
 use super::boundary_curvature::LoopCondition;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::NormalMatrix;
-use super::passed_vertices::PassedVertices;
 use super::system::Collapsed;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::valence_batches::CHUNK;
@@ -47,8 +46,6 @@ pub(crate) struct Continuity {
     coefficients: Vec<f64>,
     /// `S` between free vertices.
     laplacian: Factor,
-    /// Fixed vertices inside that `phi` goes through.
-    passed: PassedVertices,
     /// `H - H*` along the loops, one after the other, at the last evaluation,
     mismatch: Vec<f64>,
     /// and with which weights `H` there is made of that at free vertices.
@@ -73,7 +70,6 @@ impl Continuity {
             columns: vec![Column::default(); modes],
             coefficients: vec![0.0; modes],
             laplacian: Factor::new(symbolic, false),
-            passed: PassedVertices::default(),
             mismatch: vec![0.0; vertices],
             trace: vec![Vec::new(); vertices],
             answer: None,
@@ -125,17 +121,12 @@ impl Continuity {
     pub(super) fn evaluate(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &mut State) {
         let _clock = clock("curvature continuity");
         if self.coefficients.iter().any(|c| *c != 0.0) {
-            if self.passed.is_empty() {
-                equations.laplacian(state, &self.phi, &mut self.residual);
-                self.laplacian.solve(&mut self.residual);
-                self.phi
-                    .iter_mut()
-                    .zip(&self.residual)
-                    .for_each(|(phi, [d])| *phi -= d);
-            } else {
-                self.passed
-                    .make_harmonic(equations, state, &mut self.laplacian, &mut self.phi);
-            }
+            equations.laplacian(state, &self.phi, &mut self.residual);
+            self.laplacian.solve(&mut self.residual);
+            self.phi
+                .iter_mut()
+                .zip(&self.residual)
+                .for_each(|(phi, [d])| *phi -= d);
             Equations::add_load(state, &self.phi);
         }
         let free = equations.free();
@@ -161,7 +152,6 @@ impl Continuity {
         let _clock = clock("curvature continuity");
         let values = equations.free_laplacian(state, pattern);
         self.laplacian.factor(&values, stacks).map_err(|_| Collapsed)?;
-        self.passed = PassedVertices::new(equations);
         let free = equations.free();
         let of_columns: Vec<(usize, usize)> = self
             .loops

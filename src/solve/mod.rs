@@ -22,7 +22,6 @@ pub(crate) mod ladder;
 pub(crate) mod limited_step;
 pub(crate) mod normal_continuation;
 pub(crate) mod normal_matrix;
-mod passed_vertices;
 pub(crate) mod plate;
 pub(crate) mod problem;
 pub(crate) mod procedure;

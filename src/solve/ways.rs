@@ -76,6 +76,15 @@ impl Ways {
         is_worth
     }
 
+    /// Stays with the tangent-continuous surface along these loops. Tells whether there is a way left along others.
+    pub(super) fn leave(&mut self, loops: &[usize]) -> bool {
+        for &k in loops {
+            let way = &mut self.ways[k];
+            (way.part, way.bad) = (0.0, None);
+        }
+        self.ways.iter().any(|way| way.part > 0.0)
+    }
+
     /// Goes less of the way along all loops. Tells whether there is a way left.
     pub(super) fn shorten(&mut self) -> bool {
         for way in &mut self.ways {
@@ -127,6 +136,14 @@ mod tests {
         assert!(ways.shorten() && ways.shorten());
         assert_eq!(ways.parts(), [0.125, 0.0]);
         assert!(!ways.shorten());
+    }
+
+    #[test]
+    fn loops_are_left() {
+        let mut ways = Ways::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
+        assert!(ways.leave(&[0]));
+        assert_eq!(ways.parts(), [0.0, 0.3]);
+        assert!(!ways.leave(&[1]));
     }
 
     /// Only the loop whose normals are missed stays behind.
