@@ -5,7 +5,7 @@
 # per line, from 0), and from where they are seen ('right', '0,1,0.3', ...).
 #   ./reproduce.sh measurements
 # writes docs/measurements.md: accuracy, times, holes and known shortfalls, in a few minutes.
-#   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW]...
+#   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW[/UP]]...
 # writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl (from PyPI, into
 # target/continuity) and CGAL (Debian's libcgal-dev, if it is there).
 set -euo pipefail

@@ -300,22 +300,19 @@ fn error(case: &Case, surface: &Surface, positions: &[[f64; 3]]) -> f64 {
 fn picture(tool: &Tool, subject: &Subject<'_>, all: &[Made]) -> io::Result<String> {
     let shown = all.iter().filter(|made| {
         let name = made.name.as_str();
-        name.contains("k = 3") || name.contains("CGAL") || name == "G1" || name == "G2"
+        name.contains("k = 3") || made.iterations.is_some()
     });
     let meshes: Vec<(&Path, &str)> = shown
         .map(|made| (made.file.as_path(), made.name.as_str()))
         .collect();
     let free = subject.case.free_file.display().to_string();
-    let arguments = [
-        "--view",
-        subject.view,
-        "--shade",
-        "curvature,reflection",
-        "--size",
-        "230x200",
-        "--around",
-        &free,
-    ];
+    let (view, up) = subject.view.split_once('/').unwrap_or((subject.view, "0,0,1"));
+    let mut arguments = vec!["--view", view, "--up", up, "--shade", "curvature,reflection"];
+    arguments.extend(["--size", "240x220"]);
+    // Of somebody else's mesh only what is faired.
+    if subject.stem.contains("scan") {
+        arguments.extend(["--around", &free]);
+    }
     let name = subject.stem.trim_start_matches("g2-");
     tool.render(&format!("{name}.png"), subject.title, &meshes, &arguments)?;
     Ok(format!(
@@ -465,5 +462,7 @@ const TAIL: &str = r#"## What the others do
 
 `igl::harmonic` with k = 3 and CGAL's `fair` with continuity 2 solve Δ³x = 0, coordinate by coordinate, with the Laplacian of the given mesh. That is linear and
 quick; but it knows of normals and curvatures only what a few rows of fixed vertices tell, and the result depends on the parameterization that the
-given triangles are: with the same boundary, another triangulation gives another surface. MeshLib's and Blender's smoothing end at tangent continuity.
+given triangles are: with the same boundary, another triangulation gives another surface, and H of an irregular one is as irregular. They continue whatever
+is around, noise included, where this program leaves what is not certain: with rough surroundings their jump may be the smaller one. MeshLib's
+and Blender's smoothing end at tangent continuity.
 "#;
