@@ -9,8 +9,8 @@ use std::process::Command;
 use fairmesh_shapes::{Sampling, Shape, Surface, ellipsoid_cap, torus_patch};
 use serde_json::Value;
 
+use crate::boundary::{Boundary, Shown};
 use crate::measure::Distance;
-use crate::rim::{Rim, Shown};
 use crate::tool::{Case, Tool, read_ply};
 use crate::{Scan, short};
 
@@ -249,7 +249,7 @@ fn of_peers(tool: &Tool, peers: &Peers, case: &Case) -> io::Result<Vec<Made>> {
 /// Table and picture of one subject.
 fn section(tool: &Tool, peers: Option<&Peers>, subject: &Subject<'_>) -> io::Result<String> {
     let case = &subject.case;
-    let rim = Rim::new(case)?;
+    let boundary = Boundary::new(case)?;
     let mut all = match peers {
         Some(peers) => of_peers(tool, peers, case)?,
         None => Vec::new(),
@@ -262,11 +262,11 @@ fn section(tool: &Tool, peers: Option<&Peers>, subject: &Subject<'_>) -> io::Res
     text += "\n| surface | rms error | jump of H, rms | largest | reached | deviation of normals | iterations | seconds |\n\
         |---|---|---|---|---|---|---|---|\n";
     if subject.surface.is_some() {
-        let shown = rim.shown(case, &case.positions)?;
+        let shown = boundary.shown(case, &case.positions)?;
         let _ = writeln!(text, "| the exact one | 0 | {} | | |", shown_cells(&shown, ""));
     }
     for made in &all {
-        let shown = rim.shown(case, &made.positions)?;
+        let shown = boundary.shown(case, &made.positions)?;
         let error = subject.surface.as_ref().map_or_else(String::new, |surface| {
             short(error(case, surface, &made.positions))
         });
@@ -360,11 +360,11 @@ fn sizes(tool: &Tool) -> io::Result<String> {
             let Some(surface) = &shape.surface else { continue };
             let stem = format!("g2-{name}-{n}");
             let case = tool.put(&stem, &shape.positions, &shape.triangles, &shape.free_vertices())?;
-            let rim = Rim::new(&case)?;
+            let boundary = Boundary::new(&case)?;
             let [tangent, curved] = [("G1", "g1"), ("G2", "g2")].map(|(n, c)| faired(tool, &case, n, c));
             let (tangent, curved) = (tangent?, curved?);
             let errors = [&tangent, &curved].map(|made| short(error(&case, surface, &made.positions)));
-            let jump = |made: &Made| rim.shown(&case, &made.positions).map(|shown| shown.jump[0]);
+            let jump = |made: &Made| boundary.shown(&case, &made.positions).map(|shown| shown.jump[0]);
             let count = |made: &Made| made.iterations.unwrap_or_default();
             let _ = writeln!(
                 text,

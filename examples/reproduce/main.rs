@@ -12,13 +12,13 @@
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 #![allow(clippy::print_stderr, reason = "tells how far it is")]
 
+mod boundary;
 mod claims;
 mod continuity;
 mod figures;
 mod machine;
 mod measure;
 mod measurements;
-mod rim;
 mod table;
 mod tool;
 

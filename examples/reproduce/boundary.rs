@@ -1,4 +1,4 @@
-//! What shows along the edge of a region, measured alike for the surfaces of all programs: the jump of mean curvature, and how far the
+//! What shows along the boundary of a region, measured alike for the surfaces of all programs: the jump of mean curvature, and how far the
 //! surface deviates from the normals of its surroundings.
 
 use std::io;
@@ -13,17 +13,17 @@ const REACH: std::ops::RangeInclusive<usize> = 2..=4;
 /// From so many of them at least.
 const FEWEST: usize = 6;
 
-/// The edge of a region.
-pub struct Rim {
+/// The boundary of a region.
+pub struct Boundary {
     neighbours: Vec<Vec<u32>>,
     is_free: Vec<bool>,
-    /// Where the edge is, by vertex.
-    is_rim: Vec<bool>,
+    /// Where it is, by vertex.
+    is_boundary: Vec<bool>,
     /// Its vertices with the normals that `fairmesh` fits to the surroundings.
     normals: Vec<(u32, [f64; 3])>,
 }
 
-/// Of a surface along the edge.
+/// Of a surface along it.
 #[derive(Debug, Clone, Copy)]
 pub struct Shown {
     /// Jump of mean curvature, over the root mean square of the surroundings' own: root mean square and largest.
@@ -32,7 +32,7 @@ pub struct Shown {
     pub deviation: f64,
 }
 
-impl Rim {
+impl Boundary {
     /// That of the free vertices of a mesh.
     pub fn new(case: &Case) -> io::Result<Self> {
         let solution = fair(
@@ -54,12 +54,12 @@ impl Rim {
         let mut is_free = vec![false; case.positions.len()];
         case.free.iter().for_each(|&v| is_free[v as usize] = true);
         let normals = solution.map_err(io::Error::other)?.boundary_normals;
-        let mut is_rim = vec![false; case.positions.len()];
-        normals.iter().for_each(|(v, _)| is_rim[*v as usize] = true);
+        let mut is_boundary = vec![false; case.positions.len()];
+        normals.iter().for_each(|(v, _)| is_boundary[*v as usize] = true);
         Ok(Self {
             neighbours,
             is_free,
-            is_rim,
+            is_boundary,
             normals,
         })
     }
@@ -84,7 +84,7 @@ impl Rim {
         })
     }
 
-    /// The value at a vertex of the linear function that fits those on one side of the edge best.
+    /// The value at a vertex of the linear function that fits those on one side of the boundary best.
     fn extrapolated(
         &self,
         v: u32,
@@ -118,9 +118,9 @@ impl Rim {
         solved.map(|s| s.x)
     }
 
-    /// The vertices within [`REACH`] of a vertex of the edge, along edges on one side of it.
+    /// The vertices within [`REACH`] of a boundary vertex, along edges on one side of it.
     fn around(&self, v: u32, of_free: bool) -> Vec<u32> {
-        let is_there = |w: u32| self.is_free[w as usize] == of_free && !self.is_rim[w as usize];
+        let is_there = |w: u32| self.is_free[w as usize] == of_free && !self.is_boundary[w as usize];
         let (mut found, mut front, mut reached) = (Vec::new(), vec![v], vec![v]);
         for edges in 1..=*REACH.end() {
             let mut next: Vec<u32> = front
@@ -139,7 +139,7 @@ impl Rim {
         found
     }
 
-    /// The largest angle between the mean normal of the region's triangles at a vertex of the edge and that of its surroundings.
+    /// The largest angle between the mean normal of the region's triangles at a boundary vertex and that of its surroundings.
     fn deviation(&self, case: &Case, positions: &[[f64; 3]]) -> f64 {
         let mut sums = vec![Vector3::zeros(); positions.len()];
         for t in &case.triangles {
