@@ -72,7 +72,17 @@ def cgal_program(folder):
     if not program.exists():
         source = folder / "cgal_fair.cpp"
         source.write_text(CGAL)
-        command = ["g++", "-O2", "-DNDEBUG", "-I/usr/include/eigen3", str(source), "-o", str(program), "-lgmp", "-lmpfr"]
+        command = [
+            "g++",
+            "-O2",
+            "-DNDEBUG",
+            "-I/usr/include/eigen3",
+            str(source),
+            "-o",
+            str(program),
+            "-lgmp",
+            "-lmpfr",
+        ]
         if subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode != 0:
             return None
     return program

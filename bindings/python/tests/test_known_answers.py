@@ -180,7 +180,9 @@ def test_a_loop_has_a_number_of_its_own():
         assert np.array_equal(one.vertices, whole.vertices)
     tangent = fairmesh.fair(vertices, faces, **asked)
     for nothing in ({}, {on: "g1"}):
-        assert np.array_equal(fairmesh.fair(vertices, faces, **asked, loop_continuity=nothing).vertices, tangent.vertices)
+        assert np.array_equal(
+            fairmesh.fair(vertices, faces, **asked, loop_continuity=nothing).vertices, tangent.vertices
+        )
     with pytest.raises(fairmesh.InputError) as error:
         fairmesh.fair(vertices, faces, **asked, loop_continuity={0: 1.0})
     assert (error.value.status, error.value.element) == (fairmesh.Status.NOT_ON_LOOP, 0)

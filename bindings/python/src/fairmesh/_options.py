@@ -50,8 +50,8 @@ class FairingOptions(TypedDict, total=False):
             alone; "g2" or 1, curvature, too; or a number between, part of the way. Default 0.0. Only as far as the
             surroundings are smooth enough to tell their curvature: `Component.continuity` of the report says how far.
             For the solver "fast".
-        loop_continuity: The same for single boundary loops: a mapping from a vertex of the loop to "g1", "g2" or a number,
-            in place of ``continuity`` there. Of several for one loop the last one holds.
+        loop_continuity: The same for single boundary loops: a mapping from a vertex of the loop to "g1", "g2" or a
+            number, in place of ``continuity`` there. Of several for one loop the last one holds. Default: {}.
         boundary_curvature: The mean curvature to be continued, in 1 / length, negative where the normals point outward
             of a sphere; "estimated" (default) from the surface outside; a mapping from vertices to numbers; a pair
             (indices (k,), values (k,)); or an array (n,), one number per vertex, NaN where none is given. Where none is
