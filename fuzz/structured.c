@@ -36,6 +36,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
     fairmesh_status status;
+    uint32_t on_loop;
+    double how_far;
     uint8_t what;
     memset(&mesh, 0, sizeof mesh);
     memset(&selection, 0, sizeof selection);

@@ -427,7 +427,7 @@ fn noise(tool: &Tool) -> io::Result<String> {
 }
 
 const HEAD: &str = "# Continuous curvature (G2)\n\nWritten by\n\n```sh\n./reproduce.sh continuity\n```\n\n\
-    and no number in the tables is typed. ";
+    and no number in the tables is typed; a mesh of somebody else's is handed in by `--scan`. ";
 
 const WHAT: &str = r#"By default a faired surface has the tangent planes of its surroundings, and its own mean curvature H: it solves Δ<sub>B</sub>H = 0. Where H of
 the surroundings is another one, its jump shows as an edge in a curvature map, and as kinks in reflection lines. `--continuity g2` (`continuity` in every
