@@ -52,4 +52,20 @@ impl BoundarySamples {
         let range = self.start[k]..self.start[k + 1];
         (&self.vertex[range.clone()], &self.reach[range])
     }
+
+    /// Only those within so many edges of each centre.
+    pub(crate) fn within(&self, rings: impl Fn(usize) -> usize) -> Self {
+        let mut fewer = Self {
+            start: vec![0],
+            ..Self::default()
+        };
+        for k in 0..self.start.len() - 1 {
+            let (vertices, reach) = self.of(k);
+            let count = reach.partition_point(|r| usize::from(*r) <= rings(k));
+            fewer.vertex.extend(&vertices[..count]);
+            fewer.reach.extend(&reach[..count]);
+            fewer.start.push(fewer.vertex.len());
+        }
+        fewer
+    }
 }

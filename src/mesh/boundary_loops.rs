@@ -6,31 +6,52 @@ use super::rings::Rings;
 use crate::mesh::NONE;
 
 /// The closed runs of boundary edges that visit no vertex twice, each as boundary vertices (numbered from the first of them)
-/// with the region on the left, beginning at the smallest one. What hangs together with a vertex that is visited twice is left out.
+/// with the region on the left, beginning at the smallest one. A run that comes back to one of its vertices is several of them.
 pub(crate) fn boundary_loops(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
     let half_edges: &HalfEdges = &region.half_edges;
     let local = |v: u32| v - region.free as u32;
-    let mut next = vec![NONE; region.boundary];
-    let mut is_simple = vec![true; region.boundary];
-    for &h in &rings.boundary_half_edges {
-        let (a, b) = (local(half_edges.origin(h)), local(half_edges.target(h)));
-        is_simple[a as usize] &= next[a as usize] == NONE;
-        next[a as usize] = b;
-    }
-    let mut is_seen = vec![false; region.boundary];
+    let ends = |&h: &u32| (local(half_edges.origin(h)), local(half_edges.target(h)));
+    let mut edges: Vec<(u32, u32)> = rings.boundary_half_edges.iter().map(ends).collect();
+    edges.sort_unstable();
+    // Per vertex its first edge that is not walked yet.
+    let mut next: Vec<usize> = (0..region.boundary as u32)
+        .map(|b| edges.partition_point(|edge| edge.0 < b))
+        .collect();
+    let mut walk = |from: u32| {
+        let at = next[from as usize];
+        let edge = edges.get(at).filter(|edge| edge.0 == from)?;
+        next[from as usize] += 1;
+        Some(edge.1)
+    };
+    let mut place = vec![NONE; region.boundary];
     let mut loops = Vec::new();
     for first in 0..region.boundary as u32 {
-        let mut along = Vec::new();
-        let mut b = first;
-        while b != NONE && !std::mem::replace(&mut is_seen[b as usize], true) {
-            along.push(b);
-            b = next[b as usize];
+        let mut along: Vec<u32> = Vec::new();
+        let mut at = Some(first);
+        while let Some(b) = at {
+            if place[b as usize] == NONE {
+                place[b as usize] = along.len() as u32;
+                along.push(b);
+            } else {
+                // Closed: what lies between is a loop of its own.
+                let closed = along.split_off(place[b as usize] as usize + 1);
+                closed.iter().for_each(|&c| place[c as usize] = NONE);
+                loops.push(from_smallest(std::iter::once(b).chain(closed).collect()));
+            }
+            at = walk(b);
         }
-        if along.len() > 2 && b == first && along.iter().all(|&b| is_simple[b as usize]) {
-            loops.push(along);
-        }
+        along.iter().for_each(|&b| place[b as usize] = NONE);
     }
+    loops.retain(|along| along.len() > 2);
+    loops.sort_unstable();
     loops
+}
+
+/// The same loop from its smallest vertex on.
+fn from_smallest(mut along: Vec<u32>) -> Vec<u32> {
+    let smallest = (0..along.len()).min_by_key(|&k| along[k]).unwrap_or(0);
+    along.rotate_left(smallest);
+    along
 }
 
 #[cfg(test)]
@@ -56,5 +77,39 @@ mod tests {
                 assert!(rings.boundary_ring(b as usize).contains(&next));
             }
         }
+    }
+
+    /// A fixed triangle that touches the rest of the boundary in one vertex: two loops, not none.
+    #[test]
+    fn a_loop_that_meets_itself_is_two() {
+        let shape = catenoid_band(600, Sampling::Irregular { seed: 7 }, 2);
+        let of = |free: &[bool]| {
+            let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(free)).ok()?;
+            let rings = Rings::new(&region);
+            Some((boundary_loops(&region, &rings), region))
+        };
+        let whole = of(&shape.free).unwrap().0;
+        let fixed = |t: &&[u32; 3]| t.iter().filter(|&&v| !shape.free[v as usize]).count() == 1;
+        let mut touched = 0;
+        for t in shape.triangles.iter().filter(fixed) {
+            // The two free vertices of a triangle at the boundary, held: the loop takes a way around them, or meets itself.
+            let mut free = shape.free.clone();
+            t.iter().for_each(|&v| free[v as usize] = false);
+            let Some((loops, region)) = of(&free) else {
+                continue;
+            };
+            let visits = loops.iter().map(Vec::len).sum::<usize>();
+            let mut seen: Vec<u32> = loops.concat();
+            seen.sort_unstable();
+            let count = seen.len();
+            seen.dedup();
+            touched += count - seen.len();
+            assert!(
+                loops.len() >= whole.len() && visits + 3 > whole.concat().len(),
+                "{t:?}"
+            );
+            assert!(seen.iter().all(|&b| (b as usize) < region.boundary));
+        }
+        assert!(touched > 0);
     }
 }

@@ -19,6 +19,10 @@ use crate::mesh::boundary_loops::boundary_loops;
 const MOST_MODES: usize = 32;
 /// A mode for so many vertices at most: the waves of shorter ones are not resolved.
 const LEAST_VERTICES_PER_MODE: usize = 8;
+/// The trace inside takes samples within so many edges,
+const NEAR: usize = 3;
+/// or more, where it would be an extrapolation: the sum of its weights' absolute values is above this.
+const STEADY: f64 = 4.0;
 /// Loops with fewer vertices stay as they are.
 const FEWEST_VERTICES: usize = 8;
 
@@ -49,6 +53,8 @@ impl AskedContinuity {
 pub(crate) struct LoopCondition {
     /// Boundary vertices in their order.
     pub vertices: Vec<u32>,
+    /// Where no earlier loop has the same vertex: loops may touch.
+    pub owns: Vec<bool>,
     /// The lowest modes.
     pub modes: LoopModes,
     /// Samples of the trace inside.
@@ -83,7 +89,14 @@ impl LoopCondition {
         normals: &[Vector3<f64>],
     ) -> Vec<(u32, f64)> {
         let b = self.vertices[k] as usize;
-        trace_inside(&self.inside, (k, b), free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
+        trace_inside(self.inside.of(k), b, free, x, normals).unwrap_or_else(|| vec![((free + b) as u32, 1.0)])
+    }
+
+    /// Boundary vertices with the value of a mode there.
+    pub(super) fn mode(&self, m: usize) -> impl Iterator<Item = (usize, f64)> {
+        let values = self.vertices.iter().zip(&self.modes.modes[m]);
+        let owned = values.zip(&self.owns).filter(|(_, owns)| **owns);
+        owned.map(|((&b, value), _)| (b as usize, *value))
     }
 
     /// `H` of the surface along the loop.
@@ -111,21 +124,43 @@ impl LoopCondition {
     }
 }
 
-/// See [`LoopCondition::trace`].
+/// See [`LoopCondition::trace`]; of these samples, at boundary vertex `b`.
 fn trace_inside(
-    around: &BoundarySamples,
-    (k, b): (usize, usize),
+    (vertices, reach): (&[u32], &[u8]),
+    b: usize,
     free: usize,
     x: &[Vector3<f64>],
     normals: &[Vector3<f64>],
 ) -> Option<Vec<(u32, f64)>> {
-    let (vertices, reach) = around.of(k);
     let inside = vertices.iter().zip(reach).filter(|(j, _)| (**j as usize) < free);
     let edges = inside
         .clone()
         .map(|(&j, &reach)| (x[j as usize] - x[free + b], reach));
     let trace = Trace::new(&normals[b], Reach::Near, edges)?;
     Some(inside.zip(trace.weights()).map(|((&j, _), w)| (j, w)).collect())
+}
+
+/// Within how many edges samples make a trace that does not extrapolate.
+fn steady_rings(
+    (vertices, reach): (&[u32], &[u8]),
+    b: usize,
+    free: usize,
+    x: &[Vector3<f64>],
+    normals: &[Vector3<f64>],
+) -> usize {
+    let mut best = (f64::INFINITY, NEAR);
+    for rings in NEAR..=Reach::Near.rings() {
+        let count = reach.partition_point(|r| usize::from(*r) <= rings);
+        let weights = trace_inside((&vertices[..count], &reach[..count]), b, free, x, normals);
+        let size = weights.map_or(f64::INFINITY, |w| w.iter().map(|(_, w)| w.abs()).sum());
+        if size < best.0 {
+            best = (size, rings);
+        }
+        if size <= STEADY {
+            break;
+        }
+    }
+    best.1
 }
 
 /// The conditions along all loops of the tangent-continuous surface `x` with mean curvatures `h` where there is something to continue.
@@ -140,9 +175,15 @@ pub(super) fn loop_conditions(
     let long = loops.into_iter().filter(|along| along.len() >= FEWEST_VERTICES);
     // Where tangent planes alone are asked for, Delta_B H is 0.
     let continued = long.filter(|along| asked.of_loop(along) > 0.0);
-    continued
-        .filter_map(|along| loop_condition(along, &outside, normals, surface, asked))
-        .collect()
+    let conditions = continued.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));
+    let mut conditions: Vec<LoopCondition> = conditions.collect();
+    let mut is_taken = vec![false; domain.region.boundary];
+    for condition in &mut conditions {
+        for (owns, &b) in condition.owns.iter_mut().zip(&condition.vertices) {
+            *owns = !std::mem::replace(&mut is_taken[b as usize], true);
+        }
+    }
+    conditions
 }
 
 fn loop_condition(
@@ -158,8 +199,10 @@ fn loop_condition(
     let inside = BoundarySamples::new(centres(), Reach::Near.rings(), x.len(), |v| {
         domain.rings.neighbours(v as usize)
     });
+    let rings = |k: usize| steady_rings(inside.of(k), vertices[k] as usize, free, x, normals);
+    let inside = inside.within(rings);
     let is_there =
-        |(k, b): (usize, &u32)| trace_inside(&inside, (k, *b as usize), free, x, normals).is_some();
+        |(k, b): (usize, &u32)| trace_inside(inside.of(k), *b as usize, free, x, normals).is_some();
     let there = vertices.iter().enumerate().filter(|at| is_there(*at)).count();
     if (there as f64) < MOST_FITS * vertices.len() as f64 {
         return None;
@@ -177,6 +220,7 @@ fn loop_condition(
         trusted: Trusted::default(),
         before: Vec::new(),
         vertices,
+        owns: vec![true; modes.modes.first().map_or(0, Vec::len)],
         modes,
     };
     this.before = this.curvature_inside(free, (x, h), normals);

@@ -109,10 +109,8 @@ impl Continuity {
         self.phi[free..].fill(0.0);
         let mut coefficients = self.coefficients.iter();
         for l in &self.loops {
-            for (mode, c) in l.modes.modes.iter().zip(&mut coefficients) {
-                for (&b, value) in l.vertices.iter().zip(mode) {
-                    self.phi[free + b as usize] += c * value;
-                }
+            for (m, c) in (0..l.modes.modes.len()).zip(&mut coefficients) {
+                l.mode(m).for_each(|(b, value)| self.phi[free + b] += c * value);
             }
         }
     }
@@ -164,10 +162,9 @@ impl Continuity {
         for (first, part) in of_columns.chunks(COLUMNS).enumerate() {
             boundary.fill([0.0; COLUMNS]);
             for (c, &(l, m)) in part.iter().enumerate() {
-                let l = &self.loops[l];
-                for (&b, value) in l.vertices.iter().zip(&l.modes.modes[m]) {
-                    boundary[b as usize][c] = *value;
-                }
+                self.loops[l]
+                    .mode(m)
+                    .for_each(|(b, value)| boundary[b][c] = value);
             }
             // S_II E = - S_IB of the modes.
             for (i, sums) in block.iter_mut().enumerate() {

@@ -26,7 +26,8 @@ pub(crate) struct Trusted {
 }
 
 impl Trusted {
-    /// Of the surface's `H` before and what is wanted in its place; `offset` is how far each vertex lies to the side of a smooth curve.
+    /// Of the surface's `H` before and what is wanted in its place; `offset` is how far each vertex lies to the side
+    /// of a smooth curve.
     pub(super) fn new(
         modes: &LoopModes,
         [before, wanted, offset]: [&[f64]; 3],
@@ -49,7 +50,7 @@ impl Trusted {
             .collect();
         let change = modes.sum(&certain_waves(modes, &weighed, fitted));
         let whole = modes.product(&told, &told).max(f64::MIN_POSITIVE);
-        let error = modes.product(&fitted.error, &fitted.error);
+        let error = modes.product(&fitted.noise.error, &fitted.noise.error);
         Self {
             part: (modes.product(&told, &change) / whole).clamp(0.0, 1.0),
             change,
@@ -74,19 +75,27 @@ fn around_vertices(modes: &LoopModes, told: &[f64], [rough, own]: [&[f64]; 2]) -
 /// The parts of the modes in a mismatch, less where they are uncertain. Both waves of a length are treated alike: it does not matter
 /// where the loop begins.
 fn certain_waves(modes: &LoopModes, mismatch: &[f64], fitted: &Surroundings) -> Vec<f64> {
-    // Neighbours share most of their samples: noise is in waves longer than these reach.
-    let shared = (2.0 * fitted.rings as f64 / mismatch.len() as f64).min(1.0);
-    let noise = shared * modes.product(&fitted.error, &fitted.error);
-    let differences = LoopModes::energies(&modes.parts(&fitted.difference));
+    let noise = fitted.noise.of_a_wave(modes);
+    let mut differences = LoopModes::energies(&modes.parts(&fitted.difference));
+    // Narrow samples are taken where the mesh is smooth: what differs there is no noise.
+    let is_wide = fitted.noise.rings >= fitted.trace_noise.rings;
+    let of_trace = f64::from(u8::from(is_wide)) * fitted.trace_noise.of_a_wave(modes);
+    for (m, difference) in differences.iter_mut().enumerate() {
+        *difference = (*difference - waves(m) * of_trace).max(0.0);
+    }
     let mean = differences.iter().sum::<f64>() / differences.len() as f64;
     let mut parts = modes.parts(mismatch);
     let energies = LoopModes::energies(&parts);
     for (m, (part, energy)) in parts.iter_mut().zip(energies).enumerate() {
-        let waves = if m == 0 { 1.0 } else { 2.0 };
-        let doubt = waves * noise + differences[m] + mean;
-        *part *= (1.0 - DOUBT_COUNTS * doubt / energy.max(f64::MIN_POSITIVE)).max(0.0);
+        let doubt = waves(m) * noise + differences[m] + mean;
+        *part *= (1.0 - (DOUBT_COUNTS * doubt / energy.max(f64::MIN_POSITIVE)).powi(2)).max(0.0);
     }
     parts
+}
+
+/// Both waves of a length are one energy.
+fn waves(m: usize) -> f64 {
+    if m == 0 { 1.0 } else { 2.0 }
 }
 
 /// What is left of what the modes cannot tell where it is not in proportion to the offsets around: a boundary that zigzags on a surface
@@ -131,6 +140,7 @@ fn averaged(values: &[f64], around: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::surroundings::Noise;
     use nalgebra::Vector3;
     use std::f64::consts::TAU;
 
@@ -147,10 +157,20 @@ mod tests {
     fn fitted(h: &[f64], error: f64) -> Surroundings {
         Surroundings {
             h: h.iter().map(|h| Some(*h)).collect(),
-            error: vec![error; N],
+            noise: Noise {
+                error: vec![error; N],
+                rings: 4,
+            },
             difference: vec![0.0; N],
+            trace_noise: none(),
             is_given: vec![false; N],
-            rings: 4,
+        }
+    }
+
+    fn none() -> Noise {
+        Noise {
+            error: vec![0.0; N],
+            rings: 7,
         }
     }
 

@@ -5,6 +5,7 @@
 
 use super::problem::Domain;
 use crate::discrete::boundary_samples::BoundarySamples;
+use crate::discrete::loop_modes::LoopModes;
 use crate::discrete::mesh_curvature::closed_ring_curvature;
 use crate::discrete::one_sided_curvature::OneSided;
 use crate::discrete::trace::{Reach, Trace};
@@ -15,6 +16,11 @@ use nalgebra::Vector3;
 /// As many fits as this part of a loop has to have, to be compared with others.
 pub(super) const MOST_FITS: f64 = 0.9;
 
+/// A difference of more than so many times the median is an outlier.
+const DISPUTED: f64 = 6.0;
+/// Gaps of so many vertices between fits are bridged: some vertices of irregular meshes have too few samples.
+const LONGEST_GAP: usize = 5;
+
 /// `H` with its standard error at each vertex of a loop, where there are enough samples.
 type Fitted = Vec<Option<[f64; 2]>>;
 
@@ -23,14 +29,32 @@ type Fitted = Vec<Option<[f64; 2]>>;
 pub(super) struct Surroundings {
     /// `H`, where anything is known.
     pub h: Vec<Option<f64>>,
-    /// Its standard errors; 0 where it is given.
-    pub error: Vec<f64>,
-    /// The fit to positions less the trace.
+    /// Its noise; none where it is given.
+    pub noise: Noise,
+    /// The fit to positions less the trace,
     pub difference: Vec<f64>,
+    /// and the noise of the trace: so much of the difference speaks of the trace alone.
+    pub trace_noise: Noise,
     /// Where it is given.
     pub is_given: Vec<bool>,
-    /// How many edges the samples of the fit reach.
+}
+
+/// The noise of fits along a loop.
+#[derive(Debug, Default)]
+pub(super) struct Noise {
+    /// Standard error at each vertex.
+    pub error: Vec<f64>,
+    /// How many edges the samples reach.
     pub rings: usize,
+}
+
+impl Noise {
+    /// The variance that this means for one wave along the loop. Neighbours share most of their samples: noise is in waves longer than
+    /// these reach.
+    pub(super) fn of_a_wave(&self, modes: &LoopModes) -> f64 {
+        let shared = (2.0 * self.rings as f64 / self.error.len() as f64).min(1.0);
+        shared * modes.product(&self.error, &self.error)
+    }
 }
 
 /// The surface outside.
@@ -59,35 +83,49 @@ impl<'d> Outside<'d> {
         normals: &[Vector3<f64>],
         given: impl Fn(u32) -> Option<f64>,
     ) -> Option<Surroundings> {
-        let of_kind = |kind: OneSided| {
-            let fitted = self.fitted(vertices, normals, kind);
-            Some((typical_error(&fitted)?, kind.rings(), fitted))
+        let of_kind = |kind: OneSided| Estimate::new(kind.rings(), self.fitted(vertices, normals, kind));
+        let fits = OneSided::ALL.into_iter().filter_map(of_kind);
+        let mut fit = fits.min_by(Estimate::more_certain);
+        let mut trace = Estimate::new(Reach::Wide.rings(), self.traced(vertices, normals));
+        let mut differences = vec![0.0; vertices.len()];
+        let mut trace_noise = Noise {
+            error: vec![0.0; vertices.len()],
+            rings: Reach::Wide.rings(),
         };
-        let certain = |a: &(f64, usize, Fitted), b: &(f64, usize, Fitted)| a.0.total_cmp(&b.0);
-        let fit = OneSided::ALL.into_iter().filter_map(of_kind).min_by(certain);
-        let trace = self.traced(vertices, normals);
-        let difference = |k: usize| Some(fit.as_ref()?.2[k]?[0] - trace[k]?[0]);
-        let differences: Vec<f64> = (0..vertices.len())
-            .map(|k| difference(k).unwrap_or(0.0))
-            .collect();
-        let traced = typical_error(&trace).map(|error| (error, Reach::Wide.rings(), trace));
-        let best = fit.into_iter().chain(traced).min_by(certain);
+        if let (Some(fit), Some(trace)) = (&mut fit, &mut trace) {
+            leave_disputed(fit, trace);
+            for (k, (a, b)) in fit.at.iter().zip(&trace.at).enumerate() {
+                if let (Some([fitted, _]), Some([traced, error])) = (a, b) {
+                    differences[k] = fitted - traced;
+                    trace_noise.error[k] = *error;
+                }
+            }
+        }
+        let best = fit.into_iter().chain(trace).min_by(Estimate::more_certain);
         if best.is_none() && vertices.iter().all(|&b| given(b).is_none()) {
             return None;
         }
-        let (_, rings, fitted) = best.unwrap_or_else(|| (0.0, 0, vec![None; vertices.len()]));
+        let mut best = best.unwrap_or_else(|| Estimate {
+            error: 0.0,
+            rings: 0,
+            at: vec![None; vertices.len()],
+        });
+        bridge_gaps(&mut best.at);
         let mut this = Surroundings {
-            h: fitted.iter().map(|h| h.map(|h| h[0])).collect(),
-            error: fitted.iter().map(|h| h.map_or(0.0, |h| h[1])).collect(),
+            h: best.at.iter().map(|h| h.map(|h| h[0])).collect(),
+            noise: Noise {
+                error: best.at.iter().map(|h| h.map_or(0.0, |h| h[1])).collect(),
+                rings: best.rings,
+            },
             difference: differences,
+            trace_noise,
             is_given: vec![false; vertices.len()],
-            rings,
         };
         for (k, &b) in vertices.iter().enumerate() {
             if let Some(h) = given(b) {
                 this.h[k] = Some(h);
                 this.is_given[k] = true;
-                (this.error[k], this.difference[k]) = (0.0, 0.0);
+                (this.noise.error[k], this.difference[k], this.trace_noise.error[k]) = (0.0, 0.0, 0.0);
             }
         }
         Some(this)
@@ -149,6 +187,68 @@ impl<'d> Outside<'d> {
     }
 }
 
+/// Estimates of `H` along a loop.
+struct Estimate {
+    /// Median of the standard errors.
+    error: f64,
+    /// How many edges the samples reach.
+    rings: usize,
+    at: Fitted,
+}
+
+impl Estimate {
+    /// `None` where there are too few.
+    fn new(rings: usize, at: Fitted) -> Option<Self> {
+        let error = typical_error(&at)?;
+        Some(Self { error, rings, at })
+    }
+
+    fn more_certain(&self, other: &Self) -> std::cmp::Ordering {
+        self.error.total_cmp(&other.error)
+    }
+}
+
+/// Where two estimates differ by far more than elsewhere one has met a poor ring: the one that is less certain than usual is left out.
+fn leave_disputed(fit: &mut Estimate, trace: &mut Estimate) {
+    let pairs = fit.at.iter().zip(&trace.at);
+    let difference =
+        |(a, b): (&Option<[f64; 2]>, &Option<[f64; 2]>)| Some((a.as_ref()?[0] - b.as_ref()?[0]).abs());
+    let differences: Vec<Option<f64>> = pairs.map(difference).collect();
+    let mut sizes: Vec<f64> = differences.iter().copied().flatten().collect();
+    if sizes.is_empty() {
+        return;
+    }
+    let middle = sizes.len() / 2;
+    let most = DISPUTED * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let is_disputed = |k: &usize| differences[*k].is_some_and(|d| d > most);
+    for k in (0..differences.len()).filter(is_disputed) {
+        let doubts = [&fit, &trace].map(|e| e.at[k].map_or(0.0, |h| h[1] / e.error.max(f64::MIN_POSITIVE)));
+        let least = doubts[0].min(doubts[1]);
+        for (estimate, doubt) in [&mut *fit, &mut *trace].into_iter().zip(doubts) {
+            if doubt > least || doubt > DISPUTED {
+                estimate.at[k] = None;
+            }
+        }
+    }
+}
+
+/// Interpolates between the fits beside short gaps.
+fn bridge_gaps(fitted: &mut Fitted) {
+    let n = fitted.len();
+    let known: Vec<usize> = (0..n).filter(|&k| fitted[k].is_some()).collect();
+    for (i, &a) in known.iter().enumerate() {
+        let b = known[(i + 1) % known.len()];
+        let gap = (b + n - a - 1) % n;
+        let (Some(before), Some(after)) = (fitted[a], fitted[b]) else {
+            continue;
+        };
+        for j in 1..=gap * usize::from(gap <= LONGEST_GAP) {
+            let t = j as f64 / (gap + 1) as f64;
+            fitted[(a + j) % n] = Some([0, 1].map(|c| before[c] + t * (after[c] - before[c])));
+        }
+    }
+}
+
 /// The median of the standard errors, where there are enough fits.
 fn typical_error(fitted: &Fitted) -> Option<f64> {
     let mut errors: Vec<f64> = fitted.iter().flatten().map(|[_, error]| *error).collect();
@@ -157,4 +257,43 @@ fn typical_error(fitted: &Fitted) -> Option<f64> {
     }
     let middle = errors.len() / 2;
     Some(*errors.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_gaps_are_bridged_and_long_ones_are_not() {
+        let of = |h: f64| Some([h, 0.1]);
+        let mut fitted = vec![None, of(1.0), None, None, None, of(3.0)];
+        fitted.extend([None; 6]);
+        fitted.push(of(1.0));
+        bridge_gaps(&mut fitted);
+        let h: Vec<_> = fitted.iter().map(|f| f.map(|f| f[0])).collect();
+        let known = [1.0, 1.0, 1.5, 2.0, 2.5, 3.0].map(Some);
+        assert_eq!(h[..6], known);
+        assert!(h[6..12].iter().all(Option::is_none) && h[12] == Some(1.0));
+        let mut one = vec![None, of(2.0), None];
+        bridge_gaps(&mut one);
+        assert!(one.iter().all(|f| *f == of(2.0)));
+    }
+
+    /// A spike in one of two estimates is taken from that one, and from both where neither is certain.
+    #[test]
+    fn a_spike_is_left_out() {
+        let spiked = |error: f64, other: f64| {
+            let of = |h: f64, error: f64| Some([h, error]);
+            let mut fit: Fitted = (0..20).map(|k| of(1.0 + 0.01 * f64::from(k % 3), 0.1)).collect();
+            let mut trace: Fitted = vec![of(1.03, 0.1); 20];
+            fit[7] = of(1.5, error);
+            trace[7] = of(1.03, other);
+            let [mut fit, mut trace] = [fit, trace].map(|at| Estimate::new(4, at).unwrap());
+            leave_disputed(&mut fit, &mut trace);
+            [fit, trace].map(|e| (0..20).filter(|&k| e.at[k].is_none()).collect::<Vec<_>>())
+        };
+        assert_eq!(spiked(0.4, 0.1), [vec![7], vec![]]);
+        assert_eq!(spiked(0.1, 0.2), [vec![], vec![7]]);
+        assert_eq!(spiked(0.8, 0.9), [vec![7], vec![7]]);
+    }
 }

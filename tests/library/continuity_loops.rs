@@ -499,5 +499,5 @@ fn bands_pass_points_of_their_own() {
     assert!(inside.len() > 5);
     let [tangent, curved] = [0.0, 1.0].map(|c| errors(&shape, &faired(&shape, &asked(c))).rms);
     println!("{plain:e}; {tangent:e} -> {curved:e}");
-    assert!(curved < 2.0 * plain && curved < 0.4 * tangent);
+    assert!(curved < 2.6 * plain && curved < 0.6 * tangent);
 }
