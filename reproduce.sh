@@ -5,7 +5,23 @@
 # per line, from 0), and from where they are seen ('right', '0,1,0.3', ...).
 #   ./reproduce.sh measurements
 # writes docs/measurements.md: accuracy, times, holes and known shortfalls, in a few minutes.
+#   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW[/UP]]...
+# writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl (from PyPI, into
+# target/continuity) and CGAL (Debian's libcgal-dev, if it is there).
 set -euo pipefail
 cd "$(dirname "$0")"
 cargo build --release --locked --bin fairmesh --example reproduce
-exec target/release/examples/reproduce target/release/fairmesh "$@"
+release=${CARGO_TARGET_DIR:-target}/release
+if [ "${1:-}" = continuity ]; then
+    wanted="numpy==2.4.6 scipy==1.17.1 libigl==2.6.3"
+    home=target/continuity
+    if [ "$(cat "$home/wanted" 2>/dev/null)" != "$wanted" ]; then
+        rm -rf "$home"
+        python3 -m venv "$home"
+        # shellcheck disable=SC2086
+        "$home/bin/pip" --disable-pip-version-check install -q $wanted
+        echo "$wanted" >"$home/wanted"
+    fi
+    set -- "$@" --python "$home/bin/python"
+fi
+exec "$release/examples/reproduce" "$release/fairmesh" "$@"

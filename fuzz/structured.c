@@ -36,6 +36,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
     fairmesh_status status;
+    uint32_t on_loop;
+    double how_far;
     uint8_t what;
     memset(&mesh, 0, sizeof mesh);
     memset(&selection, 0, sizeof selection);
@@ -80,6 +82,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.boundary_normals.kind = what / 4u % 2u;
     options.interior_normals = what / 8u % 2u;
     options.continuity = what / 16u % 2u;
+    if (what & 128) {
+        on_loop = (uint32_t)(next(&bytes) % (vertices + 1));
+        how_far = 0.5 + 0.5 * unit(&bytes);
+        options.loop_continuity.values.data = &how_far;
+        options.loop_continuity.values.count = 1;
+        options.loop_continuity.values.scalar = FAIRMESH_SCALAR_FLOAT64;
+        options.loop_continuity.vertices.data = &on_loop;
+        options.loop_continuity.vertices.count = 1;
+    }
     mesh.struct_size = sizeof mesh;
     mesh.positions.data = positions;
     mesh.positions.count = vertices;

@@ -190,6 +190,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_VALENCE_TOO_LARGE = 33,
     /**
+     * A vertex is on no boundary loop of the region.
+     */
+    FAIRMESH_STATUS_NOT_ON_LOOP = 34,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -1212,6 +1216,20 @@ typedef struct fairmesh_boundary_curvature {
 } fairmesh_boundary_curvature;
 
 /**
+ * How far curvature is continued along single boundary loops. All zero: along all loops alike.
+ */
+typedef struct fairmesh_loop_continuity {
+    /**
+     * From 0 (tangent planes alone) to 1 (curvature) each.
+     */
+    struct fairmesh_numbers values;
+    /**
+     * For each number a vertex of the loop that it holds for. Of several numbers for one loop the last one holds.
+     */
+    struct fairmesh_indices vertices;
+} fairmesh_loop_continuity;
+
+/**
  * What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
  */
 typedef struct fairmesh_options {
@@ -1315,6 +1333,10 @@ typedef struct fairmesh_options {
      * Where that curvature comes from. Default: fitted.
      */
     struct fairmesh_boundary_curvature boundary_curvature;
+    /**
+     * The same for single boundary loops, in place of `continuity`. Default: none.
+     */
+    struct fairmesh_loop_continuity loop_continuity;
 } fairmesh_options;
 
 /**
@@ -2247,7 +2269,7 @@ fairmesh_status fairmesh_self_intersections(const struct fairmesh_mesh *mesh,
                                             struct fairmesh_error *error);
 
 /**
- * Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in
+ * Makes a solver, which fairs in steps: run some iterations, look, change the normals, the continuity or the target, go on. Arguments as in
  * `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
  * find what `fairmesh_fair` finds, to the last bit. `solver` gets a handle; free it by `fairmesh_solver_free`.
  */
@@ -2284,6 +2306,24 @@ FAIRMESH_API
 fairmesh_status fairmesh_solver_set_target(struct fairmesh_solver *solver,
                                            const struct fairmesh_target *new_target,
                                            struct fairmesh_error *error);
+
+/**
+ * Asks for another continuity of curvature from now on, and for that of single boundary loops; `of_loops` may be NULL: all are alike. The
+ * next run starts at the surface at hand, with the matrices at hand.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_set_continuity(struct fairmesh_solver *solver,
+                                               double continuity,
+                                               const struct fairmesh_loop_continuity *of_loops,
+                                               struct fairmesh_error *error);
+
+/**
+ * Asks for the continuation of another curvature from now on. The next run starts at the surface at hand, with the matrices at hand.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_set_boundary_curvature(struct fairmesh_solver *solver,
+                                                       const struct fairmesh_boundary_curvature *curvature,
+                                                       struct fairmesh_error *error);
 
 /**
  * All positions as they stand: of the last iteration run; before the first one, the input's.

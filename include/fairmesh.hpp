@@ -363,6 +363,15 @@ public:
         return report;
     }
     void set_boundary_normals(const fairmesh_boundary_normals &normals) { detail::call(fairmesh_solver_set_boundary_normals, handle_, &normals); }
+    void set_continuity(double continuity) {
+        detail::call(fairmesh_solver_set_continuity, handle_, continuity, static_cast<const fairmesh_loop_continuity *>(nullptr));
+    }
+    void set_continuity(double continuity, const fairmesh_loop_continuity &of_loops) {
+        detail::call(fairmesh_solver_set_continuity, handle_, continuity, &of_loops);
+    }
+    void set_boundary_curvature(const fairmesh_boundary_curvature &curvature) {
+        detail::call(fairmesh_solver_set_boundary_curvature, handle_, &curvature);
+    }
     void set_target(const fairmesh_target &target) { detail::call(fairmesh_solver_set_target, handle_, &target); }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_solver_positions, handle_, &out); }
     void mean_curvature(const fairmesh_scalars_out &out) const {

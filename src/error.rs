@@ -145,6 +145,12 @@ pub enum Error {
         /// The vertex.
         vertex: usize,
     },
+    /// A number is given for the boundary loop through a vertex, but none goes through it.
+    #[error("vertex {vertex} is on no boundary loop of the region")]
+    NotOnLoop {
+        /// The vertex.
+        vertex: usize,
+    },
     /// A vertex has more than 1,000 region triangles: every two of its neighbours are an entry of the solver's matrix.
     #[error(
         "vertex {vertex} has {valence} triangles in the region: more than {}",
@@ -219,6 +225,7 @@ table!(Error {
         "a coordinate is so large that lengths exceed the range of doubles", "scale the mesh down";
     33 "valence_too_large" Error::ValenceTooLarge { .. } =>
         "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
+    34 "not_on_loop" Error::NotOnLoop { .. } => "a vertex is on no boundary loop of the region", "name a fixed vertex beside a free one";
 });
 
 impl Error {
@@ -249,6 +256,7 @@ impl Error {
             | Self::NothingFixed { vertex }
             | Self::BadNormal { vertex }
             | Self::NoNormal { vertex }
+            | Self::NotOnLoop { vertex }
             | Self::CoordinateTooLarge { vertex, .. }
             | Self::ValenceTooLarge { vertex, .. } => *vertex = vertex_id(*vertex),
             Self::RepeatedIndex { triangle, vertex } => {

@@ -27,8 +27,9 @@ use crate::solve::control::{Callback, Interrupt};
 use crate::solve::{self, Control};
 use component_solution::{ComponentSolution, whole};
 use conclusion::Found;
+pub(crate) use continuity::check_loops;
 pub use continuity::{BoundaryCurvature, CurvatureContinuity};
-pub(crate) use joined::joined_options;
+pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};
 use prepared::Prepared;
@@ -139,7 +140,7 @@ fn run_joined<'a>(
         progress,
         interrupt,
     )
-    .map_err(|error| joined::in_given(error, &joined.copies, &options.boundary_normals))?;
+    .map_err(|error| in_given(error, &joined.copies, options))?;
     joined::spread(&mut solution, &joined.copies);
     solution.report.seconds.setup += seconds;
     solution.report.seconds.total += seconds;
@@ -156,7 +157,13 @@ fn run<'a>(
 ) -> Result<Solution, Error> {
     let clock = Instant::now();
     let _clock = profile::clock("rest");
-    let components = Prepared::of_components(positions, triangles, selection, options)?;
+    let components = Prepared::of_components(
+        positions,
+        triangles,
+        selection,
+        options,
+        options.asks_continuity(),
+    )?;
     let setup = clock.elapsed().as_secs_f64();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
     let mut shares = Shares::new(progress, interrupt, undone);

@@ -1,9 +1,10 @@
 //! The paper's figures, table and claims, measured: writes `REPRODUCTION.md` and `docs/reproduction/*.png`; or
-//! `docs/measurements.md`.
+//! `docs/measurements.md`; or `docs/g2.md` and `docs/g2/*.png`.
 //!
 //! ```text
 //! reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N]
 //! reproduce FAIRMESH measurements
+//! reproduce FAIRMESH continuity [--python PYTHON] [--scan NAME MESH FREE-VERTICES VIEW]...
 //! ```
 //!
 //! NAME should say where the scan comes from; its picture goes into the document. `FAIRMESH` is the program; it makes the inputs, the surfaces and the pictures. `./reproduce.sh` builds it first.
@@ -11,7 +12,9 @@
 #![allow(unreachable_pub, reason = "nothing of a program is reachable from outside")]
 #![allow(clippy::print_stderr, reason = "tells how far it is")]
 
+mod boundary;
 mod claims;
+mod continuity;
 mod figures;
 mod machine;
 mod measure;
@@ -31,6 +34,9 @@ struct Arguments {
     scans: Vec<Scan>,
     runs: usize,
     measurements: bool,
+    continuity: bool,
+    /// Runs `benches/continuity_peers.py`.
+    python: Option<PathBuf>,
 }
 
 /// A scan to be shown, as the paper's Figs. 9 and 10 do.
@@ -52,6 +58,8 @@ fn arguments() -> Option<Arguments> {
         scans: Vec::new(),
         runs: 5,
         measurements: false,
+        continuity: false,
+        python: None,
     };
     while let Some(word) = words.next() {
         match word.as_str() {
@@ -62,7 +70,9 @@ fn arguments() -> Option<Arguments> {
                 view: words.next()?,
             }),
             "--runs" => arguments.runs = words.next()?.parse().ok().filter(|n| *n > 0)?,
+            "--python" => arguments.python = Some(words.next()?.into()),
             "measurements" => arguments.measurements = true,
+            "continuity" => arguments.continuity = true,
             _ => return None,
         }
     }
@@ -72,11 +82,20 @@ fn arguments() -> Option<Arguments> {
 fn main() -> io::Result<()> {
     let Some(arguments) = arguments() else {
         return Err(io::Error::other(
-            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N] | measurements",
+            "usage: reproduce FAIRMESH [--scan NAME MESH FREE-VERTICES VIEW]... [--runs N] | measurements | continuity",
         ));
     };
     let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let work = root.join("target/reproduction");
+    if arguments.continuity {
+        let tool = Tool::new(arguments.binary, work, root.join("docs/g2"))?;
+        let peers = arguments.python.map(|python| continuity::Peers {
+            python,
+            script: root.join("benches/continuity_peers.py"),
+        });
+        let text = continuity::document(&tool, peers.as_ref(), &arguments.scans, &machine())?;
+        return fs::write(root.join("docs/g2.md"), text);
+    }
     let tool = Tool::new(arguments.binary, work, root.join("docs/reproduction"))?;
     if arguments.measurements {
         let text = measurements::document(&tool, &machine())?;

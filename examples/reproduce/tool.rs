@@ -72,6 +72,13 @@ impl Run {
         [0, 1].map(|k| pair[k].as_f64().unwrap_or(f64::NAN))
     }
 
+    /// A number of each boundary loop along which curvature is continued.
+    pub fn of_loops(&self, name: &str) -> Vec<f64> {
+        let components = self.report["components"].as_array().into_iter().flatten();
+        let loops = components.flat_map(|c| c["continuity"].as_array().into_iter().flatten());
+        loops.map(|l| l[name].as_f64().unwrap_or(f64::NAN)).collect()
+    }
+
     /// Vertices of the levels of the paper's hierarchy, from the base on, where the report has them.
     pub fn levels(&self) -> Vec<usize> {
         let levels = self.report["levels"].as_array().into_iter().flatten();
@@ -129,6 +136,29 @@ impl Tool {
         }
         self.run(&all)?;
         read_case(name, file, free_file, Some(normals_file))
+    }
+
+    /// A mesh with what is free in it, as files.
+    pub fn put(
+        &self,
+        name: &str,
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        free: &[u32],
+    ) -> io::Result<Case> {
+        let (file, free_file) = (
+            self.work.join(format!("{name}.ply")),
+            self.work.join(format!("{name}.free.txt")),
+        );
+        fs::write(&file, ply(positions, triangles))?;
+        let lines: String = free.iter().map(|v| format!("{v}\n")).collect();
+        fs::write(&free_file, lines)?;
+        read_case(name, file, free_file, None)
+    }
+
+    /// A mesh file that this program or its like has written, with its free vertices.
+    pub fn read(&self, name: &str, mesh: &Path, free: &Path) -> io::Result<Case> {
+        read_case(name, mesh.to_path_buf(), free.to_path_buf(), None)
     }
 
     /// A mesh file of somebody else's: its positions are not read here.
@@ -285,7 +315,7 @@ fn header(bytes: &[u8]) -> io::Result<(String, &[u8])> {
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
 /// A PLY file as this program writes it: doubles, then triangles with 32-bit counts and numbers.
-fn read_ply(path: &Path) -> io::Result<Mesh> {
+pub fn read_ply(path: &Path) -> io::Result<Mesh> {
     let bytes = fs::read(path)?;
     let (text, mut body) = header(&bytes)?;
     let count = |element: &str| {

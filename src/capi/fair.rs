@@ -63,7 +63,7 @@ pub extern "C" fn fairmesh_fair(
         let mut options = asked.read(mesh.vertices(), mesh.coincident)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, &asked)?)?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_fairing(&mesh, &selected, &asked, false)?)?;
         let callback = asked.callback.fresh();
         point();
         let solution = {

@@ -346,9 +346,9 @@ fn check_given(
 }
 
 /// Mean curvatures at the boundary, checked but not read; None: fitted.
-pub(crate) struct CurvatureIn(Option<GivenCurvature>);
+pub(crate) struct CurvatureIn(Option<GivenNumbers>);
 
-struct GivenCurvature {
+struct GivenNumbers {
     values: NumbersIn<1>,
     vertices: Array,
 }
@@ -380,7 +380,7 @@ impl CurvatureIn {
         let count = place.field(offset_of!(fairmesh_numbers, count), "count");
         check_given(&values.array, &list, vertices, count, aliases)?;
         let vertices = list;
-        Ok(Self(Some(GivenCurvature { values, vertices })))
+        Ok(Self(Some(GivenNumbers { values, vertices })))
     }
 
     pub(crate) fn read(&self, vertices: usize) -> CallResult<BoundaryCurvature> {
@@ -413,5 +413,62 @@ impl CurvatureIn {
             given.push((vertex, h));
         }
         Ok(BoundaryCurvature::Given(given))
+    }
+}
+
+/// Numbers for single boundary loops, checked but not read; None: there are none.
+pub(crate) struct LoopsIn(Option<GivenNumbers>);
+
+impl LoopsIn {
+    pub(crate) fn new(
+        view: &fairmesh_loop_continuity,
+        base: FieldPath,
+        aliases: &mut AliasCheck,
+    ) -> CallResult<Self> {
+        let place = base.field(offset_of!(fairmesh_loop_continuity, vertices), "vertices");
+        let vertices = indices_in(&view.vertices, 1, place)?;
+        if view.values.count == 0 && vertices.count == 0 {
+            return Ok(Self(None));
+        }
+        let place = base.field(offset_of!(fairmesh_loop_continuity, values), "values");
+        let values = NumbersIn::<1>::new(&view.values, place)?;
+        let count = place.field(offset_of!(fairmesh_numbers, count), "count");
+        check_count(values.array.count, vertices.count, count)?;
+        aliases.input(values.array.data, values.array.bytes);
+        aliases.input(vertices.data, vertices.bytes);
+        Ok(Self(Some(GivenNumbers { values, vertices })))
+    }
+
+    /// Whether there is any.
+    pub(crate) fn are_given(&self) -> bool {
+        self.0.is_some()
+    }
+
+    pub(crate) fn read(&self, vertices: usize) -> CallResult<Vec<(u32, f64)>> {
+        let Some(view) = &self.0 else {
+            return Ok(Vec::new());
+        };
+        let mut given = try_with_capacity(view.vertices.count)?;
+        for k in 0..view.vertices.count {
+            let (vertex, [blend]) = (view.vertices.index::<1>(k)[0], view.values.get(k));
+            let refused = |status, why| {
+                let failure = Failure::new(status, why);
+                Err(failure.at(fairmesh_element::Vertex, vertex as usize))
+            };
+            if vertex as usize >= vertices {
+                let why = format_args!(
+                    "a continuity is given for the loop of vertex {vertex}, but there are only {vertices}"
+                );
+                return refused(Status::SelectionOutOfRange, why);
+            }
+            if !(0.0..=1.0).contains(&blend) {
+                let why = format_args!(
+                    "the continuity given for the loop of vertex {vertex} is not between 0 and 1"
+                );
+                return refused(Status::BadOption, why);
+            }
+            given.push((vertex, blend));
+        }
+        Ok(given)
     }
 }

@@ -39,8 +39,13 @@ fn threads(asked: usize) -> usize {
     }
 }
 
-/// For fairing a region.
-pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked: &OptionsIn) -> CallResult<usize> {
+/// For fairing a region at once, or in steps, before which curvature may be asked for any time.
+pub(crate) fn of_fairing(
+    mesh: &MeshIn,
+    selected: &Selected,
+    asked: &OptionsIn,
+    in_steps: bool,
+) -> CallResult<usize> {
     let free = selected.candidates(mesh)?;
     // The two-ring of a vertex has as many members as its neighbours have neighbours, at most.
     let mut valence = try_with_capacity::<u32>(mesh.vertices())?;
@@ -71,7 +76,8 @@ pub(crate) fn of_fairing(mesh: &MeshIn, selected: &Selected, asked: &OptionsIn) 
         .filter(|(v, f)| **f && connected.0[*v] == *v as u32);
     let components = roots.count().saturating_sub(1).saturating_mul(COMPONENT);
     let free = free.iter().filter(|f| **f).count();
-    let region = of_region(free, irregular, asked).saturating_add(components);
+    let continued = in_steps || asked.asks_continuity();
+    let region = of_region(free, irregular, continued).saturating_add(components);
     Ok(sum(mesh, asked.threads()).saturating_add(region))
 }
 
@@ -99,9 +105,9 @@ fn sum(mesh: &MeshIn, asked_threads: usize) -> usize {
     BASE + threads(asked_threads) * THREAD + counts
 }
 
-fn of_region(free: usize, irregular: usize, asked: &OptionsIn) -> usize {
+fn of_region(free: usize, irregular: usize, is_continued: bool) -> usize {
     let digits = (usize::BITS - free.leading_zeros()) as usize;
-    let continued = CONTINUED * usize::from(asked.continuity() > 0.0);
+    let continued = CONTINUED * usize::from(is_continued);
     free.saturating_mul(FREE + FREE_DIGIT * digits + continued)
         .saturating_add(irregular.saturating_mul(PATTERN))
 }
@@ -115,7 +121,8 @@ pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
 pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked: &OptionsIn) -> usize {
     // Triangulation is quadratic up to the length where ears are cut first.
     let table = longest.min(200).pow(2) * 64;
-    of_whole_mesh(mesh, asked.threads()) + table + of_region(vertices, 0, asked) + vertices * 2000
+    let region = of_region(vertices, 0, asked.asks_continuity());
+    of_whole_mesh(mesh, asked.threads()) + table + region + vertices * 2000
 }
 
 /// For remeshing a region.

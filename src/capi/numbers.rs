@@ -79,6 +79,8 @@ pub enum fairmesh_status {
     CoordinateTooLarge = 32,
     /// A vertex has more than 1,000 triangles in the region.
     ValenceTooLarge = 33,
+    /// A vertex is on no boundary loop of the region.
+    NotOnLoop = 34,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -365,6 +367,7 @@ impl fairmesh_status {
             31 => Self::BadReserved,
             32 => Self::CoordinateTooLarge,
             33 => Self::ValenceTooLarge,
+            34 => Self::NotOnLoop,
             99 => Self::Internal,
             _ => Self::Internal,
         }

@@ -4,7 +4,7 @@ use core::mem::offset_of;
 use libc::c_void;
 
 use super::callback::{HostCallback, fairmesh_progress_fn};
-use super::input::{CurvatureIn, NormalsIn};
+use super::input::{CurvatureIn, LoopsIn, NormalsIn};
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Argument, FieldPath, check_reserved, read_struct};
@@ -70,6 +70,8 @@ pub struct fairmesh_options {
     pub continuity: f64,
     /// Where that curvature comes from. Default: fitted.
     pub boundary_curvature: fairmesh_boundary_curvature,
+    /// The same for single boundary loops, in place of `continuity`. Default: none.
+    pub loop_continuity: fairmesh_loop_continuity,
 }
 
 /// The library's defaults, which are the C interface's.
@@ -120,17 +122,24 @@ pub(crate) fn default_options() -> fairmesh_options {
         boundary_curvature: fairmesh_boundary_curvature {
             kind: fairmesh_boundary_curvature_kind::Estimated as u32,
             reserved: 0,
-            values: fairmesh_numbers {
-                data: core::ptr::null(),
-                count: 0,
-                stride: 0,
-                scalar: fairmesh_scalar::Float64 as u32,
-                reserved: 0,
-            },
+            values: NO_NUMBERS,
+            vertices: NO_INDICES,
+        },
+        loop_continuity: fairmesh_loop_continuity {
+            values: NO_NUMBERS,
             vertices: NO_INDICES,
         },
     }
 }
+
+/// No numbers.
+const NO_NUMBERS: fairmesh_numbers = fairmesh_numbers {
+    data: core::ptr::null(),
+    count: 0,
+    stride: 0,
+    scalar: fairmesh_scalar::Float64 as u32,
+    reserved: 0,
+};
 
 /// No list.
 pub(crate) const NO_INDICES: fairmesh_indices = fairmesh_indices {
@@ -188,8 +197,9 @@ fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallR
 pub(crate) struct OptionsIn {
     pub normals: NormalsIn,
     pub curvature: CurvatureIn,
+    pub loops: LoopsIn,
     pub callback: HostCallback,
-    /// Boundary normals and curvature are not read yet.
+    /// Boundary normals, curvature and what is asked of single loops are not read yet.
     options: Options,
 }
 
@@ -212,6 +222,8 @@ impl OptionsIn {
             "boundary_curvature",
         );
         let curvature = CurvatureIn::new(&view.boundary_curvature, place, vertices, aliases)?;
+        let place = argument.field(offset_of!(fairmesh_options, loop_continuity), "loop_continuity");
+        let loops = LoopsIn::new(&view.loop_continuity, place, aliases)?;
         let asked = read_options(&view, argument)?;
         asked
             .validate()
@@ -223,6 +235,7 @@ impl OptionsIn {
         Ok(Self {
             normals,
             curvature,
+            loops,
             callback: HostCallback::new(view.progress, view.user_data),
             options: asked,
         })
@@ -244,9 +257,9 @@ impl OptionsIn {
         ))
     }
 
-    /// How far curvature is to be continued.
-    pub(crate) fn continuity(&self) -> f64 {
-        self.options.continuity
+    /// Whether curvature is to be continued.
+    pub(crate) fn asks_continuity(&self) -> bool {
+        self.options.continuity > 0.0 || self.loops.are_given()
     }
 
     /// With what is given per vertex of a mesh of so many.
@@ -254,6 +267,7 @@ impl OptionsIn {
         Ok(Options {
             boundary_normals: self.normals.read(vertices)?,
             boundary_curvature: self.curvature.read(vertices)?,
+            loop_continuity: self.loops.read(vertices)?,
             coincident,
             ..self.options.clone()
         })
@@ -306,6 +320,7 @@ fn read_options(view: &fairmesh_options, argument: Argument) -> CallResult<Optio
         boundary_normals: BoundaryNormals::default(),
         interior_normals,
         continuity: view.continuity,
+        loop_continuity: Vec::new(),
         boundary_curvature: BoundaryCurvature::default(),
         target: target(&view.target, place)?,
         inner_fairness,

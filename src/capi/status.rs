@@ -169,6 +169,7 @@ impl From<Error> for Failure {
             | Error::SelectionOutOfRange { index: vertex, .. }
             | Error::BadNormal { vertex }
             | Error::NoNormal { vertex }
+            | Error::NotOnLoop { vertex }
             | Error::ValenceTooLarge { vertex, .. } => failure.at(Vertex, vertex),
             _ => failure,
         }

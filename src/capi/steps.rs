@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::guard::{guarded, point};
 use super::handles;
-use super::input::{MeshIn, NormalsIn, SelectionIn};
+use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn, SelectionIn};
 use super::memory_bounds;
 use super::options::{OptionsIn, refused, target};
 use super::outputs::*;
@@ -19,7 +19,7 @@ use fairmesh::{Progress, Session};
 
 use fairmesh_status as Status;
 
-/// Makes a solver, which fairs in steps: run some iterations, look, change the normals or the target, go on. Arguments as in
+/// Makes a solver, which fairs in steps: run some iterations, look, change the normals, the continuity or the target, go on. Arguments as in
 /// `fairmesh_fair`; everything is copied except for the callback, which `fairmesh_solver_run` calls. Runs without changes
 /// find what `fairmesh_fair` finds, to the last bit. `solver` gets a handle; free it by `fairmesh_solver_free`.
 #[unsafe(no_mangle)]
@@ -43,7 +43,7 @@ pub extern "C" fn fairmesh_solver_new(
         let options = asked.read(mesh.vertices(), mesh.coincident)?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let need = memory_bounds::of_fairing(&mesh, &selected, &asked)?;
+        let need = memory_bounds::of_fairing(&mesh, &selected, &asked, true)?;
         let _reserve = memory_bounds::reserve(need)?;
         let standing = memory_bounds::reserve(memory_bounds::STANDING)?;
         let callback = asked.callback.fresh();
@@ -149,6 +149,65 @@ pub extern "C" fn fairmesh_solver_set_target(
             })
         };
         solver.session.set_target(asked).map_err(refused)?;
+        callback.memory()
+    })
+}
+
+/// Asks for another continuity of curvature from now on, and for that of single boundary loops; `of_loops` may be NULL: all are alike. The
+/// next run starts at the surface at hand, with the matrices at hand.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_set_continuity(
+    solver: *mut fairmesh_solver,
+    continuity: f64,
+    of_loops: *const fairmesh_loop_continuity,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        let mut of_each = None;
+        if !of_loops.is_null() {
+            check_pointer(of_loops, Argument(3))?;
+            aliases.input(of_loops, size_of::<fairmesh_loop_continuity>());
+            of_each = Some(LoopsIn::new(&read(of_loops), Argument(3).start(), &mut aliases)?);
+        }
+        aliases.error(error, Argument(4))?;
+        let mut solver = shared.take()?;
+        let vertices = solver.vertices;
+        let of_each = of_each.map_or(Ok(Vec::new()), |loops| loops.read(vertices))?;
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
+        point();
+        let refused = |error| refused(error, Argument(2), |argument, _| Some(argument.itself()));
+        solver
+            .session
+            .set_continuity(continuity, &of_each)
+            .map_err(refused)?;
+        callback.memory()
+    })
+}
+
+/// Asks for the continuation of another curvature from now on. The next run starts at the surface at hand, with the matrices at hand.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_solver_set_boundary_curvature(
+    solver: *mut fairmesh_solver,
+    curvature: *const fairmesh_boundary_curvature,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let shared = handles::get::<_, Shared>(solver, Argument(1))?;
+        check_pointer(curvature, Argument(2))?;
+        let mut solver = shared.take()?;
+        aliases.input(curvature, size_of::<fairmesh_boundary_curvature>());
+        let place = Argument(2).start();
+        let asked = CurvatureIn::new(&read(curvature), place, solver.vertices, &mut aliases)?;
+        aliases.error(error, Argument(3))?;
+        let asked = asked.read(solver.vertices)?;
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
+        point();
+        solver.session.set_boundary_curvature(asked)?;
         callback.memory()
     })
 }

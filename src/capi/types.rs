@@ -197,6 +197,16 @@ pub struct fairmesh_boundary_curvature {
     pub vertices: fairmesh_indices,
 }
 
+/// How far curvature is continued along single boundary loops. All zero: along all loops alike.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_loop_continuity {
+    /// From 0 (tangent planes alone) to 1 (curvature) each.
+    pub values: fairmesh_numbers,
+    /// For each number a vertex of the loop that it holds for. Of several numbers for one loop the last one holds.
+    pub vertices: fairmesh_indices,
+}
+
 /// The right-hand side of the equation. All zero: harmonic.
 #[repr(C)]
 #[derive(Clone, Copy)]

@@ -29,6 +29,16 @@ pub struct ContinuityArgs {
         verbatim_doc_comment
     )]
     pub continuity: f64,
+    /// The same for the boundary loop through a vertex of the file, in place of
+    /// --continuity; may be given several times
+    #[arg(
+        long,
+        value_name = "VERTEX=HOW-FAR",
+        value_parser = at_vertex,
+        help_heading = "Surface",
+        verbatim_doc_comment
+    )]
+    pub continuity_at: Vec<(u32, f64)>,
     /// The mean curvature to continue, where it is not to be fitted to the
     /// surroundings: a text file with 'vertex H' per line
     #[arg(
@@ -44,7 +54,7 @@ pub struct ContinuityArgs {
 impl ContinuityArgs {
     /// Whether more than tangent planes is asked for.
     pub fn is_asked(&self) -> bool {
-        self.continuity > 0.0
+        self.continuity > 0.0 || self.continuity_at.iter().any(|(_, blend)| *blend > 0.0)
     }
 
     /// Where the curvature of the surroundings comes from.
@@ -70,6 +80,14 @@ fn how_far(text: &str) -> Result<f64, String> {
             .filter(|blend| (0.0..=1.0).contains(blend))
             .ok_or_else(|| "expected g1, g2 or a number between 0 and 1".to_owned()),
     }
+}
+
+/// Reads `--continuity-at`.
+fn at_vertex(text: &str) -> Result<(u32, f64), String> {
+    let wrong = || "expected a vertex, '=', and g1, g2 or a number between 0 and 1".to_owned();
+    let (vertex, blend) = text.split_once('=').ok_or_else(wrong)?;
+    let vertex = vertex.trim().parse().map_err(|_| wrong())?;
+    Ok((vertex, how_far(blend.trim()).map_err(|_| wrong())?))
 }
 
 /// A line for each boundary loop; why there is none, where there is none.
@@ -130,6 +148,15 @@ mod tests {
         for text in ["g3", "G2", "", "-0.1", "1.01", "nan", "inf"] {
             let why = how_far(text).unwrap_err();
             assert_eq!(why, "expected g1, g2 or a number between 0 and 1", "{text}");
+        }
+    }
+
+    #[test]
+    fn a_vertex_and_a_part_of_the_way() {
+        assert_eq!(at_vertex("7=g2"), Ok((7, 1.0)));
+        assert_eq!(at_vertex("0 = 0.25"), Ok((0, 0.25)));
+        for text in ["7", "=1", "-1=1", "7=g3", "7=1=1", "x=g2", "7=1.5"] {
+            assert!(at_vertex(text).is_err(), "{text}");
         }
     }
 

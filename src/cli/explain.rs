@@ -85,6 +85,7 @@ fn vertex_of(error: &Error) -> Option<usize> {
         | Error::NothingFixed { vertex }
         | Error::BadNormal { vertex }
         | Error::NoNormal { vertex }
+        | Error::NotOnLoop { vertex }
         | Error::ValenceTooLarge { vertex, .. } => Some(vertex),
         Error::NonManifoldEdge { a, .. } | Error::InconsistentOrientation { a, .. } => Some(a),
         _ => None,

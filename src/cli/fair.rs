@@ -89,6 +89,7 @@ pub struct FairInput<'a> {
     pub selected: Selected,
     pub boundary_normals: BoundaryNormals,
     pub boundary_curvature: BoundaryCurvature,
+    pub loop_continuity: Vec<(u32, f64)>,
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -156,6 +157,7 @@ fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failu
         selected: selected.in_triangles(geometry),
         boundary_normals: selection::boundary_normals(&args.normals, vertex_count)?,
         boundary_curvature: args.continuity.boundary_curvature(vertex_count)?,
+        loop_continuity: args.continuity.continuity_at.clone(),
     })
 }
 
@@ -181,6 +183,7 @@ pub fn solve(
         boundary_normals: input.boundary_normals.clone(),
         interior_normals: surface.interior_normals(),
         continuity: args.continuity.continuity,
+        loop_continuity: input.loop_continuity.clone(),
         boundary_curvature: input.boundary_curvature.clone(),
         target: surface.target,
         inner_fairness: surface.inner_fairness(),

@@ -146,6 +146,7 @@ fn solve(
         fair: !args.no_fair,
         fairing: Options {
             continuity: args.continuity.continuity,
+            loop_continuity: args.continuity.continuity_at.clone(),
             boundary_curvature,
             tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
             output_precision,

@@ -47,6 +47,9 @@ pub fn remesh(
         }
         BoundaryCurvature::Estimated => BoundaryCurvature::Estimated,
     };
+    // All of them are kept: others were refused before.
+    let loops = input.loop_continuity.iter();
+    let loop_continuity = loops.filter_map(|&(v, blend)| Some((moved(v)?, blend)));
     let selected = Selected {
         kind: Kind::Vertex,
         elements: mesh.free,
@@ -56,5 +59,6 @@ pub fn remesh(
         selected,
         boundary_normals,
         boundary_curvature,
+        loop_continuity: loop_continuity.collect(),
     })
 }

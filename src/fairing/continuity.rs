@@ -1,8 +1,10 @@
 //! How far the surface continues the curvature of its surroundings: what is asked, and what came of it.
 
+use super::options::Options;
 use crate::error::Error;
 use crate::mesh::Region;
-use crate::solve::{AskedContinuity, LoopContinuity};
+use crate::mesh::boundary_loops::boundary_loops;
+use crate::solve::{AskedContinuity, Domain, LoopContinuity};
 
 /// Where the mean curvature along the boundary loops comes from that the surface is to continue, see
 /// [`Options::continuity`](crate::Options::continuity).
@@ -28,32 +30,63 @@ impl BoundaryCurvature {
 }
 
 /// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
-pub(super) fn asked_continuity(
-    region: &Region,
-    blend: f64,
-    curvature: &BoundaryCurvature,
-    scale: f64,
-) -> Option<AskedContinuity> {
-    if blend == 0.0 {
+pub(super) fn asked_continuity(region: &Region, options: &Options, scale: f64) -> Option<AskedContinuity> {
+    if !options.asks_continuity() {
         return None;
     }
-    let given = match curvature {
+    let given = match &options.boundary_curvature {
         BoundaryCurvature::Estimated => Vec::new(),
         BoundaryCurvature::Given(list) => {
-            let mut sorted = list.clone();
-            // Of repeated ones the last holds.
-            sorted.sort_by_key(|entry| entry.0);
-            let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
-            boundary
-                .map(|v| {
-                    let after = sorted.partition_point(|entry| entry.0 <= *v);
-                    let last = after.checked_sub(1).map(|k| sorted[k])?;
-                    (last.0 == *v).then_some(last.1 * scale)
-                })
-                .collect()
+            let scaled = list.iter().map(|(v, h)| (*v, h * scale));
+            at_boundary(region, scaled.collect())
         }
     };
-    Some(AskedContinuity { blend, given })
+    let of_loops = options.loop_continuity.iter().enumerate();
+    let of_loops: Vec<_> = of_loops
+        .map(|(place, (v, blend))| (*v, (place, *blend)))
+        .collect();
+    Some(AskedContinuity {
+        blend: options.continuity,
+        of_loops: if of_loops.is_empty() {
+            Vec::new()
+        } else {
+            at_boundary(region, of_loops)
+        },
+        given,
+    })
+}
+
+/// What is given for vertices, by boundary vertex. Of repeated ones the last holds.
+fn at_boundary<T: Copy>(region: &Region, mut list: Vec<(u32, T)>) -> Vec<Option<T>> {
+    list.sort_by_key(|entry| entry.0);
+    let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
+    boundary
+        .map(|v| {
+            let after = list.partition_point(|entry| entry.0 <= *v);
+            let last = after.checked_sub(1).map(|k| list[k])?;
+            (last.0 == *v).then_some(last.1)
+        })
+        .collect()
+}
+
+/// The vertices of all boundary loops, by the caller's numbers.
+pub(super) fn on_loops(domain: &Domain) -> impl Iterator<Item = u32> + '_ {
+    let region = &domain.region;
+    let loops = boundary_loops(region, &domain.rings).into_iter();
+    loops
+        .flatten()
+        .map(move |b| region.vertex_ids[region.free + b as usize])
+}
+
+/// Checks that the loops exist that numbers are given for. Nothing is looked for where none are.
+pub(crate) fn check_loops(list: &[(u32, f64)], on_loops: impl Iterator<Item = u32>) -> Result<(), Error> {
+    if list.is_empty() {
+        return Ok(());
+    }
+    let mut vertices: Vec<u32> = on_loops.collect();
+    vertices.sort_unstable();
+    let astray = list.iter().find(|(v, _)| vertices.binary_search(v).is_err());
+    astray.map_or(Ok(()), |(v, _)| Err(Error::NotOnLoop { vertex: *v as usize }))
 }
 
 /// What came of the continuity of curvature along one boundary loop, in the unit of the positions.

@@ -16,20 +16,30 @@ const SHORTEST_MEAN: f64 = 0.5;
 
 /// The options for the joined mesh.
 pub(crate) fn joined_options<'o>(copies: &Copies, options: &'o Options) -> Cow<'o, Options> {
-    let normals = joined_normals(copies, &options.boundary_normals);
-    let curvature = joined_curvature(copies, &options.boundary_curvature);
-    match (normals, curvature) {
-        (Cow::Borrowed(_), Cow::Borrowed(_)) => Cow::Borrowed(options),
-        (boundary_normals, boundary_curvature) => Cow::Owned(Options {
-            boundary_normals: boundary_normals.into_owned(),
-            boundary_curvature: boundary_curvature.into_owned(),
-            ..options.clone()
-        }),
+    if copies.is_empty() {
+        return Cow::Borrowed(options);
     }
+    Cow::Owned(Options {
+        boundary_normals: joined_normals(copies, &options.boundary_normals).into_owned(),
+        boundary_curvature: joined_curvature(copies, &options.boundary_curvature).into_owned(),
+        loop_continuity: joined_loops(copies, &options.loop_continuity),
+        ..options.clone()
+    })
+}
+
+/// The loops that the joined mesh has through these vertices.
+pub(super) fn joined_loops(copies: &Copies, loops: &[(u32, f64)]) -> Vec<(u32, f64)> {
+    loops
+        .iter()
+        .map(|&(v, blend)| (copies.smallest(v), blend))
+        .collect()
 }
 
 /// The boundary curvature for the joined mesh: the mean of what is given for the copies of a vertex.
-fn joined_curvature<'h>(copies: &Copies, curvature: &'h BoundaryCurvature) -> Cow<'h, BoundaryCurvature> {
+pub(super) fn joined_curvature<'h>(
+    copies: &Copies,
+    curvature: &'h BoundaryCurvature,
+) -> Cow<'h, BoundaryCurvature> {
     match curvature {
         BoundaryCurvature::Given(list) if !copies.is_empty() => {
             let mean = |of_copies: &[f64]| of_copies.iter().sum::<f64>() / of_copies.len() as f64;
@@ -81,17 +91,26 @@ fn mean(normals: &[[f64; 3]]) -> [f64; 3] {
     sum.normalize().into()
 }
 
-/// An error about a normal names the copy that it was given for.
-pub(super) fn in_given(error: Error, copies: &Copies, normals: &BoundaryNormals) -> Error {
-    let (Error::BadNormal { vertex }, BoundaryNormals::Given(list)) = (&error, normals) else {
-        return error;
-    };
-    let is_copy = |v: u32| copies.smallest(v) as usize == *vertex;
-    let of_vertex = || list.iter().filter(|(v, _)| is_copy(*v));
-    let odd = of_vertex().find(|(_, n)| !is_unit(&Vector3::from(*n)));
-    match odd.or_else(|| of_vertex().next()) {
-        Some(&(v, _)) => Error::BadNormal { vertex: v as usize },
-        None => error,
+/// An error about a normal or a loop names the copy that it was given for.
+pub(crate) fn in_given(error: Error, copies: &Copies, options: &Options) -> Error {
+    match (&error, &options.boundary_normals) {
+        (Error::BadNormal { vertex }, BoundaryNormals::Given(list)) => {
+            let is_copy = |v: u32| copies.smallest(v) as usize == *vertex;
+            let of_vertex = || list.iter().filter(|(v, _)| is_copy(*v));
+            let odd = of_vertex().find(|(_, n)| !is_unit(&Vector3::from(*n)));
+            match odd.or_else(|| of_vertex().next()) {
+                Some(&(v, _)) => Error::BadNormal { vertex: v as usize },
+                None => error,
+            }
+        }
+        (Error::NotOnLoop { vertex }, _) => {
+            let mut list = options.loop_continuity.iter();
+            match list.find(|(v, _)| copies.smallest(*v) as usize == *vertex) {
+                Some(&(v, _)) => Error::NotOnLoop { vertex: v as usize },
+                None => error,
+            }
+        }
+        _ => error,
     }
 }
 

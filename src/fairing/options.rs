@@ -102,6 +102,9 @@ pub struct Options {
     /// far as the surroundings are smooth enough to tell their curvature, see [`ComponentReport::continuity`](crate::ComponentReport::continuity). For
     /// the fast solver.
     pub continuity: f64,
+    /// The same for single boundary loops, `(vertex, number)`: for the loop through this vertex in place of `continuity`. Of several numbers
+    /// for one loop the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
+    pub loop_continuity: Vec<(u32, f64)>,
     /// Where that curvature comes from. Default: fitted to the surroundings.
     pub boundary_curvature: BoundaryCurvature,
     /// What `Delta_B H` has to be. Default: zero.
@@ -134,6 +137,7 @@ impl Default for Options {
             boundary_normals: BoundaryNormals::default(),
             interior_normals: InteriorNormals::default(),
             continuity: 0.0,
+            loop_continuity: Vec::new(),
             boundary_curvature: BoundaryCurvature::default(),
             target: Target::default(),
             inner_fairness: InnerFairness::default(),
@@ -186,10 +190,20 @@ impl Options {
     }
 
     fn validate_continuity(&self) -> Result<(), Error> {
-        let (blend, is_fast) = (self.continuity, self.solver == Solver::Fast);
         let range = "between 0 and 1; 0 for the paper's solver";
-        let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
-        Error::check_option("continuity", blend, is_fine, range)?;
+        let is_fast = self.solver == Solver::Fast;
+        let check = |name, blend: f64| {
+            let is_fine = (0.0..=1.0).contains(&blend) && (is_fast || blend == 0.0);
+            Error::check_option(name, blend, is_fine, range)
+        };
+        check("continuity", self.continuity)?;
+        let mut of_loops = self.loop_continuity.iter();
+        of_loops.try_for_each(|(_, blend)| check("loop_continuity", *blend))?;
         self.boundary_curvature.validate()
+    }
+
+    /// Whether curvature is to be continued along any loop.
+    pub(crate) fn asks_continuity(&self) -> bool {
+        self.continuity > 0.0 || self.loop_continuity.iter().any(|(_, blend)| *blend > 0.0)
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::continuity::asked_continuity;
+use super::continuity::{asked_continuity, check_loops, on_loops};
 use super::normalization::Normalization;
 use super::normals::{GivenNormals, boundary_normals};
 use super::options::{Discretization, InnerFairness, Options, Solver};
@@ -37,13 +37,13 @@ pub(super) struct Prepared {
     continuity: Option<Arc<AskedContinuity>>,
 }
 
-/// The region of each component, cut where given normals ask for it.
+/// The region of each component, cut where given normals ask for it; `is_wide`: with surroundings wide enough to tell their curvature.
 pub(super) fn regions(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     selection: Selection<'_>,
     given: &GivenNormals,
-    (solver, continuity): (&Solver, f64),
+    (solver, is_wide): (&Solver, bool),
 ) -> Result<Vec<Region>, Error> {
     let numbering = match solver {
         Solver::Fast => Numbering::BreadthFirst,
@@ -51,7 +51,6 @@ pub(super) fn regions(
         Solver::Paper(_) => Numbering::AsGiven,
     };
     let _clock = clock("region");
-    let is_wide = continuity > 0.0;
     Region::of_components(
         positions,
         triangles,
@@ -69,6 +68,7 @@ impl Prepared {
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
         options: &Options,
+        is_wide: bool,
     ) -> Result<Vec<Self>, Error> {
         let given = GivenNormals::new(&options.boundary_normals);
         let regions = regions(
@@ -76,12 +76,20 @@ impl Prepared {
             triangles,
             selection,
             &given,
-            (&options.solver, options.continuity),
+            (&options.solver, is_wide),
         )?;
         let prepared = regions
             .into_iter()
             .map(|region| Self::new(positions, region, &given, options));
-        prepared.collect()
+        let prepared = prepared.collect::<Result<Vec<Self>, _>>()?;
+        let vertices = prepared.iter().flat_map(|p| on_loops(&p.domain));
+        check_loops(&options.loop_continuity, vertices)?;
+        Ok(prepared)
+    }
+
+    /// What is asked of the curvature along the boundary loops, in its own unit.
+    pub(super) fn asked_continuity(&self, options: &Options) -> Option<Arc<AskedContinuity>> {
+        asked_continuity(&self.domain.region, options, self.normalization.scale).map(Arc::new)
     }
 
     fn new(
@@ -113,13 +121,7 @@ impl Prepared {
         Ok(Self {
             has_given_normal: given.at_boundary(&domain.region),
             right_hand_side: options.target.right_hand_side(normalization.scale),
-            continuity: asked_continuity(
-                &domain.region,
-                options.continuity,
-                &options.boundary_curvature,
-                normalization.scale,
-            )
-            .map(Arc::new),
+            continuity: asked_continuity(&domain.region, options, normalization.scale).map(Arc::new),
             domain: Arc::new(domain),
             normalization,
             boundary_normals,

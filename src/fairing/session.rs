@@ -5,12 +5,16 @@ mod cursor;
 use std::time::Instant;
 
 use super::component_solution::{ComponentSolution, whole};
-use super::joined::{in_given, joined_normals, joined_options, spread};
+use super::continuity::{check_loops, on_loops};
+use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
 use super::normals::GivenNormals;
 use super::prepared::{Prepared, regions};
 use super::relay::{Workers, relay};
 use super::shares::Shares;
-use super::{BoundaryNormals, Options, Outcome, ProgressCallback, Selection, Solution, Solver, Target};
+use super::{
+    BoundaryCurvature, BoundaryNormals, Options, Outcome, ProgressCallback, Selection, Solution, Solver,
+    Target,
+};
 use crate::error::Error;
 use crate::mesh::coincident::{Copies, Selected};
 use crate::mesh::{Joined, Region};
@@ -21,7 +25,7 @@ use cursor::Cursor;
 ///
 /// Each component of the region (see [`ComponentReport`](crate::ComponentReport)) is held up and goes on by itself.
 /// Without changes in between, any sequence of [`run`](Session::run)s finds the surface of [`fair`](super::fair) with the same
-/// options, to the last bit. After a change of the boundary normals or of the target, the next run starts at the surface
+/// options, to the last bit. After a change of the boundary normals, of continuity or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 ///
 /// ```
@@ -56,6 +60,9 @@ pub struct Session {
     workers: Workers,
 }
 
+/// Continuity of curvature may be asked for later: the regions are the same then.
+const IS_WIDE: bool = true;
+
 /// What was asked, in the session's own memory, of the joined mesh. Changes go into the options.
 struct Input {
     positions: Vec<[f64; 3]>,
@@ -77,12 +84,18 @@ impl Input {
             &self.triangles,
             self.selection(),
             given,
-            (&self.options.solver, self.options.continuity),
+            (&self.options.solver, IS_WIDE),
         )
     }
 
     fn prepared(&self) -> Result<Vec<Prepared>, Error> {
-        Prepared::of_components(&self.positions, &self.triangles, self.selection(), &self.options)
+        Prepared::of_components(
+            &self.positions,
+            &self.triangles,
+            self.selection(),
+            &self.options,
+            IS_WIDE,
+        )
     }
 
     /// All components at their beginning, and their solution.
@@ -204,7 +217,7 @@ impl Session {
         let workers = Workers::new(options.threads)?;
         let (components, solution) = workers
             .install(|| input.begin())
-            .map_err(|error| in_given(error, &input.copies, &options.boundary_normals))?;
+            .map_err(|error| in_given(error, &input.copies, options))?;
         Ok(Self {
             solution,
             input,
@@ -262,8 +275,11 @@ impl Session {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
-        let given = normals;
-        let normals = joined_normals(&self.input.copies, &given).into_owned();
+        let given = Options {
+            boundary_normals: normals,
+            ..Options::default()
+        };
+        let normals = joined_normals(&self.input.copies, &given.boundary_normals).into_owned();
         let prescribed = GivenNormals::new(&normals);
         let regions = self.input.regions(&prescribed)?;
         let before = std::mem::replace(&mut self.input.options.boundary_normals, normals);
@@ -281,6 +297,60 @@ impl Session {
             self.input.options.boundary_normals = before;
         }
         changed.map_err(|error| in_given(error, &self.input.copies, &given))
+    }
+
+    /// Asks for another [`continuity`](Options::continuity) from now on, and for that of single loops, see
+    /// [`Options::loop_continuity`].
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], [`Error::NotOnLoop`]; what was asked before then holds on.
+    pub fn set_continuity(&mut self, continuity: f64, of_loops: &[(u32, f64)]) -> Result<(), Error> {
+        self.change_continuity(Options {
+            continuity,
+            loop_continuity: of_loops.to_vec(),
+            ..self.continuity_asked()
+        })
+    }
+
+    /// Asks for the continuation of another [`boundary_curvature`](Options::boundary_curvature) from now on.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`] for a number that is not finite; what was asked before then holds on.
+    pub fn set_boundary_curvature(&mut self, curvature: BoundaryCurvature) -> Result<(), Error> {
+        let joined = joined_curvature(&self.input.copies, &curvature).into_owned();
+        curvature.validate()?;
+        self.change_continuity(Options {
+            boundary_curvature: joined,
+            ..self.continuity_asked()
+        })
+    }
+
+    /// The options that concern curvature, in the numbers of the joined mesh.
+    fn continuity_asked(&self) -> Options {
+        let options = &self.input.options;
+        Options {
+            continuity: options.continuity,
+            loop_continuity: options.loop_continuity.clone(),
+            boundary_curvature: options.boundary_curvature.clone(),
+            ..Options::default()
+        }
+    }
+
+    /// Takes these of the options; loops by any of the copies of their vertices.
+    fn change_continuity(&mut self, asked: Options) -> Result<(), Error> {
+        if let Some(error) = &self.broken {
+            return Err(error.clone());
+        }
+        asked.validate()?;
+        let loops = joined_loops(&self.input.copies, &asked.loop_continuity);
+        let vertices = self.components.cursors.iter().flat_map(|c| on_loops(c.domain()));
+        check_loops(&loops, vertices).map_err(|error| in_given(error, &self.input.copies, &asked))?;
+        self.input.options.continuity = asked.continuity;
+        self.input.options.loop_continuity = loops;
+        self.input.options.boundary_curvature = asked.boundary_curvature;
+        let cursors = self.components.cursors.iter_mut();
+        cursors.for_each(|c| c.set_continuity(&self.input.options));
+        Ok(())
     }
 
     /// Asks for another right-hand side from now on.

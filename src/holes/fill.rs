@@ -13,7 +13,8 @@ use super::surroundings::Surroundings;
 use super::units::local_options;
 use crate::error::Error;
 use crate::fairing::{
-    Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, joined_options,
+    Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, check_loops, in_given,
+    joined_options,
 };
 use crate::mesh::{Joined, NONE};
 
@@ -157,6 +158,9 @@ fn run<'a>(
     let links = Links::new(positions.len(), &joined.triangles)?;
     let loops = links.loops(positions);
     let (numbers, named) = choose(options, loops.len())?;
+    let on_loops = numbers.iter().flat_map(|&l| loops[l].vertices.iter().copied());
+    check_loops(&fairing.loop_continuity, on_loops)
+        .map_err(|error| in_given(error, &joined.copies, &options.fairing))?;
     let mut order: Vec<usize> = (0..numbers.len()).collect();
     order.sort_by_key(|&i| loops[numbers[i]].vertices.len());
     let total: usize = numbers.iter().map(|&l| loops[l].vertices.len()).sum();

@@ -13,6 +13,15 @@ use crate::quality::Quality;
 /// much longer than one that is found.
 const MOST_ITERATIONS: usize = 64;
 
+/// What is asked of the loop that is filled: the last number that is given for any of its vertices, or else that of all loops.
+fn continuity(around: &Surroundings, asked: &Options) -> f64 {
+    let mut vertices = around.ids[..around.loop_vertices].to_vec();
+    vertices.sort_unstable();
+    let mut last = asked.loop_continuity.iter().rev();
+    let own = last.find(|(v, _)| vertices.binary_search(v).is_ok());
+    own.map_or(asked.continuity, |(_, blend)| *blend)
+}
+
 /// The options in the numbers and units of the surroundings: a constant target is an inverse cube of lengths, a curvature an inverse length.
 pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
     Options {
@@ -31,6 +40,9 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
             Target::Constant(c) => Target::Constant(c * around.scale().powi(3)),
             other => other,
         },
+        // The patch may not have all of the loop's vertices beside free ones.
+        continuity: continuity(around, asked),
+        loop_continuity: Vec::new(),
         // The patch is looked at in the whole mesh.
         intersections: Intersections::Skip,
         output_precision: OutputPrecision::Double,

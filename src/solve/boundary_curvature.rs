@@ -31,8 +31,21 @@ const FEWEST_VERTICES: usize = 8;
 pub(crate) struct AskedContinuity {
     /// From 0, tangent planes alone, to 1.
     pub blend: f64,
+    /// What is asked of single loops in its place, by boundary vertex, with the place in what was handed over; empty: nothing.
+    pub of_loops: Vec<Option<(usize, f64)>>,
     /// `H` where it is given, by boundary vertex; empty: nowhere.
     pub given: Vec<Option<f64>>,
+}
+
+impl AskedContinuity {
+    /// What is asked of the loop of these boundary vertices. Of several numbers for it the last one holds.
+    pub(super) fn of_loop(&self, vertices: &[u32]) -> f64 {
+        let own = vertices
+            .iter()
+            .filter_map(|&b| self.of_loops.get(b as usize).copied().flatten());
+        own.max_by_key(|(place, _)| *place)
+            .map_or(self.blend, |(_, blend)| blend)
+    }
 }
 
 /// What holds along a loop.
@@ -160,7 +173,9 @@ pub(super) fn loop_conditions(
     let outside = Outside::new(domain);
     let loops = boundary_loops(&domain.region, &domain.rings);
     let long = loops.into_iter().filter(|along| along.len() >= FEWEST_VERTICES);
-    let conditions = long.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));
+    // Where tangent planes alone are asked for, Delta_B H is 0.
+    let continued = long.filter(|along| asked.of_loop(along) > 0.0);
+    let conditions = continued.filter_map(|along| loop_condition(along, &outside, normals, surface, asked));
     let mut conditions: Vec<LoopCondition> = conditions.collect();
     let mut is_taken = vec![false; domain.region.boundary];
     for condition in &mut conditions {

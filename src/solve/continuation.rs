@@ -9,19 +9,21 @@ use super::control::Control;
 use super::quasi_newton::{IterateOptions, Iteration, IterationStatus};
 use super::result::{LoopContinuity, SolveResult, SolveStatus, Trial};
 use super::system::System;
+use super::ways::Ways;
 
 /// What to call it in progress reports.
 const PHASE: &str = "curvature continuity";
-/// Where the whole way does not lead to a surface as sound as the tangent-continuous one, this part of it is tried,
-const SHORTER: f64 = 0.5;
-/// so many times.
-const TRIES: usize = 3;
+/// So many parts of the way are tried at most.
+const TRIES: usize = 6;
 /// Where less of the way can be trusted on all loops, none of it is gone.
 const LEAST_REACHED: f64 = 1e-3;
 /// No boundary normal is missed by more than this factor, against the tangent-continuous surface,
 const DEVIATION: f64 = 1.1;
 /// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
 const DEVIATION_DEGREES: f64 = 0.5;
+
+/// A jump below this part of the curvature is none.
+const LEAST_JUMP: f64 = 1e-3;
 
 /// A way to the curvature-continuous surface.
 #[derive(Debug)]
@@ -30,13 +32,16 @@ pub(crate) struct Continuation {
     tangent: SolveResult,
     /// judged.
     judged: Candidate,
-    deviation: f64,
-    /// Iterations until then.
+    /// How far a surface may deviate from the boundary normals, in degrees.
+    allowed: f64,
+    /// Iterations until then, and until the last trial.
     before: usize,
     iteration: Box<Iteration>,
-    /// The part of the way that is tried, and how many parts were.
-    part: f64,
+    /// The part of the way that is tried, for each loop, and how many were.
+    ways: Ways,
     tries: usize,
+    /// As far as it went so far.
+    best: Option<SolveResult>,
 }
 
 impl Continuation {
@@ -78,19 +83,27 @@ impl Continuation {
             IterationStatus::Converged,
             tangent.step,
         );
-        let deviation = largest_deviation(system, &tangent);
+        let deviations = system.surface(&tangent.x).normal_deviations();
+        let deviation = largest(deviations.iter());
+        let allowed = (DEVIATION * deviation).max(deviation + DEVIATION_DEGREES);
+        let asked = loops.iter().map(|l| {
+            let along = l.vertices.iter().map(|&b| &deviations[b as usize]);
+            (asked.of_loop(&l.vertices), largest(along))
+        });
+        let ways = Ways::new(asked, allowed);
         let iteration = Iteration::new(system, tangent.x.clone(), OPTIONS, control);
         let mut this = Self {
             judged,
-            deviation,
+            allowed,
             before: control.tally.iterations,
             iteration: Box::new(iteration),
-            part: asked.blend,
+            ways,
             tries: 0,
+            best: None,
             tangent,
         };
         system.set_continuity(loops);
-        match this.try_part(system, control) {
+        match this.try_parts(system, control) {
             Some(result) => Err(Box::new(result)),
             None => Ok(this),
         }
@@ -107,10 +120,10 @@ impl Continuation {
         &self.iteration.x
     }
 
-    /// Tries the part of the way that is due, from the tangent-continuous surface.
-    fn try_part(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
+    /// Tries the parts of the way that are due, from the tangent-continuous surface.
+    fn try_parts(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
         self.tries += 1;
-        system.aim(self.part);
+        system.aim(&self.ways.parts());
         *self.iteration = Iteration::new(system, self.tangent.x.clone(), OPTIONS, control);
         let status = self.iteration.begin(system, control)?;
         self.conclude(status, system, control)
@@ -123,78 +136,99 @@ impl Continuation {
         control: &mut Control<'_>,
     ) -> Option<SolveResult> {
         let candidate = self.iteration.candidate(status, system);
-        if candidate.is_stopped() {
+        self.told(control, &candidate, system.free());
+        if candidate.is_stopped() && (self.best.is_none() || control.cancelled) {
             let status = if control.cancelled {
                 SolveStatus::Cancelled
             } else {
                 SolveStatus::IterationLimit
             };
-            return Some(self.result(candidate, status, system, control));
+            return Some(self.result(candidate, status, system));
         }
-        if self.is_as_sound(&candidate, system) {
-            let status = self.tangent.status.clone();
-            return Some(self.result(candidate, status, system, control));
+        let grown = self.grown_jumps(&candidate, system);
+        let is_left = if self.is_as_sound(&candidate) && !grown.is_empty() {
+            self.ways.leave(&grown)
+        } else if self.is_as_sound(&candidate) {
+            let deviations = system.surface(&candidate.x).normal_deviations();
+            let loops = system.continuity().map_or(&[][..], |c| &c.loops);
+            let along = |l: &LoopCondition| largest(l.vertices.iter().map(|&b| &deviations[b as usize]));
+            let is_met =
+                self.ways.note(loops.iter().map(along)) && largest(deviations.iter()) <= self.allowed;
+            if is_met {
+                let status = self.tangent.status.clone();
+                self.best = Some(self.result(candidate, status, system));
+            }
+            self.ways.narrow() || self.best.is_none() && self.ways.shorten()
+        } else {
+            self.best.is_none() && self.ways.shorten()
+        };
+        if is_left && self.tries < TRIES && !control.exhausted() {
+            return self.try_parts(system, control);
         }
-        if self.tries < TRIES && !control.exhausted() {
-            self.part *= SHORTER;
-            return self.try_part(system, control);
-        }
-        Some(self.give_up(system, control))
+        Some(self.best_of_tries(system))
     }
 
-    /// Whether a surface is no worse than the tangent-continuous one.
-    fn is_as_sound(&self, candidate: &Candidate, system: &System) -> bool {
-        let deviations = system.surface(&candidate.x).normal_deviations();
-        let deviation = deviations.into_iter().fold(0.0, f64::max);
+    /// Whether a surface is no worse than the tangent-continuous one, but for boundary normals.
+    fn is_as_sound(&self, candidate: &Candidate) -> bool {
         (candidate.is_converged() || candidate.is_at_rounding())
             && candidate.poor.len() <= self.judged.poor.len()
             && (!candidate.has_bump() || self.judged.has_bump())
             && candidate.creases <= self.judged.creases
             && candidate.suspicious_normals <= self.judged.suspicious_normals
-            && deviation <= (DEVIATION * self.deviation).max(self.deviation + DEVIATION_DEGREES)
     }
 
-    fn result(
-        &mut self,
-        candidate: Candidate,
-        status: SolveStatus,
-        system: &System,
-        control: &Control<'_>,
-    ) -> SolveResult {
-        self.told(control, Some(&candidate), system);
+    /// The loops along which the jump of the curvature has become larger, as at corners that their modes do not resolve.
+    fn grown_jumps(&self, candidate: &Candidate, system: &System) -> Vec<usize> {
+        let told = reached(system, &self.ways.parts(), (&candidate.x, &system.state.h));
+        let is_grown = |l: &LoopContinuity| {
+            l.reached > 0.0 && l.jump[0] > l.jump_before[0].max(LEAST_JUMP * l.curvature)
+        };
+        (0..told.len()).filter(|&k| is_grown(&told[k])).collect()
+    }
+
+    fn result(&self, candidate: Candidate, status: SolveStatus, system: &System) -> SolveResult {
         SolveResult {
             status,
             step: candidate.step,
             defect: system.defect(),
-            continuity: reached(system, self.part, (&candidate.x, &system.state.h)),
+            continuity: reached(system, &self.ways.parts(), (&candidate.x, &system.state.h)),
             poor: candidate.poor,
             x: candidate.x,
             ..self.tangent.clone()
         }
     }
 
-    /// The tangent-continuous surface.
-    fn give_up(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
-        system.aim(0.0);
+    /// The surface that went furthest, or else the tangent-continuous one.
+    fn best_of_tries(&mut self, system: &mut System) -> SolveResult {
+        let best = self.best.take();
+        let x = best.as_ref().map_or(&self.tangent.x, |best| &best.x);
         system.set_modes(&[]);
-        system.evaluate(&self.tangent.x);
-        self.told(control, None, system);
+        system.evaluate(x);
+        let best = best.unwrap_or_else(|| {
+            let none = vec![0.0; system.continuity().map_or(0, |c| c.loops.len())];
+            SolveResult {
+                continuity: reached(system, &none, (&self.tangent.x, &system.state.h)),
+                ..self.tangent.clone()
+            }
+        });
         SolveResult {
-            continuity: reached(system, 0.0, (&self.tangent.x, &system.state.h)),
-            ..self.tangent.clone()
+            iterations: self.tangent.iterations,
+            trials: self.tangent.trials.clone(),
+            ..best
         }
     }
 
     /// Adds the iterations and what was tried.
-    fn told(&mut self, control: &Control<'_>, candidate: Option<&Candidate>, system: &System) {
+    fn told(&mut self, control: &Control<'_>, candidate: &Candidate, free: usize) {
         let iterations = control.tally.iterations - self.before;
+        self.before = control.tally.iterations;
         self.tangent.iterations += iterations;
         self.tangent.trials.push(Trial {
-            free: system.free(),
+            free,
             name: PHASE,
             iterations,
-            ended: candidate.map(Candidate::end),
-            bending_energy: candidate.map_or(f64::NAN, |c| c.bending_energy),
+            ended: Some(candidate.end()),
+            bending_energy: candidate.bending_energy,
         });
     }
 }
@@ -204,18 +238,17 @@ const OPTIONS: IterateOptions = IterateOptions {
     ..DIRECT
 };
 
-fn largest_deviation(system: &System, result: &SolveResult) -> f64 {
-    let deviations = system.surface(&result.x).normal_deviations();
-    deviations.into_iter().fold(0.0, f64::max)
+fn largest<'a>(deviations: impl Iterator<Item = &'a f64>) -> f64 {
+    deviations.copied().fold(0.0, f64::max)
 }
 
 /// What came of each loop, whose surface has these mean curvatures.
-fn reached(system: &System, part: f64, surface: (&[Vector3<f64>], &[f64])) -> Vec<LoopContinuity> {
+fn reached(system: &System, parts: &[f64], surface: (&[Vector3<f64>], &[f64])) -> Vec<LoopContinuity> {
     let loops = system.continuity().map_or(&[][..], |c| &c.loops);
     let inside = |l: &LoopCondition| l.curvature_inside(system.free(), surface, &system.boundary_normals);
-    loops
-        .iter()
-        .map(|l| came_of(l, part * l.trusted.part, &inside(l)))
+    let with_parts = loops.iter().zip(parts);
+    with_parts
+        .map(|(l, part)| came_of(l, part * l.trusted.part, &inside(l)))
         .collect()
 }
 

@@ -35,6 +35,7 @@ mod surroundings;
 pub(crate) mod system;
 pub(crate) mod target_continuation;
 pub(crate) mod untangle;
+mod ways;
 pub(crate) mod weight_repair;
 
 use std::time::Instant;

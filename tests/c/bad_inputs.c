@@ -808,8 +808,10 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_fill_report filled;
     fairmesh_error e;
     fairmesh_boundary_normals normals;
+    fairmesh_boundary_curvature curvature;
     fairmesh_target target;
     fairmesh_result *result = NULL;
+    memset(&curvature, 0, sizeof curvature);
     memset(&normals, 0, sizeof normals);
     memset(&target, 0, sizeof target);
     memset(&report, 0x5a, sizeof report);
@@ -826,6 +828,8 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_set_continuity(s, 1.0, NULL, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_set_boundary_curvature(s, &curvature, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);

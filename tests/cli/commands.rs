@@ -63,6 +63,7 @@ fn wrong_usage_exits_with_2() {
         &["fair", "cap.obj", "-o", "x.obj", "--interior-normals", "best"],
         &["fair", "cap.obj", "-o", "x.obj", "--continuity", "g3"],
         &["fair", "cap.obj", "-o", "x.obj", "--continuity", "1.01"],
+        &["fair", "cap.obj", "-o", "x.obj", "--continuity-at", "3"],
         &[
             "fair",
             "cap.obj",
@@ -498,6 +499,10 @@ fn curvature_is_continued_as_far_as_asked() {
     let (half, loops, _) = fair(&["--continuity", "0.5"]);
     assert!(half != tangent && half != whole);
     assert!(figure(&loops[0], "jump") > figure(one, "jump"));
+
+    let at = format!("{}=0.5", one["vertex"]);
+    assert_eq!(fair(&["--continuity-at", &at]).0, half);
+    assert_eq!(fair(&["--continuity", "g2", "--continuity-at", &at]).0, half);
 
     let normals = fs::read_to_string(directory.join("normals.txt")).unwrap();
     let rows = normals.lines().filter_map(|line| line.split_whitespace().next());

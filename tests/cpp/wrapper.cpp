@@ -141,6 +141,19 @@ void continuing_curvature() {
     fairmesh::solver solver(mesh, fairmesh::free_mask(s.mask), options);
     solver.run();
     CHECK(solver.continuity(0, 0).jump == loop.jump);
+    const double some[] = {0.25};
+    const std::uint32_t at[] = {boundary.front()};
+    fairmesh_loop_continuity of_loops{fairmesh::numbers(some, 1), fairmesh::indices(at, 1)};
+    solver.set_continuity(0.5, of_loops);
+    solver.run();
+    CHECK(solver.continuity(0, 0).reached <= 0.25);
+    solver.set_continuity(0.0);
+    solver.run();
+    CHECK(solver.component(0).continuity_count == 0);
+    solver.set_boundary_curvature(fairmesh_boundary_curvature{});
+    options.continuity = 0.0;
+    options.loop_continuity = of_loops;
+    CHECK(fairmesh::fair(mesh, fairmesh::free_mask(s.mask), options).continuity(0, 0).reached <= 0.25);
 }
 
 void stepping() {

@@ -457,6 +457,44 @@ fn curvature_given_for_copies_is_that_of_the_vertex() {
     assert!((a.jump - b.jump).abs() < 1e-9, "{a:?} {b:?}");
 }
 
+/// A loop is named by any copy of any of its vertices, at once and in steps, and so is a vertex that is on none.
+#[test]
+fn a_loop_is_named_by_any_copy() {
+    let cap = ellipsoid_cap([1.0, 0.95, 0.9], 50.0, 600, irregular(1), OUTSIDE);
+    let split = split(&flat(&cap), &cap.triangles, |t| t);
+    let mask = split.each(&cap.free);
+    let on = cap.boundary_normals()[5].0;
+    let last_copy = |v: u32| split.of.iter().rposition(|of| *of == v).unwrap() as u32;
+    let asked = |continuity: f64, loop_continuity: Vec<(u32, f64)>| Options {
+        continuity,
+        loop_continuity,
+        ..options(1e-8)
+    };
+    let solved = |options: &Options| {
+        fair(
+            &split.positions,
+            &split.triangles,
+            Selection::Mask(&mask),
+            options,
+        )
+    };
+    let whole = solved(&asked(1.0, Vec::new())).unwrap();
+    let one = solved(&asked(0.0, vec![(last_copy(on), 1.0)])).unwrap();
+    assert!(one.positions == whole.positions);
+    let inside = last_copy(cap.free_vertices()[3]);
+    let named = Error::NotOnLoop {
+        vertex: inside as usize,
+    };
+    assert_eq!(solved(&asked(0.0, vec![(inside, 1.0)])).unwrap_err(), named);
+    let selection = Selection::Mask(&mask);
+    let plain = asked(0.0, Vec::new());
+    let mut session = Session::new(&split.positions, &split.triangles, selection, &plain).unwrap();
+    assert_eq!(session.set_continuity(0.0, &[(inside, 1.0)]), Err(named));
+    session.set_continuity(0.0, &[(last_copy(on), 1.0)]).unwrap();
+    session.run(1000, None).unwrap();
+    assert!(session.solution().positions == whole.positions);
+}
+
 #[test]
 fn normals_of_copies_are_averaged_and_refused_where_they_cancel() {
     let (cap, start) = dented();

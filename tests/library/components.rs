@@ -495,3 +495,40 @@ fn refusals_of_any_component() {
     };
     assert_eq!(refused(&case), twice);
 }
+
+/// Loops of all components continue what is around them, each as if it were alone.
+#[test]
+fn curvature_is_continued_component_by_component() {
+    let cap = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 600, irregular(1), 8);
+    let patch = torus_patch(1.0, 0.4, 1.0, 600, irregular(2), 8);
+    let case = Case::of(&[
+        cap,
+        moved(&patch, 1e-3, [5.0, 0.0, 0.0]),
+        moved(&sphere_cap(60.0, 300, irregular(3), 8), 1.0, [0.0, 9.0, 0.0]),
+    ]);
+    let asked = Options {
+        continuity: 1.0,
+        ..options(TOLERANCE)
+    };
+    let solution = case.assert_independent(&asked);
+    assert!(solution.report.outcome.is_success());
+    for (component, least) in solution.report.components.iter().zip([0.5, 0.5, 0.0]) {
+        let [of_loop] = component.continuity[..] else {
+            panic!("one loop each")
+        };
+        assert!(of_loop.reached >= least && of_loop.jump <= of_loop.jump_before);
+    }
+    // A number for one loop concerns its component alone.
+    let vertex = solution.report.components[1].continuity[0].vertex as u32;
+    let one = Options {
+        loop_continuity: vec![(vertex, 1.0)],
+        ..options(TOLERANCE)
+    };
+    let one = case.fair(&case.all(), &one);
+    let told = one.report.components.iter().map(|c| c.continuity.len());
+    assert_eq!(told.collect::<Vec<_>>(), [0, 1, 0]);
+    assert_eq!(
+        one.report.components[1].continuity,
+        solution.report.components[1].continuity
+    );
+}

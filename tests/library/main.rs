@@ -8,6 +8,7 @@ mod boundary;
 mod coincident;
 mod components;
 mod continuity;
+mod continuity_loops;
 mod golden;
 mod holes;
 mod independence;

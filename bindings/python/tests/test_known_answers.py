@@ -169,6 +169,27 @@ def test_an_ellipsoid_continues_its_curvature():
         assert np.array_equal(solver.vertices, result.vertices)
 
 
+def test_a_loop_has_a_number_of_its_own():
+    vertices, faces, free, _ = dented_sphere()
+    vertices = vertices * [1.0, 0.8, 0.6]
+    asked = {"free": free, "threads": 1}
+    whole = fairmesh.fair(vertices, faces, **asked, continuity="g2")
+    on = int(whole.boundary_vertices[5])
+    for how_far in ("g2", 1, 1.0):
+        one = fairmesh.fair(vertices, faces, **asked, loop_continuity={on: how_far})
+        assert np.array_equal(one.vertices, whole.vertices)
+    tangent = fairmesh.fair(vertices, faces, **asked)
+    for nothing in ({}, {on: "g1"}):
+        assert np.array_equal(
+            fairmesh.fair(vertices, faces, **asked, loop_continuity=nothing).vertices, tangent.vertices
+        )
+    with pytest.raises(fairmesh.InputError) as error:
+        fairmesh.fair(vertices, faces, **asked, loop_continuity={0: 1.0})
+    assert (error.value.status, error.value.element) == (fairmesh.Status.NOT_ON_LOOP, 0)
+    with pytest.raises(TypeError, match="loop_continuity: a mapping from vertices to numbers is needed, not float"):
+        fairmesh.fair(vertices, faces, **asked, loop_continuity=1.0)
+
+
 def test_curvature_is_given_in_any_way():
     vertices, faces, free, _ = dented_sphere()
     boundary = fairmesh.fair(vertices, faces, free=free).boundary_vertices

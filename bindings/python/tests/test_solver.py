@@ -52,6 +52,33 @@ def test_changes_in_between():
         assert off_sphere(solver.vertices) < 1e-7
 
 
+def test_continuity_is_asked_anew():
+    vertices, faces, free, _ = dented_sphere()
+    vertices = vertices * [1.0, 0.8, 0.6]
+    tangent, half, whole = (fairmesh.fair(vertices, faces, free=free, continuity=c) for c in (0.0, 0.5, 1.0))
+    on = int(whole.boundary_vertices[0])
+    with fairmesh.Solver(vertices, faces, free=free) as solver:
+        solver.run()
+        assert np.array_equal(solver.vertices, tangent.vertices)
+        for asked, result in (
+            (("g2",), whole),
+            ((0.0, {on: 0.5}), half),
+            (("g1",), tangent),
+            ((1.0,), whole),
+        ):
+            solver.set_continuity(*asked)
+            assert solver.run().outcome.is_success
+            assert np.abs(solver.vertices - result.vertices).max() < 1e-6
+        solver.set_boundary_curvature({on: -1.25})
+        (loop,) = solver.run().components[0].continuity
+        assert loop.curvature != whole.report.components[0].continuity[0].curvature
+        with pytest.raises(fairmesh.InputError) as error:
+            solver.set_continuity(0.0, {on: 1.5})
+        assert (error.value.status, error.value.element) == (fairmesh.Status.BAD_OPTION, on)
+        with pytest.raises(ValueError, match="continuity: 'g3' is neither"):
+            solver.set_continuity("g3")
+
+
 def test_errors_of_a_solver():
     vertices, faces, free, exact = dented_sphere()
     with fairmesh.Solver(vertices, faces, free=free) as solver:

@@ -20,7 +20,7 @@ use crate::quality::NEEDLE;
 use crate::solve::control::Tally;
 use crate::solve::ladder::{Ladder, Step};
 use crate::solve::system::Collapsed;
-use crate::solve::{Control, SolveResult, SolveStatus, System};
+use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
 
 /// A solve under way.
 pub(super) struct Cursor {
@@ -210,6 +210,18 @@ impl Cursor {
         self.change();
         let scale = self.prepared.normalization.scale;
         self.system.ask_right_hand_side(target.right_hand_side(scale));
+    }
+
+    /// Takes what the options say of the curvature along the boundary loops.
+    pub(super) fn set_continuity(&mut self, options: &Options) {
+        self.change();
+        self.system
+            .ask_continuity(self.prepared.asked_continuity(options));
+    }
+
+    /// The region with its rings.
+    pub(super) fn domain(&self) -> &Domain {
+        &self.prepared.domain
     }
 
     /// From here on it is another problem, close to the last.

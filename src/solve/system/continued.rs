@@ -15,6 +15,11 @@ impl System {
         self.asked.continuity.clone()
     }
 
+    /// Asks for another continuity of curvature from now on.
+    pub(crate) fn ask_continuity(&mut self, asked: Option<Arc<AskedContinuity>>) {
+        self.asked.continuity = asked;
+    }
+
     /// Takes the curvatures along the loops as conditions, until [`System::end_continuity`].
     pub(in crate::solve) fn set_continuity(&mut self, loops: Vec<LoopCondition>) {
         let size = (self.free(), self.region().boundary);
@@ -45,10 +50,11 @@ impl System {
         }
     }
 
-    /// Sets out for a part of the way to the surroundings' curvature.
-    pub(in crate::solve) fn aim(&mut self, part: f64) {
+    /// Sets out for a part of the way to the surroundings' curvature, for each loop its own.
+    pub(in crate::solve) fn aim(&mut self, parts: &[f64]) {
         if let Some(continuity) = &mut self.continuity {
-            continuity.loops.iter_mut().for_each(|l| l.aim(part));
+            let loops = continuity.loops.iter_mut().zip(parts);
+            loops.for_each(|(l, part)| l.aim(*part));
         }
     }
 

@@ -62,6 +62,7 @@ class fairmesh_status(enum.IntEnum):
     BAD_RESERVED = 31
     COORDINATE_TOO_LARGE = 32
     VALENCE_TOO_LARGE = 33
+    NOT_ON_LOOP = 34
     INTERNAL = 99
 
 
@@ -346,6 +347,13 @@ class fairmesh_boundary_curvature(Structure):
     )
 
 
+class fairmesh_loop_continuity(Structure):
+    _fields_ = (
+        ("values", fairmesh_numbers),
+        ("vertices", fairmesh_indices),
+    )
+
+
 class fairmesh_target(Structure):
     _fields_ = (
         ("kind", c_uint32),
@@ -554,6 +562,7 @@ class fairmesh_options(Structure):
         ("output_precision", c_uint32),
         ("continuity", c_double),
         ("boundary_curvature", fairmesh_boundary_curvature),
+        ("loop_continuity", fairmesh_loop_continuity),
     )
 
 
@@ -681,6 +690,23 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (
             c_void_p,
             POINTER(fairmesh_target),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_set_continuity": (
+        c_int32,
+        (
+            c_void_p,
+            c_double,
+            POINTER(fairmesh_loop_continuity),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_set_boundary_curvature": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_boundary_curvature),
             POINTER(fairmesh_error),
         ),
     ),

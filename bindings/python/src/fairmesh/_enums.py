@@ -213,6 +213,12 @@ class Status(Numbered):
         "a vertex has more than 1,000 triangles in the region",
         "split some of its edges, or leave its neighbours out of the selection",
     )
+    #: A vertex is on no boundary loop of the region.
+    NOT_ON_LOOP = (
+        34,
+        "a vertex is on no boundary loop of the region",
+        "name a fixed vertex beside a free one",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,

@@ -99,6 +99,7 @@ _INPUT = {
     Status.BAD_NORMAL,
     Status.NO_NORMAL,
     Status.VALENCE_TOO_LARGE,
+    Status.NOT_ON_LOOP,
 }
 
 _KNOWN = {int(member): member for member in Status}

@@ -16,7 +16,21 @@ from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
 from ._handles import ResultHandle
 from ._library import Library, load
-from ._options import Normals, NormalsView, Options, Target, target_struct, whole, with_options
+from ._options import (
+    Curvature,
+    CurvatureView,
+    HowFar,
+    LoopContinuity,
+    LoopsView,
+    Normals,
+    NormalsView,
+    Options,
+    Target,
+    how_far,
+    target_struct,
+    whole,
+    with_options,
+)
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Report, report_of, sized
 
@@ -196,7 +210,7 @@ def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
 
 
 class Solver:
-    """Fairing in steps: run some iterations, look, change the normals or the target, go on.
+    """Fairing in steps: run some iterations, look, change the normals, the continuity or the target, go on.
 
     Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
     is used by one thread at a time; others get a FairmeshError with `Status.BUSY`, and so does its own callback. It
@@ -265,6 +279,23 @@ class Solver:
         """Asks for other boundary normals from now on, as in `fair`. The next run starts at the surface at hand."""
         view = NormalsView(normals, self._shape[0])
         self._call("fairmesh_solver_set_boundary_normals", ctypes.byref(view.struct))
+
+    def set_continuity(self, continuity: HowFar, loops: LoopContinuity | None = None) -> None:
+        """Asks for another ``continuity`` from now on, and with ``loops`` for a ``loop_continuity``, as in `fair`.
+
+        The next run starts at the surface at hand.
+        """
+        view = LoopsView(loops or {})
+        asked = ctypes.c_double(how_far(continuity, "continuity"))
+        self._call("fairmesh_solver_set_continuity", asked, ctypes.byref(view.struct))
+
+    def set_boundary_curvature(self, curvature: Curvature) -> None:
+        """Asks for the continuation of another curvature from now on, as in `fair`.
+
+        The next run starts at the surface at hand.
+        """
+        view = CurvatureView(curvature, self._shape[0])
+        self._call("fairmesh_solver_set_boundary_curvature", ctypes.byref(view.struct))
 
     def set_target(self, target: Target) -> None:
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""

@@ -32,6 +32,8 @@ Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, Array
 HowFar = Union[Literal["g1", "g2"], float]
 #: "estimated", {index: H}, (indices, (k,)), or (n,) numbers with NaN where none is given.
 Curvature = Union[Literal["estimated"], abc.Mapping[int, float], ArrayLike, tuple[ArrayLike, ArrayLike]]
+#: {index of a vertex of the loop: "g1", "g2" or a number}.
+LoopContinuity = abc.Mapping[int, HowFar]
 #: "harmonic", "minimal_energy", or a constant in 1 / length^3.
 Target = Union[Literal["harmonic", "minimal_energy"], float]
 
@@ -48,6 +50,8 @@ class FairingOptions(TypedDict, total=False):
             alone; "g2" or 1, curvature, too; or a number between, part of the way. Default 0.0. Only as far as the
             surroundings are smooth enough to tell their curvature: `Component.continuity` of the report says how far.
             For the solver "fast".
+        loop_continuity: The same for single boundary loops: a mapping from a vertex of the loop to "g1", "g2" or a
+            number, in place of ``continuity`` there. Of several for one loop the last one holds. Default: {}.
         boundary_curvature: The mean curvature to be continued, in 1 / length, negative where the normals point outward
             of a sphere; "estimated" (default) from the surface outside; a mapping from vertices to numbers; a pair
             (indices (k,), values (k,)); or an array (n,), one number per vertex, NaN where none is given. Where none is
@@ -84,6 +88,7 @@ class FairingOptions(TypedDict, total=False):
 
     boundary_normals: Normals | None
     continuity: HowFar | None
+    loop_continuity: LoopContinuity | None
     boundary_curvature: Curvature | None
     target: Target | None
     inner_fairness: InnerFairness | None
@@ -205,7 +210,7 @@ def _hint(name: str) -> str:
 
 
 class Options:
-    """The library's options. Keeps the arrays of normals and curvatures alive."""
+    """The library's options. Keeps the arrays of normals, curvatures and loops alive."""
 
     def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
         unknown = sorted(set(given) - set(FairingOptions.__annotations__))
@@ -214,7 +219,7 @@ class Options:
         self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
-        self.alive: list[NormalsView | CurvatureView] = []
+        self.alive: list[NormalsView | CurvatureView | LoopsView] = []
         for name, value in given.items():
             if value is not None:
                 self._set(name, value, len(vertices))
@@ -229,7 +234,11 @@ class Options:
             self.alive.append(curvature)
             self.struct.boundary_curvature = curvature.struct
         elif name == "continuity":
-            self.struct.continuity = _how_far(value)
+            self.struct.continuity = how_far(value, name)
+        elif name == "loop_continuity":
+            loops = LoopsView(value)
+            self.alive.append(loops)
+            self.struct.loop_continuity = loops.struct
         elif name == "target":
             self.struct.target = target_struct(value)
         elif name in _NAMED:
@@ -247,12 +256,13 @@ def _number(value: Any, name: str) -> int:
     return names[value]
 
 
-def _how_far(value: HowFar) -> float:
+def how_far(value: HowFar, name: str) -> float:
+    """From 0 to 1, if the library agrees."""
     names = {"g1": 0.0, "g2": 1.0}
     if not isinstance(value, str):
-        return real(value, "continuity")
+        return real(value, name)
     if value not in names:
-        raise ValueError(f"continuity: {value!r} is neither 'g1' nor 'g2' nor a number")
+        raise ValueError(f"{name}: {value!r} is neither 'g1' nor 'g2' nor a number")
     return names[value]
 
 
@@ -318,6 +328,22 @@ class CurvatureView:
             self.struct.vertices = _arrays.indices_view(self.indices)
 
 
+class LoopsView:
+    """How far single loops are continued, as the library reads it. Keeps the arrays alive."""
+
+    def __init__(self, given: LoopContinuity) -> None:
+        name = "loop_continuity"
+        if not isinstance(given, abc.Mapping):
+            raise TypeError(f"{name}: a mapping from vertices to numbers is needed, not {type(given).__name__}")
+        self.struct = _abi.fairmesh_loop_continuity()
+        if not given:
+            return
+        self.indices = _arrays.indices(list(given), name)
+        self.values = np.array([how_far(value, name) for value in given.values()])
+        self.struct.values = _arrays.numbers_view(self.values)
+        self.struct.vertices = _arrays.indices_view(self.indices)
+
+
 def _none_as_zero(vectors: NDArray[Any]) -> NDArray[Any]:
     """Rows of NaN say that no normal is given: for the library, zeros do."""
     empty = np.isnan(vectors).all(axis=1)
@@ -336,6 +362,7 @@ def default_options() -> FairingOptions:
     options: dict[str, Any] = {
         "boundary_normals": _abi.fairmesh_boundary_normals_kind(struct.boundary_normals.kind).name.lower(),
         "continuity": struct.continuity,
+        "loop_continuity": {},
         "boundary_curvature": _abi.fairmesh_boundary_curvature_kind(struct.boundary_curvature.kind).name.lower(),
         "target": _abi.fairmesh_target_kind(struct.target.kind).name.lower(),
     }
