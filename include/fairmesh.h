@@ -801,6 +801,26 @@ enum fairmesh_fill_reason
      */
     FAIRMESH_FILL_REASON_CANCELLED = 6,
     /**
+     * Two of the loops to be joined fit only if the triangles at one of them faced the other way.
+     */
+    FAIRMESH_FILL_REASON_OPPOSITE_SIDES = 7,
+    /**
+     * Two of the loops to be joined have a vertex in common.
+     */
+    FAIRMESH_FILL_REASON_SHARED_VERTEX = 8,
+    /**
+     * It is not one of those that were asked for.
+     */
+    FAIRMESH_FILL_REASON_NOT_ASKED_FOR = 9,
+    /**
+     * No fair patch was found, and such loops were to stay open.
+     */
+    FAIRMESH_FILL_REASON_NOT_FAIR = 10,
+    /**
+     * Every patch that was tried intersects itself or the mesh, and such loops were to stay open.
+     */
+    FAIRMESH_FILL_REASON_INTERSECTS = 11,
+    /**
      * Fairing was not asked for.
      */
     FAIRMESH_FILL_REASON_NOT_ASKED = 32,

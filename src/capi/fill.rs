@@ -103,6 +103,7 @@ fn size_of_patches(loops: &[BoundaryLoop], asked: &FillOptions) -> CallResult<(u
     let chosen = |l: usize| match &asked.loops {
         Loops::UpTo(most) => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= *most,
         Loops::Chosen(named) => named.contains(&l),
+        Loops::Where(_) => loops[l].kind == LoopKind::Hole,
     };
     let edges = (0..loops.len())
         .filter(|&l| chosen(l))

@@ -112,6 +112,7 @@ impl FillOptionsIn {
             max_new_vertices: count(view.max_new_vertices),
             fair: view.fair != 0,
             fairing,
+            ..FillOptions::default()
         })
     }
 }

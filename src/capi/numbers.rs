@@ -186,6 +186,16 @@ pub enum fairmesh_fill_reason {
     NotFinite = 5,
     /// The run was stopped before this loop was done.
     Cancelled = 6,
+    /// Two of the loops to be joined fit only if the triangles at one of them faced the other way.
+    OppositeSides = 7,
+    /// Two of the loops to be joined have a vertex in common.
+    SharedVertex = 8,
+    /// It is not one of those that were asked for.
+    NotAskedFor = 9,
+    /// No fair patch was found, and such loops were to stay open.
+    NotFair = 10,
+    /// Every patch that was tried intersects itself or the mesh, and such loops were to stay open.
+    Intersects = 11,
     /// Fairing was not asked for.
     NotAsked = 32,
     /// The patch has no inner vertex: nothing can move.

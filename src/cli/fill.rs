@@ -6,21 +6,24 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, LoopReport, Loops, OpenReason, Options,
-    Outcome, OutputPrecision, Progress, fill_holes_with_progress,
+    BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, OpenReason,
+    Options, Outcome, OutputPrecision, Progress, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
 use crate::attempts;
 use crate::bar::Bar;
+use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Added, Format, MeshFile};
+use crate::join;
 use crate::output::Output;
 use crate::report::{creased, member_weight};
 use crate::surface::{IntersectionArgs, MeshArgs};
+use crate::which::WhichArgs;
 
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
@@ -30,13 +33,28 @@ pub struct FillArgs {
     /// Where the result goes; may be the input itself. It is written whole or not at all
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Only holes of at most this many edges [default: all]
-    #[arg(long, value_name = "N", group = "which")]
-    max_edges: Option<usize>,
-    /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
-    /// Outer boundaries are filled only if they are named so
-    #[arg(long = "loop", value_name = "I", group = "which", verbatim_doc_comment)]
-    loops: Vec<usize>,
+    #[command(flatten)]
+    which: WhichArgs,
+    /// Drops components of the mesh of fewer triangles than this before anything is
+    /// filled or counted; of the file nothing but vertices and faces is kept then
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        conflicts_with = "boundary_curvature",
+        verbatim_doc_comment
+    )]
+    drop_components_below: usize,
+    /// Deletes the faces that this text file lists, one number per line, from 0, and
+    /// what would hang loose then, and fills the holes that they leave, no others; of
+    /// the file nothing but vertices and faces is kept
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["boundary_curvature", "drop_components_below", "loops", "join", "which"],
+        verbatim_doc_comment
+    )]
+    erase: Option<PathBuf>,
     /// How dense the new vertices are: at 1.414 edges are as long as those
     /// beside the hole, at twice that half as long
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -78,19 +96,34 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
     let format = Format::of(&args.output)?;
     let mesh = MeshFile::read(&args.input)?;
+    let precision = match (mesh.format(), format) {
+        (Format::Ply, Format::Ply) => mesh.output_precision(),
+        _ => format.output_precision(),
+    };
     mesh.check_writable(&args.input, format)?;
     let output = Output::prepare(&args.output)?;
     let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;
+    let groups = args.which.join()?;
     let solving = Instant::now();
-    let precision = match (mesh.format(), format) {
-        (Format::Ply, Format::Ply) => mesh.output_precision(),
-        _ => format.output_precision(),
+    let (mesh, dropped) = components::without_small(
+        &args.input,
+        mesh,
+        args.drop_components_below,
+        args.mesh.coincident,
+    )?;
+    let (mesh, erased) = match &args.erase {
+        None => (mesh, None),
+        Some(list) => {
+            let (rest, loops, _) = components::without_faces(&args.input, &mesh, list, args.mesh.coincident)?;
+            (rest, Some(loops))
+        }
     };
-    let filled =
-        solve(args, &mesh, boundary_curvature, precision).map_err(|error| refusal(args, &mesh, &error))?;
+    let loops = erased.map_or_else(|| args.which.loops(&groups), Loops::Chosen);
+    let filled = solve(args, (loops, groups), &mesh, boundary_curvature, precision)
+        .map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let added = Added {
         positions: &filled.positions,
@@ -107,20 +140,32 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
             None => geometry.polygon_of(t as usize),
         };
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "loops": loops, "new_vertices": filled.parents.len(),
+        json!({ "loops": loops, "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&filled, args))?;
+    answer.tell(&[&args.output], json, || readable(&filled, args, dropped))?;
     Ok(filled.loops.iter().all(is_clean))
 }
 
 /// The library's refusal; of a loop, by its flag.
 fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
     match error {
-        fairmesh::Error::SelectionOutOfRange { index, count } => Failure::new(format!(
-            "--loop {index}: {} has {count} boundary loops, counted from 0; 'fairmesh holes' lists them",
-            args.input.display()
+        fairmesh::Error::SelectionOutOfRange { index, count } => {
+            let flag = if args.which.loops.contains(index) {
+                "loop"
+            } else {
+                "join"
+            };
+            Failure::new(format!(
+                "--{flag} {index}: {} has {count} boundary loops, counted from 0; 'fairmesh holes' lists them",
+                args.input.display()
+            ))
+        }
+        fairmesh::Error::BadOption {
+            name: "join", value, ..
+        } => Failure::new(format!(
+            "--join: loop {value} is named twice; each loop is in one group, and once"
         )),
         _ => explain::refusal(&args.input, mesh, error),
     }
@@ -128,6 +173,7 @@ fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure
 
 fn solve(
     args: &FillArgs,
+    (loops, join): (Loops, Join),
     mesh: &MeshFile,
     boundary_curvature: BoundaryCurvature,
     output_precision: OutputPrecision,
@@ -136,11 +182,9 @@ fn solve(
     let mut progress = |progress: &Progress| bar.show(progress);
     let defaults = FillOptions::default();
     let options = FillOptions {
-        loops: if args.loops.is_empty() {
-            Loops::UpTo(args.max_edges.unwrap_or(usize::MAX))
-        } else {
-            Loops::Chosen(args.loops.clone())
-        },
+        loops,
+        join,
+        on_failure: args.which.on_failure(),
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
         fair: !args.no_fair,
@@ -175,7 +219,10 @@ fn is_clean(report: &LoopReport) -> bool {
             .is_some_and(|fairing| fairing.outcome == Outcome::Converged),
         FillOutcome::Flat { reason } => matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex),
         FillOutcome::LeftOpen(reason) => {
-            matches!(reason, OpenReason::OuterBoundary | OpenReason::TooManyEdges)
+            matches!(
+                reason,
+                OpenReason::OuterBoundary | OpenReason::TooManyEdges | OpenReason::NotAsked
+            )
         }
         _ => false,
     }
@@ -232,20 +279,48 @@ fn why(reason: OpenReason) -> String {
             format!("vertex {vertex} is not finite, or the loop is a single point")
         }
         OpenReason::Cancelled => "the run was stopped".into(),
+        OpenReason::OppositeSides { a, b } => format!(
+            "loops {a} and {b} fit only if the faces at one of them faced the other way; {}",
+            reason.entry().remedy()
+        ),
+        OpenReason::SharedVertex { vertex } => {
+            format!(
+                "two of the loops have vertex {vertex}; {}",
+                reason.entry().remedy()
+            )
+        }
+        OpenReason::NotAsked => "it is not one of those asked for".into(),
+        OpenReason::NotFair | OpenReason::Intersecting => {
+            format!("{}; {}", reason.entry().text(), reason.entry().remedy())
+        }
         _ => "unknown".into(),
     }
 }
 
-fn readable(filled: &Filled, args: &FillArgs) -> String {
+fn named(report: &LoopReport) -> String {
+    match &report.loops[..] {
+        [_] => format!("loop {}", report.index),
+        joined => format!("loops {} joined", join::list(joined)),
+    }
+}
+
+fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
     let mut text = String::new();
+    if dropped > 0 {
+        let _ = writeln!(
+            text,
+            "{dropped} components of fewer than {} triangles were dropped",
+            args.drop_components_below
+        );
+    }
     if filled.loops.is_empty() {
         text += "no boundary: nothing to fill\n";
     }
     for report in &filled.loops {
         let _ = write!(
             text,
-            "loop {}, {} edges: {}",
-            report.index,
+            "{}, {} edges: {}",
+            named(report),
             report.edges,
             told(report)
         );
@@ -258,6 +333,9 @@ fn readable(filled: &Filled, args: &FillArgs) -> String {
             );
         }
         text.push('\n');
+        if let Some(reason) = &report.joined {
+            let _ = writeln!(text, "  {}", join::told(reason));
+        }
         let Some(fairing) = &report.fairing else { continue };
         let tried = args.verbose.then(|| attempts::lines(&fairing.components));
         let continued = args.continuity.is_asked();
@@ -290,7 +368,8 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
             "continuity": continuity::json(f.components.iter().flat_map(|c| &c.continuity)) })
     });
     json!({
-        "index": report.index, "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
+        "index": report.index, "loops": report.loops, "joined": report.joined.as_ref().map(join::json),
+        "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
         "intersections": { "count": pairs.len(), "list": pairs }, "seconds": report.seconds,

@@ -4,13 +4,16 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use fairmesh::{BoundaryLoop, LoopKind, boundary_loops_joined};
+use fairmesh::{
+    BoundaryLoop, FillOptions, JoinSuggestion, LoopKind, Options, boundary_loops_joined, suggest_joins,
+};
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::MeshFile;
+use crate::formats::{Geometry, MeshFile};
+use crate::join;
 use crate::surface::MeshArgs;
 
 /// What `fairmesh holes` is asked.
@@ -18,6 +21,9 @@ use crate::surface::MeshArgs;
 pub struct HolesArgs {
     /// The mesh: .ply, .obj, .off or .stl
     input: PathBuf,
+    /// Which loops 'fairmesh fill --join auto' would give one patch, and why
+    #[arg(long)]
+    suggest: bool,
     #[command(flatten)]
     mesh: MeshArgs,
     /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
@@ -48,9 +54,47 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
             touching(boundary)
         );
     }
-    let json = || Value::from(loops.iter().map(described).collect::<Vec<Value>>());
+    let suggested = match args.suggest {
+        true => {
+            Some(suggested(args, geometry).map_err(|error| explain::refusal(&args.input, &mesh, &error))?)
+        }
+        false => None,
+    };
+    for one in suggested.iter().flatten() {
+        let _ = writeln!(
+            text,
+            "--join {}: {}",
+            join::list(&one.loops),
+            join::told(&one.reason)
+        );
+    }
+    if suggested.as_ref().is_some_and(Vec::is_empty) {
+        text += "no loops whose joint patch would bend less than separate ones\n";
+    }
+    let json = || {
+        let loops = Value::from(loops.iter().map(described).collect::<Vec<Value>>());
+        match &suggested {
+            None => loops,
+            Some(list) => {
+                let list = list.iter();
+                let list = list.map(|one| json!({ "loops": one.loops, "reason": join::json(&one.reason) }));
+                json!({ "loops": loops, "joins": list.collect::<Vec<Value>>() })
+            }
+        }
+    };
     answer.tell(&[], json, || text)?;
     Ok(true)
+}
+
+fn suggested(args: &HolesArgs, geometry: &Geometry) -> Result<Vec<JoinSuggestion>, fairmesh::Error> {
+    let options = FillOptions {
+        fairing: Options {
+            coincident: args.mesh.coincident,
+            ..Options::default()
+        },
+        ..FillOptions::default()
+    };
+    suggest_joins(&geometry.positions, &geometry.triangles, &options)
 }
 
 fn kind(boundary: &BoundaryLoop) -> String {
@@ -79,6 +123,6 @@ fn described(boundary: &BoundaryLoop) -> Value {
     };
     json!({
         "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
-        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "vertices": boundary.vertices,
+        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "component": boundary.component, "vertices": boundary.vertices,
     })
 }

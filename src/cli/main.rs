@@ -6,6 +6,7 @@ mod answer;
 mod attempts;
 mod bar;
 mod component_report;
+mod components;
 mod continuity;
 mod demo;
 mod explain;
@@ -17,6 +18,7 @@ mod formats;
 mod generate;
 mod help;
 mod holes;
+mod join;
 mod normals;
 mod output;
 mod picture;
@@ -28,6 +30,7 @@ mod solver;
 mod surface;
 mod temporary;
 mod text;
+mod which;
 
 use std::io::{IsTerminal, Write};
 

@@ -5,7 +5,8 @@ use rstar::primitives::Rectangle;
 use rstar::{AABB, Envelope, RTree};
 
 use super::loops::BoundaryLoop;
-use super::outcome::FillOutcome;
+use super::options::OnFailure;
+use super::outcome::{FillOutcome, OpenReason};
 use super::piece::{Piece, Task};
 use super::surroundings::bounds;
 use crate::fairing::SelfIntersections;
@@ -14,7 +15,7 @@ use crate::intersections::{Bounds, Member, bounds_of, member, members_near, pair
 /// Part of a loop's diagonal around its box in which the mesh is looked at once for all loops.
 const NEAR: f64 = 0.5;
 
-/// A triangle of the mesh, or of the patch of a loop (by its place among those asked for).
+/// A triangle of the mesh, or of a patch (by its place among those asked for).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owned {
     Mesh(u32),
@@ -34,13 +35,10 @@ pub(super) struct Neighbours<'m> {
     patches: Vec<(Bounds, Vec<Member>)>,
 }
 
-/// The box around a loop with room around it.
-fn room(positions: &[[f64; 3]], boundary: &BoundaryLoop) -> Option<Bounds> {
-    let x: Vec<_> = boundary
-        .vertices
-        .iter()
-        .map(|&v| Vector3::from(positions[v as usize]))
-        .collect();
+/// The box around the loops of a patch with room around it.
+fn room(positions: &[[f64; 3]], loops: &[&BoundaryLoop]) -> Option<Bounds> {
+    let vertices = loops.iter().flat_map(|boundary| &boundary.vertices);
+    let x: Vec<_> = vertices.map(|&v| Vector3::from(positions[v as usize])).collect();
     let (low, high) = bounds(&x);
     let more = Vector3::repeat(NEAR * (high - low).norm());
     let (low, high) = (low - more, high + more);
@@ -52,9 +50,9 @@ impl<'m> Neighbours<'m> {
     pub(super) fn new<'l>(
         positions: &'m [[f64; 3]],
         triangles: &'m [[u32; 3]],
-        loops: impl Iterator<Item = &'l BoundaryLoop>,
+        groups: impl Iterator<Item = Vec<&'l BoundaryLoop>>,
     ) -> Self {
-        let known: Vec<Option<Bounds>> = loops.map(|boundary| room(positions, boundary)).collect();
+        let known: Vec<Option<Bounds>> = groups.map(|loops| room(positions, &loops)).collect();
         let rooms = RTree::bulk_load(known.iter().flatten().map(|&b| Rectangle::from_aabb(b)).collect());
         let near = members_near(positions, triangles, |b| {
             rooms.locate_in_envelope_intersecting(b).next().is_some()
@@ -70,7 +68,13 @@ impl<'m> Neighbours<'m> {
     }
 
     /// Keeps a patch, or one made by other means if this one intersects and that one does not.
-    pub(super) fn settle(&mut self, of: usize, task: &Task<'_>, first: Piece) -> Piece {
+    pub(super) fn settle(
+        &mut self,
+        of: usize,
+        task: &Task<'_>,
+        first: Piece,
+        on_failure: OnFailure,
+    ) -> Piece {
         let mut best = self.judged(of, first);
         if !best.crossings.is_empty() {
             for other in task.other_means(&best) {
@@ -79,7 +83,13 @@ impl<'m> Neighbours<'m> {
                     best = other;
                     break;
                 }
+                if on_failure == OnFailure::Flat && other.crossings.len() < best.crossings.len() {
+                    best = other;
+                }
             }
+        }
+        if !best.crossings.is_empty() && on_failure == OnFailure::Open {
+            return Piece::open(OpenReason::Intersecting);
         }
         self.keep(of, &best);
         if !best.crossings.is_empty() {

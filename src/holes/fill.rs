@@ -5,7 +5,10 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use super::crossing::{Neighbours, Owned};
+use super::groups::{Group, JoinSuggestion, asked_for, choose};
+use super::joint;
 use super::loops::{BoundaryLoop, Links, LoopKind};
+use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};
@@ -18,63 +21,6 @@ use crate::fairing::{
 };
 use crate::mesh::{Joined, NONE};
 
-/// Which loops are filled.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Loops {
-    /// All holes of at most this many edges; outer boundaries stay open.
-    UpTo(usize),
-    /// These, by their numbers in [`boundary_loops`](super::boundary_loops), outer boundaries included.
-    Chosen(Vec<usize>),
-}
-
-/// What is asked. `FillOptions::default()` is right for most uses.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FillOptions {
-    /// Which loops. Default: all holes of whatever size.
-    pub loops: Loops,
-    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
-    /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
-    pub density: f64,
-    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
-    /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
-    /// square of a density above 1: a round hole takes a tenth.
-    pub max_new_vertices: usize,
-    /// Whether the patches are faired. Default: yes.
-    pub fair: bool,
-    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
-    /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
-    /// copy in the triangle beside them.
-    pub fairing: Options,
-}
-
-/// See [`FillOptions::max_new_vertices`].
-fn largest_patch(edges: usize, density: f64) -> usize {
-    1_000 + (edges as f64 * density.max(1.0)).powi(2).round() as usize
-}
-
-impl FillOptions {
-    /// Checks the ranges of all options, those of the fairing included.
-    ///
-    /// # Errors
-    /// [`Error::BadOption`], which names the option.
-    pub fn validate(&self) -> Result<(), Error> {
-        check_density(self.density)?;
-        self.fairing.validate()
-    }
-}
-
-impl Default for FillOptions {
-    fn default() -> Self {
-        Self {
-            loops: Loops::UpTo(usize::MAX),
-            density: std::f64::consts::SQRT_2,
-            max_new_vertices: 200_000,
-            fair: true,
-            fairing: Options::default(),
-        }
-    }
-}
-
 /// The filled mesh.
 #[derive(Debug, Clone)]
 pub struct Filled {
@@ -84,7 +30,7 @@ pub struct Filled {
     pub triangles: Vec<[u32; 3]>,
     /// Per new vertex where it comes from.
     pub parents: Vec<Parents>,
-    /// Per loop of the mesh (or per loop chosen) what became of it.
+    /// Per loop of the mesh (or per loop chosen) what became of it; loops that are joined have one report.
     pub loops: Vec<LoopReport>,
 }
 
@@ -146,6 +92,56 @@ pub fn fill_holes_with_progress(
     run(positions, triangles, options, Some(progress))
 }
 
+/// Which loops [`Join::Auto`](super::Join::Auto) would give one patch, by the options' `loops`, whatever their `join` is. None
+/// that is alone is listed.
+///
+/// ```
+/// use fairmesh::{FillOptions, suggest_joins};
+/// // Two rings of a tube of six sides, with a gap between them.
+/// let at = |i: u32, z: f64| {
+///     let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_3).sin_cos();
+///     [cos, sin, z]
+/// };
+/// let positions: Vec<[f64; 3]> =
+///     [0.0, 1.0, 2.0, 3.0].iter().flat_map(|&z| (0..6).map(move |i| at(i, z))).collect();
+/// let ring = |first: u32| {
+///     let side = move |i: u32| {
+///         let [a, b] = [first + i, first + (i + 1) % 6];
+///         [[a, b, b + 6], [a, b + 6, a + 6]]
+///     };
+///     (0..6).flat_map(side)
+/// };
+/// let triangles: Vec<[u32; 3]> = ring(0).chain(ring(12)).collect();
+/// let found = suggest_joins(&positions, &triangles, &FillOptions::default())?;
+/// assert_eq!(found.len(), 1);
+/// assert_eq!(found[0].loops.len(), 2); // the middle ones of four
+/// assert!(found[0].reason.joint_bend < 0.5 * found[0].reason.separate_bend);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`fill_holes`].
+pub fn suggest_joins(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &FillOptions,
+) -> Result<Vec<JoinSuggestion>, Error> {
+    options.validate()?;
+    let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
+    let links = Links::new(positions.len(), &joined.triangles)?;
+    let loops = links.loops(positions);
+    let asked = FillOptions {
+        join: Join::Auto,
+        ..options.clone()
+    };
+    let groups = choose(&asked, positions, &links, &loops)?;
+    let suggestion = |group: Group| {
+        let loops = group.loops;
+        group.reason.map(|reason| JoinSuggestion { loops, reason })
+    };
+    Ok(groups.into_iter().filter_map(suggestion).collect())
+}
+
 fn run<'a>(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
@@ -157,15 +153,19 @@ fn run<'a>(
     let fairing = joined_options(&joined.copies, &options.fairing);
     let links = Links::new(positions.len(), &joined.triangles)?;
     let loops = links.loops(positions);
-    let (numbers, named) = choose(options, loops.len())?;
-    let on_loops = numbers.iter().flat_map(|&l| loops[l].vertices.iter().copied());
+    let groups = choose(options, positions, &links, &loops)?;
+    let of_group = |i: usize| -> Vec<&BoundaryLoop> { groups[i].loops.iter().map(|&l| &loops[l]).collect() };
+    let on_loops = (0..groups.len())
+        .flat_map(of_group)
+        .flat_map(|of| of.vertices.iter().copied());
     check_loops(&fairing.loop_continuity, on_loops)
         .map_err(|error| in_given(error, &joined.copies, &options.fairing))?;
-    let mut order: Vec<usize> = (0..numbers.len()).collect();
-    order.sort_by_key(|&i| loops[numbers[i]].vertices.len());
-    let total: usize = numbers.iter().map(|&l| loops[l].vertices.len()).sum();
+    let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
+    let mut order: Vec<usize> = (0..groups.len()).collect();
+    order.sort_by_key(|&i| edges(i));
+    let total: usize = order.iter().map(|&i| edges(i)).sum();
     let is_checked = options.fairing.intersections == Intersections::Check;
-    let chosen = numbers.iter().map(|&l| &loops[l]);
+    let chosen = (0..groups.len()).map(of_group);
     let workers = Workers::new(options.fairing.threads)?;
     let mut run = Run {
         positions,
@@ -179,34 +179,34 @@ fn run<'a>(
         options,
         fairing: &fairing,
         progress,
-        named,
+        asked: asked_for(options, positions, &loops),
         done: 0.0,
         total: total as f64,
         cancelled: false,
     };
-    let mut pieces: Vec<Option<(Piece, f64)>> = numbers.iter().map(|_| None).collect();
+    let mut pieces: Vec<Option<(Piece, f64)>> = groups.iter().map(|_| None).collect();
     for i in order {
         let clock = Instant::now();
-        let boundary = &loops[numbers[i]];
-        let mut piece = run.fill(i, boundary);
+        let boundary = of_group(i);
+        let mut piece = run.fill(i, &groups[i], &boundary);
         if !joined.copies.is_empty() {
-            piece.name_copies(&boundary.copies(triangles));
+            let copies: Vec<u32> = boundary.iter().flat_map(|of| of.copies(triangles)).collect();
+            piece.name_copies(&copies);
         }
-        run.done += boundary.vertices.len() as f64;
+        run.done += edges(i) as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
     let mut filled = Filled {
         positions: positions.to_vec(),
         triangles: triangles.to_vec(),
         parents: Vec::new(),
-        loops: Vec::with_capacity(numbers.len()),
+        loops: Vec::with_capacity(groups.len()),
     };
     let mut pieces: Vec<(Piece, f64)> = pieces.into_iter().flatten().collect();
     tell_both(&mut pieces);
     let crossings = crossings(&pieces, triangles.len() as u32);
-    for ((index, (piece, seconds)), pairs) in numbers.into_iter().zip(pieces).zip(crossings) {
-        let edges = loops[index].vertices.len();
-        filled.append(piece, index, edges, seconds);
+    for ((i, (piece, seconds)), pairs) in pieces.into_iter().enumerate().zip(crossings) {
+        filled.append(piece, &groups[i], edges(i), seconds);
         if let Some(report) = filled.loops.last_mut() {
             report.self_intersections = pairs;
         }
@@ -262,27 +262,6 @@ fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
     pieces.iter().map(numbered).collect()
 }
 
-pub(super) fn check_density(density: f64) -> Result<(), Error> {
-    let allowed = (0.1..=10.0).contains(&density);
-    Error::check_option("density", density, allowed, "between 0.1 and 10")
-}
-
-/// The loops to be looked at, ascending, and whether they were named.
-fn choose(options: &FillOptions, count: usize) -> Result<(Vec<usize>, bool), Error> {
-    match &options.loops {
-        Loops::UpTo(_) => Ok(((0..count).collect(), false)),
-        Loops::Chosen(list) => {
-            if let Some(&index) = list.iter().find(|&&l| l >= count) {
-                return Err(Error::SelectionOutOfRange { index, count });
-            }
-            let mut list = list.clone();
-            list.sort_unstable();
-            list.dedup();
-            Ok((list, true))
-        }
-    }
-}
-
 struct Run<'m, 'o> {
     positions: &'m [[f64; 3]],
     /// What patches may intersect; none if they are not checked.
@@ -299,7 +278,8 @@ struct Run<'m, 'o> {
     /// In the joined mesh's numbers.
     fairing: &'m Options,
     progress: Option<&'o mut ProgressCallback<'o>>,
-    named: bool,
+    /// Per loop whether it has the size and the place that are asked for.
+    asked: Vec<bool>,
     /// Edges of loops done, and of all.
     done: f64,
     total: f64,
@@ -307,38 +287,54 @@ struct Run<'m, 'o> {
 }
 
 impl Run<'_, '_> {
-    /// What speaks against filling a loop, known before the work.
-    fn objection(&self, boundary: &BoundaryLoop) -> Option<OpenReason> {
-        if let LoopKind::NonManifold { a, b } = boundary.kind {
-            return Some(OpenReason::NonManifold { a, b });
+    /// What speaks against filling some loops, known before the work.
+    fn objection(&self, group: &Group, loops: &[&BoundaryLoop]) -> Option<OpenReason> {
+        let bad = loops.iter().find_map(|boundary| match boundary.kind {
+            LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
+            _ => None,
+        });
+        if bad.is_some() {
+            return bad;
         }
         if self.cancelled {
             return Some(OpenReason::Cancelled);
         }
-        if let Loops::UpTo(most) = self.options.loops
-            && boundary.vertices.len() > most
-        {
-            return Some(OpenReason::TooManyEdges);
+        if let Some(vertex) = shared_vertex(loops) {
+            return Some(OpenReason::SharedVertex { vertex });
         }
-        (boundary.kind == LoopKind::OuterBoundary && !self.named).then_some(OpenReason::OuterBoundary)
+        if group.is_named {
+            return None;
+        }
+        if !group.loops.iter().all(|&l| self.asked[l]) {
+            return Some(match self.options.loops {
+                Loops::UpTo(_) => OpenReason::TooManyEdges,
+                _ => OpenReason::NotAsked,
+            });
+        }
+        let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
+        loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
     }
 
-    /// Fills a loop, which is number `i` among those asked for.
-    fn fill(&mut self, i: usize, boundary: &BoundaryLoop) -> Piece {
-        if let Some(reason) = self.objection(boundary) {
+    /// Fills the loops of a group, which is number `i` among those asked for.
+    fn fill(&mut self, i: usize, group: &Group, loops: &[&BoundaryLoop]) -> Piece {
+        if let Some(reason) = self.objection(group, loops) {
             return Piece::open(reason);
         }
-        let mut surroundings = Surroundings::new(self.links, self.positions, boundary, &mut self.place);
+        let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         if let Some(vertex) = surroundings.first_unusable() {
             return Piece::open(OpenReason::NotFinite { vertex });
         }
-        if !boundary.touching.is_empty() {
+        if loops.len() > 1
+            && let Some([a, b]) = joint::opposed(&surroundings.loop_set())
+        {
+            let [a, b] = [a, b].map(|k| group.loops[k]);
+            return Piece::open(OpenReason::OppositeSides { a, b });
+        }
+        if loops.iter().any(|boundary| !boundary.touching.is_empty()) {
             self.add_made(&mut surroundings);
         }
-        let (done, total) = (
-            self.done / self.total,
-            boundary.vertices.len() as f64 / self.total,
-        );
+        let edges = surroundings.loop_vertices;
+        let (done, total) = (self.done / self.total, edges as f64 / self.total);
         let callback = &mut self.progress;
         let (mut cancelled, mut reached) = (false, 0.0_f64);
         let mut tell = |progress: &Progress| {
@@ -361,9 +357,7 @@ impl Run<'_, '_> {
         let task = Task {
             surroundings: &surroundings,
             factor: std::f64::consts::SQRT_2 / self.options.density,
-            most: self
-                .left
-                .min(largest_patch(boundary.vertices.len(), self.options.density)),
+            most: self.left.min(largest_patch(edges, self.options.density)),
             fair: self.options.fair,
             options: local_options(&surroundings, self.fairing),
             precision: self.options.fairing.output_precision,
@@ -373,17 +367,26 @@ impl Run<'_, '_> {
         if cancelled {
             return Piece::open(OpenReason::Cancelled);
         }
+        let on_failure = self.options.on_failure;
+        if !piece.is_fair() {
+            match on_failure {
+                OnFailure::Open => return Piece::open(OpenReason::NotFair),
+                OnFailure::Flat => piece = task.flattened(piece),
+                OnFailure::Linear => {}
+            }
+        }
         if let Some(neighbours) = &mut self.neighbours {
-            piece = self.workers.install(|| neighbours.settle(i, &task, piece));
+            piece = self
+                .workers
+                .install(|| neighbours.settle(i, &task, piece, on_failure));
         }
         self.left -= piece.positions.len();
-        let boundary_count = boundary.vertices.len() as u32;
         for t in &piece.triangles {
             for k in 0..3 {
-                let (a, b) = (t[k], t[(k + 1) % 3]);
-                if a < boundary_count && b < boundary_count {
-                    self.made
-                        .insert(edge(boundary.vertices[a as usize], boundary.vertices[b as usize]));
+                let ends = [t[k], t[(k + 1) % 3]].map(|v| v as usize);
+                if ends.iter().all(|&v| v < edges) {
+                    let [a, b] = ends.map(|v| surroundings.ids[v]);
+                    self.made.insert(edge(a, b));
                 }
             }
         }
@@ -410,13 +413,26 @@ impl Run<'_, '_> {
     }
 }
 
+/// A vertex that two of the loops have.
+fn shared_vertex(loops: &[&BoundaryLoop]) -> Option<u32> {
+    if loops.len() == 1 {
+        return None;
+    }
+    let mut vertices: Vec<u32> = loops.iter().flat_map(|of| of.vertices.iter().copied()).collect();
+    vertices.sort_unstable();
+    vertices
+        .windows(2)
+        .find(|pair| pair[0] == pair[1])
+        .map(|pair| pair[0])
+}
+
 fn edge(a: u32, b: u32) -> (u32, u32) {
     (a.min(b), a.max(b))
 }
 
 impl Filled {
     /// Appends a piece and its report.
-    fn append(&mut self, piece: Piece, index: usize, edges: usize, seconds: f64) {
+    fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
         let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {
@@ -450,7 +466,9 @@ impl Filled {
             );
         }
         self.loops.push(LoopReport {
-            index,
+            index: group.loops[0],
+            loops: group.loops.clone(),
+            joined: group.reason,
             edges,
             outcome: piece.outcome,
             vertices: vertex..self.positions.len() as u32,

@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
+use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
@@ -66,6 +67,9 @@ pub struct BoundaryLoop {
     pub touching: Vec<u32>,
     /// What kind of gap it is.
     pub kind: LoopKind,
+    /// The component of the mesh that the loop is on: triangles that hang together by edges. They count in the order of their
+    /// first triangles.
+    pub component: usize,
     /// The mesh's half-edge at each edge from a vertex to the next; it runs the other way.
     pub(super) half_edges: Vec<u32>,
 }
@@ -126,6 +130,28 @@ pub fn boundary_loops_joined(
             .for_each(|boundary| boundary.name_copies(triangles));
     }
     Ok(loops)
+}
+
+/// Per triangle the number of its component: triangles that hang together by edges. Components count in the order of their first
+/// triangles.
+///
+/// ```
+/// use fairmesh::{Coincident, triangle_components};
+/// let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [5.0, 1.0, 0.0]];
+/// let triangles = [[0, 1, 2], [4, 5, 6], [2, 1, 3]];
+/// assert_eq!(triangle_components(&positions, &triangles, Coincident::default())?, [0, 1, 0]);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`boundary_loops_joined`].
+pub fn triangle_components(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    coincident: Coincident,
+) -> Result<Vec<u32>, Error> {
+    let joined = Joined::new(positions, triangles, coincident)?;
+    Ok(Links::new(positions.len(), &joined.triangles)?.components())
 }
 
 impl BoundaryLoop {
@@ -219,6 +245,11 @@ impl<'a> Links<'a> {
         Some(self.opposite[h as usize]).filter(|&o| o < NON_MANIFOLD)
     }
 
+    /// Whether a half-edge has no triangle on the other side.
+    pub(super) fn is_boundary(&self, h: u32) -> bool {
+        self.opposite[h as usize] == BOUNDARY
+    }
+
     /// The boundary half-edge after `h` along the gap: around `h`'s origin, through its fan. `Err`: a bad edge. `visit` sees
     /// the half-edges of the fan that end at the origin.
     pub(super) fn follow(&self, h: u32, mut visit: impl FnMut(u32)) -> Result<u32, u32> {
@@ -275,10 +306,36 @@ impl<'a> Links<'a> {
             let v = self.origin(next(h)) as usize;
             visits[v] = visits[v].saturating_add(1);
         }
+        if found.is_empty() {
+            return Vec::new();
+        }
+        let components = self.components();
         found
             .into_iter()
-            .map(|(run, bad)| self.measure(run, bad, positions, &visits))
+            .map(|(run, bad)| self.measure(run, bad, positions, &visits, &components))
             .collect()
+    }
+
+    /// Per triangle the number of its component.
+    pub(super) fn components(&self) -> Vec<u32> {
+        let count = self.triangles.len();
+        let mut sets = DisjointSets::new(count);
+        for h in 0..self.opposite.len() as u32 {
+            if let Some(o) = self.across(h) {
+                sets.unite(h / 3, o / 3);
+            }
+        }
+        let (mut number, mut next) = (vec![0; count], 0);
+        for t in 0..count {
+            let first = sets.smallest(t as u32) as usize;
+            if first == t {
+                number[t] = next;
+                next += 1;
+            } else {
+                number[t] = number[first];
+            }
+        }
+        number
     }
 
     /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
@@ -322,6 +379,7 @@ impl<'a> Links<'a> {
         bad: Option<u32>,
         positions: &[[f64; 3]],
         visits: &[u8],
+        components: &[u32],
     ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
         let at = |v: u32| Vector3::from(positions[v as usize]);
@@ -342,6 +400,7 @@ impl<'a> Links<'a> {
             turn: turn.to_degrees(),
             touching,
             kind: self.kind(bad, turn),
+            component: components[run[0] as usize / 3] as usize,
             half_edges: run,
         }
     }

@@ -1,11 +1,17 @@
-//! Holes: boundary loops, their triangulation, refinement and fairing in one call.
+//! Holes: boundary loops, their triangulation, refinement and fairing in one call, each by itself or several together.
 
+mod bridges;
 mod creases;
 mod crossing;
+mod erase;
 mod fill;
+mod groups;
+mod joint;
 mod lenses;
+mod loop_set;
 mod loops;
 mod mend;
+mod options;
 mod outcome;
 mod parents;
 mod patch;
@@ -14,12 +20,17 @@ mod refine;
 mod relax;
 mod remesh;
 mod rounding;
+mod shape;
 mod surroundings;
+mod thinned;
 mod triangulate;
 mod units;
 
-pub use fill::{FillOptions, Filled, Loops, fill_holes, fill_holes_with_progress};
-pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined};
+pub use erase::{Erased, erase};
+pub use fill::{Filled, fill_holes, fill_holes_with_progress, suggest_joins};
+pub use groups::{JoinReason, JoinSuggestion};
+pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, triangle_components};
+pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::groups::JoinReason;
 use crate::error::Error;
 use crate::fairing::{Outcome, Report};
 use crate::quality::Quality;
@@ -31,6 +32,24 @@ pub enum OpenReason {
     },
     /// The run was stopped before this loop was done.
     Cancelled,
+    /// Of the loops to be joined two fit only if the triangles at one of them faced the other way.
+    OppositeSides {
+        /// One of them.
+        a: usize,
+        /// The other one.
+        b: usize,
+    },
+    /// The loop is none of those asked for.
+    NotAsked,
+    /// No fair patch was found, and such loops were to stay open.
+    NotFair,
+    /// Every patch intersects itself, the mesh or another patch, and such loops were to stay open.
+    Intersecting,
+    /// Two of the loops to be joined have a vertex in common.
+    SharedVertex {
+        /// The vertex.
+        vertex: u32,
+    },
 }
 
 /// Why a patch was not faired.
@@ -112,6 +131,18 @@ table!(OpenReason {
     5 "not_finite" OpenReason::NotFinite { .. } =>
         "a vertex of the boundary is NaN or infinite, or all of them are the same point", "repair or remove these vertices";
     6 "cancelled" OpenReason::Cancelled => "the run was stopped before this loop was done", "run it again, to its end";
+    7 "opposite_sides" OpenReason::OppositeSides { .. } =>
+        "two of the loops to be joined fit only if the triangles at one of them faced the other way",
+        "turn the triangles of one of the two parts around, or leave its loop out";
+    8 "shared_vertex" OpenReason::SharedVertex { .. } =>
+        "two of the loops to be joined have a vertex in common", "fill them by themselves, or give each a vertex of its own";
+    9 "not_asked_for" OpenReason::NotAsked => "it is not one of those that were asked for", "name the loop, or ask for more of them";
+    10 "not_fair" OpenReason::NotFair =>
+        "no fair patch was found, and such loops were to stay open",
+        "fill it with a patch that is not fair, or join it to its neighbours, or remove faces around it";
+    11 "intersects" OpenReason::Intersecting =>
+        "every patch that was tried intersects itself or the mesh, and such loops were to stay open",
+        "join the loop to its neighbours, clean its boundary, or remove faces around it";
 });
 
 table!(FlatReason {
@@ -125,12 +156,16 @@ table!(FlatReason {
         "faired, the patch would intersect itself or the mesh", "clean the boundary of the hole, or remove faces around it";
 });
 
-/// What became of a loop.
+/// What became of a loop, or of loops that are joined.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopReport {
-    /// The loop, as numbered by [`boundary_loops`](super::boundary_loops).
+    /// The loop, as numbered by [`boundary_loops`](super::boundary_loops); of several the first.
     pub index: usize,
-    /// Its number of edges.
+    /// All the loops that the patch is for, ascending: more than one if they are joined.
+    pub loops: Vec<usize>,
+    /// Why they are joined, if that was left to [`Join::Auto`](super::Join::Auto).
+    pub joined: Option<JoinReason>,
+    /// The number of edges, of all loops together.
     pub edges: usize,
     /// How it ended.
     pub outcome: FillOutcome,

@@ -114,6 +114,24 @@ impl Patch {
         }
     }
 
+    /// Closes a disc along pairs of its boundary edges, which their first vertices name. Each vertex becomes the one that `of`
+    /// tells, at `x`. The disc is one that was just made; there may be two edges between two vertices afterwards.
+    pub(super) fn glue(&mut self, sides: &[[u32; 2]], of: &[u32], x: &[Vector3<f64>]) {
+        let mut edge = vec![NONE; self.x.len()];
+        for h in (0..self.half_edges()).filter(|&h| self.across(h) == NONE) {
+            edge[self.origin(h) as usize] = h;
+        }
+        for side in sides {
+            let [g, h] = side.map(|v| edge[v as usize]);
+            self.link(g, h);
+        }
+        let mut triangles = std::mem::take(&mut self.triangles);
+        triangles.iter_mut().flatten().for_each(|v| *v = of[*v as usize]);
+        let opposite = std::mem::take(&mut self.opposite);
+        *self = Self::new(x.to_vec(), triangles, x.len());
+        self.opposite = opposite;
+    }
+
     /// How many half-edges there are, removed ones included.
     pub(super) fn half_edges(&self) -> u32 {
         self.opposite.len() as u32

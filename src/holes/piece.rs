@@ -1,4 +1,4 @@
-//! One loop: from its triangulation to the faired patch.
+//! One patch, for one loop or several: from the triangulation to the faired surface.
 //!
 //! The triangulation of a large hole is far from the surface that it becomes, and edges of the right length there would be
 //! too long on it. So a coarse patch is faired first, loosely, and the fine one is refined on that.
@@ -6,27 +6,23 @@
 use nalgebra::Vector3;
 
 use super::crossing::Owned;
+use super::joint;
 use super::outcome::{FillOutcome, FlatReason, OpenReason};
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use super::rounding::Rounded;
 use super::surroundings::{Surroundings, bounds};
-use super::triangulate::Polygon;
-use super::units::{first_of_loop, in_units};
+use super::triangulate::Measure;
+use super::units::{first_of_loops, in_units};
 use crate::error::Error;
 use crate::fairing::{
     BoundaryNormals, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Selection,
     Solution, fair_with_progress,
 };
 
-/// The coarse patch's edges grow by this much per unit of distance from the boundary.
-const COARSE_GROWTH: f64 = 0.5;
-/// How well the coarse patch is faired.
-const COARSE_TOLERANCE: f64 = 1e-3;
-const COARSE_ITERATIONS: usize = 30;
 /// What of the progress the coarse patch is.
-const COARSE_SHARE: f64 = 0.2;
+pub(super) const COARSE_SHARE: f64 = 0.2;
 /// First growth when the vertices do not suffice, and the last.
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
@@ -48,11 +44,11 @@ pub(super) fn limit(shorter: f64, size: f64) -> f64 {
 }
 
 /// No fair surface was found.
-fn is_failed(report: &Report) -> bool {
+pub(super) fn is_failed(report: &Report) -> bool {
     !report.outcome.is_tolerance_met()
 }
 
-/// A filled loop in numbers of its own: the boundary's vertices, then the new ones.
+/// A filled loop, or several joined, in numbers of its own: the boundary's vertices, then the new ones.
 pub(super) struct Piece {
     pub(super) outcome: FillOutcome,
     /// The mesh's numbers of the boundary's vertices.
@@ -91,6 +87,24 @@ impl Piece {
         }
     }
 
+    /// Faired, or not asked to be.
+    pub(super) fn is_fair(&self) -> bool {
+        match &self.outcome {
+            FillOutcome::Linear => false,
+            FillOutcome::Flat { reason } => {
+                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
+            }
+            _ => true,
+        }
+    }
+
+    /// Faired without reservation.
+    fn is_clean(&self) -> bool {
+        let fairing = self.fairing.as_ref();
+        self.outcome == FillOutcome::Faired
+            && fairing.is_some_and(|report| matches!(report.outcome, Outcome::Converged))
+    }
+
     /// Takes these copies for the boundary's vertices.
     pub(super) fn name_copies(&mut self, copies: &[u32]) {
         if self.boundary.is_empty() {
@@ -112,7 +126,7 @@ impl Piece {
     }
 }
 
-/// What is to be done with a loop.
+/// What is to be done with a loop, or with several.
 pub(super) struct Task<'a> {
     pub(super) surroundings: &'a Surroundings,
     /// Wanted edge length over that of the surroundings.
@@ -138,7 +152,22 @@ fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
 
 impl Task<'_> {
     pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> Piece {
-        let Some(coarse) = self.triangulate(false) else {
+        let first = self.run_on(false, tell);
+        let is_over = matches!(first.outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
+        if !self.is_joint() || !self.fair || is_over || first.is_clean() {
+            return first;
+        }
+        // Which triangulation of several loops leads to their surface is not known before.
+        let second = self.run_on(true, tell);
+        match second.is_clean() || second.is_fair() && !first.is_fair() {
+            true => second,
+            false => first,
+        }
+    }
+
+    /// On the first triangulation, or the other one.
+    fn run_on(&self, is_other: bool, tell: &mut ProgressCallback<'_>) -> Piece {
+        let Some(coarse) = self.triangulate(is_other) else {
             return Piece::open(OpenReason::NoTriangulation);
         };
         let mut patch = coarse.clone();
@@ -150,7 +179,10 @@ impl Task<'_> {
         if is_stopped(tell, 0.0) {
             return Piece::open(OpenReason::Cancelled);
         }
-        self.shape(&mut patch, tell);
+        match self.is_joint() {
+            true => self.shape_joint(&mut patch, tell),
+            false => self.shape(&mut patch, tell),
+        }
         if is_stopped(tell, COARSE_SHARE) {
             return Piece::open(OpenReason::Cancelled);
         }
@@ -210,8 +242,24 @@ impl Task<'_> {
         (better && !is_failed(&again.report)).then_some((patch, again))
     }
 
+    /// The triangulation, refined, in place of a surface that is not fair; as it is where it is that already.
+    pub(super) fn flattened(&self, piece: Piece) -> Piece {
+        if piece.outcome != FillOutcome::Linear {
+            return piece;
+        }
+        match self.triangulate(false) {
+            Some(coarse) => {
+                let report = piece.fairing.map(|report| self.of_another_patch(report));
+                let mut flat = self.flat(&coarse, FlatReason::Unsound, None);
+                flat.fairing = report;
+                flat
+            }
+            None => piece,
+        }
+    }
+
     /// Patches for a loop whose first one intersects something, none of them faired: that of the same triangulation, that
-    /// of least area, and both without new vertices.
+    /// of another one, and both without new vertices.
     pub(super) fn other_means<'t>(&'t self, first: &Piece) -> impl Iterator<Item = Piece> + use<'t> {
         let (reason, report) = match &first.outcome {
             FillOutcome::Flat { reason } => (reason.clone(), first.fairing.clone()),
@@ -220,8 +268,8 @@ impl Task<'_> {
         let is_flat = matches!(first.outcome, FillOutcome::Flat { .. });
         let means = [(false, true), (true, true), (false, false), (true, false)];
         let others = means.into_iter().skip(usize::from(is_flat));
-        others.filter_map(move |(by_area, is_refined)| {
-            let coarse = self.triangulate(by_area)?;
+        others.filter_map(move |(is_other, is_refined)| {
+            let coarse = self.triangulate(is_other)?;
             let mut patch = coarse.clone();
             let coarsened = is_refined && !self.refine(&mut patch);
             let reason = reason.clone();
@@ -231,17 +279,18 @@ impl Task<'_> {
         })
     }
 
-    /// The triangulated loop with the sizes of its surroundings; that of least area, or of least bends.
-    fn triangulate(&self, by_area: bool) -> Option<Patch> {
+    /// The loops triangulated, with the sizes of their surroundings: by the bends, or otherwise. (The least area of several loops
+    /// is that of a patch for each, and tubes without width between them.)
+    fn triangulate(&self, is_other: bool) -> Option<Patch> {
         let around = self.surroundings;
         let n = around.loop_vertices;
-        let polygon = Polygon {
-            x: &around.x[..n],
-            normals: &around.normals,
-            taken: &around.taken,
-            by_area,
+        let measure = match (self.is_joint(), is_other) {
+            (false, false) => Measure::WorstBend,
+            (false, true) => Measure::Area,
+            (true, false) => Measure::TotalBend,
+            (true, true) => Measure::Energy,
         };
-        let triangles = polygon.triangulate()?;
+        let triangles = joint::triangulate(&around.loop_set(), measure)?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
         if n == 3 && around.triangles.iter().any(is_there) {
             return None;
@@ -255,42 +304,11 @@ impl Task<'_> {
         Some(patch)
     }
 
-    /// Moves a patch near to the surface it will become: coarse, and faired loosely.
-    fn shape(&self, patch: &mut Patch, tell: &mut ProgressCallback<'_>) {
-        let fineness = self.fineness(COARSE_GROWTH);
-        let mut shaped = patch.clone();
-        Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
-        if shaped.x.len() == shaped.fixed {
-            return;
-        }
-        let mut first = |p: &Progress| {
-            tell(&Progress {
-                fraction: COARSE_SHARE * p.fraction,
-                ..*p
-            })
-        };
-        let mut rough = Options {
-            tolerance: COARSE_TOLERANCE,
-            max_iterations: COARSE_ITERATIONS,
-            // Where the coarse vertices lie does not depend on it much.
-            continuity: 0.0,
-            ..self.options.clone()
-        };
-        if rough.boundary_normals == BoundaryNormals::Fitted {
-            // Averages are cheap and good enough here.
-            rough.boundary_normals = BoundaryNormals::Averaged;
-        }
-        let solution = self.faired(&shaped, &rough, &mut first);
-        if let Ok(solution) = solution {
-            let inner = self.inner(&solution);
-            if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
-                shaped.x[shaped.fixed..].copy_from_slice(&inner);
-                *patch = shaped;
-            }
-        }
+    pub(super) fn is_joint(&self) -> bool {
+        self.surroundings.loops().count() > 1
     }
 
-    fn fineness(&self, growth: f64) -> Fineness {
+    pub(super) fn fineness(&self, growth: f64) -> Fineness {
         Fineness {
             factor: self.factor,
             growth,
@@ -320,7 +338,7 @@ impl Task<'_> {
     }
 
     /// The surroundings with the patch in them, faired.
-    fn faired(
+    pub(super) fn faired(
         &self,
         patch: &Patch,
         options: &Options,
@@ -338,7 +356,7 @@ impl Task<'_> {
     }
 
     /// The new vertices of a solution.
-    fn inner(&self, solution: &Solution) -> Vec<Vector3<f64>> {
+    pub(super) fn inner(&self, solution: &Solution) -> Vec<Vector3<f64>> {
         let known = self.surroundings.x.len();
         solution.positions[known..]
             .iter()
@@ -346,8 +364,8 @@ impl Task<'_> {
             .collect()
     }
 
-    /// Which vertices the loop's box, grown by [`ROOM`], does not hold.
-    fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
+    /// Which vertices the box of the loops, grown by [`ROOM`], does not hold.
+    pub(super) fn outside(&self, inner: &[Vector3<f64>]) -> Vec<u32> {
         let (low, high) = bounds(&self.surroundings.x[..self.surroundings.loop_vertices]);
         let room = Vector3::repeat(ROOM * (high - low).norm());
         let (low, high) = (low - room, high + room);
@@ -377,14 +395,16 @@ impl Task<'_> {
         let mut patch = coarse.clone();
         let coarsened = !self.refine(&mut patch);
         let mut piece = self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
-        // Its numbers are those of another patch.
-        piece.fairing = report.map(|mut report| {
-            report.quality.flipped.clear();
-            report.quality.needles.clear();
-            report.quality.worst_triangle = self.surroundings.triangles.len();
-            report
-        });
+        piece.fairing = report.map(|report| self.of_another_patch(report));
         piece
+    }
+
+    /// A report without the numbers that are those of another patch.
+    fn of_another_patch(&self, mut report: Report) -> Report {
+        report.quality.flipped.clear();
+        report.quality.needles.clear();
+        report.quality.worst_triangle = self.surroundings.triangles.len();
+        report
     }
 
     fn piece(
@@ -397,10 +417,10 @@ impl Task<'_> {
     ) -> Piece {
         let around = self.surroundings;
         let rounded = Rounded::new(&patch, around, self.precision);
-        let first = first_of_loop(&patch, around);
+        let firsts = first_of_loops(&patch, around);
         let fairing = fairing.map(|mut report| {
             rounded.tell(&mut report, self.given_normals());
-            in_units(report, around, first)
+            in_units(report, around, &firsts)
         });
         let written = |p| self.precision.round(around.leave(p));
         Piece {

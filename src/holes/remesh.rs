@@ -31,7 +31,7 @@ impl RemeshOptions {
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
         self.coincident.validate()?;
-        super::fill::check_density(self.density)
+        super::options::check_density(self.density)
     }
 }
 

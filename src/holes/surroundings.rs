@@ -1,10 +1,14 @@
-//! The piece of mesh around a loop, in numbers of its own: first the loop's vertices in their order, then the others.
+//! The piece of mesh around the loops of a patch, in numbers of its own: first the loops' vertices in their order, loop after
+//! loop, then the others.
 //!
 //! Vertices are told apart by fans and not by the mesh's numbers: corners are one vertex if a chain of sound edges between
 //! them says so. So a bow-tie beside the loop, or a flaw near it, does not reach the patch.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
+use super::loop_set::LoopSet;
 use super::loops::{BoundaryLoop, Links};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
@@ -13,7 +17,7 @@ use crate::mesh::halfedge::{next, previous};
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
 const LAYERS: usize = 6;
 
-/// The triangles around a loop, moved and scaled.
+/// The triangles around one loop or several, moved and scaled.
 pub(super) struct Surroundings {
     /// The mesh's number of each vertex.
     pub(super) ids: Vec<u32>,
@@ -23,11 +27,13 @@ pub(super) struct Surroundings {
     pub(super) triangles: Vec<[u32; 3]>,
     /// The mesh's number of each triangle.
     pub(super) triangle_ids: Vec<u32>,
-    /// How many vertices the loop has.
+    /// How many vertices the loops have.
     pub(super) loop_vertices: usize,
-    /// Unit normal of the mesh's triangle at each edge of the loop, zero if it has no area.
+    /// Where the vertices of each loop begin, and where the last one's end.
+    starts: Vec<usize>,
+    /// Unit normal of the mesh's triangle at each edge of the loops, zero if it has no area.
     pub(super) normals: Vec<Vector3<f64>>,
-    /// Pairs of the loop's vertices that the mesh has an edge between: (smaller, larger), sorted.
+    /// Pairs of the loops' vertices that the mesh has an edge between: (smaller, larger), sorted.
     pub(super) taken: Vec<(u32, u32)>,
     /// The centre and the power of two by which positions were moved and divided.
     centre: Vector3<f64>,
@@ -39,11 +45,12 @@ impl Surroundings {
     pub(super) fn new(
         links: &Links<'_>,
         positions: &[[f64; 3]],
-        boundary_loop: &BoundaryLoop,
+        loops: &[&BoundaryLoop],
         place: &mut [u32],
     ) -> Self {
-        let triangle_ids = collect(links, boundary_loop, place);
-        let (ids, triangles) = number(links, boundary_loop, &triangle_ids, place);
+        let triangle_ids = collect(links, loops, place);
+        let (ids, triangles) = number(links, loops, &triangle_ids, place);
+        let starts = starts(loops);
         triangle_ids.iter().for_each(|&t| place[t as usize] = NONE);
         let at = |&v: &u32| Vector3::from(positions[v as usize]);
         let mut surroundings = Self {
@@ -51,9 +58,10 @@ impl Surroundings {
             ids,
             triangles,
             triangle_ids,
-            loop_vertices: boundary_loop.vertices.len(),
+            loop_vertices: starts[loops.len()],
+            starts,
             normals: Vec::new(),
-            taken: taken(links, boundary_loop),
+            taken: taken(links, loops),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
@@ -61,15 +69,26 @@ impl Surroundings {
         surroundings.drop_infinite();
         let triangle =
             |&h: &u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
-        surroundings.normals = boundary_loop
-            .half_edges
-            .iter()
-            .map(|h| normal(&triangle(h)))
-            .collect();
+        surroundings.normals = half_edges(loops).map(|h| normal(&triangle(h))).collect();
         surroundings
     }
 
-    /// Moves and scales, so that the loop lies around the origin with a diagonal of about one.
+    /// The numbers of each loop's vertices.
+    pub(super) fn loops(&self) -> impl Iterator<Item = Range<usize>> {
+        self.starts.windows(2).map(|ends| ends[0]..ends[1])
+    }
+
+    /// The loops by themselves.
+    pub(super) fn loop_set(&self) -> LoopSet {
+        LoopSet {
+            x: self.x[..self.loop_vertices].to_vec(),
+            normals: self.normals.clone(),
+            starts: self.starts.clone(),
+            taken: self.taken.clone(),
+        }
+    }
+
+    /// Moves and scales, so that the loops lie around the origin with a diagonal of about one.
     fn enter(&mut self) {
         let (low, high) = bounds(&self.x[..self.loop_vertices]);
         let diagonal = (high - low).norm();
@@ -115,12 +134,18 @@ impl Surroundings {
         self.scale
     }
 
-    /// A vertex of the loop that is not finite; the first one if all lie in one point.
+    /// A vertex of the loops that is not finite; the first one of a loop if all of that lie in one point.
     pub(super) fn first_unusable(&self) -> Option<u32> {
         let wrong = |v: &usize| !self.x[*v].iter().all(|c| c.is_finite());
-        let flat = bounds(&self.x[..self.loop_vertices]);
-        let first = (flat.0 == flat.1).then_some(0);
-        (0..self.loop_vertices).find(wrong).or(first).map(|v| self.ids[v])
+        let is_point = |range: &Range<usize>| {
+            let (low, high) = bounds(&self.x[range.clone()]);
+            low == high
+        };
+        let point = || self.loops().find(is_point).map(|range| range.start);
+        (0..self.loop_vertices)
+            .find(wrong)
+            .or_else(point)
+            .map(|v| self.ids[v])
     }
 
     /// Per loop vertex what lengths of new edges there are measured by: half the mesh's shortest edge, twice the mean, twice
@@ -163,10 +188,12 @@ impl Surroundings {
                 around[v].1 += sum[w].1;
             }
         });
-        let edge = |i: usize| (self.x[i] - self.x[(i + 1) % self.loop_vertices]).norm();
-        let shorter = (0..self.loop_vertices)
-            .map(|i| edge(i).min(edge((i + self.loop_vertices - 1) % self.loop_vertices)))
-            .collect();
+        let shorter = self.loops().flat_map(|range| {
+            let (first, n) = (range.start, range.len());
+            let edge = move |i: usize| (self.x[first + i] - self.x[first + (i + 1) % n]).norm();
+            (0..n).map(move |i| edge(i).min(edge((i + n - 1) % n)))
+        });
+        let shorter = shorter.collect();
         let mean = around[..self.loop_vertices]
             .iter()
             .map(|&(s, n): &(f64, f64)| s / n.max(1.0));
@@ -189,8 +216,22 @@ pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
         .fold((far, -far), |(low, high), p| (low.inf(p), high.sup(p)))
 }
 
-/// The fans of the loop's vertices and some layers of triangles around them; `place` gets their local numbers.
-fn collect(links: &Links<'_>, boundary_loop: &BoundaryLoop, place: &mut [u32]) -> Vec<u32> {
+fn half_edges<'a>(loops: &'a [&'a BoundaryLoop]) -> impl Iterator<Item = &'a u32> {
+    loops.iter().flat_map(|boundary| &boundary.half_edges)
+}
+
+fn starts(loops: &[&BoundaryLoop]) -> Vec<usize> {
+    let mut starts = vec![0];
+    let ends = loops.iter().scan(0, |end, boundary| {
+        *end += boundary.vertices.len();
+        Some(*end)
+    });
+    starts.extend(ends);
+    starts
+}
+
+/// The fans of the loops' vertices and some layers of triangles around them; `place` gets their local numbers.
+fn collect(links: &Links<'_>, loops: &[&BoundaryLoop], place: &mut [u32]) -> Vec<u32> {
     let mut found: Vec<u32> = Vec::new();
     let mut add = |t: u32, found: &mut Vec<u32>| {
         if place[t as usize] == NONE {
@@ -198,7 +239,7 @@ fn collect(links: &Links<'_>, boundary_loop: &BoundaryLoop, place: &mut [u32]) -
             found.push(t);
         }
     };
-    for &h in &boundary_loop.half_edges {
+    for &h in half_edges(loops) {
         add(h / 3, &mut found);
         // The fans at both ends; at a bow-tie the next half-edge lies in another one.
         let _ = links.follow(h, |g| add(g / 3, &mut found));
@@ -218,19 +259,23 @@ fn collect(links: &Links<'_>, boundary_loop: &BoundaryLoop, place: &mut [u32]) -
     found
 }
 
-/// The vertices of these triangles, the loop's first, and the triangles in their numbers.
+/// The vertices of these triangles, the loops' first, and the triangles in their numbers.
 fn number(
     links: &Links<'_>,
-    boundary_loop: &BoundaryLoop,
+    loops: &[&BoundaryLoop],
     triangle_ids: &[u32],
     place: &[u32],
 ) -> (Vec<u32>, Vec<[u32; 3]>) {
     let at = |h: u32| 3 * place[h as usize / 3] + h % 3;
-    let mut corners = unite_corners(links, boundary_loop, triangle_ids, place, at);
-    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], boundary_loop.vertices.clone());
-    for (&h, i) in boundary_loop.half_edges.iter().zip(1..) {
-        let corner = corners.smallest(at(h));
-        number[corner as usize] = i % ids.len() as u32;
+    let mut corners = unite_corners(links, loops, triangle_ids, place, at);
+    let (mut number, mut ids) = (vec![NONE; 3 * triangle_ids.len()], Vec::new());
+    for boundary in loops {
+        let (first, count) = (ids.len() as u32, boundary.vertices.len() as u32);
+        ids.extend(&boundary.vertices);
+        for (&h, i) in boundary.half_edges.iter().zip(1..) {
+            let corner = corners.smallest(at(h));
+            number[corner as usize] = first + i % count;
+        }
     }
     let triangles = (0..).zip(triangle_ids).map(|(local, &t)| {
         [0, 1, 2].map(|k| {
@@ -247,7 +292,7 @@ fn number(
 }
 
 /// The unit normal of a triangle, zero if it has no area to speak of.
-fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
+pub(super) fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
     let (e, f) = (b - a, c - a);
     let cross = e.cross(&f);
     let longest = e.norm_squared().max(f.norm_squared());
@@ -261,7 +306,7 @@ fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
 /// Which corners are one vertex. `at` is the local corner that a half-edge of the mesh starts at.
 fn unite_corners(
     links: &Links<'_>,
-    boundary_loop: &BoundaryLoop,
+    loops: &[&BoundaryLoop],
     triangle_ids: &[u32],
     place: &[u32],
     at: impl Fn(u32) -> u32,
@@ -274,20 +319,23 @@ fn unite_corners(
         }
     }
     // A vertex of the loop is where one half-edge of it ends and the one before begins.
-    let run = &boundary_loop.half_edges;
-    for (i, &h) in run.iter().enumerate() {
-        corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
+    for run in loops.iter().map(|boundary| &boundary.half_edges) {
+        for (i, &h) in run.iter().enumerate() {
+            corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
+        }
     }
     corners
 }
 
-/// Pairs of the loop's vertices between which the mesh has an edge, sound or not.
-fn taken(links: &Links<'_>, boundary_loop: &BoundaryLoop) -> Vec<(u32, u32)> {
-    let mut order: Vec<(u32, u32)> = boundary_loop.vertices.iter().copied().zip(0..).collect();
+/// Pairs of the loops' vertices between which the mesh has an edge, sound or not.
+pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32)> {
+    let vertices = loops.iter().flat_map(|boundary| &boundary.vertices).copied();
+    let ordered: Vec<(u32, u32)> = vertices.zip(0..).collect();
+    let mut order = ordered.clone();
     order.sort_unstable();
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
-    for (&v, i) in boundary_loop.vertices.iter().zip(0u32..) {
+    for (v, i) in ordered {
         for &h in links.at(v) {
             for other in [next(h), previous(h)] {
                 if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {

@@ -6,6 +6,10 @@
 //! if it bends little and the ball over its chord holds no other vertex of the loop, which makes the chord a Delaunay
 //! edge of what is left (a Gabriel edge). Ears that do not fulfil this come last. Time is then quadratic in the worst
 //! case with a small factor, memory linear.
+//!
+//! For several loops a sum takes the place of the worst angle: from the end of a tube to the next tube some angle at the
+//! boundary is wide in any case, and area would decide between all the rest. Length times angle finds what is plane, narrow or convex;
+//! between tubes that are far apart it would put a lid on each, with ribbons between them, which bending energy makes dear.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -14,14 +18,68 @@ use nalgebra::Vector3;
 
 /// Loops of up to this many edges are triangulated by dynamic programming alone.
 pub(super) const DYNAMIC: usize = 100;
+/// The same for sums: a polygon of several loops.
+const DYNAMIC_SUM: usize = 240;
 /// Bends (1 - cosine) are compared in steps of one over this; between those in the same step area decides.
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
 const SHARP: f64 = 1.17;
+/// The same for sums: 60 degrees. An ear over the mouth of a tube is none on the way to the next tube.
+const SHARP_SUM: f64 = 0.5;
+/// What an edge between slender triangles costs beside its bend: on a plane nothing else is to be told.
+const SLENDER: f64 = 1e-4;
+/// What an edge costs by its length, beside that times its angle.
+const LENGTH: f64 = 1e-3;
 /// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight boundaries.
 const FLAT: f64 = 1e-6;
 /// The cost of an ear that shall come later is multiplied by this.
 const LATER: f64 = 1e6;
+
+/// By what triangulations are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Measure {
+    /// The worst dihedral angle, then the area.
+    WorstBend,
+    /// The area.
+    Area,
+    /// The sum over all edges of length times dihedral angle.
+    TotalBend,
+    /// The discrete bending energy.
+    Energy,
+}
+
+impl Measure {
+    fn dynamic(self) -> usize {
+        match self {
+            Self::TotalBend | Self::Energy => DYNAMIC_SUM,
+            _ => DYNAMIC,
+        }
+    }
+
+    fn is_sum(self) -> bool {
+        matches!(self, Self::TotalBend | Self::Energy)
+    }
+
+    /// The summand of an edge: by its squared length, 1 - cosine of its angle, and the areas of the triangles at it. Of the energy it
+    /// is the square of the angle, spread over the width of the two. (Both angles to a few per cent: an inverse cosine would take
+    /// most of the time.)
+    #[inline]
+    pub(super) fn at_edge(self, square: f64, bend: f64, areas: f64) -> f64 {
+        if self == Self::Energy {
+            let angle = 2.0 * bend * (1.0 + bend / 6.0 + 0.142 * bend * bend * bend);
+            return (SLENDER + angle) * square / areas;
+        }
+        let angle = (2.0 * bend).sqrt() * (1.0 + bend / 12.0 + 0.05 * bend * bend * bend);
+        (LENGTH + angle) * square.sqrt()
+    }
+
+    fn sharp(self) -> f64 {
+        match self {
+            Self::TotalBend | Self::Energy => SHARP_SUM,
+            _ => SHARP,
+        }
+    }
+}
 
 /// A loop in space.
 pub(super) struct Polygon<'a> {
@@ -31,8 +89,8 @@ pub(super) struct Polygon<'a> {
     pub(super) normals: &'a [Vector3<f64>],
     /// Pairs (smaller, larger) of vertices that have an edge already, sorted.
     pub(super) taken: &'a [(u32, u32)],
-    /// Whether the area alone decides, not the worst dihedral angle before it.
-    pub(super) by_area: bool,
+    /// What decides.
+    pub(super) measure: Measure,
 }
 
 impl Polygon<'_> {
@@ -43,7 +101,7 @@ impl Polygon<'_> {
     /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken.
     pub(super) fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
         let mut triangles = Vec::with_capacity(self.x.len().saturating_sub(2));
-        let (polygon, normals) = if self.x.len() > DYNAMIC {
+        let (polygon, normals) = if self.x.len() > self.measure.dynamic() {
             self.shorten(&mut triangles)?
         } else {
             ((0..self.x.len() as u32).collect(), self.normals.to_vec())
@@ -72,7 +130,7 @@ impl Polygon<'_> {
     /// Cuts ears until the dynamic programme can do the rest; the polygon left and the normals beyond its edges.
     fn shorten(&self, triangles: &mut Vec<[u32; 3]>) -> Option<(Vec<u32>, Vec<Vector3<f64>>)> {
         let mut ears = Ears::new(self);
-        while ears.left > DYNAMIC {
+        while ears.left > self.measure.dynamic() {
             triangles.push(ears.cut()?);
         }
         Some(ears.rest())
@@ -91,6 +149,7 @@ impl Polygon<'_> {
                 area: 0.0,
                 apex: 0,
                 normal: beyond[i],
+                own: 0.0,
             };
         }
         for span in 2..n {
@@ -137,11 +196,26 @@ impl Polygon<'_> {
                 continue;
             }
             let (normal, area) = self.normal(polygon[i], polygon[m], polygon[k]);
+            if self.measure.is_sum() {
+                let corners = [polygon[i], polygon[m], polygon[k]];
+                let cost =
+                    left.area + right.area + self.cost(corners, (&normal, area), [left, right], beyond);
+                if cost < best.area {
+                    best = Cell {
+                        worst: 0,
+                        area: cost,
+                        apex: m as u32,
+                        normal,
+                        own: area,
+                    };
+                }
+                continue;
+            }
             let mut bend = bend(&normal, &left.normal).max(bend_at(&normal, &right.normal));
             if let Some(beyond) = beyond {
                 bend = bend.max(bend_at(&normal, beyond));
             }
-            if self.by_area {
+            if self.measure == Measure::Area {
                 bend = 0.0;
             }
             let cell = Cell {
@@ -149,6 +223,7 @@ impl Polygon<'_> {
                 area: left.area + right.area + area,
                 apex: m as u32,
                 normal,
+                own: area,
             };
             if (cell.worst, cell.area) < (best.worst, best.area) {
                 best = cell;
@@ -156,16 +231,38 @@ impl Polygon<'_> {
         }
         best
     }
+
+    /// What a triangle costs: the bends over its first two sides, and over the third where the mesh is beyond it.
+    #[inline]
+    fn cost(
+        &self,
+        corners: [u32; 3],
+        (normal, own): (&Vector3<f64>, f64),
+        [left, right]: [&Cell; 2],
+        beyond: Option<&Vector3<f64>>,
+    ) -> f64 {
+        let [a, b, c] = corners.map(|v| self.x[v as usize]);
+        let over = |edge: Vector3<f64>, other: &Vector3<f64>, theirs: f64| {
+            // The mesh beyond a boundary edge takes no part of the bend.
+            let theirs = if theirs > 0.0 { theirs } else { own };
+            let bend = bend(normal, other);
+            self.measure.at_edge(edge.norm_squared(), bend, own + theirs)
+        };
+        let first = over(b - a, &left.normal, left.own) + over(c - b, &right.normal, right.own);
+        first + beyond.map_or(0.0, |beyond| over(c - a, beyond, 0.0))
+    }
 }
 
-/// The best triangulation between two vertices of a polygon: its worst bend in steps, its area, and the triangle at the
-/// chord.
+/// The best triangulation between two vertices of a polygon: its worst bend in steps, its area (of least energy: that
+/// it costs), and the triangle at the chord.
 #[derive(Clone, Copy)]
 struct Cell {
     worst: u32,
     area: f64,
     apex: u32,
     normal: Vector3<f64>,
+    /// The area of that triangle; zero at an edge of the polygon.
+    own: f64,
 }
 
 impl Default for Cell {
@@ -175,6 +272,7 @@ impl Default for Cell {
             area: f64::INFINITY,
             apex: 0,
             normal: Vector3::zeros(),
+            own: 0.0,
         }
     }
 }
@@ -238,7 +336,7 @@ impl<'a> Ears<'a> {
         let chord = (self.polygon.x[b as usize] - self.polygon.x[a as usize]).norm();
         let bend = bend(&normal, &self.normals[a as usize]).max(bend_at(&normal, &self.normals[v as usize]));
         let mut cost = chord * (1.0 + bend);
-        if bend > SHARP {
+        if bend > self.polygon.measure.sharp() {
             cost *= LATER * LATER;
         }
         if normal == Vector3::zeros() {
@@ -311,7 +409,7 @@ mod tests {
             x: &x,
             normals: &normals,
             taken,
-            by_area: false,
+            measure: Measure::WorstBend,
         }
         .triangulate()
     }
@@ -372,7 +470,7 @@ mod tests {
             x: &at,
             normals: &normals,
             taken: &[],
-            by_area: false,
+            measure: Measure::WorstBend,
         };
         let triangles = loop_in_plane.triangulate().unwrap();
         assert_eq!(triangles.len(), x.len() - 2);

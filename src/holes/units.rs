@@ -1,5 +1,7 @@
 //! Between the mesh's numbers and unit of length and those of the surroundings of a loop.
 
+use std::ops::Range;
+
 use super::patch::Patch;
 use super::surroundings::Surroundings;
 use crate::fairing::{
@@ -66,8 +68,8 @@ fn local_entries<T: Copy>(around: &Surroundings, list: &[(u32, T)]) -> Vec<(u32,
         .collect()
 }
 
-/// A report in the caller's unit. The `first` vertex of the loop names it.
-pub(super) fn in_units(mut report: Report, around: &Surroundings, first: Option<usize>) -> Report {
+/// A report in the caller's unit. The `firsts` of its vertices name a loop.
+pub(super) fn in_units(mut report: Report, around: &Surroundings, firsts: &[Option<usize>]) -> Report {
     let scale = around.scale();
     let in_units = |diagonal: &mut f64, quality: &mut Quality| {
         *diagonal *= scale;
@@ -78,6 +80,8 @@ pub(super) fn in_units(mut report: Report, around: &Surroundings, first: Option<
     for component in &mut report.components {
         in_units(&mut component.diagonal, &mut component.quality);
         for of_loop in &mut component.continuity {
+            let which = around.loops().position(|range| range.contains(&of_loop.vertex));
+            let first = which.and_then(|which| firsts[which]);
             of_loop.vertex = first.unwrap_or(of_loop.vertex);
             curvatures(of_loop).into_iter().for_each(|h| *h /= scale);
         }
@@ -96,12 +100,16 @@ fn curvatures(of_loop: &mut CurvatureContinuity) -> [&mut f64; 6] {
     ]
 }
 
-/// The vertex of the loop beside a free one that has the smallest number in the mesh, by its number in the surroundings.
-pub(super) fn first_of_loop(patch: &Patch, around: &Surroundings) -> Option<usize> {
+/// Per loop its vertex beside a free one that has the smallest number in the mesh, by its number in the surroundings.
+pub(super) fn first_of_loops(patch: &Patch, around: &Surroundings) -> Vec<Option<usize>> {
     let is_free = |v: &u32| *v as usize >= patch.fixed;
+    let mut is_beside = vec![false; around.loop_vertices];
     let beside = patch.triangles.iter().filter(|t| t.iter().any(is_free));
-    let corners = beside.flatten().map(|&v| v as usize);
-    corners
-        .filter(|&v| v < around.loop_vertices)
-        .min_by_key(|&v| around.ids[v])
+    for v in beside.flatten().map(|&v| v as usize) {
+        if let Some(is_beside) = is_beside.get_mut(v) {
+            *is_beside = true;
+        }
+    }
+    let first = |range: Range<usize>| range.filter(|&v| is_beside[v]).min_by_key(|&v| around.ids[v]);
+    around.loops().map(first).collect()
 }

@@ -13,6 +13,7 @@ mod conjugate_gradients;
 mod ellipsoid;
 mod harmonic_profile;
 mod irregular;
+mod parts;
 mod planar;
 mod plate;
 mod revolution;
@@ -32,6 +33,7 @@ pub use blend::{
 };
 pub use ellipsoid::{Ellipsoid, ellipsoid_cap};
 pub use harmonic_profile::{HarmonicProfile, ProfileError};
+pub use parts::{in_parts, plate, sphere_in_pieces, sphere_without_band, tubes};
 pub use revolution::{catenoid_band, cylinder_band, revolution_band, sphere_zone, unduloid_band};
 pub use sampling::Sampling;
 pub use shape::Shape;

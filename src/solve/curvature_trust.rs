@@ -93,14 +93,16 @@ fn doubts_of_the_fit(modes: &LoopModes, fitted: &Surroundings) -> Vec<f64> {
     differences
 }
 
-/// The noise of one wave of the mismatch: of the fit, and of the surface's own curvature, of which the modes cannot tell `own`.
+/// The noise of one wave of the mismatch: of the fit, and of the surface's own curvature, of which the modes
+/// cannot tell `own`. Who gives a curvature means it.
 fn noise_of_a_wave(modes: &LoopModes, own: &[f64], fitted: &Surroundings) -> f64 {
+    let is_fitted = fitted.is_given.iter().filter(|is_given| !**is_given);
     let of_surface = if fitted.is_noisy() {
         LONG_WAVES * modes.product(own, own) / own.len() as f64
     } else {
         0.0
     };
-    fitted.noise.of_a_wave(modes) + of_surface
+    fitted.noise.of_a_wave(modes) + of_surface * is_fitted.count() as f64 / own.len() as f64
 }
 
 /// The parts of the modes in a mismatch, less where they are uncertain. Both waves of a length are treated alike: it does not matter

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 use std::fs;
 
-use crate::common::{SIDE, cap, directory, expect, is_selected, list, obj, off_sphere, quads, write_lists};
+use crate::common::{
+    SIDE, cap, directory, expect, fairmesh, is_selected, list, obj, off_sphere, quads, write_lists,
+};
 use serde_json::Value;
 
 /// The cap without its middle, as text: its vertices with more properties, and all its quads but the selected ones.
@@ -430,4 +432,108 @@ fn without(off: &str, removed: &[usize]) -> String {
         .collect();
     let rows: String = kept.iter().map(|&v| format!("{}\n", vertices[v])).collect();
     format!("OFF\n{} {} 0\n{rows}{}", kept.len(), faces.len(), faces.concat())
+}
+
+/// Two tubes of 16 sides and three rings of edges of length about 0.4, one above the other, and a triangle by itself; `turned`: the faces of the upper
+/// one face inwards.
+fn two_tubes(turned: bool) -> String {
+    let mut text = String::new();
+    for z in [0.0, 0.4, 0.8, 1.2, 2.4, 2.8, 3.2, 3.6] {
+        for i in 0..16 {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 16.0).sin_cos();
+            let _ = writeln!(text, "v {cos} {sin} {z}");
+        }
+    }
+    text += "v 9 0 0\nv 9.1 0 0\nv 9 0.1 0\n";
+    for ring in [0, 1, 2, 4, 5, 6] {
+        for i in 0..16 {
+            let [a, b] = [16 * ring + i + 1, 16 * ring + (i + 1) % 16 + 1];
+            let (c, d) = (b + 16, a + 16);
+            let _ = match turned && ring > 3 {
+                false => writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}"),
+                true => writeln!(text, "f {a} {c} {b}\nf {a} {d} {c}"),
+            };
+        }
+    }
+    text + "f 129 130 131\n"
+}
+
+#[test]
+fn tubes_are_joined_where_they_are_told_to_be_and_where_it_bends_less() {
+    let directory = directory("join");
+    fs::write(directory.join("in.obj"), two_tubes(false)).unwrap();
+    let (out, _) = expect(&directory, &["holes", "in.obj", "--suggest"], 0);
+    assert!(out.contains("--join 1,2: together they bend by"), "{out}");
+    for which in ["1,2", "auto"] {
+        let args = [
+            "fill", "in.obj", "-o", "out.obj", "--join", which, "--json", "r.json",
+        ];
+        let (out, _) = expect(&directory, &args, 0);
+        assert!(out.contains("loops 1,2 joined, 32 edges: converged"), "{out}");
+        let report: Value = serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+        let loops = report["loops"].as_array().unwrap();
+        let joint = loops
+            .iter()
+            .find(|of| of["loops"].as_array().unwrap().len() == 2)
+            .unwrap();
+        assert_eq!(
+            (joint["index"].as_u64(), joint["joined"].is_object()),
+            (Some(1), which == "auto")
+        );
+        assert_eq!(loops.len(), if which == "auto" { 4 } else { 1 });
+    }
+    let (_, err) = expect(
+        &directory,
+        &["fill", "in.obj", "-o", "out.obj", "--join", "1,9"],
+        2,
+    );
+    assert!(err.contains("--join 9"), "{err}");
+    let (_, err) = expect(
+        &directory,
+        &[
+            "fill", "in.obj", "-o", "out.obj", "--join", "0,1", "--join", "1,2",
+        ],
+        2,
+    );
+    assert!(err.contains("loop 1 is named twice"), "{err}");
+    fs::write(directory.join("turned.obj"), two_tubes(true)).unwrap();
+    let (out, _) = expect(
+        &directory,
+        &["fill", "turned.obj", "-o", "out.obj", "--join", "1,2"],
+        3,
+    );
+    assert!(
+        out.contains("loops 1 and 2 fit only if") && out.contains("turn the triangles"),
+        "{out}"
+    );
+}
+
+#[test]
+fn holes_are_chosen_by_what_they_are_and_where() {
+    let directory = directory("which");
+    fs::write(directory.join("in.obj"), two_tubes(false)).unwrap();
+    let filled = |flags: &[&str]| {
+        let args = [&["fill", "in.obj", "-o", "out.obj", "--json", "-"], flags].concat();
+        // Not every patch of so few faces is sound; here it matters which there are.
+        let out = fairmesh(&directory, &args).stdout;
+        let report: Value = serde_json::from_slice(&out).unwrap();
+        let of = report["loops"].as_array().unwrap().iter();
+        let filled = of
+            .filter(|of| of["outcome"] != "left_open")
+            .map(|of| of["index"].as_u64().unwrap());
+        (
+            filled.collect::<Vec<u64>>(),
+            report["dropped_components"].as_u64().unwrap(),
+        )
+    };
+    assert_eq!(filled(&[]), (vec![0, 1, 2, 3], 0));
+    assert_eq!(filled(&["--component", "1"]), (vec![2, 3], 0));
+    assert_eq!(filled(&["--within", "0,0,1.8,1.5"]), (vec![1, 2], 0));
+    assert_eq!(filled(&["--within", "-2,-2,-1,2,2,1"]), (vec![0], 0));
+    assert_eq!(filled(&["--max-length", "3"]).0, [0; 0]);
+    assert_eq!(filled(&["--except-longest", "4"]).0, [0; 0]);
+    assert_eq!(
+        filled(&["--drop-components-below", "2", "--loop", "3"]),
+        (vec![3], 1)
+    );
 }

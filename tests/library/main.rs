@@ -14,6 +14,7 @@ mod holes;
 mod independence;
 mod interior;
 mod intersections;
+mod join;
 mod long;
 mod outcomes;
 mod paper;

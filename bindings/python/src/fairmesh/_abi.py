@@ -113,6 +113,11 @@ class fairmesh_fill_reason(enum.IntEnum):
     NO_TRIANGULATION = 4
     NOT_FINITE = 5
     CANCELLED = 6
+    OPPOSITE_SIDES = 7
+    SHARED_VERTEX = 8
+    NOT_ASKED_FOR = 9
+    NOT_FAIR = 10
+    INTERSECTS = 11
     NOT_ASKED = 32
     NO_INNER_VERTEX = 33
     REFUSED = 34

@@ -521,6 +521,41 @@ class FillReason(Named):
         "the run was stopped before this loop was done",
         "run it again, to its end",
     )
+    #: Two of the loops to be joined fit only if the triangles at one of them faced the other way.
+    OPPOSITE_SIDES = (
+        7,
+        "opposite_sides",
+        "two of the loops to be joined fit only if the triangles at one of them faced the other way",
+        "turn the triangles of one of the two parts around, or leave its loop out",
+    )
+    #: Two of the loops to be joined have a vertex in common.
+    SHARED_VERTEX = (
+        8,
+        "shared_vertex",
+        "two of the loops to be joined have a vertex in common",
+        "fill them by themselves, or give each a vertex of its own",
+    )
+    #: It is not one of those that were asked for.
+    NOT_ASKED_FOR = (
+        9,
+        "not_asked_for",
+        "it is not one of those that were asked for",
+        "name the loop, or ask for more of them",
+    )
+    #: No fair patch was found, and such loops were to stay open.
+    NOT_FAIR = (
+        10,
+        "not_fair",
+        "no fair patch was found, and such loops were to stay open",
+        "fill it with a patch that is not fair, or join it to its neighbours, or remove faces around it",
+    )
+    #: Every patch that was tried intersects itself or the mesh, and such loops were to stay open.
+    INTERSECTS = (
+        11,
+        "intersects",
+        "every patch that was tried intersects itself or the mesh, and such loops were to stay open",
+        "join the loop to its neighbours, clean its boundary, or remove faces around it",
+    )
     #: Fairing was not asked for.
     NOT_ASKED = (
         32,

@@ -1,0 +1,120 @@
+//! Which loops are filled: flags by number, size and place.
+
+use clap::{ArgGroup, Args, ValueEnum};
+use fairmesh::{Join, LoopFilter, Loops, OnFailure, Place};
+
+use crate::failure::Failure;
+use crate::join::{self, JoinArg};
+
+/// What becomes of a loop for which no fair patch is found.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum OnFailureKind {
+    /// The best surface there is, which the report names
+    Linear,
+    /// The triangulation, refined
+    Flat,
+    /// Nothing
+    Open,
+}
+
+/// Flags that choose loops.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Which holes", group = ArgGroup::new("which").multiple(true).conflicts_with("loops"))]
+pub struct WhichArgs {
+    /// Only this loop, by its number in 'fairmesh holes'; may be repeated.
+    /// Outer boundaries are filled only if they are named so
+    #[arg(long = "loop", value_name = "I", verbatim_doc_comment)]
+    pub loops: Vec<usize>,
+    /// These loops get one patch together, as in 0,1,2: an island and its hole, the
+    /// ends of tubes, the sides of a gap; may be repeated. No others are filled
+    /// then, unless other flags ask for them. 'auto': those whose joint patch bends
+    /// less than separate ones; 'fairmesh holes --suggest' says which
+    #[arg(long, value_name = "LOOPS", value_parser = join::parse, verbatim_doc_comment)]
+    join: Vec<JoinArg>,
+    /// Only holes of at most this many edges [default: all]
+    #[arg(long, value_name = "N", group = "which")]
+    max_edges: Option<usize>,
+    /// Only holes not longer than this
+    #[arg(long, value_name = "X", group = "which")]
+    max_length: Option<f64>,
+    /// Only holes of no more than this area
+    #[arg(long, value_name = "X", group = "which")]
+    max_area: Option<f64>,
+    /// Only holes with a bounding box of no more than this diagonal
+    #[arg(long, value_name = "X", group = "which")]
+    max_diagonal: Option<f64>,
+    /// All holes but so many, the longest
+    #[arg(long, value_name = "K", group = "which")]
+    except_longest: Option<usize>,
+    /// Only holes in this component of the mesh, by its number in 'fairmesh holes';
+    /// may be repeated
+    #[arg(long, value_name = "I", group = "which", verbatim_doc_comment)]
+    component: Vec<usize>,
+    /// Only holes that lie in this ball, as X,Y,Z,RADIUS, or in this box, as
+    /// X,Y,Z,X,Y,Z (its smallest and its largest coordinates)
+    #[arg(long, value_name = "PLACE", group = "which", value_parser = place, allow_hyphen_values = true, verbatim_doc_comment)]
+    within: Option<Place>,
+    /// What becomes of a hole for which no fair patch is found, or none that does not
+    /// intersect
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHAT",
+        default_value = "linear",
+        verbatim_doc_comment
+    )]
+    on_failure: OnFailureKind,
+}
+
+impl WhichArgs {
+    pub fn join(&self) -> Result<Join, Failure> {
+        join::asked(&self.join)
+    }
+
+    pub fn on_failure(&self) -> OnFailure {
+        match self.on_failure {
+            OnFailureKind::Linear => OnFailure::Linear,
+            OnFailureKind::Flat => OnFailure::Flat,
+            OnFailureKind::Open => OnFailure::Open,
+        }
+    }
+
+    /// Groups that are named bring no others with them, unless these are asked for, too.
+    pub fn loops(&self, join: &Join) -> Loops {
+        let filter = LoopFilter {
+            max_edges: self.max_edges,
+            max_length: self.max_length,
+            max_area: self.max_area,
+            max_diagonal: self.max_diagonal,
+            except_longest: self.except_longest.unwrap_or(0),
+            components: (!self.component.is_empty()).then(|| self.component.clone()),
+            within: self.within,
+        };
+        let by_edges = LoopFilter {
+            max_edges: self.max_edges,
+            ..LoopFilter::default()
+        };
+        match join {
+            _ if !self.loops.is_empty() => Loops::Chosen(self.loops.clone()),
+            Join::Groups(_) if filter == LoopFilter::default() => Loops::Chosen(Vec::new()),
+            _ if filter == by_edges => Loops::UpTo(self.max_edges.unwrap_or(usize::MAX)),
+            _ => Loops::Where(filter),
+        }
+    }
+}
+
+/// Reads a value of `--within`.
+fn place(text: &str) -> Result<Place, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[x, y, z, radius]) => Ok(Place::Ball {
+            centre: [x, y, z],
+            radius,
+        }),
+        Ok(&[a, b, c, d, e, f]) => Ok(Place::Box {
+            low: [a, b, c],
+            high: [d, e, f],
+        }),
+        _ => Err("expected four numbers, X,Y,Z,RADIUS, or six, X,Y,Z,X,Y,Z".to_owned()),
+    }
+}

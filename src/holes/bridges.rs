@@ -1,0 +1,217 @@
+//! Several loops made one polygon: cut open along bridges from loop to loop.
+//!
+//! The bridges are a minimum spanning tree of the loops. The polygon runs along each of them twice, so that its
+//! triangulation is that of a surface with all the loops for its boundary, cut open. Whatever that triangulation is, the
+//! surface winds around the loops as the bridges do; so these have to lie near to where the surface will: short, and going
+//! on from the mesh rather than back over it.
+
+use nalgebra::Vector3;
+
+use super::loop_set::LoopSet;
+use crate::mesh::NONE;
+use crate::mesh::disjoint_sets::DisjointSets;
+
+/// A bridge that leaves the mesh backwards counts as so many times longer, at each end (half of it where it goes sideways).
+const BACKWARDS: f64 = 2.0;
+
+/// From a vertex of one loop to one of another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Bridge {
+    pub(super) from: u32,
+    pub(super) to: u32,
+}
+
+/// A bridge and its length as it counts.
+type Candidate = (f64, Bridge);
+
+/// The bridges between loops, one fewer than these. No vertex has two.
+pub(super) fn bridges(set: &LoopSet) -> Vec<Bridge> {
+    let onward = set.onward();
+    let mut is_used = vec![false; set.x.len()];
+    let pairs = (0..set.count()).flat_map(|a| (a + 1..set.count()).map(move |b| [a, b]));
+    let mut best: Vec<([usize; 2], Option<Candidate>)> = pairs
+        .map(|pair| (pair, shortest(set, &onward, &is_used, pair)))
+        .collect();
+    let mut joined = DisjointSets::new(set.count());
+    let mut found = Vec::new();
+    while found.len() + 1 < set.count() {
+        best.retain(|([a, b], _)| joined.smallest(*a as u32) != joined.smallest(*b as u32));
+        for (pair, bridge) in &mut best {
+            let is_lost = |b: &Bridge| is_used[b.from as usize] || is_used[b.to as usize];
+            if bridge.as_ref().is_some_and(|(_, bridge)| is_lost(bridge)) {
+                *bridge = shortest(set, &onward, &is_used, *pair);
+            }
+        }
+        let candidates = best.iter().filter_map(|(pair, bridge)| Some((*pair, (*bridge)?)));
+        let Some(([a, b], (_, bridge))) = candidates.min_by(|x, y| x.1.0.total_cmp(&y.1.0)) else {
+            return found;
+        };
+        joined.unite(a as u32, b as u32);
+        is_used[bridge.from as usize] = true;
+        is_used[bridge.to as usize] = true;
+        found.push(bridge);
+    }
+    found
+}
+
+/// The shortest bridge between two loops, and its length as it counts.
+fn shortest(
+    set: &LoopSet,
+    onward: &[Vector3<f64>],
+    is_used: &[bool],
+    [a, b]: [usize; 2],
+) -> Option<Candidate> {
+    let mut best: Option<Candidate> = None;
+    let free = |of: usize| set.range(of).filter(|&v| !is_used[v]);
+    for v in free(a) {
+        for w in free(b) {
+            let way = set.x[w] - set.x[v];
+            let length = way.norm();
+            if best.is_some_and(|best| length >= best.0) {
+                continue;
+            }
+            let turn = 2.0 * length - way.dot(&onward[v]) + way.dot(&onward[w]);
+            let cost = length + 0.5 * BACKWARDS * turn;
+            if best.is_none_or(|best| cost < best.0) {
+                let bridge = Bridge {
+                    from: v as u32,
+                    to: w as u32,
+                };
+                best = Some((cost, bridge));
+            }
+        }
+    }
+    best
+}
+
+/// The polygon.
+#[derive(Debug)]
+pub(super) struct Cut {
+    /// Per vertex of the polygon the loops' vertex; ends of bridges come twice.
+    pub(super) of: Vec<u32>,
+    /// Per edge to the next vertex the mesh's normal beyond it; on a bridge that of a surface which goes on from both ends.
+    pub(super) normals: Vec<Vector3<f64>>,
+    /// Per bridge the polygon's edges along it, by their first vertices.
+    pub(super) sides: Vec<[u32; 2]>,
+    /// Pairs (smaller, larger) of the polygon's vertices that may have no edge, sorted.
+    pub(super) taken: Vec<(u32, u32)>,
+}
+
+impl Cut {
+    pub(super) fn new(set: &LoopSet, bridges: &[Bridge]) -> Self {
+        let mut across = vec![NONE; set.x.len()];
+        for bridge in bridges {
+            across[bridge.from as usize] = bridge.to;
+            across[bridge.to as usize] = bridge.from;
+        }
+        let length = set.x.len() + 2 * bridges.len();
+        let mut cut = Self {
+            of: Vec::with_capacity(length),
+            normals: Vec::with_capacity(length),
+            sides: Vec::new(),
+            taken: Vec::new(),
+        };
+        // The place of each vertex, and the place from which a bridge leaves it.
+        let (mut place, mut leaves) = (vec![NONE; across.len()], vec![NONE; across.len()]);
+        let mut v = 0;
+        let mut crossed = across[0] != NONE;
+        while cut.of.len() < length {
+            let at = cut.of.len() as u32;
+            cut.of.push(v as u32);
+            let bridge = across[v];
+            if bridge == NONE || crossed {
+                place[v] = at;
+                cut.normals.push(set.normals[v]);
+                v = set.after(v);
+                crossed = false;
+            } else {
+                leaves[v] = at;
+                cut.normals.push(set.normal_between(v, bridge as usize));
+                v = bridge as usize;
+                crossed = true;
+            }
+        }
+        let sides = bridges.iter().map(|b| [b.from, b.to].map(|v| leaves[v as usize]));
+        cut.sides = sides.collect();
+        cut.take(set, bridges, &place, &leaves);
+        cut
+    }
+
+    /// Edges of the mesh and bridges, between all copies of their ends, and edges between two copies of a vertex.
+    fn take(&mut self, set: &LoopSet, bridges: &[Bridge], place: &[u32], leaves: &[u32]) {
+        let copies = |v: u32| [place, leaves].map(|list| list[v as usize]);
+        let ends = bridges.iter().flat_map(|b| [b.from, b.to]);
+        let twice = ends.map(|v| (v, v));
+        let edges = bridges.iter().map(|b| (b.from, b.to));
+        for (a, b) in set.taken.iter().copied().chain(edges).chain(twice) {
+            for p in copies(a).into_iter().filter(|&p| p != NONE) {
+                for q in copies(b).into_iter().filter(|&q| q != NONE && q != p) {
+                    self.taken.push((p.min(q), p.max(q)));
+                }
+            }
+        }
+        self.taken.sort_unstable();
+        self.taken.dedup();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Circles of `n` vertices about points of the x axis, all seen counter-clockwise from above; the mesh is around them.
+    fn circles(n: usize, centres: &[f64]) -> LoopSet {
+        let mut set = LoopSet {
+            x: Vec::new(),
+            normals: vec![Vector3::z(); n * centres.len()],
+            starts: (0..=centres.len()).map(|k| n * k).collect(),
+            taken: Vec::new(),
+        };
+        for c in centres {
+            set.x.extend((0..n).map(|i| {
+                let (sin, cos) = (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+                Vector3::new(c + cos, sin, 0.0)
+            }));
+        }
+        set
+    }
+
+    #[test]
+    fn the_polygon_runs_along_every_edge_once_and_along_every_bridge_twice() {
+        let set = circles(8, &[0.0, 3.0, 6.0, 9.0]);
+        let found = bridges(&set);
+        assert_eq!(found.len(), 3);
+        let cut = Cut::new(&set, &found);
+        let n = cut.of.len();
+        assert_eq!(n, 32 + 6);
+        let mut edges: Vec<(u32, u32)> = (0..n).map(|p| (cut.of[p], cut.of[(p + 1) % n])).collect();
+        edges.sort_unstable();
+        let mut expected: Vec<(u32, u32)> = (0..32).map(|v| (v, set.after(v as usize) as u32)).collect();
+        for bridge in &found {
+            expected.extend([(bridge.from, bridge.to), (bridge.to, bridge.from)]);
+        }
+        expected.sort_unstable();
+        assert_eq!(edges, expected);
+        for (side, bridge) in cut.sides.iter().zip(&found) {
+            let ends = side.map(|p| [cut.of[p as usize], cut.of[(p as usize + 1) % n]]);
+            assert_eq!(ends, [[bridge.from, bridge.to], [bridge.to, bridge.from]]);
+        }
+    }
+
+    #[test]
+    fn bridges_lead_from_neighbour_to_neighbour_and_share_no_vertex() {
+        let set = circles(3, &[0.0, 9.0, 3.0, 6.0]);
+        let found = bridges(&set);
+        let mut loops: Vec<[usize; 2]> = found
+            .iter()
+            .map(|b| [b.from, b.to].map(|v| set.loop_of(v as usize)))
+            .collect();
+        loops.iter_mut().for_each(|pair| pair.sort_unstable());
+        loops.sort_unstable();
+        assert_eq!(loops, [[0, 2], [1, 3], [2, 3]]);
+        let mut ends: Vec<u32> = found.iter().flat_map(|b| [b.from, b.to]).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        assert_eq!(ends.len(), 6);
+    }
+}

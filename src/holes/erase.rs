@@ -1,0 +1,202 @@
+//! Triangles deleted, so that a new patch can take their place.
+
+use super::loops::Links;
+use crate::error::Error;
+use crate::mesh::Joined;
+use crate::mesh::coincident::Coincident;
+use crate::mesh::halfedge::next;
+
+/// What hangs loose at the edge is dropped in so many passes, at most: each takes what the one before has laid bare.
+const PASSES: usize = 8;
+
+/// What is left of a mesh without some of its triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Erased {
+    /// The numbers of the triangles that are left, ascending.
+    pub kept: Vec<u32>,
+    /// How many were dropped besides those named: they hung at the mesh by one edge or by a vertex.
+    pub dropped: usize,
+    /// The loops that the deleted triangles leave, by their numbers in [`boundary_loops`](super::boundary_loops) of those that are
+    /// kept.
+    pub loops: Vec<usize>,
+}
+
+/// Deletes triangles, and what would hang loose where they were, and says which loops that leaves: to be filled, or joined to
+/// others. The vertices stay, used or not.
+///
+/// ```
+/// use fairmesh::{Coincident, erase};
+/// // An octahedron without two triangles side by side.
+/// let positions = [
+///     [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0],
+/// ];
+/// let triangles = [
+///     [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5],
+/// ];
+/// let erased = erase(&positions, &triangles, &[0, 1], Coincident::default())?;
+/// assert_eq!((erased.kept, erased.dropped), (vec![2, 3, 4, 5, 6, 7], 0));
+/// assert_eq!(erased.loops, [0]);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::SelectionOutOfRange`], and those of [`boundary_loops_joined`](super::boundary_loops_joined).
+pub fn erase(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    erased: &[u32],
+    coincident: Coincident,
+) -> Result<Erased, Error> {
+    let count = triangles.len();
+    if let Some(&t) = erased.iter().find(|&&t| t as usize >= count) {
+        let index = t as usize;
+        return Err(Error::SelectionOutOfRange { index, count });
+    }
+    let joined = Joined::new(positions, triangles, coincident)?;
+    let mut cut = Cut {
+        vertices: positions.len(),
+        triangles: &joined.triangles,
+        is_gone: vec![false; count],
+    };
+    erased.iter().for_each(|&t| cut.is_gone[t as usize] = true);
+    let named = cut.gone();
+    for _ in 0..PASSES {
+        let loose = cut.loose()?;
+        if loose.is_empty() {
+            break;
+        }
+        loose.into_iter().for_each(|t| cut.is_gone[t as usize] = true);
+    }
+    let kept = cut.kept();
+    Ok(Erased {
+        dropped: cut.gone() - named,
+        loops: cut.loops(positions, &kept)?,
+        kept,
+    })
+}
+
+/// A mesh of which some triangles are gone.
+struct Cut<'m> {
+    vertices: usize,
+    triangles: &'m [[u32; 3]],
+    is_gone: Vec<bool>,
+}
+
+impl Cut<'_> {
+    fn gone(&self) -> usize {
+        self.is_gone.iter().filter(|&&gone| gone).count()
+    }
+
+    fn kept(&self) -> Vec<u32> {
+        let all = 0..self.triangles.len() as u32;
+        all.filter(|&t| !self.is_gone[t as usize]).collect()
+    }
+
+    /// The directed edges of what is gone, sorted.
+    fn edges(&self) -> Vec<(u32, u32)> {
+        let gone = self
+            .triangles
+            .iter()
+            .zip(&self.is_gone)
+            .filter(|(_, gone)| **gone);
+        let edges = gone.flat_map(|(t, _)| [0, 1, 2].map(|k| (t[k], t[(k + 1) % 3])));
+        let mut edges: Vec<(u32, u32)> = edges.collect();
+        edges.sort_unstable();
+        edges
+    }
+
+    /// The triangles that hang at the others by one edge, and smaller fans at vertices that have several, where something is
+    /// gone.
+    fn loose(&self) -> Result<Vec<u32>, Error> {
+        let kept = self.kept();
+        let triangles: Vec<[u32; 3]> = kept.iter().map(|&t| self.triangles[t as usize]).collect();
+        let links = Links::new(self.vertices, &triangles)?;
+        let gone = self.edges();
+        let mut is_beside = vec![false; self.vertices];
+        gone.iter().for_each(|edge| is_beside[edge.0 as usize] = true);
+        let is_open = |h: u32| links.across(h).is_none();
+        let faces_gone = |h: u32| {
+            let edge = (links.origin(next(h)), links.origin(h));
+            gone.binary_search(&edge).is_ok()
+        };
+        let mut loose = Vec::new();
+        for t in 0..triangles.len() as u32 {
+            let sides = [3 * t, 3 * t + 1, 3 * t + 2];
+            let open = sides.iter().filter(|&&h| is_open(h)).count();
+            if open > 1 && sides.iter().any(|&h| is_open(h) && faces_gone(h)) {
+                loose.push(kept[t as usize]);
+            }
+        }
+        for v in (0..self.vertices as u32).filter(|&v| is_beside[v as usize]) {
+            let mut fans: Vec<Vec<u32>> = Vec::new();
+            for &h in links.at(v).iter().filter(|&&h| links.is_boundary(h)) {
+                let mut fan = Vec::new();
+                let _ = links.follow(h, |g| fan.push(g / 3));
+                fans.push(fan);
+            }
+            let largest = (0..fans.len()).rev().max_by_key(|&i| fans[i].len());
+            for i in (0..fans.len()).filter(|&i| Some(i) != largest) {
+                loose.extend(fans[i].iter().map(|&t| kept[t as usize]));
+            }
+        }
+        loose.sort_unstable();
+        loose.dedup();
+        Ok(loose)
+    }
+
+    /// The loops of what is kept with an edge beside something that is gone.
+    fn loops(&self, positions: &[[f64; 3]], kept: &[u32]) -> Result<Vec<usize>, Error> {
+        let triangles: Vec<[u32; 3]> = kept.iter().map(|&t| self.triangles[t as usize]).collect();
+        let links = Links::new(self.vertices, &triangles)?;
+        let gone = self.edges();
+        let faces_gone = |&h: &u32| {
+            let edge = (links.origin(next(h)), links.origin(h));
+            gone.binary_search(&edge).is_ok()
+        };
+        let loops = links.loops(positions);
+        let beside = |l: &usize| loops[*l].half_edges.iter().any(faces_gone);
+        Ok((0..loops.len()).filter(beside).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sheet of `n` by `n` squares, each divided into two triangles.
+    fn sheet(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let grid = |n: u32| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+        let number = |i: u32, j: u32| (n + 1) * i + j;
+        let positions = grid(n + 1).map(|(i, j)| [f64::from(i), f64::from(j), 0.0]);
+        let squares = grid(n).flat_map(|(i, j)| {
+            let [a, b, c, d] = [
+                number(i, j),
+                number(i + 1, j),
+                number(i + 1, j + 1),
+                number(i, j + 1),
+            ];
+            [[a, b, c], [a, c, d]]
+        });
+        (positions.collect(), squares.collect())
+    }
+
+    #[test]
+    fn what_hangs_loose_goes_with_what_is_erased() {
+        let (x, t) = sheet(8);
+        // All around the triangle 36 but itself: it would be left by itself in the hole.
+        let [a, b, c] = t[36];
+        let beside = |t: &[u32; 3]| t.iter().filter(|v| [a, b, c].contains(v)).count() > 1;
+        let around: Vec<u32> = (0..t.len() as u32)
+            .filter(|&i| i != 36 && beside(&t[i as usize]))
+            .collect();
+        assert_eq!(around.len(), 3);
+        let erased = erase(&x, &t, &around, Coincident::default()).unwrap();
+        assert!(!erased.kept.contains(&36));
+        assert_eq!(erased.loops.len(), 1);
+        let kept: Vec<[u32; 3]> = erased.kept.iter().map(|&i| t[i as usize]).collect();
+        let loops = crate::holes::boundary_loops(&x, &kept).unwrap();
+        assert_eq!(loops.len(), 2);
+        assert!(loops.iter().all(|of| of.touching.is_empty()));
+        assert!(erase(&x, &t, &[128], Coincident::default()).is_err());
+    }
+}

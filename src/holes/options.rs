@@ -1,0 +1,179 @@
+//! What filling is asked.
+
+use crate::error::Error;
+use crate::fairing::Options;
+
+/// Which loops are filled.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Loops {
+    /// All holes of at most this many edges; outer boundaries stay open.
+    UpTo(usize),
+    /// These, by their numbers in [`boundary_loops`](super::boundary_loops), outer boundaries included.
+    Chosen(Vec<usize>),
+    /// All holes that meet every bound of these; outer boundaries stay open.
+    Where(LoopFilter),
+}
+
+/// Which holes, by what they are and where. By default all.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LoopFilter {
+    /// Of at most this many edges.
+    pub max_edges: Option<usize>,
+    /// Not longer than this.
+    pub max_length: Option<f64>,
+    /// Of no more than this [`BoundaryLoop::area`](super::BoundaryLoop::area).
+    pub max_area: Option<f64>,
+    /// With a bounding box of no more than this diagonal.
+    pub max_diagonal: Option<f64>,
+    /// All but so many of the mesh's holes, the longest.
+    pub except_longest: usize,
+    /// Only those of these [components](super::BoundaryLoop::component).
+    pub components: Option<Vec<usize>>,
+    /// Only those whose vertices all lie there.
+    pub within: Option<Place>,
+}
+
+/// A part of space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Not further than `radius` from the centre.
+    Ball {
+        /// The centre.
+        centre: [f64; 3],
+        /// The radius.
+        radius: f64,
+    },
+    /// Between two corners, the faces included.
+    Box {
+        /// The smallest coordinates.
+        low: [f64; 3],
+        /// The largest ones.
+        high: [f64; 3],
+    },
+}
+
+impl LoopFilter {
+    fn validate(&self) -> Result<(), Error> {
+        let bounds = [
+            ("max_length", self.max_length),
+            ("max_area", self.max_area),
+            ("max_diagonal", self.max_diagonal),
+        ];
+        for (name, bound) in bounds {
+            let value = bound.unwrap_or(0.0);
+            Error::check_option(name, value, value >= 0.0, "not negative")?;
+        }
+        Ok(())
+    }
+}
+
+impl Place {
+    pub(super) fn holds(&self, p: &[f64; 3]) -> bool {
+        match self {
+            Self::Ball { centre, radius } => {
+                let square = (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>();
+                square.sqrt() <= *radius
+            }
+            Self::Box { low, high } => (0..3).all(|k| low[k] <= p[k] && p[k] <= high[k]),
+        }
+    }
+}
+
+/// What becomes of a loop for which no fair patch is found, or none that does not intersect itself or the mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum OnFailure {
+    /// It gets the best surface that there is: that of the linear problem, where it is sound, and the faired one that
+    /// intersects, where all patches do. The outcome says so.
+    #[default]
+    Linear,
+    /// It gets the triangulation, refined; where that intersects, too, the outcome says so.
+    Flat,
+    /// It is left open.
+    Open,
+}
+
+/// Which loops get one patch together: an island and the hole around it, the ends of tubes, the two sides of a gap.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Join {
+    /// Every loop gets a patch of its own.
+    #[default]
+    None,
+    /// The loops of each group, by their numbers, get one patch; outer boundaries and loops that [`FillOptions::loops`]
+    /// does not name, too. No loop is in two groups.
+    Groups(Vec<Vec<usize>>),
+    /// Of the loops of [`FillOptions::loops`], and of outer boundaries if these are not [`Loops::Chosen`], those whose joint patch bends
+    /// less than patches of their own would: by the sum over all edges, those of the loops included, of length times angle, of
+    /// triangulations that are not faired. [`LoopReport::joined`](super::LoopReport::joined) tells the sums, and
+    /// [`suggest_joins`](super::suggest_joins) does so before anything is filled.
+    Auto,
+}
+
+/// What is asked. `FillOptions::default()` is right for most uses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FillOptions {
+    /// Which loops. Default: all holes of whatever size.
+    pub loops: Loops,
+    /// Which of them get one patch together. Default: none.
+    pub join: Join,
+    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
+    /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+    pub density: f64,
+    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
+    /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
+    /// square of a density above 1: a round hole takes a tenth.
+    pub max_new_vertices: usize,
+    /// What becomes of a loop for which no fair patch is found. Default: it gets the best surface there is.
+    pub on_failure: OnFailure,
+    /// Whether the patches are faired. Default: yes.
+    pub fair: bool,
+    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
+    /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
+    /// copy in the triangle beside them.
+    pub fairing: Options,
+}
+
+/// See [`FillOptions::max_new_vertices`].
+pub(super) fn largest_patch(edges: usize, density: f64) -> usize {
+    1_000 + (edges as f64 * density.max(1.0)).powi(2).round() as usize
+}
+
+pub(super) fn check_density(density: f64) -> Result<(), Error> {
+    let allowed = (0.1..=10.0).contains(&density);
+    Error::check_option("density", density, allowed, "between 0.1 and 10")
+}
+
+impl FillOptions {
+    /// Checks the ranges of all options, those of the fairing included.
+    ///
+    /// # Errors
+    /// [`Error::BadOption`], which names the option.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_density(self.density)?;
+        if let Loops::Where(filter) = &self.loops {
+            filter.validate()?;
+        }
+        if let Join::Groups(groups) = &self.join {
+            let mut named: Vec<usize> = groups.iter().flatten().copied().collect();
+            named.sort_unstable();
+            let twice = named.windows(2).find(|pair| pair[0] == pair[1]);
+            let value = twice.map_or(0.0, |pair| pair[0] as f64);
+            Error::check_option("join", value, twice.is_none(), "each loop in one group, and once")?;
+        }
+        self.fairing.validate()
+    }
+}
+
+impl Default for FillOptions {
+    fn default() -> Self {
+        Self {
+            loops: Loops::UpTo(usize::MAX),
+            join: Join::None,
+            density: std::f64::consts::SQRT_2,
+            max_new_vertices: 200_000,
+            on_failure: OnFailure::default(),
+            fair: true,
+            fairing: Options::default(),
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! A coarse patch, faired loosely: where the fine one is laid out.
+
+use super::patch::Patch;
+use super::piece::{COARSE_SHARE, Task, is_failed};
+use super::refine::Refiner;
+use crate::fairing::{BoundaryNormals, Options, Progress, ProgressCallback};
+
+/// The coarse patch's edges grow by this much per unit of distance from the boundary.
+const COARSE_GROWTH: f64 = 0.5;
+/// Between loops more of them are needed: what is far from all of them is narrow all the same.
+const JOINT_GROWTH: f64 = 0.25;
+/// It is faired in more iterations, and in so many rounds.
+const JOINT_ITERATIONS: usize = 150;
+const JOINT_ROUNDS: u32 = 2;
+/// How well the coarse patch is faired.
+const COARSE_TOLERANCE: f64 = 1e-3;
+const COARSE_ITERATIONS: usize = 30;
+
+impl Task<'_> {
+    /// The same between loops. That their triangulation has few vertices where the surface is wide does not matter only if it is
+    /// found; then it is laid out once more.
+    pub(super) fn shape_joint(&self, patch: &mut Patch, tell: &mut ProgressCallback<'_>) {
+        let rough = Options {
+            tolerance: COARSE_TOLERANCE,
+            max_iterations: self.options.max_iterations.max(JOINT_ITERATIONS),
+            continuity: 0.0,
+            boundary_normals: match &self.options.boundary_normals {
+                BoundaryNormals::Fitted => BoundaryNormals::Averaged,
+                other => other.clone(),
+            },
+            ..self.options.clone()
+        };
+        for round in 1..=JOINT_ROUNDS {
+            let mut shaped = patch.clone();
+            let fineness = self.fineness(JOINT_GROWTH);
+            Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
+            if shaped.x.len() == shaped.fixed {
+                return;
+            }
+            let mut part = |p: &Progress| {
+                tell(&Progress {
+                    fraction: COARSE_SHARE * (f64::from(round - 1) + p.fraction) / f64::from(JOINT_ROUNDS),
+                    ..*p
+                })
+            };
+            let Ok(solution) = self.faired(&shaped, &rough, &mut part) else {
+                return;
+            };
+            let inner = self.inner(&solution);
+            let is_sound = self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty();
+            if is_failed(&solution.report) || !is_sound {
+                return;
+            }
+            shaped.x[shaped.fixed..].copy_from_slice(&inner);
+            *patch = shaped;
+        }
+    }
+
+    /// Moves a patch near to the surface it will become: coarse, and faired loosely.
+    pub(super) fn shape(&self, patch: &mut Patch, tell: &mut ProgressCallback<'_>) {
+        let fineness = self.fineness(COARSE_GROWTH);
+        let mut shaped = patch.clone();
+        Refiner::new(&mut shaped, fineness, &self.surroundings.taken).run_to_end();
+        if shaped.x.len() == shaped.fixed {
+            return;
+        }
+        let mut first = |p: &Progress| {
+            tell(&Progress {
+                fraction: COARSE_SHARE * p.fraction,
+                ..*p
+            })
+        };
+        let mut rough = Options {
+            tolerance: COARSE_TOLERANCE,
+            max_iterations: COARSE_ITERATIONS,
+            // Where the coarse vertices lie does not depend on it much.
+            continuity: 0.0,
+            ..self.options.clone()
+        };
+        if rough.boundary_normals == BoundaryNormals::Fitted {
+            // Averages are cheap and good enough here.
+            rough.boundary_normals = BoundaryNormals::Averaged;
+        }
+        let solution = self.faired(&shaped, &rough, &mut first);
+        if let Ok(solution) = solution {
+            let inner = self.inner(&solution);
+            if self.outside(&inner).is_empty() && solution.report.quality.flipped.is_empty() {
+                shaped.x[shaped.fixed..].copy_from_slice(&inner);
+                *patch = shaped;
+            }
+        }
+    }
+}
