@@ -394,9 +394,13 @@ impl Task<'_> {
     fn flat(&self, coarse: &Patch, reason: FlatReason, report: Option<Report>) -> Piece {
         let mut patch = coarse.clone();
         let coarsened = !self.refine(&mut patch);
-        let mut piece = self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
-        piece.fairing = report.map(|report| self.of_another_patch(report));
-        piece
+        let firsts = first_of_loops(&patch, self.surroundings);
+        let told = |report| in_units(self.of_another_patch(report), self.surroundings, &firsts);
+        let fairing = report.map(told);
+        Piece {
+            fairing,
+            ..self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened)
+        }
     }
 
     /// A report without the numbers that are those of another patch.

@@ -580,6 +580,33 @@ fn a_boundary_without_a_fair_filling_ends_honestly_and_soon() {
     assert!(calls < 600, "{calls}");
 }
 
+/// A report that is kept beside a flat patch is in the caller's units, too.
+#[test]
+fn reports_of_flat_patches_are_in_the_units_of_the_mesh() {
+    let shape = sphere_with_hole(1.0, 1_000, irregular(3), 0);
+    let wave = |p: [f64; 3]| 0.3 * (5.0 * p[1].atan2(p[0])).sin();
+    let (x, t) = cut(&shape, |p| p[2] > 0.45 + wave(p));
+    let report = |scale: f64| {
+        let x: Vec<[f64; 3]> = x.iter().map(|p| p.map(|c| c * scale)).collect();
+        let asked = FillOptions {
+            fairing: Options {
+                max_iterations: 1,
+                ..Options::default()
+            },
+            ..options(Loops::Chosen(vec![largest(&x, &t)]))
+        };
+        let filled = fill_holes(&x, &t, &asked).unwrap();
+        let [of_loop] = &filled.loops[..] else { panic!() };
+        println!("{:?}", of_loop.outcome);
+        let reason = FlatReason::Unsound;
+        assert_eq!(of_loop.outcome, FillOutcome::Flat { reason });
+        of_loop.fairing.clone().unwrap()
+    };
+    let [small, large] = [1.0, 1024.0].map(report);
+    assert_eq!(large.diagonal, 1024.0 * small.diagonal);
+    assert_eq!(1024.0 * large.quality.h_inside[0], small.quality.h_inside[0]);
+}
+
 #[test]
 fn a_loop_at_a_non_manifold_edge_is_named_and_the_others_are_filled() {
     let (mut x, mut t) = collar(12, ring(1.0, 0.0), ring(2.0, 0.0));
