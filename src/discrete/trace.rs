@@ -10,7 +10,7 @@ use super::simd::tangents;
 /// Unknowns of a quadric.
 const N: usize = 6;
 /// Weights by the number of edges to the boundary vertex,
-const WEIGHTS: [f64; 5] = [1.0, 1.0, 0.5, 0.25, 0.25];
+const WEIGHTS: [f64; 4] = [1.0, 1.0, 0.5, 0.25];
 /// and where the samples are noisy.
 const WIDE_WEIGHTS: [f64; 7] = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5];
 /// Fewer samples cannot judge the fit.
@@ -21,7 +21,7 @@ const RIDGE: f64 = 1e-9;
 /// How far samples reach.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reach {
-    /// Three edges: waves along the boundary reach little further. Up to five where three are not enough.
+    /// Three edges: waves along the boundary reach little further. Four where three are not enough.
     Near,
     /// Seven.
     Wide,

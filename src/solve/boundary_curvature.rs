@@ -22,7 +22,7 @@ const LEAST_VERTICES_PER_MODE: usize = 8;
 /// The trace inside takes samples within so many edges,
 const NEAR: usize = 3;
 /// or more, where it would be an extrapolation: the sum of its weights' absolute values is above this.
-const STEADY: f64 = 4.0;
+const STEADY: f64 = 5.0;
 /// Loops with fewer vertices stay as they are.
 const FEWEST_VERTICES: usize = 8;
 

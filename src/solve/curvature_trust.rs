@@ -13,7 +13,7 @@ use crate::discrete::loop_modes::LoopModes;
 /// boundary normals are wrong.
 const OUTLYING: f64 = 2.0;
 /// Noise of the boundary and its normals is so many times larger, in squares, in the waves of the modes than in the shorter ones.
-const LONG_WAVES: f64 = 4.0;
+const LONG_WAVES: f64 = 6.0;
 /// A doubt counts so many times in squares.
 const DOUBT_COUNTS: f64 = 8.0;
 
