@@ -26,6 +26,7 @@ REGIONS = (30, 150, 700)
 
 def fetch(folder: Path) -> None:
     """Downloads the packages and unpacks their meshes, once."""
+    folder = folder.resolve()
     done = folder / "fetched"
     wanted = " ".join([DEBIAN, *WHEELS])
     if done.exists() and done.read_text() == wanted:
