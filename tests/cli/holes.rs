@@ -537,3 +537,56 @@ fn holes_are_chosen_by_what_they_are_and_where() {
         (vec![3], 1)
     );
 }
+
+#[test]
+fn what_is_erased_is_filled_from_its_rim() {
+    let directory = directory("erase");
+    let flat = ["--vertices", "300", "--start", "flat", "--free", "free.txt"];
+    expect(
+        &directory,
+        &[&["generate", "sphere-cap", "-o", "in.off"][..], &flat].concat(),
+        0,
+    );
+    let free = fs::read_to_string(directory.join("free.txt")).unwrap();
+    let free: Vec<usize> = free.split_whitespace().map(|v| v.parse().unwrap()).collect();
+    let (vertices, faces) = read_off(&fs::read_to_string(directory.join("in.off")).unwrap());
+    let touches = |face: &Vec<usize>| face.iter().any(|v| free.contains(v));
+    let erased = faces.iter().enumerate().filter(|(_, face)| touches(face));
+    let numbers: String = erased.map(|(f, _)| format!("{f}\n")).collect();
+    fs::write(directory.join("faces.txt"), &numbers).unwrap();
+    expect(
+        &directory,
+        &["fill", "in.off", "-o", "out.off", "--erase", "faces.txt"],
+        0,
+    );
+    let (filled, _) = read_off(&fs::read_to_string(directory.join("out.off")).unwrap());
+    assert!(filled.len() > vertices.len() - free.len());
+    let off = |p: &Vec<f64>| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
+    assert!(filled.iter().all(|p| off(p) < 1e-8));
+    fs::write(directory.join("faces.txt"), "0\n99999\n").unwrap();
+    let (_, error) = expect(
+        &directory,
+        &["fill", "in.off", "-o", "no.off", "--erase", "faces.txt"],
+        2,
+    );
+    assert!(error.contains("99999"), "{error}");
+}
+
+/// Vertices and corners of faces.
+fn read_off(text: &str) -> (Vec<Vec<f64>>, Vec<Vec<usize>>) {
+    let mut lines = text.lines().skip(1);
+    let counts: Vec<usize> = lines
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .map(|n| n.parse().unwrap())
+        .collect();
+    let vertices = lines.by_ref().take(counts[0]).map(numbers).collect();
+    let corners = |line: &str| {
+        line.split_whitespace()
+            .skip(1)
+            .map(|v| v.parse().unwrap())
+            .collect()
+    };
+    (vertices, lines.take(counts[1]).map(corners).collect())
+}
