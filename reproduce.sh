@@ -7,7 +7,7 @@
 # writes docs/measurements.md: accuracy, times, holes and known shortfalls, in a few minutes.
 #   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW[/UP]]...
 # writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl (from PyPI, into
-# target/continuity) and CGAL (Debian's libcgal-dev, if it is there).
+# target/continuity) and CGAL (Debian's libcgal-dev, installed where it is missing).
 set -euo pipefail
 cd "$(dirname "$0")"
 cargo build --release --locked --bin fairmesh --example reproduce
@@ -21,6 +21,12 @@ if [ "${1:-}" = continuity ]; then
         # shellcheck disable=SC2086
         "$home/bin/pip" --disable-pip-version-check install -q $wanted
         echo "$wanted" >"$home/wanted"
+    fi
+    if [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; then
+        as_root=""
+        [ "$(id -u)" -eq 0 ] || as_root=sudo
+        $as_root apt-get update -qq
+        $as_root apt-get install -y -qq --no-install-recommends g++ libcgal-dev libeigen3-dev
     fi
     set -- "$@" --python "$home/bin/python"
 fi

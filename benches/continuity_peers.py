@@ -4,7 +4,7 @@
     continuity_peers.py --convert MESH OUT     writes a mesh as the files that are read and written here
 
 FREE lists the free vertices, one number a line. Files are PLY with doubles, triangles with 32-bit counts and numbers.
-CGAL's `fair` is compiled at the first call, and left out where there is no libcgal-dev (Debian).
+CGAL's `fair` is compiled at the first call; `reproduce.sh` installs Debian's libcgal-dev.
 """
 
 import json
@@ -67,7 +67,7 @@ def write_ply(path, positions, triangles):
 
 
 def cgal_program(folder):
-    """The compiled program, or None."""
+    """The compiled program."""
     program = folder / "cgal_fair"
     if not program.exists():
         source = folder / "cgal_fair.cpp"
@@ -83,15 +83,12 @@ def cgal_program(folder):
             "-lgmp",
             "-lmpfr",
         ]
-        if subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode != 0:
-            return None
+        subprocess.run(command, check=True)
     return program
 
 
 def cgal(positions, triangles, free):
     program = cgal_program(Path(sys.argv[3]).parent)
-    if program is None:
-        return None
     with tempfile.TemporaryDirectory() as folder:
         asked, answer = Path(folder) / "in", Path(folder) / "out"
         with asked.open("w") as file:

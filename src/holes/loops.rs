@@ -325,17 +325,7 @@ impl<'a> Links<'a> {
                 sets.unite(h / 3, o / 3);
             }
         }
-        let (mut number, mut next) = (vec![0; count], 0);
-        for t in 0..count {
-            let first = sets.smallest(t as u32) as usize;
-            if first == t {
-                number[t] = next;
-                next += 1;
-            } else {
-                number[t] = number[first];
-            }
-        }
-        number
+        sets.numbers(count).0
     }
 
     /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies

@@ -36,17 +36,7 @@ impl Components {
                 }
             }
         }
-        let mut number = vec![0; free];
-        let mut count = 0;
-        for v in 0..free {
-            let smallest = sets.smallest(v as u32) as usize;
-            if smallest == v {
-                number[v] = count;
-                count += 1;
-            } else {
-                number[v] = number[smallest];
-            }
-        }
+        let (number, count) = sets.numbers(free);
         Self {
             number,
             count: count as usize,

@@ -23,6 +23,21 @@ impl DisjointSets {
         i
     }
 
+    /// The sets of the first `count`, numbered by their smallest members, and how many there are.
+    pub(crate) fn numbers(&mut self, count: usize) -> (Vec<u32>, u32) {
+        let (mut number, mut next) = (vec![0; count], 0);
+        for i in 0..count {
+            let smallest = self.smallest(i as u32) as usize;
+            if smallest == i {
+                number[i] = next;
+                next += 1;
+            } else {
+                number[i] = number[smallest];
+            }
+        }
+        (number, next)
+    }
+
     /// Makes one set of those of `a` and `b`.
     pub(crate) fn unite(&mut self, a: u32, b: u32) {
         if self.parent[a as usize] != self.parent[b as usize] {
@@ -44,5 +59,6 @@ mod tests {
         }
         let smallest: Vec<u32> = (0..10).map(|i| sets.smallest(i)).collect();
         assert_eq!(smallest, [0, 1, 1, 3, 4, 3, 6, 3, 8, 3]);
+        assert_eq!(sets.numbers(7), (vec![0, 1, 1, 2, 3, 2, 4], 5));
     }
 }

@@ -103,14 +103,7 @@ pub fn sphere_without_band(n: usize, sampling: Sampling, width: f64) -> Shape {
 /// Each has about `n` vertices inside.
 pub fn tubes(axes: &[[f64; 3]], distance: f64, n: usize, sampling: Sampling) -> Shape {
     let tube = cylinder_band(n, sampling, 0);
-    let mut shape = Shape {
-        positions: Vec::new(),
-        triangles: Vec::new(),
-        free: Vec::new(),
-        normals: Vec::new(),
-        surface: None,
-        flattened: Vec::new(),
-    };
+    let mut shape = Shape::empty();
     for axis in axes {
         let axis = unit(*axis);
         let least = (0..3).fold(0, |k, j| if axis[j].abs() < axis[k].abs() { j } else { k });

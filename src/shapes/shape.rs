@@ -30,6 +30,18 @@ pub(super) struct Lifted {
 }
 
 impl Shape {
+    /// Nothing, to be added to.
+    pub(crate) fn empty() -> Self {
+        Self {
+            positions: Vec::new(),
+            triangles: Vec::new(),
+            free: Vec::new(),
+            normals: Vec::new(),
+            surface: None,
+            flattened: Vec::new(),
+        }
+    }
+
     pub(super) fn lifted<P: Copy>(
         chart: Chart<P>,
         surface: Option<Surface>,

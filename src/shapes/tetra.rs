@@ -83,7 +83,7 @@ fn glue(arc: usize, seam: usize, rings: usize, poles: bool) -> Shape {
         net.insert_pole(true);
     }
     let round = 2 * arc;
-    let mut shape = empty();
+    let mut shape = Shape::empty();
     for _ in 0..6 * round {
         add(&mut shape, false);
     }
@@ -109,17 +109,6 @@ fn glue(arc: usize, seam: usize, rings: usize, poles: bool) -> Shape {
     place_circles(&mut shape, arc, net.staggered);
     thin_plate(&mut shape);
     shape
-}
-
-fn empty() -> Shape {
-    Shape {
-        positions: Vec::new(),
-        triangles: Vec::new(),
-        free: Vec::new(),
-        normals: Vec::new(),
-        surface: None,
-        flattened: Vec::new(),
-    }
 }
 
 fn add(shape: &mut Shape, free: bool) -> u32 {

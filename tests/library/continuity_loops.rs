@@ -112,17 +112,6 @@ fn loops_that_are_not_there_are_named() {
     }
 }
 
-/// Fixes the free vertices that are chosen; returns them.
-fn fix(shape: &mut Shape, chosen: impl Fn(usize, Vector3<f64>) -> bool) -> Vec<u32> {
-    let fixed: Vec<u32> = shape
-        .free_vertices()
-        .into_iter()
-        .filter(|&v| chosen(v as usize, vector(&shape.positions[v as usize])))
-        .collect();
-    fixed.iter().for_each(|&v| shape.free[v as usize] = false);
-    fixed
-}
-
 /// Points of the exact surface inside, which the surface passes: it comes nearer with them than without, and with continuous curvature nearer
 /// than with tangent planes alone.
 #[test]

@@ -134,6 +134,17 @@ pub(crate) fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     Errors::of(a.iter().zip(b).map(|(a, b)| (vector(a) - vector(b)).norm())).max
 }
 
+/// Fixes the free vertices that are chosen; returns them.
+pub(crate) fn fix(shape: &mut Shape, chosen: impl Fn(usize, Vector3<f64>) -> bool) -> Vec<u32> {
+    let fixed: Vec<u32> = shape
+        .free_vertices()
+        .into_iter()
+        .filter(|&v| chosen(v as usize, vector(&shape.positions[v as usize])))
+        .collect();
+    fixed.iter().for_each(|&v| shape.free[v as usize] = false);
+    fixed
+}
+
 /// As nalgebra's.
 pub(crate) fn vector(p: &[f64; 3]) -> Vector3<f64> {
     Vector3::from(*p)

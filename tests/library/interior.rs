@@ -3,18 +3,6 @@
 use crate::fairing::*;
 use fairmesh::{BoundaryNormals, Discretization, InnerFairness, InteriorNormals, Options, Solution, Target};
 use fairmesh_shapes::*;
-use nalgebra::Vector3;
-
-/// Fixes the free vertices that are chosen; returns them.
-fn fix(shape: &mut Shape, chosen: impl Fn(usize, Vector3<f64>) -> bool) -> Vec<u32> {
-    let fixed: Vec<u32> = shape
-        .free_vertices()
-        .into_iter()
-        .filter(|&v| chosen(v as usize, vector(&shape.positions[v as usize])))
-        .collect();
-    fixed.iter().for_each(|&v| shape.free[v as usize] = false);
-    fixed
-}
 
 /// Fixes a curve of edges: the lowest vertices above the height `z`. No triangle is left without a free vertex.
 fn fix_curve(shape: &mut Shape, z: f64) -> Vec<u32> {
