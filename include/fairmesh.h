@@ -656,6 +656,10 @@ enum fairmesh_loose_reason
      * The steps have become as small as double precision allows here, but stay above the tolerance.
      */
     FAIRMESH_LOOSE_REASON_TOLERANCE = 5,
+    /**
+     * No sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane.
+     */
+    FAIRMESH_LOOSE_REASON_DRAWN_NORMALS = 6,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -133,6 +133,8 @@ pub enum fairmesh_loose_reason {
     Bump = 4,
     /// The steps have become as small as double precision allows here, but stay above the tolerance.
     Tolerance = 5,
+    /// No sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane.
+    DrawnNormals = 6,
 }
 
 /// How an attempt at a surface ended. Numbers are never reused.

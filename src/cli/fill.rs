@@ -252,6 +252,10 @@ fn told(report: &LoopReport) -> String {
         FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
         _ => report.outcome.name().to_owned(),
     };
+    if report.normals_reached < 1.0 {
+        let percent = 100.0 * report.normals_reached;
+        let _ = write!(text, ", with {percent:.0} % of the mesh's normals");
+    }
     if report.coarsened {
         text += ", coarser inside: vertices did not suffice";
     }
@@ -371,7 +375,7 @@ fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> V
         "index": report.index, "loops": report.loops, "joined": report.joined.as_ref().map(join::json),
         "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
-        "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
+        "normals_reached": report.normals_reached, "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
         "intersections": { "count": pairs.len(), "list": pairs }, "seconds": report.seconds,
     })
 }

@@ -109,6 +109,9 @@ choices! {
         5 "tolerance" Tolerance =>
             "the steps have become as small as double precision allows here, but stay above the tolerance",
             "ask for a larger tolerance: the last step in the report is the smallest that can be met here";
+        6 "drawn_normals" DrawnNormals =>
+            "no sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane",
+            "look at it; clean the boundary of the hole, or remove faces around it, and fill it again";
     }
 }
 
@@ -241,17 +244,18 @@ impl Outcome {
                 LooseReason::Tolerance => 3,
                 LooseReason::SuspiciousNormals => 4,
                 LooseReason::Bump => 5,
+                LooseReason::DrawnNormals => 6,
             },
-            Self::NearestMember { .. } => 6,
-            Self::SelfIntersecting { .. } => 7,
-            Self::BoundaryCrease { .. } => 8,
-            Self::PoorWhenRounded { .. } => 9,
-            Self::ConvergedPoorTriangles { .. } => 10,
-            Self::NormalsNotReachable { .. } => 11,
-            Self::TargetNotReachable { .. } => 12,
-            Self::NotConverged => 13,
-            Self::IterationLimit => 14,
-            Self::Cancelled => 15,
+            Self::NearestMember { .. } => 7,
+            Self::SelfIntersecting { .. } => 8,
+            Self::BoundaryCrease { .. } => 9,
+            Self::PoorWhenRounded { .. } => 10,
+            Self::ConvergedPoorTriangles { .. } => 11,
+            Self::NormalsNotReachable { .. } => 12,
+            Self::TargetNotReachable { .. } => 13,
+            Self::NotConverged => 14,
+            Self::IterationLimit => 15,
+            Self::Cancelled => 16,
         }
     }
 

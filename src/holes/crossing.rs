@@ -7,6 +7,7 @@ use rstar::{AABB, Envelope, RTree};
 use super::loops::BoundaryLoop;
 use super::options::OnFailure;
 use super::outcome::{FillOutcome, OpenReason};
+use super::patch::Patch;
 use super::piece::{Piece, Task};
 use super::surroundings::bounds;
 use crate::fairing::SelfIntersections;
@@ -24,7 +25,7 @@ pub(super) enum Owned {
 
 /// The mesh near the loops, and the patches made so far.
 pub(super) struct Neighbours<'m> {
-    positions: &'m [[f64; 3]],
+    pub(super) positions: &'m [[f64; 3]],
     triangles: &'m [[u32; 3]],
     /// Where `tree` has all of the mesh.
     known: Vec<Option<Bounds>>,
@@ -67,17 +68,17 @@ impl<'m> Neighbours<'m> {
         }
     }
 
-    /// Keeps a patch, or one made by other means if this one intersects and that one does not.
+    /// Keeps a patch whose intersections are known, or one made by other means if this one has some and that one has none.
     pub(super) fn settle(
         &mut self,
         of: usize,
         task: &Task<'_>,
-        first: Piece,
+        mut best: Piece,
+        avoiding: Option<&Patch>,
         on_failure: OnFailure,
     ) -> Piece {
-        let mut best = self.judged(of, first);
         if !best.crossings.is_empty() {
-            for other in task.other_means(&best) {
+            for other in task.other_means(&best, avoiding) {
                 let other = self.judged(of, other);
                 if other.crossings.is_empty() {
                     best = other;
@@ -120,7 +121,7 @@ impl<'m> Neighbours<'m> {
     }
 
     /// The piece with its intersections.
-    fn judged(&self, of: usize, mut piece: Piece) -> Piece {
+    pub(super) fn judged(&self, of: usize, mut piece: Piece) -> Piece {
         let mut members = self.members(&piece);
         let bounds = bounds_of(&members);
         let first = (self.triangles.len() + self.made.len()) as u32;
@@ -137,7 +138,7 @@ impl<'m> Neighbours<'m> {
     }
 
     /// What of the mesh and of the other patches meets a box.
-    fn meeting(&self, of: usize, bounds: &Bounds) -> Vec<Member> {
+    pub(super) fn meeting(&self, of: usize, bounds: &Bounds) -> Vec<Member> {
         let mut met: Vec<Member> = match self.known[of].filter(|known| known.contains_envelope(bounds)) {
             Some(_) => self
                 .tree

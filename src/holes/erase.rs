@@ -70,7 +70,7 @@ pub fn erase(
     let kept = cut.kept();
     Ok(Erased {
         dropped: cut.gone() - named,
-        loops: cut.loops(positions, &kept)?,
+        loops: cut.loops(positions, &kept, coincident)?,
         kept,
     })
 }
@@ -145,7 +145,12 @@ impl Cut<'_> {
     }
 
     /// The loops of what is kept with an edge beside something that is gone.
-    fn loops(&self, positions: &[[f64; 3]], kept: &[u32]) -> Result<Vec<usize>, Error> {
+    fn loops(
+        &self,
+        positions: &[[f64; 3]],
+        kept: &[u32],
+        coincident: Coincident,
+    ) -> Result<Vec<usize>, Error> {
         let triangles: Vec<[u32; 3]> = kept.iter().map(|&t| self.triangles[t as usize]).collect();
         let links = Links::new(self.vertices, &triangles)?;
         let gone = self.edges();
@@ -153,7 +158,7 @@ impl Cut<'_> {
             let edge = (links.origin(next(h)), links.origin(h));
             gone.binary_search(&edge).is_ok()
         };
-        let loops = links.loops(positions);
+        let loops = links.loops(positions, coincident);
         let beside = |l: &usize| loops[*l].half_edges.iter().any(faces_gone);
         Ok((0..loops.len()).filter(beside).collect())
     }

@@ -129,7 +129,7 @@ pub fn suggest_joins(
     options.validate()?;
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let links = Links::new(positions.len(), &joined.triangles)?;
-    let loops = links.loops(positions);
+    let loops = links.loops(positions, options.fairing.coincident);
     let asked = FillOptions {
         join: Join::Auto,
         ..options.clone()
@@ -152,7 +152,7 @@ fn run<'a>(
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let fairing = joined_options(&joined.copies, &options.fairing);
     let links = Links::new(positions.len(), &joined.triangles)?;
-    let loops = links.loops(positions);
+    let loops = links.loops(positions, options.fairing.coincident);
     let groups = choose(options, positions, &links, &loops)?;
     let of_group = |i: usize| -> Vec<&BoundaryLoop> { groups[i].loops.iter().map(|&l| &loops[l]).collect() };
     let on_loops = (0..groups.len())
@@ -362,23 +362,37 @@ impl Run<'_, '_> {
             options: local_options(&surroundings, self.fairing),
             precision: self.options.fairing.output_precision,
         };
-        let mut piece = task.run(&mut tell);
+        let judge = |piece: Piece| match &self.neighbours {
+            Some(neighbours) => self.workers.install(|| neighbours.judged(i, piece)),
+            None => piece,
+        };
+        let mut piece = judge(task.run(&mut tell));
+        let mut avoiding = None;
+        if !piece.is_open() && !piece.is_sound() {
+            let vertices = &surroundings.ids[..edges];
+            let obstacles = self.neighbours.as_ref().map(|near| near.obstacles(i, vertices));
+            avoiding = task.avoiding(obstacles.as_ref());
+            let gentler = avoiding
+                .as_ref()
+                .and_then(|coarse| task.gentler(coarse, &judge, &mut tell));
+            piece = gentler.unwrap_or(piece);
+        }
+        let on_failure = self.options.on_failure;
+        if !piece.is_fair() && !cancelled {
+            match on_failure {
+                OnFailure::Open => return Piece::open(OpenReason::NotFair),
+                OnFailure::Flat => piece = judge(task.flattened(piece)),
+                OnFailure::Linear => {}
+            }
+        }
         self.cancelled = cancelled;
         if cancelled {
             return Piece::open(OpenReason::Cancelled);
         }
-        let on_failure = self.options.on_failure;
-        if !piece.is_fair() {
-            match on_failure {
-                OnFailure::Open => return Piece::open(OpenReason::NotFair),
-                OnFailure::Flat => piece = task.flattened(piece),
-                OnFailure::Linear => {}
-            }
-        }
         if let Some(neighbours) = &mut self.neighbours {
             piece = self
                 .workers
-                .install(|| neighbours.settle(i, &task, piece, on_failure));
+                .install(|| neighbours.settle(i, &task, piece, avoiding.as_ref(), on_failure));
         }
         self.left -= piece.positions.len();
         for t in &piece.triangles {
@@ -477,6 +491,7 @@ impl Filled {
             worst_angle: piece.worst_angle,
             outside: piece.outside.iter().map(|&i| vertex + i).collect(),
             coarsened: piece.coarsened,
+            normals_reached: piece.normals_reached,
             self_intersections: Vec::new(),
             seconds,
         });

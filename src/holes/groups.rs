@@ -255,7 +255,7 @@ fn measured(
         // What a lid would bend by, also where the mesh leaves no room for one.
         set.taken.clear();
     }
-    let triangles = triangulate(&set, Measure::TotalBend)?;
+    let triangles = triangulate(&set, Measure::TotalBend, None)?;
     Some(bends(&set, triangles))
 }
 

@@ -6,7 +6,7 @@ use super::bridges::{Bridge, Cut, bridges};
 use super::loop_set::LoopSet;
 use super::patch::Patch;
 use super::thinned::Thinned;
-use super::triangulate::{Measure, Polygon};
+use super::triangulate::{Barred, Measure, Polygon};
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
@@ -23,43 +23,46 @@ const FITS: f64 = 6.0;
 
 /// A triangulation of the surface that has all these loops for its boundary, or None if each one would have an edge twice or
 /// an edge that the mesh has already. Of one loop it is that of its polygon.
-pub(super) fn triangulate(set: &LoopSet, measure: Measure) -> Option<Vec<[u32; 3]>> {
+pub(super) fn triangulate(set: &LoopSet, measure: Measure, barred: Barred<'_>) -> Option<Vec<[u32; 3]>> {
     if set.count() == 1 {
         let polygon = Polygon {
             x: &set.x,
             normals: &set.normals,
             taken: &set.taken,
             measure,
+            barred,
         };
         return polygon.triangulate();
     }
     if measure != Measure::Energy {
-        return closed(set, measure);
+        return closed(set, measure, barred);
     }
     let thinned = Thinned::new(set);
-    let triangles = closed(&thinned.set, measure)?;
+    let triangles = closed(&thinned.set, measure, None)?;
     let whole = thinned.whole(set, &triangles);
     let mut patch = Closed::new(set, measure, Patch::new(set.x.clone(), whole, set.x.len()));
     if !patch.is_sound() {
-        return closed(set, measure);
+        return closed(set, measure, barred);
     }
     patch.flatten();
     Some(patch.patch.triangles)
 }
 
 /// The same for several loops as they are.
-fn closed(set: &LoopSet, measure: Measure) -> Option<Vec<[u32; 3]>> {
+fn closed(set: &LoopSet, measure: Measure, barred: Barred<'_>) -> Option<Vec<[u32; 3]>> {
     let bridges = bridges(set);
     if bridges.len() + 1 < set.count() {
         return None;
     }
     let cut = Cut::new(set, &bridges);
     let x: Vec<Vector3<f64>> = cut.of.iter().map(|&v| set.x[v as usize]).collect();
+    let in_cut = |t: [u32; 3]| barred.is_some_and(|barred| barred(t.map(|v| cut.of[v as usize])));
     let polygon = Polygon {
         x: &x,
         normals: &cut.normals,
         taken: &cut.taken,
         measure,
+        barred: barred.is_some().then_some(&in_cut),
     };
     let triangles = polygon.triangulate()?;
     let count = x.len();
@@ -119,7 +122,7 @@ pub(super) fn bends(set: &LoopSet, triangles: Vec<[u32; 3]>) -> Bends {
 pub(super) fn opposed(set: &LoopSet) -> Option<[usize; 2]> {
     let energy = |set: &LoopSet| {
         let means = [Measure::TotalBend, Measure::Energy].into_iter();
-        let energies = means.filter_map(|by| Some(bends(set, triangulate(set, by)?).energy));
+        let energies = means.filter_map(|by| Some(bends(set, triangulate(set, by, None)?).energy));
         energies.fold(f64::INFINITY, f64::min)
     };
     let given = energy(set);

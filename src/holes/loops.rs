@@ -14,6 +14,7 @@ use crate::mesh::coincident::Coincident;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
+use crate::mesh::places::places;
 use crate::mesh::rows::Rows;
 use crate::table::table;
 
@@ -76,7 +77,7 @@ pub struct BoundaryLoop {
 
 /// The boundary loops of a mesh, in the order of their first half-edge. `positions` is #V by 3, `triangles` #T by 3.
 ///
-/// At a vertex where several gaps meet, each gap is a loop of its own. Vertices with equal coordinates are one vertex of the
+/// At a vertex where several gaps meet, each gap is a loop of its own, also where each side of the vertex has a copy of its own. Vertices with equal coordinates are one vertex of the
 /// surface, as by default in [`Coincident`]; a loop names of each the copy in the triangle at its edge.
 ///
 /// ```
@@ -123,7 +124,7 @@ pub fn boundary_loops_joined(
 ) -> Result<Vec<BoundaryLoop>, Error> {
     let joined = Joined::new(positions, triangles, coincident)?;
     let links = Links::new(positions.len(), &joined.triangles)?;
-    let mut loops = links.loops(positions);
+    let mut loops = links.loops(positions, coincident);
     if !joined.copies.is_empty() {
         loops
             .iter_mut()
@@ -171,6 +172,25 @@ impl BoundaryLoop {
         };
         self.touching = self.touching.iter().map(of).collect();
         self.vertices = copies;
+    }
+}
+
+/// The half-edges of a loop, and the bad edge that it met.
+type Run = (Vec<u32>, Option<u32>);
+
+/// Which vertices of the boundary lie at the same place.
+#[derive(Default)]
+struct Places {
+    /// Ascending.
+    vertices: Vec<u32>,
+    /// Per vertex which of these is the first at its place; none where each has a place of its own.
+    first: Option<Vec<u32>>,
+}
+
+impl Places {
+    fn of(&self, v: u32) -> u32 {
+        let first = self.first.as_ref().zip(self.vertices.binary_search(&v).ok());
+        first.map_or(v, |(first, at)| self.vertices[first[at] as usize])
     }
 }
 
@@ -278,7 +298,7 @@ impl<'a> Links<'a> {
         }
     }
 
-    pub(super) fn loops(&self, positions: &[[f64; 3]]) -> Vec<BoundaryLoop> {
+    pub(super) fn loops(&self, positions: &[[f64; 3]], coincident: Coincident) -> Vec<BoundaryLoop> {
         let boundary: Vec<u32> = (0..self.opposite.len() as u32)
             .filter(|&h| self.opposite[h as usize] == BOUNDARY)
             .collect();
@@ -290,7 +310,7 @@ impl<'a> Links<'a> {
         }
         let mut done = vec![false; self.opposite.len()];
         let mut place = vec![BOUNDARY; self.outgoing.len()];
-        let mut found = Vec::new();
+        let mut found: Vec<Run> = Vec::new();
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
             for &h in &boundary {
@@ -300,19 +320,31 @@ impl<'a> Links<'a> {
                 }
             }
         }
-        found.sort_by_key(|(run, _): &(Vec<u32>, _)| run.iter().copied().min());
-        let mut visits = vec![0u8; self.outgoing.len()];
-        for &h in found.iter().flat_map(|(run, _)| run) {
-            let v = self.origin(next(h)) as usize;
-            visits[v] = visits[v].saturating_add(1);
-        }
         if found.is_empty() {
             return Vec::new();
+        }
+        let places = self.places(&found, positions, coincident);
+        found = found
+            .into_iter()
+            .flat_map(|(run, bad)| match bad {
+                None => self
+                    .parted(run, &places, &mut place)
+                    .into_iter()
+                    .map(|run| (run, None))
+                    .collect(),
+                bad => vec![(run, bad)],
+            })
+            .collect();
+        found.sort_by_key(|(run, _)| run.iter().copied().min());
+        let mut visits = vec![0u8; self.outgoing.len()];
+        for &h in found.iter().flat_map(|(run, _)| run) {
+            let place = places.of(self.origin(next(h))) as usize;
+            visits[place] = visits[place].saturating_add(1);
         }
         let components = self.components();
         found
             .into_iter()
-            .map(|(run, bad)| self.measure(run, bad, positions, &visits, &components))
+            .map(|(run, bad)| self.measure(run, bad, positions, (&places, &visits), &components))
             .collect()
     }
 
@@ -328,15 +360,48 @@ impl<'a> Links<'a> {
         sets.numbers(count).0
     }
 
+    /// Which of the runs' vertices lie at the same place.
+    fn places(&self, found: &[Run], positions: &[[f64; 3]], coincident: Coincident) -> Places {
+        let Some(within) = coincident.within() else {
+            return Places::default();
+        };
+        let on_runs = found.iter().flat_map(|(run, _)| run);
+        let mut vertices: Vec<u32> = on_runs.map(|&h| self.origin(next(h))).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        Places {
+            first: places(positions, &vertices, within),
+            vertices,
+        }
+    }
+
+    /// The simple loops of one that passes a place twice, by copies of a vertex that are not joined: gaps that meet there in a point.
+    /// `last` is scratch.
+    fn parted(&self, run: Vec<u32>, places: &Places, last: &mut [u32]) -> Vec<Vec<u32>> {
+        if places.first.is_none() {
+            return vec![run];
+        }
+        let (mut found, mut rest) = (Vec::new(), Vec::<u32>::new());
+        let place = |&g: &u32| places.of(self.origin(next(g))) as usize;
+        for h in run {
+            let before = last[place(&h)] as usize;
+            // Two edges alone are no gap.
+            if before < rest.len() && rest.len() - before > 2 {
+                let inner = rest.split_off(before);
+                inner.iter().for_each(|g| last[place(g)] = BOUNDARY);
+                found.push(inner);
+            }
+            last[place(&h)] = rest.len() as u32;
+            rest.push(h);
+        }
+        rest.iter().for_each(|g| last[place(g)] = BOUNDARY);
+        found.push(rest);
+        found
+    }
+
     /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
     /// in between is a loop of its own.
-    fn walk(
-        &self,
-        first: u32,
-        done: &mut [bool],
-        place: &mut [u32],
-        found: &mut Vec<(Vec<u32>, Option<u32>)>,
-    ) {
+    fn walk(&self, first: u32, done: &mut [bool], place: &mut [u32], found: &mut Vec<Run>) {
         let mut run: Vec<u32> = Vec::new();
         let mut h = first;
         let bad = loop {
@@ -368,7 +433,7 @@ impl<'a> Links<'a> {
         run: Vec<u32>,
         bad: Option<u32>,
         positions: &[[f64; 3]],
-        visits: &[u8],
+        (places, visits): (&Places, &[u8]),
         components: &[u32],
     ) -> BoundaryLoop {
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
@@ -382,7 +447,7 @@ impl<'a> Links<'a> {
         }
         let turn = self.turn(&run, positions);
         let mut touching = vertices.clone();
-        touching.retain(|&v| visits[v as usize] > 1);
+        touching.retain(|&v| visits[places.of(v) as usize] > 1);
         BoundaryLoop {
             vertices,
             length,

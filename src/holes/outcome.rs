@@ -181,6 +181,9 @@ pub struct LoopReport {
     pub outside: Vec<u32>,
     /// The limit on new vertices was met: the patch is coarser inside than asked for.
     pub coarsened: bool,
+    /// 1 where the boundary normals are those asked for. Less where no sound patch has them, or none that intersects nothing: so much of
+    /// the way from the normals of a membrane over the loops to the averages of the mesh's.
+    pub normals_reached: f64,
     /// Pairs of triangles of the filled mesh that intersect, the smaller number first, ascending; at least one of each is
     /// of this patch. Not looked for if the fairing's
     /// [`Options::intersections`](crate::Options::intersections) says so. No more than

@@ -13,7 +13,7 @@ use super::patch::Patch;
 use super::refine::{Fineness, Refiner};
 use super::rounding::Rounded;
 use super::surroundings::{Surroundings, bounds};
-use super::triangulate::Measure;
+use super::triangulate::{Barred, Measure};
 use super::units::{first_of_loops, in_units};
 use crate::error::Error;
 use crate::fairing::{
@@ -65,6 +65,8 @@ pub(super) struct Piece {
     /// New vertices (from 0) that the loop's box does not hold.
     pub(super) outside: Vec<u32>,
     pub(super) coarsened: bool,
+    /// See [`LoopReport::normals_reached`](super::LoopReport::normals_reached).
+    pub(super) normals_reached: f64,
     /// Pairs of triangles that intersect, one of each the piece's own.
     pub(super) crossings: Vec<[Owned; 2]>,
 }
@@ -83,8 +85,25 @@ impl Piece {
             worst_angle: 0.0,
             outside: Vec::new(),
             coarsened: false,
+            normals_reached: 1.0,
             crossings: Vec::new(),
         }
+    }
+
+    pub(super) fn is_open(&self) -> bool {
+        matches!(self.outcome, FillOutcome::LeftOpen(_))
+    }
+
+    /// Faired, with triangles that are sound and intersect nothing; or with nothing to be faired.
+    pub(super) fn is_sound(&self) -> bool {
+        let is_poor = |report: &Report| {
+            let of = &report.outcome;
+            matches!(
+                of,
+                Outcome::ConvergedPoorTriangles { .. } | Outcome::PoorWhenRounded { .. }
+            )
+        };
+        self.is_fair() && self.crossings.is_empty() && !self.fairing.as_ref().is_some_and(is_poor)
     }
 
     /// Faired, or not asked to be.
@@ -167,7 +186,7 @@ impl Task<'_> {
 
     /// On the first triangulation, or the other one.
     fn run_on(&self, is_other: bool, tell: &mut ProgressCallback<'_>) -> Piece {
-        let Some(coarse) = self.triangulate(is_other) else {
+        let Some(coarse) = self.triangulate(is_other, None) else {
             return Piece::open(OpenReason::NoTriangulation);
         };
         let mut patch = coarse.clone();
@@ -247,7 +266,7 @@ impl Task<'_> {
         if piece.outcome != FillOutcome::Linear {
             return piece;
         }
-        match self.triangulate(false) {
+        match self.triangulate(false, None) {
             Some(coarse) => {
                 let report = piece.fairing.map(|report| self.of_another_patch(report));
                 let mut flat = self.flat(&coarse, FlatReason::Unsound, None);
@@ -258,18 +277,25 @@ impl Task<'_> {
         }
     }
 
-    /// Patches for a loop whose first one intersects something, none of them faired: that of the same triangulation, that
-    /// of another one, and both without new vertices.
-    pub(super) fn other_means<'t>(&'t self, first: &Piece) -> impl Iterator<Item = Piece> + use<'t> {
+    /// Patches for a loop whose first one intersects something, none of them faired: that of the same triangulation, of the one
+    /// that avoids what it may meet, and of another one; first refined, then without new vertices.
+    pub(super) fn other_means<'t>(
+        &'t self,
+        first: &Piece,
+        avoiding: Option<&'t Patch>,
+    ) -> impl Iterator<Item = Piece> + use<'t> {
         let (reason, report) = match &first.outcome {
             FillOutcome::Flat { reason } => (reason.clone(), first.fairing.clone()),
             _ => (FlatReason::Intersecting, None),
         };
-        let is_flat = matches!(first.outcome, FillOutcome::Flat { .. });
-        let means = [(false, true), (true, true), (false, false), (true, false)];
-        let others = means.into_iter().skip(usize::from(is_flat));
-        others.filter_map(move |(is_other, is_refined)| {
-            let coarse = self.triangulate(is_other)?;
+        let same = || self.triangulate(false, None);
+        let other = || self.triangulate(true, None);
+        let means = [true, false].into_iter().flat_map(move |is_refined| {
+            let coarse = [same(), avoiding.cloned(), other()];
+            coarse.into_iter().map(move |coarse| (coarse, is_refined))
+        });
+        means.filter_map(move |(coarse, is_refined)| {
+            let coarse = coarse?;
             let mut patch = coarse.clone();
             let coarsened = is_refined && !self.refine(&mut patch);
             let reason = reason.clone();
@@ -281,7 +307,8 @@ impl Task<'_> {
 
     /// The loops triangulated, with the sizes of their surroundings: by the bends, or otherwise. (The least area of several loops
     /// is that of a patch for each, and tubes without width between them.)
-    fn triangulate(&self, is_other: bool) -> Option<Patch> {
+    /// Without triangles that are barred.
+    pub(super) fn triangulate(&self, is_other: bool, barred: Barred<'_>) -> Option<Patch> {
         let around = self.surroundings;
         let n = around.loop_vertices;
         let measure = match (self.is_joint(), is_other) {
@@ -290,7 +317,7 @@ impl Task<'_> {
             (true, false) => Measure::TotalBend,
             (true, true) => Measure::Energy,
         };
-        let triangles = joint::triangulate(&around.loop_set(), measure)?;
+        let triangles = joint::triangulate(&around.loop_set(), measure, barred)?;
         let is_there = |t: &[u32; 3]| t.iter().all(|&v| (v as usize) < n);
         if n == 3 && around.triangles.iter().any(is_there) {
             return None;
@@ -317,7 +344,7 @@ impl Task<'_> {
     }
 
     /// Refines to the end; coarser inside if the vertices do not suffice. False: they did not.
-    fn refine(&self, patch: &mut Patch) -> bool {
+    pub(super) fn refine(&self, patch: &mut Patch) -> bool {
         let mut growth = 0.0;
         loop {
             let fineness = self.fineness(growth);
@@ -378,7 +405,13 @@ impl Task<'_> {
     }
 
     /// Keeps the faired patch, unless it is neither fair nor sound.
-    fn judge(&self, coarse: &Patch, mut patch: Patch, solution: Solution, coarsened: bool) -> Piece {
+    pub(super) fn judge(
+        &self,
+        coarse: &Patch,
+        mut patch: Patch,
+        solution: Solution,
+        coarsened: bool,
+    ) -> Piece {
         let inner = self.inner(&solution);
         let report = solution.report;
         let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
@@ -438,13 +471,14 @@ impl Task<'_> {
             worst_angle: rounded.worst_angle(),
             outside: self.outside(&patch.x[patch.fixed..]),
             coarsened,
+            normals_reached: 1.0,
             crossings: Vec::new(),
             triangles: patch.triangles,
         }
     }
 
     /// By vertex, ascending.
-    fn given_normals(&self) -> &[(u32, [f64; 3])] {
+    pub(super) fn given_normals(&self) -> &[(u32, [f64; 3])] {
         match &self.options.boundary_normals {
             BoundaryNormals::Given(list) => list,
             _ => &[],

@@ -91,7 +91,12 @@ pub(super) struct Polygon<'a> {
     pub(super) taken: &'a [(u32, u32)],
     /// What decides.
     pub(super) measure: Measure,
+    /// Whether a triangle may not be made.
+    pub(super) barred: Barred<'a>,
 }
+
+/// Whether a triangle may not be made; none: all may.
+pub(super) type Barred<'a> = Option<&'a dyn Fn([u32; 3]) -> bool>;
 
 impl Polygon<'_> {
     fn is_free(&self, a: u32, b: u32) -> bool {
@@ -108,6 +113,12 @@ impl Polygon<'_> {
         };
         self.optimal(&polygon, &normals, &mut triangles)?;
         Some(triangles)
+    }
+
+    /// Whether a triangle may be made.
+    #[inline]
+    fn may_be(&self, triangle: [u32; 3]) -> bool {
+        self.barred.is_none_or(|barred| !barred(triangle))
     }
 
     fn normal(&self, a: u32, b: u32, c: u32) -> (Vector3<f64>, f64) {
@@ -200,7 +211,7 @@ impl Polygon<'_> {
                 let corners = [polygon[i], polygon[m], polygon[k]];
                 let cost =
                     left.area + right.area + self.cost(corners, (&normal, area), [left, right], beyond);
-                if cost < best.area {
+                if cost < best.area && self.may_be(corners) {
                     best = Cell {
                         worst: 0,
                         area: cost,
@@ -225,7 +236,8 @@ impl Polygon<'_> {
                 normal,
                 own: area,
             };
-            if (cell.worst, cell.area) < (best.worst, best.area) {
+            let is_better = (cell.worst, cell.area) < (best.worst, best.area);
+            if is_better && self.may_be([polygon[i], polygon[m], polygon[k]]) {
                 best = cell;
             }
         }
@@ -352,6 +364,9 @@ impl<'a> Ears<'a> {
             if !self.alive[i] || self.prev[i] != a || self.next[i] != b {
                 continue;
             }
+            if !self.polygon.may_be([a, v, b]) {
+                continue;
+            }
             if !looked && self.is_crowded(v, a, b) {
                 let later = f64::from_bits(cost) * LATER;
                 self.queue.push(Reverse((later.to_bits(), v, a, b, true)));
@@ -410,6 +425,7 @@ mod tests {
             normals: &normals,
             taken,
             measure: Measure::WorstBend,
+            barred: None,
         }
         .triangulate()
     }
@@ -471,6 +487,7 @@ mod tests {
             normals: &normals,
             taken: &[],
             measure: Measure::WorstBend,
+            barred: None,
         };
         let triangles = loop_in_plane.triangulate().unwrap();
         assert_eq!(triangles.len(), x.len() - 2);

@@ -9,6 +9,7 @@ mod tree;
 mod triangles;
 
 pub(crate) use search::{Bounds, Member, bounds_of, member, members_near, of_all, of_some, pairs};
+pub(crate) use triangles::{facing, intersect};
 
 #[cfg(test)]
 mod tests;

@@ -6,7 +6,7 @@
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// The positions of a triangle's corners.
-pub(super) type Corners = [[f64; 3]; 3];
+pub(crate) type Corners = [[f64; 3]; 3];
 
 /// The coordinates that are left when one is dropped.
 pub(super) type Axes = [usize; 2];
@@ -22,7 +22,7 @@ pub(super) fn projection(t: &Corners) -> Option<Axes> {
 
 /// Which sides a triangle shows in the projections: bit 2 k for counter-clockwise, 2 k + 1 for clockwise in the k-th. Without an
 /// area it shows none.
-pub(super) fn facing(t: &Corners) -> u8 {
+pub(crate) fn facing(t: &Corners) -> u8 {
     (0..3).fold(0, |bits, k| {
         let turn = turn(PROJECTIONS[k], &t[0], &t[1], &t[2]);
         bits | u8::from(turn > 0.0) << (2 * k) | u8::from(turn < 0.0) << (2 * k + 1)
@@ -63,7 +63,7 @@ fn do_not_disagree(values: &[f64]) -> bool {
 }
 
 /// Whether two triangles have more in common than a vertex of both or an edge of both.
-pub(super) fn intersect(a: &Corners, b: &Corners) -> bool {
+pub(crate) fn intersect(a: &Corners, b: &Corners) -> bool {
     let mut common = [(0, 0); 3];
     let mut count = 0;
     for (i, p) in a.iter().enumerate() {

@@ -43,6 +43,14 @@ table!(Coincident {
 });
 
 impl Coincident {
+    /// How far apart vertices at the same place are, at most; none: each has a place of its own.
+    pub(crate) fn within(&self) -> Option<f64> {
+        match *self {
+            Self::Join { within } => Some(within),
+            Self::Separate => None,
+        }
+    }
+
     /// Checks the distance.
     ///
     /// ```

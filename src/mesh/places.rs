@@ -9,7 +9,7 @@ const FINEST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// Numbers that vertices at the same place have in common, or nothing where each has a place of its own. `vertices` may not
 /// repeat.
-pub(super) fn places(positions: &[[f64; 3]], vertices: &[u32], within: f64) -> Option<Vec<u32>> {
+pub(crate) fn places(positions: &[[f64; 3]], vertices: &[u32], within: f64) -> Option<Vec<u32>> {
     let mut sets = DisjointSets::new(vertices.len());
     let key = |i: &u32| exact(&positions[vertices[*i as usize] as usize]);
     let finite = |i: &u32| {

@@ -88,6 +88,7 @@ class fairmesh_loose_reason(enum.IntEnum):
     FIRST_ORDER_CURVATURE = 3
     BUMP = 4
     TOLERANCE = 5
+    DRAWN_NORMALS = 6
 
 
 class fairmesh_attempt_end(enum.IntEnum):

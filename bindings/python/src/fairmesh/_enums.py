@@ -373,6 +373,13 @@ class LooseReason(Named):
         "the steps have become as small as double precision allows here, but stay above the tolerance",
         "ask for a larger tolerance: the last step in the report is the smallest that can be met here",
     )
+    #: No sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane.
+    DRAWN_NORMALS = (
+        6,
+        "drawn_normals",
+        "no sound surface over this hole has the normals of the mesh: they were drawn towards those of a membrane",
+        "look at it; clean the boundary of the hole, or remove faces around it, and fill it again",
+    )
     #: A value that this version of the package does not know.
     OTHER = (
         4294967295,

@@ -1,0 +1,146 @@
+//! Patches for loops whose boundary normals ask too much. At a coarse or ragged rim no sound surface may have the normals that
+//! are fitted to it. They are drawn towards those of the membrane over the loop, step by step: a membrane has its own
+//! normals over any loop, so that the last step is nearly always possible.
+
+use nalgebra::Vector3;
+
+use super::obstacles::Obstacles;
+use super::patch::Patch;
+use super::piece::{Piece, Task};
+use crate::discrete::boundary_normals::angle;
+use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, ProgressCallback};
+
+/// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
+const PARTS: [f64; 3] = [1.0, 0.5, 0.0];
+/// Iterations for each.
+const ITERATIONS: usize = 24;
+/// Sweeps that make the refined triangulation a membrane near its boundary.
+const SWEEPS: usize = 60;
+
+/// The membrane, and the normals between which the patch's lie.
+struct Gentle<'c> {
+    coarse: &'c Patch,
+    patch: Patch,
+    coarsened: bool,
+    /// The membrane's normals at the loops.
+    own: Vec<Vector3<f64>>,
+    /// The mesh's.
+    mesh: Vec<Vector3<f64>>,
+}
+
+impl Task<'_> {
+    /// The triangulation of least bends that intersects none of the obstacles.
+    pub(super) fn avoiding(&self, obstacles: Option<&Obstacles>) -> Option<Patch> {
+        let barred = |t: [u32; 3]| obstacles.is_some_and(|obstacles| obstacles.bar(t));
+        let first = self.triangulate(false, None)?;
+        match first.triangles.iter().any(|&t| barred(t)) {
+            true => self.triangulate(false, Some(&barred)),
+            false => Some(first),
+        }
+    }
+
+    /// The first patch from this triangulation that is sound.
+    pub(super) fn gentler(
+        &self,
+        coarse: &Patch,
+        judge: &impl Fn(Piece) -> Piece,
+        tell: &mut ProgressCallback<'_>,
+    ) -> Option<Piece> {
+        let gentle = self.gentle(coarse).filter(|_| self.fair)?;
+        PARTS.into_iter().find_map(|part| {
+            let piece = judge(self.with_part(&gentle, part, tell)?);
+            piece.is_sound().then_some(piece)
+        })
+    }
+
+    /// None where nothing can move.
+    fn gentle<'c>(&self, coarse: &'c Patch) -> Option<Gentle<'c>> {
+        let mut patch = coarse.clone();
+        let coarsened = !self.refine(&mut patch);
+        if patch.x.len() == patch.fixed {
+            return None;
+        }
+        relax(&mut patch);
+        let around = self.surroundings;
+        let mesh = normals(&around.x, &around.triangles, patch.fixed, None);
+        let own = normals(&patch.x, &patch.triangles, patch.fixed, Some(&mesh));
+        Some(Gentle {
+            coarse,
+            patch,
+            coarsened,
+            own,
+            mesh,
+        })
+    }
+
+    /// The patch with so much of the mesh's normals; those that are given hold in any case.
+    fn with_part(&self, gentle: &Gentle<'_>, part: f64, tell: &mut ProgressCallback<'_>) -> Option<Piece> {
+        let given = self.given_normals();
+        let normal = |(v, (own, mesh)): (u32, (&Vector3<f64>, &Vector3<f64>))| {
+            let given = given.binary_search_by_key(&v, |entry| entry.0).ok();
+            let drawn = || between(own, mesh, part).into();
+            (v, given.map_or_else(drawn, |at| self.given_normals()[at].1))
+        };
+        let turned = gentle.own.iter().zip(&gentle.mesh);
+        let options = Options {
+            boundary_normals: BoundaryNormals::Given((0..).zip(turned).map(normal).collect()),
+            max_iterations: self.options.max_iterations.min(ITERATIONS),
+            continuity: 0.0,
+            ..self.options.clone()
+        };
+        let mut solution = self.faired(&gentle.patch, &options, tell).ok()?;
+        if matches!(solution.report.outcome, Outcome::Converged) {
+            solution.report.outcome = Outcome::ConvergedLoosely {
+                reason: LooseReason::DrawnNormals,
+            };
+        }
+        let piece = self.judge(gentle.coarse, gentle.patch.clone(), solution, gentle.coarsened);
+        Some(Piece {
+            normals_reached: part,
+            ..piece
+        })
+    }
+}
+
+/// Moves the inner vertices to the means of their neighbours, again and again.
+fn relax(patch: &mut Patch) {
+    let (mut outgoing, mut ring) = (Vec::new(), Vec::new());
+    for _ in 0..SWEEPS {
+        for v in patch.fixed..patch.x.len() {
+            patch.ring(v as u32, &mut outgoing, &mut ring);
+            let sum: Vector3<f64> = ring.iter().map(|&w| patch.x[w as usize]).sum();
+            patch.x[v] = sum / ring.len() as f64;
+        }
+    }
+}
+
+/// The normalized sums of the triangles' cross products at the first `count` vertices; where there is none, the other one.
+fn normals(
+    x: &[Vector3<f64>],
+    triangles: &[[u32; 3]],
+    count: usize,
+    other: Option<&[Vector3<f64>]>,
+) -> Vec<Vector3<f64>> {
+    let mut sums = vec![Vector3::zeros(); count];
+    for t in triangles {
+        let [a, b, c] = t.map(|v| x[v as usize]);
+        let cross = (b - a).cross(&(c - a));
+        for v in t.iter().map(|&v| v as usize).filter(|&v| v < count) {
+            sums[v] += cross;
+        }
+    }
+    let unit = |(v, sum): (usize, &Vector3<f64>)| {
+        let instead = || other.map_or_else(Vector3::z, |other| other[v]);
+        sum.try_normalize(f64::MIN_POSITIVE).unwrap_or_else(instead)
+    };
+    sums.iter().enumerate().map(unit).collect()
+}
+
+fn between(a: &Vector3<f64>, b: &Vector3<f64>, part: f64) -> Vector3<f64> {
+    let phi = angle(a, b);
+    if phi < 1e-9 || part >= 1.0 {
+        return *b;
+    }
+    let mixed = a * ((1.0 - part) * phi).sin() + b * (part * phi).sin();
+    mixed.try_normalize(1e-12).unwrap_or(*a)
+}
