@@ -850,6 +850,93 @@ typedef uint32_t fairmesh_fill_reason;
 #endif // __cplusplus
 
 /**
+ * Which loops get one patch together. Numbers are never reused.
+ */
+enum fairmesh_join_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Every loop gets a patch of its own.
+     */
+    FAIRMESH_JOIN_KIND_NONE = 0,
+    /**
+     * The loops of each group get one patch.
+     */
+    FAIRMESH_JOIN_KIND_GROUPS = 1,
+    /**
+     * Loops whose joint patch bends less than patches of their own would get one patch.
+     */
+    FAIRMESH_JOIN_KIND_AUTO = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_join_kind fairmesh_join_kind;
+#else
+typedef uint32_t fairmesh_join_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+ */
+enum fairmesh_on_failure
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
+     */
+    FAIRMESH_ON_FAILURE_LINEAR = 0,
+    /**
+     * The triangulation, refined.
+     */
+    FAIRMESH_ON_FAILURE_FLAT = 1,
+    /**
+     * None: it is left open.
+     */
+    FAIRMESH_ON_FAILURE_OPEN = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_on_failure fairmesh_on_failure;
+#else
+typedef uint32_t fairmesh_on_failure;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * A part of space. Numbers are never reused.
+ */
+enum fairmesh_place_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Anywhere.
+     */
+    FAIRMESH_PLACE_KIND_EVERYWHERE = 0,
+    /**
+     * Not further than a radius from a centre.
+     */
+    FAIRMESH_PLACE_KIND_BALL = 1,
+    /**
+     * Between two corners, the faces included.
+     */
+    FAIRMESH_PLACE_KIND_BOX = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_place_kind fairmesh_place_kind;
+#else
+typedef uint32_t fairmesh_place_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * What a result is of.
  */
 enum fairmesh_result_kind
@@ -877,6 +964,18 @@ enum fairmesh_result_kind
      * Pairs of intersecting triangles.
      */
     FAIRMESH_RESULT_KIND_INTERSECTIONS = 4,
+    /**
+     * Groups of loops that would be joined.
+     */
+    FAIRMESH_RESULT_KIND_JOINS = 5,
+    /**
+     * A mesh without some of its triangles.
+     */
+    FAIRMESH_RESULT_KIND_ERASED = 6,
+    /**
+     * The components of a mesh.
+     */
+    FAIRMESH_RESULT_KIND_COMPONENTS = 7,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -943,6 +1042,10 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_PARENTS = 49,
     /**
+     * Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
+     */
+    FAIRMESH_LIST_JOINED_LOOPS = 50,
+    /**
      * Remeshed meshes: the free vertices.
      */
     FAIRMESH_LIST_FREE_VERTICES = 64,
@@ -951,9 +1054,17 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_KEPT_VERTICES = 65,
     /**
-     * Remeshed meshes: per triangle that is left its number before.
+     * Remeshed and erased meshes: per triangle that is left its number before.
      */
     FAIRMESH_LIST_KEPT_TRIANGLES = 66,
+    /**
+     * Erased meshes: the loops that the deleted triangles leave, as `fairmesh_boundary_loops` numbers those of the mesh that is left.
+     */
+    FAIRMESH_LIST_ERASED_LOOPS = 80,
+    /**
+     * Components: per triangle the number of its component.
+     */
+    FAIRMESH_LIST_TRIANGLE_COMPONENTS = 96,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1360,6 +1471,90 @@ typedef struct fairmesh_options {
 } fairmesh_options;
 
 /**
+ * Loops that get one patch together: ends of tubes, the two sides of a gap, a hole and the island in it. All zero: none.
+ */
+typedef struct fairmesh_join {
+    /**
+     * A `fairmesh_join_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Of `FAIRMESH_JOIN_KIND_GROUPS` the loops, as `fairmesh_boundary_loops` numbers them, outer boundaries included: one group after
+     * the other, no loop twice. They are filled whatever else says which loops are. Otherwise not read.
+     */
+    struct fairmesh_indices loops;
+    /**
+     * Where each group begins in `loops`, ascending from 0; a group ends where the next one begins. NULL with count 0: all of them are
+     * one group.
+     */
+    struct fairmesh_indices starts;
+} fairmesh_join;
+
+/**
+ * A part of space. All zero: everywhere.
+ */
+typedef struct fairmesh_place {
+    /**
+     * A `fairmesh_place_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The centre of a ball.
+     */
+    double centre[3];
+    /**
+     * Its radius.
+     */
+    double radius;
+    /**
+     * The smallest coordinates of a box.
+     */
+    double low[3];
+    /**
+     * The largest ones.
+     */
+    double high[3];
+} fairmesh_place;
+
+/**
+ * Which holes, by what they are and where: those that meet every bound. All zero: all of them.
+ */
+typedef struct fairmesh_loop_filter {
+    /**
+     * Not longer than this; 0: of any length.
+     */
+    double max_length;
+    /**
+     * Of no more than this area, as `fairmesh_loop` has it; 0: of any area.
+     */
+    double max_area;
+    /**
+     * With a bounding box of no more than this diagonal; 0: of any.
+     */
+    double max_diagonal;
+    /**
+     * All but so many holes of the mesh, the longest.
+     */
+    uint64_t except_longest;
+    /**
+     * Only those of these components, as `fairmesh_components` numbers them; NULL with count 0: of all.
+     */
+    struct fairmesh_indices components;
+    /**
+     * Only those whose vertices all lie there.
+     */
+    struct fairmesh_place within;
+} fairmesh_loop_filter;
+
+/**
  * What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
  */
 typedef struct fairmesh_fill_options {
@@ -1377,7 +1572,7 @@ typedef struct fairmesh_fill_options {
     uint64_t max_edges;
     /**
      * These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
-     * holes. With a count, `max_edges` is not read.
+     * holes. With a count, `max_edges` and `filter` are not read.
      */
     struct fairmesh_indices loops;
     /**
@@ -1390,6 +1585,22 @@ typedef struct fairmesh_fill_options {
      * the square of a density above 1.
      */
     uint64_t max_new_vertices;
+    /**
+     * A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Zero (default): the best surface there is.
+     */
+    uint32_t on_failure;
+    /**
+     * Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
+     */
+    uint32_t only_listed;
+    /**
+     * Loops that get one patch together. All zero (default): none.
+     */
+    struct fairmesh_join join;
+    /**
+     * Which holes, if `loops` does not say it. All zero (default): all of them.
+     */
+    struct fairmesh_loop_filter filter;
 } fairmesh_fill_options;
 
 /**
@@ -1919,11 +2130,11 @@ typedef struct fairmesh_info {
      */
     uint32_t kind;
     /**
-     * Vertices of the mesh; 0 for loops.
+     * Vertices of the mesh; 0 for loops, and for groups of them.
      */
     uint64_t vertex_count;
     /**
-     * Triangles of the mesh; 0 for loops, and where they are those given.
+     * Triangles of the mesh; 0 for loops and groups of them, and where they are those given.
      */
     uint64_t triangle_count;
     /**
@@ -1935,13 +2146,21 @@ typedef struct fairmesh_info {
      */
     uint64_t new_triangle_count;
     /**
-     * Loops found, or filled.
+     * Loops found, or filled (those that are joined count once), or left where triangles were erased; of joins the groups.
      */
     uint64_t loop_count;
     /**
      * Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
      */
     uint64_t boundary_vertex_count;
+    /**
+     * Of an erased mesh the triangles that were dropped besides those named.
+     */
+    uint64_t dropped_count;
+    /**
+     * Of components how many there are.
+     */
+    uint64_t component_count;
 } fairmesh_info;
 
 /**
@@ -2015,6 +2234,10 @@ typedef struct fairmesh_loop {
      * Its other end.
      */
     uint32_t edge_b;
+    /**
+     * The component of the mesh that the loop is on, as `fairmesh_components` numbers them.
+     */
+    uint64_t component;
 } fairmesh_loop;
 
 /**
@@ -2038,11 +2261,11 @@ typedef struct fairmesh_fill_report {
      */
     int32_t refused_status;
     /**
-     * The loop, as `fairmesh_boundary_loops` numbers it.
+     * The loop, as `fairmesh_boundary_loops` numbers it; of several that are joined the first.
      */
     uint64_t loop_index;
     /**
-     * Its edges.
+     * Its edges; of loops that are joined those of all.
      */
     uint64_t edge_count;
     /**
@@ -2085,7 +2308,72 @@ typedef struct fairmesh_fill_report {
      * Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
      */
     uint64_t intersection_count;
+    /**
+     * The loops that the patch is for: size of the list JOINED_LOOPS, 1 if the loop is not joined to others.
+     */
+    uint64_t joined_count;
+    /**
+     * What the reason names: of NON_MANIFOLD one end of the edge, of NOT_FINITE and SHARED_VERTEX the vertex, of OPPOSITE_SIDES one of
+     * the two loops; otherwise FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t reason_element;
+    /**
+     * Of NON_MANIFOLD the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t reason_other;
+    /**
+     * Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, the bend of the joint patch, as in `fairmesh_join_suggestion`; otherwise
+     * NaN, as the next three.
+     */
+    double joint_bend;
+    /**
+     * That of a patch for each loop.
+     */
+    double separate_bend;
+    /**
+     * The area of the joint patch.
+     */
+    double joint_area;
+    /**
+     * That of a patch for each loop.
+     */
+    double separate_area;
 } fairmesh_fill_report;
+
+/**
+ * Loops whose joint patch bends less than patches of their own would. Bends are sums over all edges of triangulations without new
+ * vertices, those of the loops included, of length times angle (radians); edges inside count half. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_join_suggestion {
+    /**
+     * `sizeof(fairmesh_join_suggestion)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Size of the list JOINED_LOOPS.
+     */
+    uint64_t loop_count;
+    /**
+     * The bend of one patch for all of the loops.
+     */
+    double joint_bend;
+    /**
+     * That of a patch for each.
+     */
+    double separate_bend;
+    /**
+     * The area of the joint patch.
+     */
+    double joint_area;
+    /**
+     * That of the separate ones.
+     */
+    double separate_area;
+} fairmesh_join_suggestion;
 
 /**
  * Triangles to be written: three indices at every `stride` bytes.
@@ -2423,7 +2711,7 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
                                         struct fairmesh_error *error);
 
 /**
- * Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
+ * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits; new
  * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
  * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
@@ -2437,6 +2725,16 @@ fairmesh_status fairmesh_fill_holes(const struct fairmesh_mesh *mesh,
                                     struct fairmesh_error *error);
 
 /**
+ * Finds the loops that `FAIRMESH_JOIN_KIND_AUTO` would give one patch, of those that `fill` asks for, whatever its `join` is. `result` gets
+ * a handle with `loop_count` groups, see `fairmesh_result_suggestion` and the list JOINED_LOOPS; free it. `fill` may be NULL.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_suggest_joins(const struct fairmesh_mesh *mesh,
+                                       const struct fairmesh_fill_options *fill,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
  * Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
  * FREE_VERTICES of the result as selection. `selection` and `options` may be NULL. `result` gets a handle; free it.
  */
@@ -2446,6 +2744,26 @@ fairmesh_status fairmesh_remesh(const struct fairmesh_mesh *mesh,
                                 const struct fairmesh_remesh_options *options,
                                 struct fairmesh_result **result,
                                 struct fairmesh_error *error);
+
+/**
+ * Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
+ * the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
+ * there, or joined. `triangles` are the triangles to be deleted. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_erase(const struct fairmesh_mesh *mesh,
+                               const struct fairmesh_indices *triangles,
+                               struct fairmesh_result **result,
+                               struct fairmesh_error *error);
+
+/**
+ * Finds the components of a mesh: triangles that hang together by edges. They count in the order of their first triangles; the list
+ * TRIANGLE_COMPONENTS of the result says of each triangle which one it is of. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
+                                    struct fairmesh_result **result,
+                                    struct fairmesh_error *error);
 
 /**
  * The sizes of a result.
@@ -2525,6 +2843,15 @@ fairmesh_status fairmesh_result_fill_report(const struct fairmesh_result *result
                                             uint64_t index,
                                             struct fairmesh_fill_report *report,
                                             struct fairmesh_error *error);
+
+/**
+ * One of the groups of loops that would be joined.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_suggestion(const struct fairmesh_result *result,
+                                           uint64_t index,
+                                           struct fairmesh_join_suggestion *suggestion,
+                                           struct fairmesh_error *error);
 
 /**
  * The positions of all vertices: `vertex_count` of the info.

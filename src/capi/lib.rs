@@ -15,6 +15,7 @@
 
 mod about;
 mod callback;
+mod erase;
 mod fair;
 mod fill;
 mod fill_options;
@@ -23,12 +24,14 @@ mod handles;
 #[cfg(feature = "hooks")]
 mod hooks;
 mod input;
+mod loop_choice;
 mod memory;
 mod memory_bounds;
 #[rustfmt::skip]
 mod numbers;
 mod options;
 mod outputs;
+mod patch_sizes;
 mod reading;
 mod records;
 mod report;
@@ -43,6 +46,7 @@ mod versioned;
 mod views;
 
 pub use about::*;
+pub use erase::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;

@@ -221,6 +221,45 @@ pub enum fairmesh_loop_kind {
     NonManifold = 2,
 }
 
+/// Which loops get one patch together. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_join_kind {
+    /// Every loop gets a patch of its own.
+    None = 0,
+    /// The loops of each group get one patch.
+    Groups = 1,
+    /// Loops whose joint patch bends less than patches of their own would get one patch.
+    Auto = 2,
+}
+
+/// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_on_failure {
+    /// The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
+    Linear = 0,
+    /// The triangulation, refined.
+    Flat = 1,
+    /// None: it is left open.
+    Open = 2,
+}
+
+/// A part of space. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_place_kind {
+    /// Anywhere.
+    Everywhere = 0,
+    /// Not further than a radius from a centre.
+    Ball = 1,
+    /// Between two corners, the faces included.
+    Box = 2,
+}
+
 /// Where the normals at the boundary of the region come from. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

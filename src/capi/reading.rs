@@ -147,6 +147,22 @@ pub extern "C" fn fairmesh_result_fill_report(
     })
 }
 
+/// One of the groups of loops that would be joined.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_suggestion(
+    result: *const fairmesh_result,
+    index: u64,
+    suggestion: *mut fairmesh_join_suggestion,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(suggestion, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
+        out.write(&content.suggestion(index)?);
+        Ok(())
+    })
+}
+
 /// The positions of all vertices: `vertex_count` of the info.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_positions(

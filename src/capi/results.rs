@@ -3,7 +3,7 @@
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use fairmesh::{BoundaryLoop, Filled, Parents, Remeshed};
+use fairmesh::{BoundaryLoop, Erased, Filled, JoinSuggestion, Parents, Remeshed};
 use fairmesh::{Report, Solution};
 
 /// How many, and which by its number.
@@ -22,6 +22,16 @@ pub(crate) enum Content {
     Remeshed(Remeshed),
     /// Pairs of intersecting triangles.
     Intersections(Vec<[u32; 2]>),
+    Joins(Vec<JoinSuggestion>),
+    Erased {
+        erased: Erased,
+        vertices: usize,
+    },
+    /// Per triangle the number of its component.
+    Components {
+        of: Vec<u32>,
+        vertices: usize,
+    },
 }
 
 fn not_available(what: &str) -> Failure {
@@ -67,6 +77,8 @@ impl Content {
             new_triangle_count: 0,
             loop_count: 0,
             boundary_vertex_count: 0,
+            dropped_count: 0,
+            component_count: 0,
         };
         match self {
             Self::Faired(solution) => {
@@ -90,6 +102,23 @@ impl Content {
                 info.loop_count = filled.loops.len() as u64;
             }
             Self::Intersections(_) => info.kind = fairmesh_result_kind::Intersections as u32,
+            Self::Joins(joins) => {
+                info.kind = fairmesh_result_kind::Joins as u32;
+                info.loop_count = joins.len() as u64;
+            }
+            Self::Erased { erased, vertices } => {
+                info.kind = fairmesh_result_kind::Erased as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = erased.kept.len() as u64;
+                info.loop_count = erased.loops.len() as u64;
+                info.dropped_count = erased.dropped as u64;
+            }
+            Self::Components { of, vertices } => {
+                info.kind = fairmesh_result_kind::Components as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = of.len() as u64;
+                info.component_count = of.iter().max().map_or(0, |last| u64::from(*last) + 1);
+            }
             Self::Remeshed(mesh) => {
                 info.kind = fairmesh_result_kind::Remeshed as u32;
                 info.vertex_count = mesh.positions.len() as u64;
@@ -150,12 +179,19 @@ impl Content {
         }
     }
 
+    pub(crate) fn suggestion(&self, index: u64) -> CallResult<fairmesh_join_suggestion> {
+        match self {
+            Self::Joins(joins) => entry(joins, index, "group").map(report::suggestion),
+            _ => Err(not_available("groups of loops")),
+        }
+    }
+
     pub(crate) fn positions(&self) -> CallResult<&[[f64; 3]]> {
         match self {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
             Self::Remeshed(mesh) => Ok(&mesh.positions),
-            Self::Loops(_) | Self::Intersections(_) => Err(not_available("positions")),
+            _ => Err(not_available("positions")),
         }
     }
 
@@ -211,6 +247,9 @@ impl Content {
         fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }
+        fn of_numbers(list: &[usize]) -> Numbered<'_, u32> {
+            (list.len(), Box::new(|k| list[k] as u32))
+        }
         fn of_pairs(list: &[[u32; 2]]) -> Numbered<'_, u32> {
             (2 * list.len(), Box::new(|k| list[k / 2][k % 2]))
         }
@@ -237,10 +276,17 @@ impl Content {
                 let parents = self.parents()?;
                 Ok((3 * parents.len(), Box::new(|k| parents[k / 3].vertices[k % 3])))
             }
+            (50, Self::Filled { filled, .. }) => {
+                entry(&filled.loops, index, "loop").map(|l| of_numbers(&l.loops))
+            }
+            (50, Self::Joins(joins)) => entry(joins, index, "group").map(|join| of_numbers(&join.loops)),
             (64, Self::Remeshed(mesh)) => Ok(of(&mesh.free)),
             (65, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_vertices)),
             (66, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_triangles)),
-            (16 | 32 | 33 | 48 | 64..=66, _) => Err(not_available("such list")),
+            (66, Self::Erased { erased, .. }) => Ok(of(&erased.kept)),
+            (80, Self::Erased { erased, .. }) => Ok(of_numbers(&erased.loops)),
+            (96, Self::Components { of: list, .. }) => Ok(of(list)),
+            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96, _) => Err(not_available("such list")),
             _ => Err(unknown(which, "fairmesh_list")),
         }
     }

@@ -35,6 +35,7 @@ versioned! {
     fairmesh_remesh_options 24,
     fairmesh_loop 56,
     fairmesh_fill_report 104,
+    fairmesh_join_suggestion 48,
     fairmesh_info 56,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::fairing::Options;
+use crate::table::table;
 
 /// Which loops are filled.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,11 +64,28 @@ impl LoopFilter {
             let value = bound.unwrap_or(0.0);
             Error::check_option(name, value, value >= 0.0, "not negative")?;
         }
+        if let Some(place) = &self.within {
+            let number = place.numbers().find(|number| number.is_nan());
+            Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")?;
+        }
         Ok(())
     }
 }
 
+table!(Place {
+    1 "ball" Place::Ball { .. } => "not further than a radius from a centre", "";
+    2 "box" Place::Box { .. } => "between two corners, the faces included", "";
+});
+
 impl Place {
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let (points, radius) = match self {
+            Self::Ball { centre, radius } => ([*centre, *centre], *radius),
+            Self::Box { low, high } => ([*low, *high], 0.0),
+        };
+        points.into_iter().flatten().chain([radius])
+    }
+
     pub(super) fn holds(&self, p: &[f64; 3]) -> bool {
         match self {
             Self::Ball { centre, radius } => {
@@ -93,6 +111,13 @@ pub enum OnFailure {
     Open,
 }
 
+table!(OnFailure {
+    0 "linear" OnFailure::Linear =>
+        "the best surface that there is: that of the linear problem, or the faired one that intersects where all do", "";
+    1 "flat" OnFailure::Flat => "the triangulation, refined", "";
+    2 "open" OnFailure::Open => "none: it is left open", "";
+});
+
 /// Which loops get one patch together: an island and the hole around it, the ends of tubes, the two sides of a gap.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Join {
@@ -108,6 +133,12 @@ pub enum Join {
     /// [`suggest_joins`](super::suggest_joins) does so before anything is filled.
     Auto,
 }
+
+table!(Join {
+    0 "none" Join::None => "every loop gets a patch of its own", "";
+    1 "groups" Join::Groups(_) => "the loops of each group get one patch", "";
+    2 "auto" Join::Auto => "loops whose joint patch bends less than patches of their own would get one patch", "";
+});
 
 /// What is asked. `FillOptions::default()` is right for most uses.
 #[derive(Debug, Clone, PartialEq)]

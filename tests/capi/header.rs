@@ -3,18 +3,20 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 12] = [
+pub(crate) const SOURCES: [&str; 14] = [
     "numbers",
     "status",
     "types",
     "records",
     "callback",
     "options",
+    "loop_choice",
     "fill_options",
     "about",
     "fair",
     "steps",
     "fill",
+    "erase",
     "reading",
 ];
 
