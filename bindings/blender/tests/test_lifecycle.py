@@ -123,7 +123,8 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        assert len(ours) == {"clean": 5, "vertices": 1, "edges": 1, "faces": 3, "delete": 1, "menu": 4}[menu.rpartition("_")[2]], ours
+        wanted = {"clean": 5, "vertices": 1, "edges": 1, "faces": 3, "delete": 1, "menu": 4}
+        assert len(ours) == wanted[menu.rpartition("_")[2]], ours
 
 
 def test_tooltips_are_short_enough_for_blender():
