@@ -171,7 +171,6 @@ impl FillOptionsIn {
             on_failure: self.on_failure,
             fair: view.fair != 0,
             fairing,
-            ..FillOptions::default()
         };
         options
             .validate()

@@ -41,6 +41,8 @@ mod status;
 mod statuses;
 mod steps;
 mod structs;
+#[rustfmt::skip]
+mod texts;
 mod types;
 mod versioned;
 mod views;
@@ -52,4 +54,5 @@ pub use fill::*;
 pub use reading::*;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
+pub use texts::*;
 pub use types::*;

@@ -3,8 +3,9 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 14] = [
+pub(crate) const SOURCES: [&str; 15] = [
     "numbers",
+    "texts",
     "status",
     "types",
     "records",
