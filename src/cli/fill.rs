@@ -55,6 +55,11 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     erase: Option<PathBuf>,
+    /// The triangulation gets an edge between these two vertices of the boundary, of one
+    /// loop or of two that are joined, before it is refined: as across a long tear. May
+    /// be repeated, no vertex in two of them; the patch has no crease there
+    #[arg(long = "guide", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
+    guides: Vec<[u32; 2]>,
     /// How dense the new vertices are: at 1.414 edges are as long as those
     /// beside the hole, at twice that half as long
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -184,6 +189,7 @@ fn solve(
     let options = FillOptions {
         loops,
         join,
+        guides: args.guides.clone(),
         on_failure: args.which.on_failure(),
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),

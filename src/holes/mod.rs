@@ -1,11 +1,12 @@
 //! Holes: boundary loops, their triangulation, refinement and fairing in one call, each by itself or several together.
 
-mod bridges;
+mod connections;
 mod creases;
 mod crossing;
 mod erase;
 mod fill;
 mod groups;
+mod guides;
 mod joint;
 mod lenses;
 mod loop_set;

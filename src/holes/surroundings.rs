@@ -35,6 +35,8 @@ pub(super) struct Surroundings {
     pub(super) normals: Vec<Vector3<f64>>,
     /// Pairs of the loops' vertices that the mesh has an edge between: (smaller, larger), sorted.
     pub(super) taken: Vec<(u32, u32)>,
+    /// Pairs of the loops' vertices that the triangulation shall have an edge between.
+    pub(super) guides: Vec<[u32; 2]>,
     /// The centre and the power of two by which positions were moved and divided.
     centre: Vector3<f64>,
     scale: f64,
@@ -62,6 +64,7 @@ impl Surroundings {
             starts,
             normals: Vec::new(),
             taken: taken(links, loops),
+            guides: Vec::new(),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
@@ -85,6 +88,7 @@ impl Surroundings {
             normals: self.normals.clone(),
             starts: self.starts.clone(),
             taken: self.taken.clone(),
+            guides: self.guides.clone(),
         }
     }
 

@@ -10,6 +10,7 @@ mod components;
 mod continuity;
 mod continuity_loops;
 mod golden;
+mod guides;
 mod holes;
 mod independence;
 mod interior;
