@@ -161,6 +161,16 @@ pub enum Error {
         /// What speaks against it.
         why: &'static str,
     },
+    /// A chain that a bridge shall begin or end at is no run of boundary edges.
+    #[error("chain {chain}, vertex {vertex}: {why}")]
+    BadChain {
+        /// 0 for the first chain, 1 for the second.
+        chain: usize,
+        /// A vertex of it, as given.
+        vertex: usize,
+        /// What is wrong there.
+        why: &'static str,
+    },
     /// Two guides cross each other in the patch.
     #[error("guides ({}, {}) and ({}, {}) cross each other", first[0], first[1], second[0], second[1])]
     GuidesCross {
@@ -248,6 +258,8 @@ table!(Error {
         "a guide does not join two vertices of the boundary that one patch can have an edge between",
         "name two vertices of one loop that are no neighbours, or of two loops that are joined, each in one guide";
     36 "guides_cross" Error::GuidesCross { .. } => "two guides cross each other", "leave one of them out";
+    37 "bad_chain" Error::BadChain { .. } =>
+        "a chain is no run of edges of one boundary loop", "name the vertices of a run of boundary edges, one after the other";
 });
 
 impl Error {
@@ -306,6 +318,7 @@ impl Error {
             | Self::BadOption { .. }
             | Self::BadGuide { .. }
             | Self::GuidesCross { .. }
+            | Self::BadChain { .. }
             | Self::TooLarge { .. }
             | Self::Threads { .. } => {}
         }

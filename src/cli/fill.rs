@@ -234,7 +234,8 @@ fn is_clean(report: &LoopReport) -> bool {
     }
 }
 
-fn told(report: &LoopReport) -> String {
+/// How a patch ended, in words.
+pub fn told(report: &LoopReport) -> String {
     let fairing = report.fairing.as_ref();
     let ended = fairing.map_or(String::new(), |f| {
         let which = member_weight(&f.outcome).map_or(String::new(), explain::member);
@@ -303,6 +304,21 @@ fn why(reason: OpenReason) -> String {
     }
 }
 
+/// The same with the size of the patch, as a line.
+pub fn with_size(report: &LoopReport) -> String {
+    let mut text = told(report);
+    if !matches!(report.outcome, FillOutcome::LeftOpen(_)) {
+        let (vertices, triangles) = (report.vertices.len(), report.triangles.len());
+        let angle = report.worst_angle;
+        let _ = write!(
+            text,
+            "; {vertices} vertices, {triangles} faces, smallest angle {angle:.1}"
+        );
+    }
+    text.push('\n');
+    text
+}
+
 fn named(report: &LoopReport) -> String {
     match &report.loops[..] {
         [_] => format!("loop {}", report.index),
@@ -328,17 +344,8 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
             "{}, {} edges: {}",
             named(report),
             report.edges,
-            told(report)
+            with_size(report)
         );
-        if !matches!(report.outcome, FillOutcome::LeftOpen(_)) {
-            let (vertices, triangles) = (report.vertices.len(), report.triangles.len());
-            let angle = report.worst_angle;
-            let _ = write!(
-                text,
-                "; {vertices} vertices, {triangles} faces, smallest angle {angle:.1}"
-            );
-        }
-        text.push('\n');
         if let Some(reason) = &report.joined {
             let _ = writeln!(text, "  {}", join::told(reason));
         }
@@ -354,7 +361,7 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
 }
 
 /// A loop's report for programs; `face` is a triangle's polygon, new ones have the numbers of the output, from `first` on.
-fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
+pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
     let faces = if report.triangles.is_empty() {
         json!([first, first])
     } else {

@@ -246,7 +246,7 @@ fn tell_both(pieces: &mut [(Piece, f64)]) {
 }
 
 /// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.
-fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
+pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
     let first: Vec<u32> = pieces
         .iter()
         .scan(count, |next, (piece, _)| {
@@ -445,7 +445,7 @@ fn edge(a: u32, b: u32) -> (u32, u32) {
 
 impl Filled {
     /// Appends a piece and its report.
-    fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
+    pub(super) fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
         let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {

@@ -5,6 +5,7 @@ mod fairing;
 
 mod accuracy;
 mod boundary;
+mod bridge;
 mod coincident;
 mod components;
 mod continuity;
