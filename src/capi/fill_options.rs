@@ -36,6 +36,9 @@ pub struct fairmesh_fill_options {
     pub join: fairmesh_join,
     /// Which holes, if `loops` does not say it. All zero (default): all of them.
     pub filter: fairmesh_loop_filter,
+    /// Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
+    /// refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
+    pub guides: fairmesh_indices,
 }
 
 /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
@@ -65,6 +68,7 @@ pub(crate) fn default_fill_options() -> fairmesh_fill_options {
         only_listed: 0,
         join: NO_JOIN,
         filter: NO_FILTER,
+        guides: NO_INDICES,
     }
 }
 
@@ -85,6 +89,7 @@ pub(crate) struct FillOptionsIn {
     loops: Array,
     join: JoinIn,
     filter: FilterIn,
+    guides: Array,
     argument: Argument,
 }
 
@@ -132,6 +137,9 @@ impl FillOptionsIn {
         let join = JoinIn::new(&view.join, place, aliases)?;
         let place = argument.field(offset_of!(fairmesh_fill_options, filter), "filter");
         let filter = FilterIn::new(&view.filter, place, view.max_edges, aliases)?;
+        let place = argument.field(offset_of!(fairmesh_fill_options, guides), "guides");
+        let guides = indices_in(&view.guides, 2, place)?;
+        aliases.input(guides.data, guides.bytes);
         let plain = FillOptions {
             loops: Loops::Where(filter.checked()),
             density: view.density,
@@ -150,6 +158,7 @@ impl FillOptionsIn {
             loops,
             join,
             filter,
+            guides,
             argument,
         })
     }
@@ -166,6 +175,7 @@ impl FillOptionsIn {
         let options = FillOptions {
             loops,
             join: self.join.read()?,
+            guides: self.guides.rows::<2>()?.into_owned(),
             density: view.density,
             max_new_vertices: count(view.max_new_vertices),
             on_failure: self.on_failure,

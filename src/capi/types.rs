@@ -84,13 +84,13 @@ pub struct fairmesh_scalars_out {
     pub reserved: u32,
 }
 
-/// Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant.
+/// Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant, two where pairs are.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_indices {
     /// The first index. May be NULL only if `count` is 0.
     pub data: *const u32,
-    /// How many indices, or triangles.
+    /// How many indices, or triangles, or pairs.
     pub count: usize,
     /// Bytes from one index, or triangle, to the next, a multiple of 4; 0: nothing between.
     pub stride: usize,

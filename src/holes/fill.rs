@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use super::crossing::{Neighbours, Owned};
 use super::groups::{Group, JoinSuggestion, asked_for, choose};
+use super::guides::Guides;
 use super::joint;
 use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
@@ -160,6 +161,14 @@ fn run<'a>(
         .flat_map(|of| of.vertices.iter().copied());
     check_loops(&fairing.loop_continuity, on_loops)
         .map_err(|error| in_given(error, &joined.copies, &options.fairing))?;
+    let guides = Guides {
+        copies: &joined.copies,
+        links: &links,
+        positions,
+        loops: &loops,
+        groups: &groups,
+    };
+    let guides = guides.resolved(&options.guides)?;
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
     order.sort_by_key(|&i| edges(i));
@@ -180,6 +189,7 @@ fn run<'a>(
         fairing: &fairing,
         progress,
         asked: asked_for(options, positions, &loops),
+        guides,
         done: 0.0,
         total: total as f64,
         cancelled: false,
@@ -236,7 +246,7 @@ fn tell_both(pieces: &mut [(Piece, f64)]) {
 }
 
 /// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.
-fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
+pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
     let first: Vec<u32> = pieces
         .iter()
         .scan(count, |next, (piece, _)| {
@@ -280,6 +290,8 @@ struct Run<'m, 'o> {
     progress: Option<&'o mut ProgressCallback<'o>>,
     /// Per loop whether it has the size and the place that are asked for.
     asked: Vec<bool>,
+    /// Per group its guides, by the places of their ends.
+    guides: Vec<Vec<[u32; 2]>>,
     /// Edges of loops done, and of all.
     done: f64,
     total: f64,
@@ -321,6 +333,7 @@ impl Run<'_, '_> {
             return Piece::open(reason);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
+        surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
             return Piece::open(OpenReason::NotFinite { vertex });
         }
@@ -432,7 +445,7 @@ fn edge(a: u32, b: u32) -> (u32, u32) {
 
 impl Filled {
     /// Appends a piece and its report.
-    fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
+    pub(super) fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
         let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {

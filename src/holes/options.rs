@@ -147,6 +147,10 @@ pub struct FillOptions {
     pub loops: Loops,
     /// Which of them get one patch together. Default: none.
     pub join: Join,
+    /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a
+    /// guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut
+    /// open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none.
+    pub guides: Vec<[u32; 2]>,
     /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
     /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
     pub density: f64,
@@ -200,6 +204,7 @@ impl Default for FillOptions {
         Self {
             loops: Loops::UpTo(usize::MAX),
             join: Join::None,
+            guides: Vec::new(),
             density: std::f64::consts::SQRT_2,
             max_new_vertices: 200_000,
             on_failure: OnFailure::default(),
