@@ -194,6 +194,18 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NOT_ON_LOOP = 34,
     /**
+     * A guide does not join two vertices of the boundary that one patch can have an edge between.
+     */
+    FAIRMESH_STATUS_BAD_GUIDE = 35,
+    /**
+     * Two guides cross each other.
+     */
+    FAIRMESH_STATUS_GUIDES_CROSS = 36,
+    /**
+     * A chain is no run of edges of one boundary loop.
+     */
+    FAIRMESH_STATUS_BAD_CHAIN = 37,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -976,6 +988,10 @@ enum fairmesh_result_kind
      * The components of a mesh.
      */
     FAIRMESH_RESULT_KIND_COMPONENTS = 7,
+    /**
+     * A mesh with a bridge.
+     */
+    FAIRMESH_RESULT_KIND_BRIDGED = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1038,7 +1054,7 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_OUTSIDE_VERTICES = 48,
     /**
-     * Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+     * Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
      */
     FAIRMESH_LIST_PARENTS = 49,
     /**
@@ -1065,6 +1081,15 @@ enum fairmesh_list
      * Components: per triangle the number of its component.
      */
     FAIRMESH_LIST_TRIANGLE_COMPONENTS = 96,
+    /**
+     * Bridged meshes: the vertices of the chain that the strip begins (0) or ends (1) at, in the direction in which its triangles run
+     * through them.
+     */
+    FAIRMESH_LIST_BRIDGE_CHAIN = 112,
+    /**
+     * Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
+     */
+    FAIRMESH_LIST_BRIDGE_SIDE = 113,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1087,7 +1112,7 @@ enum fairmesh_vectors
      */
     FAIRMESH_VECTORS_BOUNDARY_NORMALS = 0,
     /**
-     * Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+     * Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
      */
     FAIRMESH_VECTORS_PARENT_WEIGHTS = 1,
 };
@@ -1203,7 +1228,7 @@ typedef struct fairmesh_points {
 } fairmesh_points;
 
 /**
- * Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant.
+ * Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant, two where pairs are.
  */
 typedef struct fairmesh_indices {
     /**
@@ -1211,7 +1236,7 @@ typedef struct fairmesh_indices {
      */
     const uint32_t *data;
     /**
-     * How many indices, or triangles.
+     * How many indices, or triangles, or pairs.
      */
     size_t count;
     /**
@@ -1601,7 +1626,32 @@ typedef struct fairmesh_fill_options {
      * Which holes, if `loops` does not say it. All zero (default): all of them.
      */
     struct fairmesh_loop_filter filter;
+    /**
+     * Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
+     * refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
+     */
+    struct fairmesh_indices guides;
 } fairmesh_fill_options;
+
+/**
+ * What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a
+ * `fairmesh_fill_options`.
+ */
+typedef struct fairmesh_bridge_options {
+    /**
+     * `sizeof(fairmesh_bridge_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. Default: 0.
+     */
+    uint32_t fill;
+    /**
+     * How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
+     * best. 0 (default): they are as given.
+     */
+    double width;
+} fairmesh_bridge_options;
 
 /**
  * What remeshing does. Fill it by `fairmesh_remesh_options_init`.
@@ -2146,7 +2196,8 @@ typedef struct fairmesh_info {
      */
     uint64_t new_triangle_count;
     /**
-     * Loops found, or filled (those that are joined count once), or left where triangles were erased; of joins the groups.
+     * Loops found, or filled (those that are joined count once), or left where triangles were erased; of
+     * joins the groups, of a bridged mesh the strip and the holes beside it.
      */
     uint64_t loop_count;
     /**
@@ -2376,6 +2427,37 @@ typedef struct fairmesh_join_suggestion {
 } fairmesh_join_suggestion;
 
 /**
+ * What became of a bridge. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_bridge_report {
+    /**
+     * `sizeof(fairmesh_bridge_report)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+     */
+    uint32_t is_clean;
+    /**
+     * Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
+     * beside it are left as they were made.
+     */
+    uint32_t has_whole;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+     */
+    double twist;
+    /**
+     * Holes beside the strip that were filled, or tried.
+     */
+    uint64_t rest_count;
+} fairmesh_bridge_report;
+
+/**
  * Triangles to be written: three indices at every `stride` bytes.
  */
 typedef struct fairmesh_indices_out {
@@ -2525,6 +2607,13 @@ FAIRMESH_API fairmesh_status fairmesh_options_init(struct fairmesh_options *opti
 FAIRMESH_API
 fairmesh_status fairmesh_fill_options_init(struct fairmesh_fill_options *options,
                                            size_t struct_size);
+
+/**
+ * Fills options of bridges with the defaults. `struct_size` is `sizeof(fairmesh_bridge_options)`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_bridge_options_init(struct fairmesh_bridge_options *options,
+                                             size_t struct_size);
 
 /**
  * Fills options of remeshing with the defaults. `struct_size` is `sizeof(fairmesh_remesh_options)`.
@@ -2766,6 +2855,24 @@ fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
                                     struct fairmesh_error *error);
 
 /**
+ * Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
+ * one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
+ *
+ * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups and guides are not looked at. `result` gets a handle, whose
+ * reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
+ * `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_bridge(const struct fairmesh_mesh *mesh,
+                                const struct fairmesh_indices *from,
+                                const struct fairmesh_indices *to,
+                                const struct fairmesh_bridge_options *bridge,
+                                const struct fairmesh_fill_options *fill,
+                                const struct fairmesh_options *options,
+                                struct fairmesh_result **result,
+                                struct fairmesh_error *error);
+
+/**
  * The sizes of a result.
  */
 FAIRMESH_API
@@ -2852,6 +2959,14 @@ fairmesh_status fairmesh_result_suggestion(const struct fairmesh_result *result,
                                            uint64_t index,
                                            struct fairmesh_join_suggestion *suggestion,
                                            struct fairmesh_error *error);
+
+/**
+ * What became of a bridge; its strip's report is that of `fairmesh_result_fill_report` with index 0.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_bridge(const struct fairmesh_result *result,
+                                       struct fairmesh_bridge_report *report,
+                                       struct fairmesh_error *error);
 
 /**
  * The positions of all vertices: `vertex_count` of the info.

@@ -243,6 +243,12 @@ public:
         detail::call(fairmesh_result_suggestion, handle_, index, &made);
         return made;
     }
+    /** What became of a bridge. */
+    fairmesh_bridge_report bridge_report() const {
+        auto made = detail::sized<fairmesh_bridge_report>();
+        detail::call(fairmesh_result_bridge, handle_, &made);
+        return made;
+    }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_result_positions, handle_, &out); }
     std::vector<std::array<double, 3>> positions() const {
         std::vector<std::array<double, 3>> all(static_cast<std::size_t>(info().vertex_count));
@@ -457,6 +463,13 @@ struct fill_options : fairmesh_fill_options {
         groups_ = false;
     }
 
+    /** In place of `guides` of the C struct: pairs of boundary vertices that the triangulation shall have an edge between. */
+    void guide(const std::vector<std::array<std::uint32_t, 2>> &pairs) {
+        guides_.clear();
+        for (const auto &pair : pairs) guides_.insert(guides_.end(), pair.begin(), pair.end());
+        guides_given_ = true;
+    }
+
     /** In place of `filter.components` of the C struct: holes of these components of the mesh. */
     void only_of_components(std::vector<std::uint32_t> components) {
         components_ = std::move(components);
@@ -492,13 +505,14 @@ struct fill_options : fairmesh_fill_options {
             made.join.loops = indices(joined_.data(), joined_.size());
             made.join.starts = indices(starts_.data(), starts_.size());
         }
+        if (guides_given_) made.guides = indices(guides_.data(), guides_.size() / 2);
         if (filters_components_) made.filter.components = indices(components_.data(), components_.size());
         return made;
     }
 
 private:
-    std::vector<std::uint32_t> listed_, joined_, starts_, components_;
-    bool lists_ = false, groups_ = false, filters_components_ = false;
+    std::vector<std::uint32_t> listed_, joined_, starts_, components_, guides_;
+    bool lists_ = false, groups_ = false, filters_components_ = false, guides_given_ = false;
 };
 
 /** Fills holes; see fairmesh_fill_holes. */
@@ -523,6 +537,30 @@ inline loop_groups suggest_joins(const fairmesh_mesh &mesh, const fill_options &
     loop_groups groups(static_cast<std::size_t>(found.info().loop_count));
     for (std::size_t k = 0; k < groups.size(); ++k) groups[k] = found.list(FAIRMESH_LIST_JOINED_LOOPS, k);
     return groups;
+}
+
+/** fairmesh_bridge_options with their defaults. */
+struct bridge_options : fairmesh_bridge_options {
+    bridge_options() : fairmesh_bridge_options() {
+        fairmesh_error why = detail::no_error();
+        detail::check(fairmesh_bridge_options_init(this, sizeof(fairmesh_bridge_options)), why);
+    }
+};
+
+/** Connects two runs of boundary edges by a strip; see fairmesh_bridge. */
+inline result bridge(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &from, const std::vector<std::uint32_t> &to,
+                     const bridge_options &how = bridge_options(), const fill_options &fill = fill_options(),
+                     const options &asked = options()) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    const auto filling = fill.plain();
+    const auto first = indices(from.data(), from.size()), second = indices(to.data(), to.size());
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_bridge, &mesh, &first, &second, static_cast<const fairmesh_bridge_options *>(&how), &filling, &plain,
+                 &handle);
+    result made(handle);
+    relay.rethrow();
+    return made;
 }
 
 /** What is left of a mesh without some of its triangles. */

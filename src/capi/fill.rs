@@ -69,11 +69,7 @@ pub extern "C" fn fairmesh_fill_holes(
         let fill = fill.read(options)?;
         let callback = asked.callback.fresh();
         let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
-        let sizes = PatchSizes {
-            vertices: sizes.vertices.min(fill.max_new_vertices).saturating_add(1000),
-            ..sizes
-        };
-        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked);
+        let bytes = memory_bounds::of_filling(&mesh, &sizes.limited(fill.max_new_vertices), &asked);
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let mut tell = |progress: &Progress| callback.tell(progress);

@@ -14,6 +14,7 @@
 #![warn(clippy::undocumented_unsafe_blocks)]
 
 mod about;
+mod bridge;
 mod callback;
 mod erase;
 mod fair;
@@ -48,6 +49,7 @@ mod versioned;
 mod views;
 
 pub use about::*;
+pub use bridge::fairmesh_bridge;
 pub use erase::*;
 pub use fair::*;
 pub use fill::*;

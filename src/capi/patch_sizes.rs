@@ -16,6 +16,16 @@ pub(crate) struct PatchSizes {
     pub(crate) joined: usize,
 }
 
+impl PatchSizes {
+    /// With so many new vertices at most, and some to spare.
+    pub(crate) fn limited(self, most: usize) -> Self {
+        Self {
+            vertices: self.vertices.min(most).saturating_add(1000),
+            ..self
+        }
+    }
+}
+
 /// Of the loops that are asked for. Fails where one is named that does not exist.
 pub(crate) fn sizes(
     positions: &[[f64; 3]],

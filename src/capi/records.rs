@@ -317,6 +317,25 @@ pub struct fairmesh_fill_report {
     pub separate_area: f64,
 }
 
+/// What became of a bridge. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_bridge_report {
+    /// `sizeof(fairmesh_bridge_report)`.
+    pub struct_size: u32,
+    /// Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+    pub is_clean: u32,
+    /// Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
+    /// beside it are left as they were made.
+    pub has_whole: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+    pub twist: f64,
+    /// Holes beside the strip that were filled, or tried.
+    pub rest_count: u64,
+}
+
 /// What a result is of.
 #[repr(u32)]
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -337,6 +356,8 @@ pub enum fairmesh_result_kind {
     Erased = 6,
     /// The components of a mesh.
     Components = 7,
+    /// A mesh with a bridge.
+    Bridged = 8,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -355,7 +376,8 @@ pub struct fairmesh_info {
     pub new_vertex_count: u64,
     /// The last so many of the triangles are new.
     pub new_triangle_count: u64,
-    /// Loops found, or filled (those that are joined count once), or left where triangles were erased; of joins the groups.
+    /// Loops found, or filled (those that are joined count once), or left where triangles were erased; of
+    /// joins the groups, of a bridged mesh the strip and the holes beside it.
     pub loop_count: u64,
     /// Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
     pub boundary_vertex_count: u64,
@@ -391,7 +413,7 @@ pub enum fairmesh_list {
     LoopTouching = 33,
     /// Filled meshes: new vertices of the loop far outside its bounding box.
     OutsideVertices = 48,
-    /// Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+    /// Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
     Parents = 49,
     /// Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
     JoinedLoops = 50,
@@ -405,6 +427,11 @@ pub enum fairmesh_list {
     ErasedLoops = 80,
     /// Components: per triangle the number of its component.
     TriangleComponents = 96,
+    /// Bridged meshes: the vertices of the chain that the strip begins (0) or ends (1) at, in the direction in which its triangles run
+    /// through them.
+    BridgeChain = 112,
+    /// Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
+    BridgeSide = 113,
 }
 
 /// Vectors in a result.
@@ -413,7 +440,7 @@ pub enum fairmesh_list {
 pub enum fairmesh_vectors {
     /// Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
     BoundaryNormals = 0,
-    /// Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+    /// Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
     ParentWeights = 1,
 }
 

@@ -4,7 +4,7 @@ use super::status::{FAIRMESH_NO_ELEMENT, Failure, Text, fairmesh_status};
 use super::types::*;
 use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
-use fairmesh::{JoinReason, JoinSuggestion};
+use fairmesh::{Bridged, JoinReason, JoinSuggestion};
 use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
@@ -205,6 +205,17 @@ pub(crate) fn suggestion(of: &JoinSuggestion) -> fairmesh_join_suggestion {
         separate_bend: of.reason.separate_bend,
         joint_area: of.reason.joint_area,
         separate_area: of.reason.separate_area,
+    }
+}
+
+pub(crate) fn bridge(of: &Bridged) -> fairmesh_bridge_report {
+    fairmesh_bridge_report {
+        struct_size: size_of::<fairmesh_bridge_report>() as u32,
+        is_clean: u32::from(of.is_clean()),
+        has_whole: u32::from(of.whole.is_some()),
+        reserved: 0,
+        twist: of.twist,
+        rest_count: of.rest.len() as u64,
     }
 }
 

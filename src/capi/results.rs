@@ -3,8 +3,8 @@
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use fairmesh::{BoundaryLoop, Erased, Filled, JoinSuggestion, Parents, Remeshed};
-use fairmesh::{Report, Solution};
+use fairmesh::{BoundaryLoop, Bridged, Erased, Filled, JoinSuggestion, Parents, Remeshed};
+use fairmesh::{LoopReport, Report, Solution};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
@@ -22,6 +22,11 @@ pub(crate) enum Content {
     Remeshed(Remeshed),
     /// Pairs of intersecting triangles.
     Intersections(Vec<[u32; 2]>),
+    Bridged {
+        bridged: Bridged,
+        vertices: usize,
+        triangles: usize,
+    },
     Joins(Vec<JoinSuggestion>),
     Erased {
         erased: Erased,
@@ -101,6 +106,18 @@ impl Content {
                 info.new_triangle_count = (filled.triangles.len() - triangles) as u64;
                 info.loop_count = filled.loops.len() as u64;
             }
+            Self::Bridged {
+                bridged,
+                vertices,
+                triangles,
+            } => {
+                info.kind = fairmesh_result_kind::Bridged as u32;
+                info.vertex_count = bridged.positions.len() as u64;
+                info.triangle_count = bridged.triangles.len() as u64;
+                info.new_vertex_count = (bridged.positions.len() - vertices) as u64;
+                info.new_triangle_count = (bridged.triangles.len() - triangles) as u64;
+                info.loop_count = 1 + bridged.rest.len() as u64;
+            }
             Self::Intersections(_) => info.kind = fairmesh_result_kind::Intersections as u32,
             Self::Joins(joins) => {
                 info.kind = fairmesh_result_kind::Joins as u32;
@@ -133,12 +150,15 @@ impl Content {
     pub(crate) fn report(&self, index: u64) -> CallResult<&Report> {
         match self {
             Self::Faired(solution) => entry(std::slice::from_ref(&solution.report), index, "report"),
-            Self::Filled { filled, .. } => {
-                let of = entry(&filled.loops, index, "loop")?;
-                of.fairing
-                    .as_ref()
-                    .ok_or_else(|| not_available("report of this loop: it was not faired"))
-            }
+            Self::Bridged { bridged, .. } if index == 1 + bridged.rest.len() as u64 => bridged
+                .whole
+                .as_ref()
+                .ok_or_else(|| not_available("report of all that is new together: it was not faired so")),
+            Self::Filled { .. } | Self::Bridged { .. } => self
+                .patch(index)?
+                .fairing
+                .as_ref()
+                .ok_or_else(|| not_available("report of this loop: it was not faired")),
             _ => Err(not_available("report")),
         }
     }
@@ -173,9 +193,23 @@ impl Content {
     }
 
     pub(crate) fn filled_loop(&self, index: u64) -> CallResult<fairmesh_fill_report> {
+        self.patch(index).map(report::filled_loop)
+    }
+
+    /// What became of a loop; of a bridge first the strip, then the holes beside it.
+    fn patch(&self, index: u64) -> CallResult<&LoopReport> {
         match self {
-            Self::Filled { filled, .. } => entry(&filled.loops, index, "loop").map(report::filled_loop),
+            Self::Filled { filled, .. } => entry(&filled.loops, index, "loop"),
+            Self::Bridged { bridged, .. } if index == 0 => Ok(&bridged.strip),
+            Self::Bridged { bridged, .. } => entry(&bridged.rest, index - 1, "hole beside the strip"),
             _ => Err(not_available("filled loops")),
+        }
+    }
+
+    pub(crate) fn bridge(&self) -> CallResult<fairmesh_bridge_report> {
+        match self {
+            Self::Bridged { bridged, .. } => Ok(report::bridge(bridged)),
+            _ => Err(not_available("bridge")),
         }
     }
 
@@ -190,6 +224,7 @@ impl Content {
         match self {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
+            Self::Bridged { bridged, .. } => Ok(&bridged.positions),
             Self::Remeshed(mesh) => Ok(&mesh.positions),
             _ => Err(not_available("positions")),
         }
@@ -198,6 +233,7 @@ impl Content {
     pub(crate) fn triangles(&self) -> CallResult<&[[u32; 3]]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.triangles),
+            Self::Bridged { bridged, .. } => Ok(&bridged.triangles),
             Self::Remeshed(mesh) => Ok(&mesh.triangles),
             _ => Err(not_available("triangles: they are those given")),
         }
@@ -219,6 +255,7 @@ impl Content {
     fn parents(&self) -> CallResult<&[Parents]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.parents),
+            Self::Bridged { bridged, .. } => Ok(&bridged.parents),
             Self::Remeshed(mesh) => Ok(&mesh.parents),
             _ => Err(not_available("parents")),
         }
@@ -259,8 +296,8 @@ impl Content {
             (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
             (4, _) => self.report(index).map(|r| of(report::unreached(r))),
-            (5, Self::Filled { filled, .. }) => {
-                entry(&filled.loops, index, "loop").map(|l| of_pairs(&l.self_intersections))
+            (5, Self::Filled { .. } | Self::Bridged { .. }) => {
+                self.patch(index).map(|l| of_pairs(&l.self_intersections))
             }
             (5, Self::Intersections(pairs)) => Ok(of_pairs(pairs)),
             (5, _) => self.report(index).map(|r| of_pairs(report::intersections(r))),
@@ -271,13 +308,13 @@ impl Content {
             }
             (32, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.vertices)),
             (33, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.touching)),
-            (48, Self::Filled { filled, .. }) => entry(&filled.loops, index, "loop").map(|l| of(&l.outside)),
+            (48, Self::Filled { .. } | Self::Bridged { .. }) => self.patch(index).map(|l| of(&l.outside)),
             (49, _) => {
                 let parents = self.parents()?;
                 Ok((3 * parents.len(), Box::new(|k| parents[k / 3].vertices[k % 3])))
             }
-            (50, Self::Filled { filled, .. }) => {
-                entry(&filled.loops, index, "loop").map(|l| of_numbers(&l.loops))
+            (50, Self::Filled { .. } | Self::Bridged { .. }) => {
+                self.patch(index).map(|l| of_numbers(&l.loops))
             }
             (50, Self::Joins(joins)) => entry(joins, index, "group").map(|join| of_numbers(&join.loops)),
             (64, Self::Remeshed(mesh)) => Ok(of(&mesh.free)),
@@ -285,8 +322,10 @@ impl Content {
             (66, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_triangles)),
             (66, Self::Erased { erased, .. }) => Ok(of(&erased.kept)),
             (80, Self::Erased { erased, .. }) => Ok(of_numbers(&erased.loops)),
+            (112, Self::Bridged { bridged, .. }) => entry(&bridged.chains, index, "chain").map(|c| of(c)),
+            (113, Self::Bridged { bridged, .. }) => entry(&bridged.sides, index, "side").map(|s| of(s)),
             (96, Self::Components { of: list, .. }) => Ok(of(list)),
-            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96, _) => Err(not_available("such list")),
+            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113, _) => Err(not_available("such list")),
             _ => Err(unknown(which, "fairmesh_list")),
         }
     }

@@ -875,6 +875,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_loop boundary;
     fairmesh_fill_report filled;
     fairmesh_join_suggestion suggestion;
+    fairmesh_bridge_report bridged;
     fairmesh_error e;
     fairmesh_boundary_normals normals;
     fairmesh_boundary_curvature curvature;
@@ -894,6 +895,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     boundary.struct_size = sizeof boundary;
     filled.struct_size = sizeof filled;
     suggestion.struct_size = sizeof suggestion;
+    bridged.struct_size = sizeof bridged;
     if (is_solver) {
         expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
@@ -921,6 +923,7 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
         expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
         expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_bridge(r, &bridged, &e), &e, wanted, what);
         expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
         expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);

@@ -123,6 +123,27 @@ static void join(Scene *s) {
     }
 }
 
+static void bridge(Scene *s) {
+    static const uint32_t ends[2][2] = {{BALL_CAP - BALL_ROUND, BALL_CAP - BALL_ROUND + 1},
+                                        {BALL_VERTICES - BALL_ROUND, BALL_VERTICES - BALL_ROUND + 1}};
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_bridge_options how;
+    fairmesh_indices from, to;
+    static Ball ball;
+    ball_make(&ball);
+    memset(&from, 0, sizeof from);
+    from.data = ends[0];
+    from.count = 2;
+    to = from;
+    to.data = ends[1];
+    OK(fairmesh_bridge_options_init(&how, sizeof how));
+    how.fill = 1;
+    if (passed(s, fairmesh_bridge(&ball.mesh, &from, &to, &how, NULL, &s->options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
 static void suggest(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
@@ -253,6 +274,7 @@ int main(int count, char **arguments) {
     every_allocation(&s, erase, "erase, components", by);
     every_allocation(&s, suggest, "suggest joins", 7 * by);
     every_allocation(&s, join, "join", 29 * by);
+    every_allocation(&s, bridge, "bridge", 97 * by);
     s.joins_itself = 1;
     every_allocation(&s, join, "join by itself", 97 * by);
     free(s.out);

@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 15] = [
+pub(crate) const SOURCES: [&str; 16] = [
     "numbers",
     "texts",
     "status",
@@ -18,6 +18,7 @@ pub(crate) const SOURCES: [&str; 15] = [
     "steps",
     "fill",
     "erase",
+    "bridge",
     "reading",
 ];
 

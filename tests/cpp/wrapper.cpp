@@ -243,6 +243,22 @@ void joins() {
     CHECK(refused.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES && refused.reason_element == 0 && refused.reason_other == 1);
 }
 
+void bridging() {
+    Ball ball;
+    ball_make(&ball);
+    const std::vector<std::uint32_t> from{BALL_CAP - BALL_ROUND, BALL_CAP - BALL_ROUND + 1, BALL_CAP - BALL_ROUND + 2};
+    const std::vector<std::uint32_t> to{BALL_VERTICES - BALL_ROUND, BALL_VERTICES - BALL_ROUND + 1};
+    fairmesh::bridge_options how;
+    how.fill = 1;
+    const auto whole = fairmesh::bridge(ball.mesh, from, to, how);
+    CHECK(whole.bridge_report().is_clean && whole.bridge_report().rest_count == 1 && whole.info().loop_count == 2);
+    check_whole_sphere(whole);
+    fairmesh::fill_options fill;
+    fill.join_auto();
+    fill.guide({{{from[0], to[0]}}});
+    check_whole_sphere(fairmesh::fill_holes(ball.mesh, fill));
+}
+
 void erasing() {
     auto s = cap(15);
     std::vector<std::uint32_t> dent;
@@ -271,6 +287,7 @@ int main() {
     continuing_curvature();
     holes();
     joins();
+    bridging();
     erasing();
     std::puts("wrapper: passed");
 }

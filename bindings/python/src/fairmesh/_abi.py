@@ -63,6 +63,9 @@ class fairmesh_status(enum.IntEnum):
     COORDINATE_TOO_LARGE = 32
     VALENCE_TOO_LARGE = 33
     NOT_ON_LOOP = 34
+    BAD_GUIDE = 35
+    GUIDES_CROSS = 36
+    BAD_CHAIN = 37
     INTERNAL = 99
 
 
@@ -239,6 +242,7 @@ class fairmesh_result_kind(enum.IntEnum):
     JOINS = 5
     ERASED = 6
     COMPONENTS = 7
+    BRIDGED = 8
 
 
 class fairmesh_list(enum.IntEnum):
@@ -260,6 +264,8 @@ class fairmesh_list(enum.IntEnum):
     KEPT_TRIANGLES = 66
     ERASED_LOOPS = 80
     TRIANGLE_COMPONENTS = 96
+    BRIDGE_CHAIN = 112
+    BRIDGE_SIDE = 113
 
 
 class fairmesh_vectors(enum.IntEnum):
@@ -558,6 +564,17 @@ class fairmesh_fill_report(Structure):
     )
 
 
+class fairmesh_bridge_report(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("is_clean", c_uint32),
+        ("has_whole", c_uint32),
+        ("reserved", c_uint32),
+        ("twist", c_double),
+        ("rest_count", c_uint64),
+    )
+
+
 class fairmesh_info(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -660,6 +677,7 @@ class fairmesh_fill_options(Structure):
         ("only_listed", c_uint32),
         ("join", fairmesh_join),
         ("filter", fairmesh_loop_filter),
+        ("guides", fairmesh_indices),
     )
 
 
@@ -669,6 +687,14 @@ class fairmesh_remesh_options(Structure):
         ("reserved", c_uint32),
         ("density", c_double),
         ("max_vertices", c_uint64),
+    )
+
+
+class fairmesh_bridge_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("fill", c_uint32),
+        ("width", c_double),
     )
 
 
@@ -705,6 +731,13 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_int32,
         (
             POINTER(fairmesh_fill_options),
+            c_size_t,
+        ),
+    ),
+    "fairmesh_bridge_options_init": (
+        c_int32,
+        (
+            POINTER(fairmesh_bridge_options),
             c_size_t,
         ),
     ),
@@ -912,6 +945,19 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_bridge": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(fairmesh_indices),
+            POINTER(fairmesh_bridge_options),
+            POINTER(fairmesh_fill_options),
+            POINTER(fairmesh_options),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_result_info": (
         c_int32,
         (
@@ -994,6 +1040,14 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             c_void_p,
             c_uint64,
             POINTER(fairmesh_join_suggestion),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_bridge": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_bridge_report),
             POINTER(fairmesh_error),
         ),
     ),
