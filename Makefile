@@ -31,7 +31,8 @@ all:
 # not meet.
 install: all
 	install -d '$(DESTDIR)$(LIBDIR)/pkgconfig' '$(DESTDIR)$(LIBDIR)/cmake/fairmesh' '$(DESTDIR)$(INCLUDEDIR)'
-	install -m 644 include/fairmesh.h include/fairmesh.hpp include/fairmesh_openmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'
+	install -m 644 include/fairmesh.h include/fairmesh.hpp include/fairmesh_openmesh.hpp \
+		include/fairmesh_openmesh_fill.hpp '$(DESTDIR)$(INCLUDEDIR)'
 	install -m 755 $(OUT)/libfairmesh.so '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
 	objcopy --strip-debug '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
 	ln -sf libfairmesh.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(MAJOR)'
@@ -49,7 +50,8 @@ install: all
 		> '$(DESTDIR)$(LIBDIR)/cmake/fairmesh/fairmesh-config-version.cmake'
 
 uninstall:
-	rm -f '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.h '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh.hpp
+	rm -f '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.h '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh.hpp \
+		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_fill.hpp
 	rm -f '$(DESTDIR)$(LIBDIR)'/libfairmesh.a '$(DESTDIR)$(LIBDIR)'/libfairmesh.so*
 	rm -f '$(DESTDIR)$(LIBDIR)'/pkgconfig/fairmesh.pc
 	rm -rf '$(DESTDIR)$(LIBDIR)'/cmake/fairmesh

@@ -194,6 +194,18 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NOT_ON_LOOP = 34,
     /**
+     * A guide does not join two vertices of the boundary that one patch can have an edge between.
+     */
+    FAIRMESH_STATUS_BAD_GUIDE = 35,
+    /**
+     * Two guides cross each other.
+     */
+    FAIRMESH_STATUS_GUIDES_CROSS = 36,
+    /**
+     * A chain is no run of edges of one boundary loop.
+     */
+    FAIRMESH_STATUS_BAD_CHAIN = 37,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -854,6 +866,93 @@ typedef uint32_t fairmesh_fill_reason;
 #endif // __cplusplus
 
 /**
+ * Which loops get one patch together. Numbers are never reused.
+ */
+enum fairmesh_join_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Every loop gets a patch of its own.
+     */
+    FAIRMESH_JOIN_KIND_NONE = 0,
+    /**
+     * The loops of each group get one patch.
+     */
+    FAIRMESH_JOIN_KIND_GROUPS = 1,
+    /**
+     * Loops whose joint patch bends less than patches of their own would get one patch.
+     */
+    FAIRMESH_JOIN_KIND_AUTO = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_join_kind fairmesh_join_kind;
+#else
+typedef uint32_t fairmesh_join_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+ */
+enum fairmesh_on_failure
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
+     */
+    FAIRMESH_ON_FAILURE_LINEAR = 0,
+    /**
+     * The triangulation, refined.
+     */
+    FAIRMESH_ON_FAILURE_FLAT = 1,
+    /**
+     * None: it is left open.
+     */
+    FAIRMESH_ON_FAILURE_OPEN = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_on_failure fairmesh_on_failure;
+#else
+typedef uint32_t fairmesh_on_failure;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * A part of space. Numbers are never reused.
+ */
+enum fairmesh_place_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Anywhere.
+     */
+    FAIRMESH_PLACE_KIND_EVERYWHERE = 0,
+    /**
+     * Not further than a radius from a centre.
+     */
+    FAIRMESH_PLACE_KIND_BALL = 1,
+    /**
+     * Between two corners, the faces included.
+     */
+    FAIRMESH_PLACE_KIND_BOX = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_place_kind fairmesh_place_kind;
+#else
+typedef uint32_t fairmesh_place_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * What a result is of.
  */
 enum fairmesh_result_kind
@@ -881,6 +980,22 @@ enum fairmesh_result_kind
      * Pairs of intersecting triangles.
      */
     FAIRMESH_RESULT_KIND_INTERSECTIONS = 4,
+    /**
+     * Groups of loops that would be joined.
+     */
+    FAIRMESH_RESULT_KIND_JOINS = 5,
+    /**
+     * A mesh without some of its triangles.
+     */
+    FAIRMESH_RESULT_KIND_ERASED = 6,
+    /**
+     * The components of a mesh.
+     */
+    FAIRMESH_RESULT_KIND_COMPONENTS = 7,
+    /**
+     * A mesh with a bridge.
+     */
+    FAIRMESH_RESULT_KIND_BRIDGED = 8,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -943,9 +1058,13 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_OUTSIDE_VERTICES = 48,
     /**
-     * Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+     * Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
      */
     FAIRMESH_LIST_PARENTS = 49,
+    /**
+     * Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
+     */
+    FAIRMESH_LIST_JOINED_LOOPS = 50,
     /**
      * Remeshed meshes: the free vertices.
      */
@@ -955,9 +1074,26 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_KEPT_VERTICES = 65,
     /**
-     * Remeshed meshes: per triangle that is left its number before.
+     * Remeshed and erased meshes: per triangle that is left its number before.
      */
     FAIRMESH_LIST_KEPT_TRIANGLES = 66,
+    /**
+     * Erased meshes: the loops that the deleted triangles leave, as `fairmesh_boundary_loops` numbers those of the mesh that is left.
+     */
+    FAIRMESH_LIST_ERASED_LOOPS = 80,
+    /**
+     * Components: per triangle the number of its component.
+     */
+    FAIRMESH_LIST_TRIANGLE_COMPONENTS = 96,
+    /**
+     * Bridged meshes: the vertices of the chain that the strip begins (0) or ends (1) at, in the direction in which its triangles run
+     * through them.
+     */
+    FAIRMESH_LIST_BRIDGE_CHAIN = 112,
+    /**
+     * Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
+     */
+    FAIRMESH_LIST_BRIDGE_SIDE = 113,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -980,7 +1116,7 @@ enum fairmesh_vectors
      */
     FAIRMESH_VECTORS_BOUNDARY_NORMALS = 0,
     /**
-     * Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+     * Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
      */
     FAIRMESH_VECTORS_PARENT_WEIGHTS = 1,
 };
@@ -1096,7 +1232,7 @@ typedef struct fairmesh_points {
 } fairmesh_points;
 
 /**
- * Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant.
+ * Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant, two where pairs are.
  */
 typedef struct fairmesh_indices {
     /**
@@ -1104,7 +1240,7 @@ typedef struct fairmesh_indices {
      */
     const uint32_t *data;
     /**
-     * How many indices, or triangles.
+     * How many indices, or triangles, or pairs.
      */
     size_t count;
     /**
@@ -1364,6 +1500,90 @@ typedef struct fairmesh_options {
 } fairmesh_options;
 
 /**
+ * Loops that get one patch together: ends of tubes, the two sides of a gap, a hole and the island in it. All zero: none.
+ */
+typedef struct fairmesh_join {
+    /**
+     * A `fairmesh_join_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Of `FAIRMESH_JOIN_KIND_GROUPS` the loops, as `fairmesh_boundary_loops` numbers them, outer boundaries included: one group after
+     * the other, no loop twice. They are filled whatever else says which loops are. Otherwise not read.
+     */
+    struct fairmesh_indices loops;
+    /**
+     * Where each group begins in `loops`, ascending from 0; a group ends where the next one begins. NULL with count 0: all of them are
+     * one group.
+     */
+    struct fairmesh_indices starts;
+} fairmesh_join;
+
+/**
+ * A part of space. All zero: everywhere.
+ */
+typedef struct fairmesh_place {
+    /**
+     * A `fairmesh_place_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The centre of a ball.
+     */
+    double centre[3];
+    /**
+     * Its radius.
+     */
+    double radius;
+    /**
+     * The smallest coordinates of a box.
+     */
+    double low[3];
+    /**
+     * The largest ones.
+     */
+    double high[3];
+} fairmesh_place;
+
+/**
+ * Which holes, by what they are and where: those that meet every bound. All zero: all of them.
+ */
+typedef struct fairmesh_loop_filter {
+    /**
+     * Not longer than this; 0: of any length.
+     */
+    double max_length;
+    /**
+     * Of no more than this area, as `fairmesh_loop` has it; 0: of any area.
+     */
+    double max_area;
+    /**
+     * With a bounding box of no more than this diagonal; 0: of any.
+     */
+    double max_diagonal;
+    /**
+     * All but so many holes of the mesh, the longest.
+     */
+    uint64_t except_longest;
+    /**
+     * Only those of these components, as `fairmesh_components` numbers them; NULL with count 0: of all.
+     */
+    struct fairmesh_indices components;
+    /**
+     * Only those whose vertices all lie there.
+     */
+    struct fairmesh_place within;
+} fairmesh_loop_filter;
+
+/**
  * What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
  */
 typedef struct fairmesh_fill_options {
@@ -1381,7 +1601,7 @@ typedef struct fairmesh_fill_options {
     uint64_t max_edges;
     /**
      * These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
-     * holes. With a count, `max_edges` is not read.
+     * holes. With a count, `max_edges` and `filter` are not read.
      */
     struct fairmesh_indices loops;
     /**
@@ -1394,7 +1614,48 @@ typedef struct fairmesh_fill_options {
      * the square of a density above 1.
      */
     uint64_t max_new_vertices;
+    /**
+     * A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Zero (default): the best surface there is.
+     */
+    uint32_t on_failure;
+    /**
+     * Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
+     */
+    uint32_t only_listed;
+    /**
+     * Loops that get one patch together. All zero (default): none.
+     */
+    struct fairmesh_join join;
+    /**
+     * Which holes, if `loops` does not say it. All zero (default): all of them.
+     */
+    struct fairmesh_loop_filter filter;
+    /**
+     * Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
+     * refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
+     */
+    struct fairmesh_indices guides;
 } fairmesh_fill_options;
+
+/**
+ * What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a
+ * `fairmesh_fill_options`.
+ */
+typedef struct fairmesh_bridge_options {
+    /**
+     * `sizeof(fairmesh_bridge_options)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. Default: 0.
+     */
+    uint32_t fill;
+    /**
+     * How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
+     * best. 0 (default): they are as given.
+     */
+    double width;
+} fairmesh_bridge_options;
 
 /**
  * What remeshing does. Fill it by `fairmesh_remesh_options_init`.
@@ -1923,11 +2184,11 @@ typedef struct fairmesh_info {
      */
     uint32_t kind;
     /**
-     * Vertices of the mesh; 0 for loops.
+     * Vertices of the mesh; 0 for loops, and for groups of them.
      */
     uint64_t vertex_count;
     /**
-     * Triangles of the mesh; 0 for loops, and where they are those given.
+     * Triangles of the mesh; 0 for loops and groups of them, and where they are those given.
      */
     uint64_t triangle_count;
     /**
@@ -1939,13 +2200,22 @@ typedef struct fairmesh_info {
      */
     uint64_t new_triangle_count;
     /**
-     * Loops found, or filled.
+     * Loops found, or filled (those that are joined count once), or left where triangles were erased; of
+     * joins the groups, of a bridged mesh the strip and the holes beside it.
      */
     uint64_t loop_count;
     /**
      * Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
      */
     uint64_t boundary_vertex_count;
+    /**
+     * Of an erased mesh the triangles that were dropped besides those named.
+     */
+    uint64_t dropped_count;
+    /**
+     * Of components how many there are.
+     */
+    uint64_t component_count;
 } fairmesh_info;
 
 /**
@@ -2019,6 +2289,10 @@ typedef struct fairmesh_loop {
      * Its other end.
      */
     uint32_t edge_b;
+    /**
+     * The component of the mesh that the loop is on, as `fairmesh_components` numbers them.
+     */
+    uint64_t component;
 } fairmesh_loop;
 
 /**
@@ -2042,11 +2316,11 @@ typedef struct fairmesh_fill_report {
      */
     int32_t refused_status;
     /**
-     * The loop, as `fairmesh_boundary_loops` numbers it.
+     * The loop, as `fairmesh_boundary_loops` numbers it; of several that are joined the first.
      */
     uint64_t loop_index;
     /**
-     * Its edges.
+     * Its edges; of loops that are joined those of all.
      */
     uint64_t edge_count;
     /**
@@ -2089,7 +2363,103 @@ typedef struct fairmesh_fill_report {
      * Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
      */
     uint64_t intersection_count;
+    /**
+     * The loops that the patch is for: size of the list JOINED_LOOPS, 1 if the loop is not joined to others.
+     */
+    uint64_t joined_count;
+    /**
+     * What the reason names: of NON_MANIFOLD one end of the edge, of NOT_FINITE and SHARED_VERTEX the vertex, of OPPOSITE_SIDES one of
+     * the two loops; otherwise FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t reason_element;
+    /**
+     * Of NON_MANIFOLD the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
+     */
+    uint64_t reason_other;
+    /**
+     * Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, the bend of the joint patch, as in `fairmesh_join_suggestion`; otherwise
+     * NaN, as the next three.
+     */
+    double joint_bend;
+    /**
+     * That of a patch for each loop.
+     */
+    double separate_bend;
+    /**
+     * The area of the joint patch.
+     */
+    double joint_area;
+    /**
+     * That of a patch for each loop.
+     */
+    double separate_area;
 } fairmesh_fill_report;
+
+/**
+ * Loops whose joint patch bends less than patches of their own would. Bends are sums over all edges of triangulations without new
+ * vertices, those of the loops included, of length times angle (radians); edges inside count half. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_join_suggestion {
+    /**
+     * `sizeof(fairmesh_join_suggestion)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Size of the list JOINED_LOOPS.
+     */
+    uint64_t loop_count;
+    /**
+     * The bend of one patch for all of the loops.
+     */
+    double joint_bend;
+    /**
+     * That of a patch for each.
+     */
+    double separate_bend;
+    /**
+     * The area of the joint patch.
+     */
+    double joint_area;
+    /**
+     * That of the separate ones.
+     */
+    double separate_area;
+} fairmesh_join_suggestion;
+
+/**
+ * What became of a bridge. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_bridge_report {
+    /**
+     * `sizeof(fairmesh_bridge_report)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+     */
+    uint32_t is_clean;
+    /**
+     * Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
+     * beside it are left as they were made.
+     */
+    uint32_t has_whole;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+     */
+    double twist;
+    /**
+     * Holes beside the strip that were filled, or tried.
+     */
+    uint64_t rest_count;
+} fairmesh_bridge_report;
 
 /**
  * Triangles to be written: three indices at every `stride` bytes.
@@ -2241,6 +2611,13 @@ FAIRMESH_API fairmesh_status fairmesh_options_init(struct fairmesh_options *opti
 FAIRMESH_API
 fairmesh_status fairmesh_fill_options_init(struct fairmesh_fill_options *options,
                                            size_t struct_size);
+
+/**
+ * Fills options of bridges with the defaults. `struct_size` is `sizeof(fairmesh_bridge_options)`.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_bridge_options_init(struct fairmesh_bridge_options *options,
+                                             size_t struct_size);
 
 /**
  * Fills options of remeshing with the defaults. `struct_size` is `sizeof(fairmesh_remesh_options)`.
@@ -2427,7 +2804,7 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
                                         struct fairmesh_error *error);
 
 /**
- * Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
+ * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits; new
  * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
  * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
@@ -2441,6 +2818,16 @@ fairmesh_status fairmesh_fill_holes(const struct fairmesh_mesh *mesh,
                                     struct fairmesh_error *error);
 
 /**
+ * Finds the loops that `FAIRMESH_JOIN_KIND_AUTO` would give one patch, of those that `fill` asks for, whatever its `join` is. `result` gets
+ * a handle with `loop_count` groups, see `fairmesh_result_suggestion` and the list JOINED_LOOPS; free it. `fill` may be NULL.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_suggest_joins(const struct fairmesh_mesh *mesh,
+                                       const struct fairmesh_fill_options *fill,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
  * Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list
  * FREE_VERTICES of the result as selection. `selection` and `options` may be NULL. `result` gets a handle; free it.
  */
@@ -2448,6 +2835,44 @@ FAIRMESH_API
 fairmesh_status fairmesh_remesh(const struct fairmesh_mesh *mesh,
                                 const struct fairmesh_selection *selection,
                                 const struct fairmesh_remesh_options *options,
+                                struct fairmesh_result **result,
+                                struct fairmesh_error *error);
+
+/**
+ * Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
+ * the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
+ * there, or joined. `triangles` are the triangles to be deleted. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_erase(const struct fairmesh_mesh *mesh,
+                               const struct fairmesh_indices *triangles,
+                               struct fairmesh_result **result,
+                               struct fairmesh_error *error);
+
+/**
+ * Finds the components of a mesh: triangles that hang together by edges. They count in the order of their first triangles; the list
+ * TRIANGLE_COMPONENTS of the result says of each triangle which one it is of. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
+                                    struct fairmesh_result **result,
+                                    struct fairmesh_error *error);
+
+/**
+ * Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
+ * one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
+ *
+ * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups and guides are not looked at. `result` gets a handle, whose
+ * reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
+ * `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_bridge(const struct fairmesh_mesh *mesh,
+                                const struct fairmesh_indices *from,
+                                const struct fairmesh_indices *to,
+                                const struct fairmesh_bridge_options *bridge,
+                                const struct fairmesh_fill_options *fill,
+                                const struct fairmesh_options *options,
                                 struct fairmesh_result **result,
                                 struct fairmesh_error *error);
 
@@ -2529,6 +2954,23 @@ fairmesh_status fairmesh_result_fill_report(const struct fairmesh_result *result
                                             uint64_t index,
                                             struct fairmesh_fill_report *report,
                                             struct fairmesh_error *error);
+
+/**
+ * One of the groups of loops that would be joined.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_suggestion(const struct fairmesh_result *result,
+                                           uint64_t index,
+                                           struct fairmesh_join_suggestion *suggestion,
+                                           struct fairmesh_error *error);
+
+/**
+ * What became of a bridge; its strip's report is that of `fairmesh_result_fill_report` with index 0.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_bridge(const struct fairmesh_result *result,
+                                       struct fairmesh_bridge_report *report,
+                                       struct fairmesh_error *error);
 
 /**
  * The positions of all vertices: `vertex_count` of the info.

@@ -237,6 +237,18 @@ public:
         detail::call(fairmesh_result_fill_report, handle_, index, &made);
         return made;
     }
+    /** A group of loops that would be joined. */
+    fairmesh_join_suggestion suggestion(std::uint64_t index) const {
+        auto made = detail::sized<fairmesh_join_suggestion>();
+        detail::call(fairmesh_result_suggestion, handle_, index, &made);
+        return made;
+    }
+    /** What became of a bridge. */
+    fairmesh_bridge_report bridge_report() const {
+        auto made = detail::sized<fairmesh_bridge_report>();
+        detail::call(fairmesh_result_bridge, handle_, &made);
+        return made;
+    }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_result_positions, handle_, &out); }
     std::vector<std::array<double, 3>> positions() const {
         std::vector<std::array<double, 3>> all(static_cast<std::size_t>(info().vertex_count));
@@ -416,12 +428,91 @@ inline result boundary_loops(const fairmesh_mesh &mesh) {
     return result(handle);
 }
 
-/** fairmesh_fill_options with their defaults. */
+/** Loops that get one patch together, by their numbers. */
+using loop_groups = std::vector<std::vector<std::uint32_t>>;
+
+/** fairmesh_fill_options with their defaults, and lists that stay where they are. */
 struct fill_options : fairmesh_fill_options {
     fill_options() : fairmesh_fill_options() {
         fairmesh_error why = detail::no_error();
         detail::check(fairmesh_fill_options_init(this, sizeof(fairmesh_fill_options)), why);
     }
+
+    /** In place of `loops` of the C struct: these loops and no others, also where there are none of them. */
+    void only(std::vector<std::uint32_t> loops) {
+        listed_ = std::move(loops);
+        lists_ = true;
+    }
+
+    /** In place of `join` of the C struct: one patch for the loops of each group. */
+    void join_groups(const loop_groups &groups) {
+        joined_.clear();
+        starts_.clear();
+        for (const auto &group : groups) {
+            starts_.push_back(static_cast<std::uint32_t>(joined_.size()));
+            joined_.insert(joined_.end(), group.begin(), group.end());
+        }
+        join.kind = groups.empty() ? FAIRMESH_JOIN_KIND_NONE : FAIRMESH_JOIN_KIND_GROUPS;
+        groups_ = true;
+    }
+
+    /** One patch for loops whose joint patch bends less than patches of their own would. */
+    void join_auto() {
+        join = fairmesh_join{};
+        join.kind = FAIRMESH_JOIN_KIND_AUTO;
+        groups_ = false;
+    }
+
+    /** In place of `guides` of the C struct: pairs of boundary vertices that the triangulation shall have an edge between. */
+    void guide(const std::vector<std::array<std::uint32_t, 2>> &pairs) {
+        guides_.clear();
+        for (const auto &pair : pairs) guides_.insert(guides_.end(), pair.begin(), pair.end());
+        guides_given_ = true;
+    }
+
+    /** In place of `filter.components` of the C struct: holes of these components of the mesh. */
+    void only_of_components(std::vector<std::uint32_t> components) {
+        components_ = std::move(components);
+        filters_components_ = true;
+    }
+
+    /** Only holes whose vertices all lie in a ball. */
+    void only_in_ball(const std::array<double, 3> &centre, double radius) {
+        filter.within = fairmesh_place{};
+        filter.within.kind = FAIRMESH_PLACE_KIND_BALL;
+        for (int k = 0; k < 3; ++k) filter.within.centre[k] = centre[k];
+        filter.within.radius = radius;
+    }
+
+    /** Only holes whose vertices all lie in a box. */
+    void only_in_box(const std::array<double, 3> &low, const std::array<double, 3> &high) {
+        filter.within = fairmesh_place{};
+        filter.within.kind = FAIRMESH_PLACE_KIND_BOX;
+        for (int k = 0; k < 3; ++k) {
+            filter.within.low[k] = low[k];
+            filter.within.high[k] = high[k];
+        }
+    }
+
+    /** The C struct, with the lists; as long as this lives. */
+    fairmesh_fill_options plain() const {
+        fairmesh_fill_options made = *this;
+        if (lists_) {
+            made.loops = indices(listed_.data(), listed_.size());
+            made.only_listed = 1;
+        }
+        if (groups_) {
+            made.join.loops = indices(joined_.data(), joined_.size());
+            made.join.starts = indices(starts_.data(), starts_.size());
+        }
+        if (guides_given_) made.guides = indices(guides_.data(), guides_.size() / 2);
+        if (filters_components_) made.filter.components = indices(components_.data(), components_.size());
+        return made;
+    }
+
+private:
+    std::vector<std::uint32_t> listed_, joined_, starts_, components_, guides_;
+    bool lists_ = false, groups_ = false, filters_components_ = false, guides_given_ = false;
 };
 
 /** Fills holes; see fairmesh_fill_holes. */
@@ -429,11 +520,73 @@ inline result fill_holes(const fairmesh_mesh &mesh, const fill_options &fill = f
                          const options &asked = options()) {
     detail::relay relay;
     auto plain = detail::with(asked, relay);
+    const auto how = fill.plain();
     fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_fill_holes, &mesh, static_cast<const fairmesh_fill_options *>(&fill), &plain, &handle);
+    detail::call(fairmesh_fill_holes, &mesh, &how, &plain, &handle);
     result made(handle);
     relay.rethrow();
     return made;
+}
+
+/** Which loops `join_auto` would give one patch; see fairmesh_suggest_joins. */
+inline loop_groups suggest_joins(const fairmesh_mesh &mesh, const fill_options &fill = fill_options()) {
+    const auto how = fill.plain();
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_suggest_joins, &mesh, &how, &handle);
+    const result found(handle);
+    loop_groups groups(static_cast<std::size_t>(found.info().loop_count));
+    for (std::size_t k = 0; k < groups.size(); ++k) groups[k] = found.list(FAIRMESH_LIST_JOINED_LOOPS, k);
+    return groups;
+}
+
+/** fairmesh_bridge_options with their defaults. */
+struct bridge_options : fairmesh_bridge_options {
+    bridge_options() : fairmesh_bridge_options() {
+        fairmesh_error why = detail::no_error();
+        detail::check(fairmesh_bridge_options_init(this, sizeof(fairmesh_bridge_options)), why);
+    }
+};
+
+/** Connects two runs of boundary edges by a strip; see fairmesh_bridge. */
+inline result bridge(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &from, const std::vector<std::uint32_t> &to,
+                     const bridge_options &how = bridge_options(), const fill_options &fill = fill_options(),
+                     const options &asked = options()) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    const auto filling = fill.plain();
+    const auto first = indices(from.data(), from.size()), second = indices(to.data(), to.size());
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_bridge, &mesh, &first, &second, static_cast<const fairmesh_bridge_options *>(&how), &filling, &plain,
+                 &handle);
+    result made(handle);
+    relay.rethrow();
+    return made;
+}
+
+/** What is left of a mesh without some of its triangles. */
+struct erased_triangles {
+    /** The numbers of those that are left, ascending. */
+    std::vector<std::uint32_t> kept;
+    /** The loops that the deleted ones leave, as boundary_loops numbers those of the mesh that is left. */
+    std::vector<std::uint32_t> loops;
+    /** How many were dropped besides those named: they hung loose. */
+    std::uint64_t dropped = 0;
+};
+
+/** Deletes triangles; see fairmesh_erase. */
+inline erased_triangles erase(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &triangles) {
+    const auto list = indices(triangles.data(), triangles.size());
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_erase, &mesh, &list, &handle);
+    const result left(handle);
+    return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), left.list(FAIRMESH_LIST_ERASED_LOOPS), left.info().dropped_count};
+}
+
+/** Per triangle the number of its component; see fairmesh_components. */
+inline std::vector<std::uint32_t> components(const fairmesh_mesh &mesh) {
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_components, &mesh, &handle);
+    return result(handle).list(FAIRMESH_LIST_TRIANGLE_COMPONENTS);
 }
 
 /** fairmesh_remesh_options with their defaults. */

@@ -101,6 +101,28 @@ public:
         return triangle < faces_.size() ? static_cast<std::uint64_t>(faces_[static_cast<std::size_t>(triangle)].idx()) : triangle;
     }
 
+    /** The faces that the library sees, in its order. */
+    const std::vector<OpenMesh::FaceHandle> &faces() const noexcept { return faces_; }
+
+    /** Leaves out all triangles but these, ascending; the faces that are left out. */
+    std::vector<OpenMesh::FaceHandle> keep(const std::vector<std::uint32_t> &kept) {
+        std::vector<OpenMesh::FaceHandle> faces, gone;
+        std::vector<std::uint32_t> corners;
+        auto next = kept.begin();
+        for (std::size_t t = 0; t < faces_.size(); t++) {
+            if (next == kept.end() || *next != t) {
+                gone.push_back(faces_[t]);
+                continue;
+            }
+            ++next;
+            faces.push_back(faces_[t]);
+            corners.insert(corners.end(), {corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]});
+        }
+        faces_.swap(faces);
+        corners_.swap(corners);
+        return gone;
+    }
+
     /** One byte per vertex: not zero is free. */
     std::vector<std::uint8_t> free(const openmesh_options &asked) const {
         if (asked.region == openmesh_region::selected_vertices && !mesh_.has_vertex_status()) {

@@ -151,6 +151,34 @@ pub enum Error {
         /// The vertex.
         vertex: usize,
     },
+    /// A guide of [`FillOptions::guides`](crate::FillOptions::guides) cannot be followed.
+    #[error("guide ({a}, {b}): {why}")]
+    BadGuide {
+        /// One end of the guide, as given.
+        a: usize,
+        /// The other end.
+        b: usize,
+        /// What speaks against it.
+        why: &'static str,
+    },
+    /// A chain that a bridge shall begin or end at is no run of boundary edges.
+    #[error("chain {chain}, vertex {vertex}: {why}")]
+    BadChain {
+        /// 0 for the first chain, 1 for the second.
+        chain: usize,
+        /// A vertex of it, as given.
+        vertex: usize,
+        /// What is wrong there.
+        why: &'static str,
+    },
+    /// Two guides cross each other in the patch.
+    #[error("guides ({}, {}) and ({}, {}) cross each other", first[0], first[1], second[0], second[1])]
+    GuidesCross {
+        /// One of them, as given.
+        first: [usize; 2],
+        /// The other one.
+        second: [usize; 2],
+    },
     /// A vertex has more than 1,000 region triangles: every two of its neighbours are an entry of the solver's matrix.
     #[error(
         "vertex {vertex} has {valence} triangles in the region: more than {}",
@@ -226,6 +254,12 @@ table!(Error {
     33 "valence_too_large" Error::ValenceTooLarge { .. } =>
         "a vertex has more than 1,000 triangles in the region", "split some of its edges, or leave its neighbours out of the selection";
     34 "not_on_loop" Error::NotOnLoop { .. } => "a vertex is on no boundary loop of the region", "name a fixed vertex beside a free one";
+    35 "bad_guide" Error::BadGuide { .. } =>
+        "a guide does not join two vertices of the boundary that one patch can have an edge between",
+        "name two vertices of one loop that are no neighbours, or of two loops that are joined, each in one guide";
+    36 "guides_cross" Error::GuidesCross { .. } => "two guides cross each other", "leave one of them out";
+    37 "bad_chain" Error::BadChain { .. } =>
+        "a chain is no run of edges of one boundary loop", "name the vertices of a run of boundary edges, one after the other";
 });
 
 impl Error {
@@ -282,6 +316,9 @@ impl Error {
             | Self::SelectionOutOfRange { .. }
             | Self::MaskLength { .. }
             | Self::BadOption { .. }
+            | Self::BadGuide { .. }
+            | Self::GuidesCross { .. }
+            | Self::BadChain { .. }
             | Self::TooLarge { .. }
             | Self::Threads { .. } => {}
         }

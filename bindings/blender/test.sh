@@ -39,7 +39,7 @@ check() {
     fi
 }
 
-for suite in test_lifecycle test_fair test_fill; do
+for suite in test_lifecycle test_fair test_fill test_join; do
     check "Blender 3.4, $suite" blender -b --factory-startup --python-exit-code 7 --python $tests/$suite.py -- "$zip"
 done
 
@@ -50,7 +50,7 @@ for bpy in 4.2.23 5.0.1; do
     "$python" "$(echo "$out"/bpy-${bpy%.*}/lib/python3.11/site-packages/bpy/*/scripts/addons_core/bl_pkg/cli/blender_ext.py)" \
         validate "$zip" >"$out/log" 2>&1 || { cat "$out/log"; exit 1; }
     printf -- '-- bpy %s: the extension is valid\n' $bpy
-    for suite in test_lifecycle test_fair test_fill; do
+    for suite in test_lifecycle test_fair test_fill test_join; do
         check "bpy $bpy, $suite" "$python" $tests/$suite.py "$zip"
     done
 done

@@ -31,6 +31,11 @@ Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParamete
         view.join(parameters.join_distance);
         return close_holes(model, view, std::move(parameters), host);
     }
+    case EraseAndFill: {
+        CloseParameters parameters = read_erase_parameters(asked);
+        view.join(parameters.join_distance);
+        return erase_and_fill(model, view, std::move(parameters), host);
+    }
     case MeanCurvature: return mean_curvature(model, view, host);
     default: throw Failure("There is no such filter.");
     }
@@ -40,7 +45,8 @@ Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParamete
 
 int menus(int filter) {
     switch (filter) {
-    case CloseHoles: return Menus::Smoothing | Menus::Remeshing;
+    case CloseHoles:
+    case EraseAndFill: return Menus::Smoothing | Menus::Remeshing;
     case MeanCurvature: return Menus::Smoothing | Menus::Quality;
     default: return Menus::Smoothing;
     }
@@ -51,7 +57,8 @@ int needs(int) { return MeshModel::MM_FACENUMBER; }
 int changes(int filter) {
     switch (filter) {
     case FairSelection: return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL | MeshModel::MM_VERTQUALITY;
-    case CloseHoles: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
+    case CloseHoles:
+    case EraseAndFill: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
     default: return MeshModel::MM_VERTQUALITY;
     }
 }
@@ -60,6 +67,7 @@ RichParameterList parameters(int filter) {
     RichParameterList list;
     if (filter == FairSelection) add_fair_parameters(list);
     if (filter == CloseHoles) add_close_parameters(list);
+    if (filter == EraseAndFill) add_erase_parameters(list);
     return list;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-/** The three filters, independent of the plugin interface. Each throws an exception that tells why it was not applied; the mesh is as it
+/** The filters, independent of the plugin interface. Each throws an exception that tells why it was not applied; the mesh is as it
  * was then. */
 #ifndef FAIRMESH_MESHLAB_FILTERS_H
 #define FAIRMESH_MESHLAB_FILTERS_H
@@ -9,8 +9,8 @@
 namespace fairmesh_meshlab {
 
 /** The filters' numbers in the plugin. */
-enum Filter { FairSelection, CloseHoles, MeanCurvature };
-constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature};
+enum Filter { FairSelection, CloseHoles, MeanCurvature, EraseAndFill };
+constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature, EraseAndFill};
 
 /** Name in menus and scripts of MeshLab. */
 QString name(int filter);

@@ -73,6 +73,27 @@ void read_solver_parameters(const RichParameterList &list, fairmesh::options &op
     options.intersections = list.getBool("check_intersections") ? FAIRMESH_INTERSECTIONS_CHECK : FAIRMESH_INTERSECTIONS_SKIP;
 }
 
+/** What all ways of filling have. */
+void add_patch_parameters(RichParameterList &list) {
+    const fairmesh::fill_options standard;
+    list.addParam(RichFloat(
+        "density", static_cast<Scalar>(standard.density), "Density",
+        "How dense new vertices are. At the square root of 2 edges are as long as those beside the boundary; at twice that, half as "
+        "long. Between 0.1 and 10."));
+    list.addParam(RichInt("max_new_vertices", as_int(standard.max_new_vertices), "New vertices, at most",
+                          "Larger patches become coarser, and the log says so."));
+    list.addParam(
+        RichEnum("on_failure", static_cast<int>(standard.on_failure), {"Best there is", "Flat", "Nothing"}, "If not fair",
+                 "What a hole gets for which no fair patch is found, or none that does not intersect anything. Best there is: the "
+                 "best surface that was found. Flat: the triangulation, refined. Nothing: it stays as it is. The log says so."));
+}
+
+void read_patch_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
+    fill.density = list.getFloat("density");
+    fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
+    fill.on_failure = static_cast<std::uint32_t>(in_list(list, "on_failure", 3));
+}
+
 } // namespace
 
 void add_fair_parameters(RichParameterList &list) {
@@ -94,20 +115,31 @@ void add_fair_parameters(RichParameterList &list) {
 }
 
 void add_close_parameters(RichParameterList &list) {
-    const fairmesh::fill_options standard;
     list.addParam(RichInt("max_edges", 0, "Edges of a hole, at most", "Holes of more edges stay open. 0: holes of any size are closed."));
+    list.addParam(RichFloat("max_length", 0, "Length of a boundary, at most",
+                            "Holes with a longer boundary stay open. 0: holes of any length are closed."));
+    list.addParam(
+        RichInt("except_longest", 0, "All but the longest", "So many holes of the mesh stay open: those with the longest boundaries."));
     list.addParam(RichBool("touching_selection", false, "Only holes at the selection",
                            "Closes the holes that have a vertex of a selected face, or a selected vertex, on their boundary."));
     list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
                            "The outer boundary of an open sheet is no hole and stays open, unless this is checked."));
-    list.addParam(RichFloat(
-        "density", static_cast<Scalar>(standard.density), "Density",
-        "How dense new vertices are. At the square root of 2 edges are as long as those beside the boundary; at twice that, half as "
-        "long. Between 0.1 and 10."));
-    list.addParam(RichInt("max_new_vertices", as_int(standard.max_new_vertices), "New vertices, at most",
-                          "Larger patches become coarser, and the log says so."));
+    list.addParam(
+        RichEnum("join", static_cast<int>(JoinLoops::None), {"None", "What belongs together", "All loops at the selection"}, "Join loops",
+                 "Which loops get one patch together. None: each has its own. What belongs together: loops whose common patch "
+                 "bends less than patches of their own would, as the two sides of a gap or the ends of tubes that face each other. "
+                 "All loops at the selection: one patch for all loops with a vertex of a selected face, or a selected vertex, "
+                 "outer boundaries included, and nothing else."));
+    add_patch_parameters(list);
     list.addParam(RichEnum("selection_after", static_cast<int>(SelectionAfter::OldAndNew), {"Old and new faces", "New faces", "As before"},
                            "Selected afterwards", "Which faces are selected when holes have been closed."));
+    add_solver_parameters(list);
+}
+
+void add_erase_parameters(RichParameterList &list) {
+    list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
+                           "Also where the selected faces lie at the outer boundary of an open sheet, which is closed then."));
+    add_patch_parameters(list);
     add_solver_parameters(list);
 }
 
@@ -126,9 +158,21 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
     if (list.getInt("max_edges") != 0) asked.fill.max_edges = at_least(list, "max_edges", 3);
     asked.touching_selection = list.getBool("touching_selection");
     asked.outer_boundaries = list.getBool("outer_boundaries");
-    asked.fill.density = list.getFloat("density");
-    asked.fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
+    asked.join = static_cast<JoinLoops>(in_list(list, "join", 3));
+    asked.max_length = list.getFloat("max_length");
+    if (!(asked.max_length >= 0)) throw Failure("Parameter max_length is negative.");
+    asked.except_longest = at_least(list, "except_longest", 0);
+    read_patch_parameters(list, asked.fill);
     asked.selection = static_cast<SelectionAfter>(in_list(list, "selection_after", 3));
+    asked.join_distance = list.getFloat("join_distance");
+    read_solver_parameters(list, asked.options);
+    return asked;
+}
+
+CloseParameters read_erase_parameters(const RichParameterList &list) {
+    CloseParameters asked;
+    asked.outer_boundaries = list.getBool("outer_boundaries");
+    read_patch_parameters(list, asked.fill);
     asked.join_distance = list.getFloat("join_distance");
     read_solver_parameters(list, asked.options);
     return asked;

@@ -17,6 +17,9 @@ enum class BoundaryNormals { Fitted, Averaged, VertexNormals, Attribute };
 /** Which faces are selected after holes were closed. */
 enum class SelectionAfter { OldAndNew, NewOnly, AsBefore };
 
+/** Which loops get one patch together. */
+enum class JoinLoops { None, Auto, AtSelection };
+
 struct FairParameters {
     fairmesh::options options;
     BoundaryNormals normals = BoundaryNormals::Fitted;
@@ -30,16 +33,22 @@ struct CloseParameters {
     fairmesh::fill_options fill;
     bool touching_selection = false;
     bool outer_boundaries = false;
+    JoinLoops join = JoinLoops::None;
+    /** 0: of any length. */
+    double max_length = 0;
+    std::size_t except_longest = 0;
     double join_distance = 0;
     SelectionAfter selection = SelectionAfter::OldAndNew;
 };
 
 void add_fair_parameters(RichParameterList &list);
 void add_close_parameters(RichParameterList &list);
+void add_erase_parameters(RichParameterList &list);
 
 /** Throw Failure for numbers that the library's types cannot hold. It refuses other wrong ones itself. */
 FairParameters read_fair_parameters(const RichParameterList &list);
 CloseParameters read_close_parameters(const RichParameterList &list);
+CloseParameters read_erase_parameters(const RichParameterList &list);
 
 } // namespace fairmesh_meshlab
 

@@ -118,7 +118,7 @@ void set_face(CMeshO &mesh, const Patch &patch, const std::vector<std::uint32_t>
 
 } // namespace
 
-Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMeshO &mesh) {
+Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh) {
     const fairmesh_info info = filled.info();
     const auto positions = filled.positions();
     const auto triangles = filled.triangles();
@@ -132,7 +132,7 @@ Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMesh
             if (!std::isfinite(static_cast<Scalar>(x))) throw Failure("A new position exceeds this MeshLab's range of numbers.");
         patch.parents.push_back({parents[3 * i], parents[3 * i + 1], parents[3 * i + 2]});
     }
-    patch.triangles.assign(triangles.begin() + static_cast<std::ptrdiff_t>(view.triangles().size()), triangles.end());
+    patch.triangles.assign(triangles.begin() + static_cast<std::ptrdiff_t>(old_triangles), triangles.end());
     return patch;
 }
 

@@ -4,7 +4,6 @@
 #define FAIRMESH_MESHLAB_PATCH_H
 
 #include "host.h"
-#include "mesh_view.h"
 #include "write.h"
 
 #include <fairmesh.hpp>
@@ -23,8 +22,8 @@ struct Patch {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/** What filled holes add. Throws Failure if a number exceeds the host's range. */
-Patch patch_of(const fairmesh::result &filled, const MeshView &view, const CMeshO &mesh);
+/** What filled holes add to a mesh of so many triangles. Throws Failure if a number exceeds the host's range. */
+Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh);
 
 /** Adds it. Colours, quality, texture coordinates, normals and attributes of numbers and points are interpolated; everything else comes
  * from the nearest parent, or the old face there. Returns the vertices of the patch that are new. */

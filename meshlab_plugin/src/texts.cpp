@@ -29,7 +29,14 @@ const char CLOSE[] =
     "of a "
     "sphere is put back.<br><br>"
     "New vertices get colours, quality, texture coordinates and attributes interpolated from the boundary. Old vertices and faces stay as "
-    "they are. Islands in a hole are not bridged.<br>";
+    "they are.<br><br>"
+    "Several loops can get one patch ('Join loops'): the two sides of a gap, ends of tubes, a hole and the island in it. All parts have to "
+    "face the same way.<br>";
+
+const char ERASE[] =
+    "Deletes the selected faces and closes the hole with new triangles on a fair surface, as 'Close holes and fair (G1)' does: for bumps, "
+    "noise and tangles whose old shape is of no use. Faces that would hang loose at the rest go, too. Where the hole would stay open, "
+    "nothing is changed.<br>";
 
 const char CURVATURE[] =
     "Writes the mean curvature H of every vertex to its quality, in 1 / length. It is fitted to the normal curvatures towards the "
@@ -45,6 +52,7 @@ QString name(int filter) {
     switch (filter) {
     case FairSelection: return "Fair selection (G1, intrinsic)";
     case CloseHoles: return "Close holes and fair (G1)";
+    case EraseAndFill: return "Erase selected faces and fill (G1)";
     case MeanCurvature: return "Mean curvature (Moreton-Sequin) to quality";
     default: return "";
     }
@@ -54,6 +62,7 @@ QString python_name(int filter) {
     switch (filter) {
     case FairSelection: return "apply_coord_fairing_to_selection";
     case CloseHoles: return "meshing_close_holes_and_fair";
+    case EraseAndFill: return "meshing_erase_and_fill_selection";
     case MeanCurvature: return "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex";
     default: return "";
     }
@@ -63,6 +72,7 @@ QString help(int filter) {
     switch (filter) {
     case FairSelection: return QString::fromUtf8(FAIR) + PAPER;
     case CloseHoles: return QString::fromUtf8(CLOSE) + PAPER;
+    case EraseAndFill: return QString::fromUtf8(ERASE) + PAPER;
     case MeanCurvature: return QString::fromUtf8(CURVATURE) + PAPER;
     default: return "";
     }

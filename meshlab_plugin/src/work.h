@@ -12,8 +12,11 @@ namespace fairmesh_meshlab {
 /** Moves the vertices all of whose faces are selected. */
 Values fair_selection(MeshModel &model, const MeshView &view, FairParameters asked, const Host &host);
 
-/** Closes holes. */
+/** Closes holes, each or several together. */
 Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host);
+
+/** Deletes the selected faces and fills the holes that they leave. */
+Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host);
 
 /** Writes the mean curvature of all vertices to their quality; 0 to those without faces. */
 Values mean_curvature(MeshModel &model, const MeshView &view, const Host &host);

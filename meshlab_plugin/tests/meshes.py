@@ -60,6 +60,12 @@ def without(vertices, faces, drop):
     return vertices[used], numbers.reshape(-1, 3)
 
 
+def band_missing(level=4, half=0.3):
+    """The unit sphere without a band around the equator."""
+    vertices, faces = icosphere(level)
+    return without(vertices, faces, (np.abs(vertices[faces, 2]) < half).any(axis=1))
+
+
 def split_along(vertices, faces, beyond):
     """The same surface with copies of the vertices between faces `beyond` and the others: (vertices, faces, originals)."""
     seam = np.intersect1d(faces[beyond], faces[~beyond])

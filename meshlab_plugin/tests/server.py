@@ -11,6 +11,7 @@ WORK = pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"
 
 FAIR = "Fair selection (G1, intrinsic)"
 CLOSE = "Close holes and fair (G1)"
+ERASE = "Erase selected faces and fill (G1)"
 CURVATURE = "Mean curvature (Moreton-Sequin) to quality"
 
 SOLVER = {
@@ -23,6 +24,11 @@ SOLVER = {
     "check_intersections": ("RichBool", "true"),
     "max_iterations": ("RichInt", 500),
 }
+PATCH = {
+    "density": ("RichFloat", 1.41421356),
+    "max_new_vertices": ("RichInt", 200000),
+    "on_failure": ("RichEnum", 0, 3),
+}
 PARAMETERS = {
     FAIR: {
         "boundary_normals": ("RichEnum", 0, 4),
@@ -32,13 +38,16 @@ PARAMETERS = {
     },
     CLOSE: {
         "max_edges": ("RichInt", 0),
+        "max_length": ("RichFloat", 0),
+        "except_longest": ("RichInt", 0),
         "touching_selection": ("RichBool", "false"),
         "outer_boundaries": ("RichBool", "false"),
-        "density": ("RichFloat", 1.41421356),
-        "max_new_vertices": ("RichInt", 200000),
+        "join": ("RichEnum", 0, 3),
+        **PATCH,
         "selection_after": ("RichEnum", 0, 3),
         **SOLVER,
     },
+    ERASE: {"outer_boundaries": ("RichBool", "false"), **PATCH, **SOLVER},
     CURVATURE: {},
     "Close Holes": {
         "MaxHoleSize": ("RichInt", 10000),

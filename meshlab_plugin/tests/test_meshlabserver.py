@@ -10,7 +10,7 @@ import unittest
 
 import meshes
 import numpy as np
-from server import CLOSE, CURVATURE, FAIR, Server
+from server import CLOSE, CURVATURE, ERASE, FAIR, Server
 
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 FLOAT = 1.2e-7  # half a unit in the last place of 1, rounded up for sums
@@ -84,6 +84,41 @@ class Sphere(Case):
         old = meshes.points(mesh)[: len(self.vertices)]
         self.assertEqual(np.abs(old - self.vertices.astype(np.float32)).max(), 0)
         self.on_sphere(mesh, len(self.faces), "Close holes and fair")
+
+
+class Join(Case):
+    def whole_sphere(self, mesh):
+        vertices, faces = meshes.points(mesh), mesh["face"]["vertex_indices"].astype(int)
+        self.assertFalse(meshes.on_boundary(len(vertices), faces).any())
+        self.assertEqual(len(vertices) - len(faces) // 2, 2)
+        self.assertLess(np.abs(np.linalg.norm(vertices, axis=1) - 1).max(), 1e-6)
+
+    def test_a_sphere_without_a_band(self):
+        vertices, faces = meshes.band_missing()
+        file = FOLDER / "band.ply"
+        meshes.write_ply(file, vertices, faces, face=flags(np.ones(len(faces), bool)))
+        for join in (1, 2):
+            mesh, text = self.applied(file, (CLOSE, {"join": join}))
+            self.assertIn("Loops that share a patch with others: 2", text)
+            self.whole_sphere(mesh)
+
+    def test_a_part_that_is_turned_around_is_told_with_both_loops(self):
+        vertices, faces = meshes.band_missing()
+        below = vertices[faces[:, 0], 2] < 0
+        file = FOLDER / "turned.ply"
+        meshes.write_ply(file, vertices, np.where(below[:, None], faces[:, ::-1], faces), face=flags(np.ones(len(faces), bool)))
+        mesh, text = self.applied(file, (CLOSE, {"join": 2}))
+        self.assertEqual(len(mesh["face"]["vertex_indices"]), len(faces))
+        self.assertRegex(text, r"Warning, 2 loops of \d+ edges at vertices \d+, \d+: left open")
+        self.assertRegex(text, r"the loops at vertices \d+ and \d+: select the faces of one of the two parts")
+
+    def test_a_dent_is_erased(self):
+        vertices, faces, selected, _ = dented_sphere()
+        file = FOLDER / "dent.ply"
+        meshes.write_ply(file, vertices, faces, face=flags(selected))
+        mesh, text = self.applied(file, (ERASE, {}))
+        self.assertIn("Faces erased: ", text)
+        self.whole_sphere(mesh)
 
 
 def reordered(mesh, first):

@@ -14,6 +14,7 @@ import pymeshlab
 
 FAIR = "apply_coord_fairing_to_selection"
 CLOSE = "meshing_close_holes_and_fair"
+ERASE = "meshing_erase_and_fill_selection"
 CURVATURE = "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex"
 PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
 
@@ -315,6 +316,30 @@ class Survives(Case):
         wedges = after["wedge texture"][3 * old_faces :]
         self.assertTrue(wedges.min() > 0 and wedges.max() < 1 and wedges.std() > 0.01)
 
+    @unless_old
+    def test_erase(self):
+        ms, _ = decorated()
+        mesh = ms.current_mesh()
+        before, marks = state(mesh), attributes(mesh)
+        ms.apply_filter(ERASE)
+        after, new_marks = state(ms.current_mesh()), attributes(ms.current_mesh())
+        erased = before["face selection"]
+        stay = np.unique(before["faces"][~erased])
+        old = len(stay)
+        # What is left keeps its bits, in its order; around the selection some triangles hung loose.
+        self.assertGreater(old, 500)
+        for name in ("vertices", "vertex quality", "vertex colours", "vertex texture"):
+            kept = after[name][np.isin(after["vertices"], before["vertices"]).all(axis=1)]
+            self.assertTrue(np.isin(kept, before[name][stay]).all(), name)
+            self.assertGreater(len(kept), old - 20)
+        self.assertEqual(after["vertices"][:100].tobytes(), before["vertices"][stay][:100].tobytes())
+        self.assertEqual(new_marks["point"][:100].tobytes(), marks["point"][stay][:100].tobytes())
+        for name, numbers in [*after.items(), *new_marks.items()]:
+            if name in ("vertex quality", "vertex texture", "number", "point"):
+                new = numbers[old:]
+                self.assertTrue(new.min() > 0 and new.max() < 1 and new.std() > 0.01, name)
+        self.assertEqual(int(after["face selection"].sum()), len(after["faces"]) - np.flatnonzero(after["face selection"])[0])
+
 
 class Close(Case):
     def two_holes(self):
@@ -345,6 +370,116 @@ class Close(Case):
         ms = mesh_set(*sheet)
         self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
         self.assertEqual(ms.apply_filter(CLOSE, outer_boundaries=True)["closed"], 1)
+
+
+class Join(Case):
+    def whole_sphere(self, ms, bar=1e-8):
+        mesh = ms.current_mesh()
+        vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+        self.assertEqual(ms.apply_filter("get_topological_measures")["genus"], 0)
+        self.assertEqual(len(vertices) - len(faces) // 2, 2)
+        self.assertFalse(meshes.on_boundary(len(vertices), faces).any())
+        self.assertLess(np.abs(np.linalg.norm(vertices, axis=1) - 1).max(), bar)
+
+    def test_a_sphere_without_a_band(self):
+        for join in ("What belongs together", "All loops at the selection"):
+            ms = mesh_set(*meshes.band_missing())
+            ms.set_selection_all()
+            values = ms.apply_filter(CLOSE, join=join, selection_after="New faces")
+            self.assertTrue(values["converged"])
+            self.assertEqual((values["closed"], values["joined"], values["left_open"]), (1, 2, 0))
+            self.assertEqual(ms.current_mesh().selected_face_number(), values["new_faces"])
+            self.whole_sphere(ms)
+
+    def test_a_sphere_in_four_pieces(self):
+        vertices, faces = meshes.icosphere(5)
+        mesh = meshes.without(vertices, faces, (np.abs(vertices[faces][:, :, :2]) < 0.06).any(axis=(1, 2)))
+        ms = mesh_set(*mesh)
+        self.assertEqual(ms.apply_filter(CLOSE, join="What belongs together")["joined"], 4)
+        self.whole_sphere(ms)
+
+    def test_a_part_that_is_turned_around_is_refused_with_both_loops(self):
+        vertices, faces = meshes.band_missing()
+        below = vertices[faces[:, 0], 2] < 0
+        ms = mesh_set(vertices, np.where(below[:, None], faces[:, ::-1], faces))
+        ms.set_selection_all()
+        before = state(ms.current_mesh())
+        values = ms.apply_filter(CLOSE, join="All loops at the selection")
+        self.assertEqual((values["converged"], values["left_open"], values["new_faces"]), (False, 1, 0))
+        self.same(before, state(ms.current_mesh()))
+
+    def test_one_loop_alone_is_refused(self):
+        ms = mesh_set(*meshes.band_missing())
+        ms.compute_selection_by_condition_per_face(condselect="z0 > 0")
+        before = state(ms.current_mesh())
+        with self.assertRaisesRegex(pymeshlab.PyMeshLabException, "there is one alone"):
+            ms.apply_filter(CLOSE, join="All loops at the selection")
+        self.same(before, state(ms.current_mesh()))
+
+    def test_which_holes(self):
+        def closed(**asked):
+            vertices, faces = meshes.icosphere(4)
+            height = vertices[faces].mean(axis=1)[:, 2]
+            ms = mesh_set(*meshes.without(vertices, faces, (height > 0.9) | (height < -0.95)))
+            self.assertEqual(ms.apply_filter(CLOSE, **asked)["closed"], asked.pop("expected", 1))
+            return ms.current_mesh().vertex_matrix()[:, 2].min()
+
+        # The small one is below.
+        self.assertLess(closed(except_longest=1), -0.99)
+        self.assertLess(closed(max_length=2.8), -0.99)
+
+    def test_what_becomes_of_a_hole_without_a_fair_patch(self):
+        for choice, closed, outcome in (("Best there is", 1, 1), ("Flat", 1, 2), ("Nothing", 0, 3)):
+            ms = mesh_set(*meshes.band_missing())
+            values = ms.apply_filter(CLOSE, join="What belongs together", max_iterations=1, on_failure=choice)
+            self.assertEqual((values["closed"], values["fill_outcome"]), (closed, outcome), choice)
+
+
+class Erase(Case):
+    def bumpy(self):
+        vertices, faces = meshes.icosphere(4)
+        vertices = vertices.copy()
+        cap = vertices[:, 2] > 0.85
+        vertices[cap] *= np.random.RandomState(3).uniform(0.8, 1.2, (cap.sum(), 1))
+        selected = cap[faces].any(axis=1)
+        ms = mesh_set(vertices, faces)
+        ms.compute_selection_by_condition_per_face(condselect="x0*x0+y0*y0 < 0.01 && z0 > 0")
+        for _ in range(40):
+            if (ms.current_mesh().face_selection_array() | ~selected).all():
+                break
+            ms.apply_filter("apply_selection_dilatation")
+        return ms
+
+    def test_a_bump_is_replaced(self):
+        ms = self.bumpy()
+        faces = ms.current_mesh().face_number()
+        selected = ms.current_mesh().selected_face_number()
+        values = ms.apply_filter(ERASE)
+        self.assertTrue(values["converged"])
+        self.assertGreaterEqual(values["erased_faces"], selected)
+        mesh = ms.current_mesh()
+        self.assertEqual(mesh.face_number(), faces - values["erased_faces"] + values["new_faces"])
+        self.assertEqual(mesh.selected_face_number(), values["new_faces"])
+        Join.whole_sphere(self, ms)
+        # Once more, elsewhere.
+        ms.compute_selection_by_condition_per_face(condselect="x0 > 0.8")
+        ms.apply_filter(ERASE)
+        Join.whole_sphere(self, ms)
+
+    def test_refusals_leave_the_mesh_as_it_was(self):
+        vertices, faces = meshes.icosphere(3)
+        sheet = meshes.without(vertices, faces, vertices[faces].mean(axis=1)[:, 2] < 0.8)
+        for condition, message in (
+            ("x0 > 2", "No face is selected"),
+            ("z0 < 0.9 && x0 > 0", "outer boundary of an open surface"),
+            ("z0 > 0", "Nothing is left around"),
+        ):
+            ms = mesh_set(*sheet)
+            ms.compute_selection_by_condition_per_face(condselect=condition)
+            before = state(ms.current_mesh())
+            with self.assertRaisesRegex(pymeshlab.PyMeshLabException, message):
+                ms.apply_filter(ERASE)
+            self.same(before, state(ms.current_mesh()))
 
 
 class Refused(Case):

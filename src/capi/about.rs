@@ -4,6 +4,7 @@ use core::ffi::CStr;
 
 use libc::c_char;
 
+use super::bridge::default_bridge_options;
 use super::fill_options::{default_fill_options, default_remesh_options};
 use super::guard::guarded;
 use super::options::default_options;
@@ -51,6 +52,17 @@ pub extern "C" fn fairmesh_fill_options_init(
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), || {
         init_struct(options, struct_size, &default_fill_options())
+    })
+}
+
+/// Fills options of bridges with the defaults. `struct_size` is `sizeof(fairmesh_bridge_options)`.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_bridge_options_init(
+    options: *mut fairmesh_bridge_options,
+    struct_size: usize,
+) -> fairmesh_status {
+    guarded(core::ptr::null_mut(), || {
+        init_struct(options, struct_size, &default_bridge_options())
     })
 }
 

@@ -1,4 +1,4 @@
-//! Boundary loops, hole filling, remeshing.
+//! Boundary loops, hole filling, which loops to join, remeshing.
 
 use std::sync::Arc;
 
@@ -9,17 +9,16 @@ use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
 use super::options::OptionsIn;
 use super::outputs::*;
+use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::Progress;
 use fairmesh::{
-    BoundaryLoop, FillOptions, LoopKind, Loops, RemeshOptions, boundary_loops_joined,
-    fill_holes_with_progress, remesh_region,
+    FillOptions, Join, Options, RemeshOptions, boundary_loops_joined, fill_holes_with_progress,
+    remesh_region, suggest_joins,
 };
-
-use fairmesh_status as Status;
 
 /// Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
 #[unsafe(no_mangle)]
@@ -43,7 +42,7 @@ pub extern "C" fn fairmesh_boundary_loops(
     })
 }
 
-/// Fills holes: triangulates, refines and fairs each. Vertices and triangles given keep their numbers and bits; new
+/// Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits; new
 /// ones follow. A loop that cannot be filled says so in its report and does not affect the others.
 ///
 /// `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
@@ -69,14 +68,8 @@ pub extern "C" fn fairmesh_fill_holes(
         let triangles = mesh.triangles.rows::<3>()?;
         let fill = fill.read(options)?;
         let callback = asked.callback.fresh();
-        let (new_vertices, longest) = {
-            let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-            let loops = boundary_loops_joined(&positions, &triangles, mesh.coincident)?;
-            callback.memory()?;
-            size_of_patches(&loops, &fill)?
-        };
-        let new_vertices = new_vertices.min(fill.max_new_vertices).saturating_add(1000);
-        let bytes = memory_bounds::of_filling(&mesh, new_vertices, longest, &asked);
+        let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
+        let bytes = memory_bounds::of_filling(&mesh, &sizes.limited(fill.max_new_vertices), &asked);
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let mut tell = |progress: &Progress| callback.tell(progress);
@@ -91,27 +84,52 @@ pub extern "C" fn fairmesh_fill_holes(
     })
 }
 
-/// About how many vertices the patches will have that are asked for, and how many edges the longest loop.
-fn size_of_patches(loops: &[BoundaryLoop], asked: &FillOptions) -> CallResult<(usize, usize)> {
-    if let Loops::Chosen(named) = &asked.loops
-        && let Some(&missing) = named.iter().find(|&&l| l >= loops.len())
-    {
-        let why = format_args!("loop {missing} is named, but there are only {}", loops.len());
-        let failure = Failure::new(Status::SelectionOutOfRange, why);
-        return Err(failure.at(fairmesh_element::Loop, missing));
-    }
-    let chosen = |l: usize| match &asked.loops {
-        Loops::UpTo(most) => loops[l].kind == LoopKind::Hole && loops[l].vertices.len() <= *most,
-        Loops::Chosen(named) => named.contains(&l),
-        Loops::Where(_) => loops[l].kind == LoopKind::Hole,
-    };
-    let edges = (0..loops.len())
-        .filter(|&l| chosen(l))
-        .map(|l| loops[l].vertices.len());
-    // A disk of n edges has about n^2 / 11 vertices at the default density of the square root of 2.
-    let area = |n: usize| (n * n) as f64 * (asked.density * asked.density).max(0.5) / 4.0;
-    let new = edges.clone().map(area).sum::<f64>();
-    Ok((new as usize, edges.max().unwrap_or(0)))
+/// Finds the loops that `FAIRMESH_JOIN_KIND_AUTO` would give one patch, of those that `fill` asks for, whatever its `join` is. `result` gets
+/// a handle with `loop_count` groups, see `fairmesh_result_suggestion` and the list JOINED_LOOPS; free it. `fill` may be NULL.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_suggest_joins(
+    mesh: *const fairmesh_mesh,
+    fill: *const fairmesh_fill_options,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let fill = FillOptionsIn::new(fill, Argument(2), &mut aliases)?;
+        check_slot(result, Argument(3), &mut aliases)?;
+        aliases.error(error, Argument(4))?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let fill = FillOptions {
+            join: Join::Auto,
+            ..fill.read(Options {
+                coincident: mesh.coincident,
+                ..Options::default()
+            })?
+        };
+        let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
+        let _reserve = memory_bounds::reserve(memory_bounds::of_joining(&mesh, &sizes))?;
+        let callback = HostCallback::new(None, core::ptr::null_mut());
+        point();
+        let joins = suggest_joins(&positions, &triangles, &fill)?;
+        publish(Arc::new(Content::Joins(joins)), result, &callback)
+    })
+}
+
+/// How large the patches will be.
+fn sizes_of(
+    mesh: &MeshIn,
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    asked: &FillOptions,
+) -> CallResult<PatchSizes> {
+    let callback = HostCallback::new(None, core::ptr::null_mut());
+    let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(mesh, 1))?;
+    let loops = boundary_loops_joined(positions, triangles, mesh.coincident)?;
+    let sizes = patch_sizes::sizes(positions, &loops, asked)?;
+    callback.memory()?;
+    Ok(sizes)
 }
 
 /// Triangulates a region anew, by edge lengths as beside it, without moving the surface. To fair the new mesh, take the list

@@ -2,12 +2,12 @@
 
 use core::mem::offset_of;
 
-use super::options::{NO_INDICES, count, fields, refused};
+use super::loop_choice::{FilterIn, JoinIn, NO_FILTER, NO_JOIN, numbers};
+use super::options::{NO_INDICES, chosen, count, fields, refused};
 use super::status::CallResult;
 use super::types::*;
-use super::views::try_with_capacity;
-use super::views::{AliasCheck, Argument, Array, check_reserved, indices_in, read_struct};
-use fairmesh::{FillOptions, Loops, Options, RemeshOptions};
+use super::views::{AliasCheck, Argument, Array, FieldPath, check_reserved, indices_in, read_struct};
+use fairmesh::{FillOptions, Loops, OnFailure, Options, RemeshOptions};
 
 /// What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
 #[repr(C)]
@@ -20,7 +20,7 @@ pub struct fairmesh_fill_options {
     /// Holes of more edges stay open. Default: UINT64_MAX.
     pub max_edges: u64,
     /// These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
-    /// holes. With a count, `max_edges` is not read.
+    /// holes. With a count, `max_edges` and `filter` are not read.
     pub loops: fairmesh_indices,
     /// How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the boundary; at
     /// twice that, half as long. Between 0.1 and 10.
@@ -28,6 +28,17 @@ pub struct fairmesh_fill_options {
     /// At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times
     /// the square of a density above 1.
     pub max_new_vertices: u64,
+    /// A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Zero (default): the best surface there is.
+    pub on_failure: u32,
+    /// Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
+    pub only_listed: u32,
+    /// Loops that get one patch together. All zero (default): none.
+    pub join: fairmesh_join,
+    /// Which holes, if `loops` does not say it. All zero (default): all of them.
+    pub filter: fairmesh_loop_filter,
+    /// Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
+    /// refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
+    pub guides: fairmesh_indices,
 }
 
 /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
@@ -53,6 +64,11 @@ pub(crate) fn default_fill_options() -> fairmesh_fill_options {
         loops: NO_INDICES,
         density: options.density,
         max_new_vertices: options.max_new_vertices as u64,
+        on_failure: options.on_failure.entry().number(),
+        only_listed: 0,
+        join: NO_JOIN,
+        filter: NO_FILTER,
+        guides: NO_INDICES,
     }
 }
 
@@ -66,11 +82,36 @@ pub(crate) fn default_remesh_options() -> fairmesh_remesh_options {
     }
 }
 
-/// Options of hole filling, checked; the list of loops not read.
+/// Options of hole filling, checked; the lists in them not read.
 pub(crate) struct FillOptionsIn {
     view: fairmesh_fill_options,
+    on_failure: OnFailure,
     loops: Array,
+    join: JoinIn,
+    filter: FilterIn,
+    guides: Array,
+    argument: Argument,
 }
+
+/// Where the options are that the library's errors name.
+fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
+    let filter = argument.field(offset_of!(fairmesh_fill_options, filter), "filter");
+    let in_filter = |offset, name| Some(filter.field(offset, name));
+    match option {
+        "max_length" => in_filter(offset_of!(fairmesh_loop_filter, max_length), "max_length"),
+        "max_area" => in_filter(offset_of!(fairmesh_loop_filter, max_area), "max_area"),
+        "max_diagonal" => in_filter(offset_of!(fairmesh_loop_filter, max_diagonal), "max_diagonal"),
+        "within" => in_filter(offset_of!(fairmesh_loop_filter, within), "within"),
+        "join" => {
+            let join = argument.field(offset_of!(fairmesh_fill_options, join), "join");
+            Some(join.field(offset_of!(fairmesh_join, loops), "loops"))
+        }
+        _ => FIELDS(argument, option),
+    }
+}
+
+const FIELDS: fn(Argument, &str) -> Option<FieldPath> =
+    fields!(fairmesh_fill_options: density max_new_vertices);
 
 impl FillOptionsIn {
     pub(crate) fn new(
@@ -78,42 +119,73 @@ impl FillOptionsIn {
         argument: Argument,
         aliases: &mut AliasCheck,
     ) -> CallResult<Self> {
-        if options.is_null() {
-            let view = default_fill_options();
-            let loops = indices_in(&view.loops, 1, argument.itself())?;
-            return Ok(Self { view, loops });
-        }
-        let view = read_struct(options, argument)?;
+        let view = if options.is_null() {
+            default_fill_options()
+        } else {
+            read_struct(options, argument)?
+        };
         let place = argument.field(offset_of!(fairmesh_fill_options, loops), "loops");
         let loops = indices_in(&view.loops, 1, place)?;
+        aliases.input(loops.data, loops.bytes);
+        let place = argument.field(offset_of!(fairmesh_fill_options, on_failure), "on_failure");
+        let choices = [OnFailure::Linear, OnFailure::Flat, OnFailure::Open];
+        let on_failure = choices
+            .into_iter()
+            .find(|choice| choice.entry().number() == view.on_failure);
+        let on_failure = chosen(on_failure, view.on_failure, "fairmesh_on_failure", place)?;
+        let place = argument.field(offset_of!(fairmesh_fill_options, join), "join");
+        let join = JoinIn::new(&view.join, place, aliases)?;
+        let place = argument.field(offset_of!(fairmesh_fill_options, filter), "filter");
+        let filter = FilterIn::new(&view.filter, place, view.max_edges, aliases)?;
+        let place = argument.field(offset_of!(fairmesh_fill_options, guides), "guides");
+        let guides = indices_in(&view.guides, 2, place)?;
+        aliases.input(guides.data, guides.bytes);
         let plain = FillOptions {
+            loops: Loops::Where(filter.checked()),
             density: view.density,
             ..FillOptions::default()
         };
-        let fields = fields!(fairmesh_fill_options: density max_new_vertices);
         plain
             .validate()
-            .map_err(|error| refused(error, argument, fields))?;
-        aliases.input(options, size_of::<fairmesh_fill_options>());
-        aliases.input(loops.data, loops.bytes);
-        Ok(Self { view, loops })
+            .map_err(|error| refused(error, argument, place_of))?;
+        aliases.input(
+            options,
+            size_of::<fairmesh_fill_options>() * usize::from(!options.is_null()),
+        );
+        Ok(Self {
+            view,
+            on_failure,
+            loops,
+            join,
+            filter,
+            guides,
+            argument,
+        })
     }
 
     pub(crate) fn read(&self, fairing: Options) -> CallResult<FillOptions> {
         let view = &self.view;
-        let mut numbers = try_with_capacity(self.loops.count)?;
-        numbers.extend((0..self.loops.count).map(|k| self.loops.index::<1>(k)[0] as usize));
-        Ok(FillOptions {
-            loops: match self.loops.count {
-                0 => Loops::UpTo(count(view.max_edges)),
-                _ => Loops::Chosen(numbers),
-            },
+        let loops = if self.loops.count > 0 || view.only_listed != 0 {
+            Loops::Chosen(numbers(&self.loops)?)
+        } else {
+            self.filter
+                .read()?
+                .map_or_else(|| Loops::UpTo(count(view.max_edges)), Loops::Where)
+        };
+        let options = FillOptions {
+            loops,
+            join: self.join.read()?,
+            guides: self.guides.rows::<2>()?.into_owned(),
             density: view.density,
             max_new_vertices: count(view.max_new_vertices),
+            on_failure: self.on_failure,
             fair: view.fair != 0,
             fairing,
-            ..FillOptions::default()
-        })
+        };
+        options
+            .validate()
+            .map_err(|error| refused(error, self.argument, place_of))?;
+        Ok(options)
     }
 }
 

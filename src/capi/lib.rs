@@ -14,7 +14,9 @@
 #![warn(clippy::undocumented_unsafe_blocks)]
 
 mod about;
+mod bridge;
 mod callback;
+mod erase;
 mod fair;
 mod fill;
 mod fill_options;
@@ -23,12 +25,14 @@ mod handles;
 #[cfg(feature = "hooks")]
 mod hooks;
 mod input;
+mod loop_choice;
 mod memory;
 mod memory_bounds;
 #[rustfmt::skip]
 mod numbers;
 mod options;
 mod outputs;
+mod patch_sizes;
 mod reading;
 mod records;
 mod report;
@@ -38,14 +42,19 @@ mod status;
 mod statuses;
 mod steps;
 mod structs;
+#[rustfmt::skip]
+mod texts;
 mod types;
 mod versioned;
 mod views;
 
 pub use about::*;
+pub use bridge::fairmesh_bridge;
+pub use erase::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
+pub use texts::*;
 pub use types::*;

@@ -4,6 +4,7 @@
 use super::input::{MeshIn, Selected};
 use super::memory::Reserve;
 use super::options::OptionsIn;
+use super::patch_sizes::PatchSizes;
 use super::status::{CallResult, Failure};
 use super::views::try_with_capacity;
 
@@ -21,6 +22,8 @@ const FREE_DIGIT: usize = 400;
 const COMPONENT: usize = 32 << 10;
 /// Per free vertex, where curvature is continued: modes along the loops, extended over the region, and a factor for that.
 const CONTINUED: usize = 3 << 10;
+/// Per edge of loops that are joined: what they are triangulated with.
+const EDGE: usize = 1 << 10;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
@@ -117,12 +120,27 @@ pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
     sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
 }
 
-/// For patches with so many new vertices, at most, on boundaries of so many edges.
-pub(crate) fn of_filling(mesh: &MeshIn, vertices: usize, longest: usize, asked: &OptionsIn) -> usize {
-    // Triangulation is quadratic up to the length where ears are cut first.
-    let table = longest.min(200).pow(2) * 64;
-    let region = of_region(vertices, 0, asked.asks_continuity());
-    of_whole_mesh(mesh, asked.threads()) + table + region + vertices * 2000
+/// For patches of these sizes, at most.
+pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn) -> usize {
+    let region = of_region(patches.vertices, 0, asked.asks_continuity());
+    of_whole_mesh(mesh, asked.threads()) + of_triangulation(patches) + region + patches.vertices * 2000
+}
+
+/// For finding out which loops to join.
+pub(crate) fn of_joining(mesh: &MeshIn, patches: &PatchSizes) -> usize {
+    of_whole_mesh(mesh, 1) + of_triangulation(patches)
+}
+
+fn of_triangulation(patches: &PatchSizes) -> usize {
+    // Triangulation is quadratic up to the length where ears are cut first; bridges are looked for between each two loops.
+    let table = patches.longest.min(300).pow(2) * 64;
+    let joining = patches.joined.saturating_pow(2).saturating_mul(64);
+    joining.saturating_add(table + patches.longest * EDGE * usize::from(patches.joined > 1))
+}
+
+/// For deleting triangles.
+pub(crate) fn of_erasing(mesh: &MeshIn) -> usize {
+    2 * of_whole_mesh(mesh, 1)
 }
 
 /// For remeshing a region.

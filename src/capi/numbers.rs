@@ -1,10 +1,4 @@
-//! The enumerations of the C interface, and their texts. Made of the library's tables by tests/capi/numbers.rs: do not edit.
-
-use core::ffi::c_char;
-
-use super::about::told;
-use super::statuses::{NONE, STATUSES};
-use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
+//! The enumerations of the C interface. Made of the library's tables by tests/capi/numbers.rs: do not edit.
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
 #[repr(i32)]
@@ -81,6 +75,12 @@ pub enum fairmesh_status {
     ValenceTooLarge = 33,
     /// A vertex is on no boundary loop of the region.
     NotOnLoop = 34,
+    /// A guide does not join two vertices of the boundary that one patch can have an edge between.
+    BadGuide = 35,
+    /// Two guides cross each other.
+    GuidesCross = 36,
+    /// A chain is no run of edges of one boundary loop.
+    BadChain = 37,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -221,6 +221,45 @@ pub enum fairmesh_loop_kind {
     OuterBoundary = 1,
     /// It meets a bad edge, which is told: never filled.
     NonManifold = 2,
+}
+
+/// Which loops get one patch together. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_join_kind {
+    /// Every loop gets a patch of its own.
+    None = 0,
+    /// The loops of each group get one patch.
+    Groups = 1,
+    /// Loops whose joint patch bends less than patches of their own would get one patch.
+    Auto = 2,
+}
+
+/// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_on_failure {
+    /// The best surface that there is: that of the linear problem, or the faired one that intersects where all do.
+    Linear = 0,
+    /// The triangulation, refined.
+    Flat = 1,
+    /// None: it is left open.
+    Open = 2,
+}
+
+/// A part of space. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_place_kind {
+    /// Anywhere.
+    Everywhere = 0,
+    /// Not further than a radius from a centre.
+    Ball = 1,
+    /// Between two corners, the faces included.
+    Box = 2,
 }
 
 /// Where the normals at the boundary of the region come from. Numbers are never reused.
@@ -380,116 +419,11 @@ impl fairmesh_status {
             32 => Self::CoordinateTooLarge,
             33 => Self::ValenceTooLarge,
             34 => Self::NotOnLoop,
+            35 => Self::BadGuide,
+            36 => Self::GuidesCross,
+            37 => Self::BadChain,
             99 => Self::Internal,
             _ => Self::Internal,
         }
     }
-}
-
-/// The name of a `fairmesh_status`, such as "null_pointer"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_status_name(status: i32) -> *const c_char {
-    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_name)
-}
-
-/// What a `fairmesh_status` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_status_text(status: i32) -> *const c_char {
-    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_status`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_status_remedy(status: i32) -> *const c_char {
-    told(&[STATUSES, Error::TABLE], status.cast_unsigned(), Entry::c_remedy)
-}
-
-/// The name of a `fairmesh_outcome`, such as "converged_poor_triangles"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_outcome_name(outcome: u32) -> *const c_char {
-    told(&[Outcome::TABLE], outcome, Entry::c_name)
-}
-
-/// What a `fairmesh_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_outcome_text(outcome: u32) -> *const c_char {
-    told(&[Outcome::TABLE], outcome, Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_outcome_remedy(outcome: u32) -> *const c_char {
-    told(&[Outcome::TABLE], outcome, Entry::c_remedy)
-}
-
-/// The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_loose_reason_name(loose_reason: u32) -> *const c_char {
-    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_name)
-}
-
-/// What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_loose_reason_text(loose_reason: u32) -> *const c_char {
-    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_loose_reason_remedy(loose_reason: u32) -> *const c_char {
-    told(&[&[NONE], LooseReason::TABLE], loose_reason, Entry::c_remedy)
-}
-
-/// The name of a `fairmesh_attempt_end`, such as "unsound"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_attempt_end_name(attempt_end: u32) -> *const c_char {
-    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_name)
-}
-
-/// What a `fairmesh_attempt_end` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_attempt_end_text(attempt_end: u32) -> *const c_char {
-    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_attempt_end`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_attempt_end_remedy(attempt_end: u32) -> *const c_char {
-    told(&[AttemptEnd::TABLE], attempt_end, Entry::c_remedy)
-}
-
-/// The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_outcome_name(fill_outcome: u32) -> *const c_char {
-    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_name)
-}
-
-/// What a `fairmesh_fill_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_outcome_text(fill_outcome: u32) -> *const c_char {
-    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_fill_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_outcome_remedy(fill_outcome: u32) -> *const c_char {
-    told(&[FillOutcome::TABLE], fill_outcome, Entry::c_remedy)
-}
-
-/// The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_reason_name(fill_reason: u32) -> *const c_char {
-    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_name)
-}
-
-/// What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_reason_text(fill_reason: u32) -> *const c_char {
-    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_text)
-}
-
-/// What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
-#[unsafe(no_mangle)]
-pub extern "C" fn fairmesh_fill_reason_remedy(fill_reason: u32) -> *const c_char {
-    told(&[&[NONE], OpenReason::TABLE, FlatReason::TABLE], fill_reason, Entry::c_remedy)
 }

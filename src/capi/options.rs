@@ -189,7 +189,7 @@ pub(crate) fn refused(
 }
 
 /// A choice by its number.
-fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallResult<T> {
+pub(crate) fn chosen<T>(value: Option<T>, number: u32, of: &str, place: FieldPath) -> CallResult<T> {
     value.ok_or_else(|| place.refuse(Status::BadEnum, format_args!("{number} is no {of}")))
 }
 

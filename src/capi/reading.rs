@@ -147,6 +147,37 @@ pub extern "C" fn fairmesh_result_fill_report(
     })
 }
 
+/// One of the groups of loops that would be joined.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_suggestion(
+    result: *const fairmesh_result,
+    index: u64,
+    suggestion: *mut fairmesh_join_suggestion,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(suggestion, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
+        out.write(&content.suggestion(index)?);
+        Ok(())
+    })
+}
+
+/// What became of a bridge; its strip's report is that of `fairmesh_result_fill_report` with index 0.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_bridge(
+    result: *const fairmesh_result,
+    report: *mut fairmesh_bridge_report,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(report, Argument(2), aliases)?;
+        aliases.error(error, Argument(3))?;
+        out.write(&content.bridge()?);
+        Ok(())
+    })
+}
+
 /// The positions of all vertices: `vertex_count` of the info.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_positions(

@@ -238,6 +238,29 @@ pub struct fairmesh_loop {
     pub edge_a: u32,
     /// Its other end.
     pub edge_b: u32,
+    /// The component of the mesh that the loop is on, as `fairmesh_components` numbers them.
+    pub component: u64,
+}
+
+/// Loops whose joint patch bends less than patches of their own would. Bends are sums over all edges of triangulations without new
+/// vertices, those of the loops included, of length times angle (radians); edges inside count half. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_join_suggestion {
+    /// `sizeof(fairmesh_join_suggestion)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Size of the list JOINED_LOOPS.
+    pub loop_count: u64,
+    /// The bend of one patch for all of the loops.
+    pub joint_bend: f64,
+    /// That of a patch for each.
+    pub separate_bend: f64,
+    /// The area of the joint patch.
+    pub joint_area: f64,
+    /// That of the separate ones.
+    pub separate_area: f64,
 }
 
 /// What became of a loop. Set `struct_size` before the call.
@@ -252,9 +275,9 @@ pub struct fairmesh_fill_report {
     pub reason: u32,
     /// The `fairmesh_status` that the fairing was refused with, or OK.
     pub refused_status: i32,
-    /// The loop, as `fairmesh_boundary_loops` numbers it.
+    /// The loop, as `fairmesh_boundary_loops` numbers it; of several that are joined the first.
     pub loop_index: u64,
-    /// Its edges.
+    /// Its edges; of loops that are joined those of all.
     pub edge_count: u64,
     /// The first new vertex, as an index of the filled mesh.
     pub first_vertex: u64,
@@ -276,6 +299,41 @@ pub struct fairmesh_fill_report {
     pub seconds: f64,
     /// Pairs of intersecting triangles, at least one of each of this patch: the list INTERSECTIONS has two entries for each.
     pub intersection_count: u64,
+    /// The loops that the patch is for: size of the list JOINED_LOOPS, 1 if the loop is not joined to others.
+    pub joined_count: u64,
+    /// What the reason names: of NON_MANIFOLD one end of the edge, of NOT_FINITE and SHARED_VERTEX the vertex, of OPPOSITE_SIDES one of
+    /// the two loops; otherwise FAIRMESH_NO_ELEMENT.
+    pub reason_element: u64,
+    /// Of NON_MANIFOLD the other end, of OPPOSITE_SIDES the other loop; otherwise FAIRMESH_NO_ELEMENT.
+    pub reason_other: u64,
+    /// Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, the bend of the joint patch, as in `fairmesh_join_suggestion`; otherwise
+    /// NaN, as the next three.
+    pub joint_bend: f64,
+    /// That of a patch for each loop.
+    pub separate_bend: f64,
+    /// The area of the joint patch.
+    pub joint_area: f64,
+    /// That of a patch for each loop.
+    pub separate_area: f64,
+}
+
+/// What became of a bridge. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_bridge_report {
+    /// `sizeof(fairmesh_bridge_report)`.
+    pub struct_size: u32,
+    /// Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+    pub is_clean: u32,
+    /// Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
+    /// beside it are left as they were made.
+    pub has_whole: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+    pub twist: f64,
+    /// Holes beside the strip that were filled, or tried.
+    pub rest_count: u64,
 }
 
 /// What a result is of.
@@ -292,6 +350,14 @@ pub enum fairmesh_result_kind {
     Remeshed = 3,
     /// Pairs of intersecting triangles.
     Intersections = 4,
+    /// Groups of loops that would be joined.
+    Joins = 5,
+    /// A mesh without some of its triangles.
+    Erased = 6,
+    /// The components of a mesh.
+    Components = 7,
+    /// A mesh with a bridge.
+    Bridged = 8,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -302,18 +368,23 @@ pub struct fairmesh_info {
     pub struct_size: u32,
     /// A `fairmesh_result_kind`.
     pub kind: u32,
-    /// Vertices of the mesh; 0 for loops.
+    /// Vertices of the mesh; 0 for loops, and for groups of them.
     pub vertex_count: u64,
-    /// Triangles of the mesh; 0 for loops, and where they are those given.
+    /// Triangles of the mesh; 0 for loops and groups of them, and where they are those given.
     pub triangle_count: u64,
     /// The last so many of the vertices are new.
     pub new_vertex_count: u64,
     /// The last so many of the triangles are new.
     pub new_triangle_count: u64,
-    /// Loops found, or filled.
+    /// Loops found, or filled (those that are joined count once), or left where triangles were erased; of
+    /// joins the groups, of a bridged mesh the strip and the holes beside it.
     pub loop_count: u64,
     /// Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
     pub boundary_vertex_count: u64,
+    /// Of an erased mesh the triangles that were dropped besides those named.
+    pub dropped_count: u64,
+    /// Of components how many there are.
+    pub component_count: u64,
 }
 
 /// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
@@ -342,14 +413,25 @@ pub enum fairmesh_list {
     LoopTouching = 33,
     /// Filled meshes: new vertices of the loop far outside its bounding box.
     OutsideVertices = 48,
-    /// Filled and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+    /// Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
     Parents = 49,
+    /// Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
+    JoinedLoops = 50,
     /// Remeshed meshes: the free vertices.
     FreeVertices = 64,
     /// Remeshed meshes: per vertex that is left its number before.
     KeptVertices = 65,
-    /// Remeshed meshes: per triangle that is left its number before.
+    /// Remeshed and erased meshes: per triangle that is left its number before.
     KeptTriangles = 66,
+    /// Erased meshes: the loops that the deleted triangles leave, as `fairmesh_boundary_loops` numbers those of the mesh that is left.
+    ErasedLoops = 80,
+    /// Components: per triangle the number of its component.
+    TriangleComponents = 96,
+    /// Bridged meshes: the vertices of the chain that the strip begins (0) or ends (1) at, in the direction in which its triangles run
+    /// through them.
+    BridgeChain = 112,
+    /// Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
+    BridgeSide = 113,
 }
 
 /// Vectors in a result.
@@ -358,7 +440,7 @@ pub enum fairmesh_list {
 pub enum fairmesh_vectors {
     /// Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
     BoundaryNormals = 0,
-    /// Filled and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+    /// Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
     ParentWeights = 1,
 }
 

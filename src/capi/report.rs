@@ -1,9 +1,10 @@
 //! Reports as structs of the header.
 
-use super::status::{Failure, Text, fairmesh_status};
+use super::status::{FAIRMESH_NO_ELEMENT, Failure, Text, fairmesh_status};
 use super::types::*;
 use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
-use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport};
+use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
+use fairmesh::{Bridged, JoinReason, JoinSuggestion};
 use fairmesh::{Outcome, Report};
 
 /// The report of a fairing.
@@ -191,11 +192,52 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
         turn: of.turn,
         edge_a,
         edge_b,
+        component: of.component as u64,
+    }
+}
+
+pub(crate) fn suggestion(of: &JoinSuggestion) -> fairmesh_join_suggestion {
+    fairmesh_join_suggestion {
+        struct_size: size_of::<fairmesh_join_suggestion>() as u32,
+        reserved: 0,
+        loop_count: of.loops.len() as u64,
+        joint_bend: of.reason.joint_bend,
+        separate_bend: of.reason.separate_bend,
+        joint_area: of.reason.joint_area,
+        separate_area: of.reason.separate_area,
+    }
+}
+
+pub(crate) fn bridge(of: &Bridged) -> fairmesh_bridge_report {
+    fairmesh_bridge_report {
+        struct_size: size_of::<fairmesh_bridge_report>() as u32,
+        is_clean: u32::from(of.is_clean()),
+        has_whole: u32::from(of.whole.is_some()),
+        reserved: 0,
+        twist: of.twist,
+        rest_count: of.rest.len() as u64,
+    }
+}
+
+/// What of the mesh the reason for leaving a loop open is about.
+fn named(reason: &OpenReason) -> [u64; 2] {
+    match reason {
+        OpenReason::NonManifold { a, b } => [u64::from(*a), u64::from(*b)],
+        OpenReason::NotFinite { vertex } | OpenReason::SharedVertex { vertex } => {
+            [u64::from(*vertex), FAIRMESH_NO_ELEMENT]
+        }
+        OpenReason::OppositeSides { a, b } => [*a as u64, *b as u64],
+        _ => [FAIRMESH_NO_ELEMENT; 2],
     }
 }
 
 pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
     let mut refused = fairmesh_status::Ok;
+    let [reason_element, reason_other] = match &of.outcome {
+        FillOutcome::LeftOpen(reason) => named(reason),
+        _ => [FAIRMESH_NO_ELEMENT; 2],
+    };
+    let bend = |value: fn(&JoinReason) -> f64| of.joined.as_ref().map_or(f64::NAN, value);
     let reason = match &of.outcome {
         FillOutcome::Flat { reason } => {
             if let FlatReason::Refused(error) = reason {
@@ -223,5 +265,12 @@ pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         has_report: u32::from(of.fairing.is_some()),
         seconds: of.seconds,
         intersection_count: of.self_intersections.len() as u64,
+        joined_count: of.loops.len() as u64,
+        reason_element,
+        reason_other,
+        joint_bend: bend(|reason| reason.joint_bend),
+        separate_bend: bend(|reason| reason.separate_bend),
+        joint_area: bend(|reason| reason.joint_area),
+        separate_area: bend(|reason| reason.separate_area),
     }
 }

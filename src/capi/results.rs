@@ -3,8 +3,8 @@
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use fairmesh::{BoundaryLoop, Filled, Parents, Remeshed};
-use fairmesh::{Report, Solution};
+use fairmesh::{BoundaryLoop, Bridged, Erased, Filled, JoinSuggestion, Parents, Remeshed};
+use fairmesh::{LoopReport, Report, Solution};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
@@ -22,6 +22,21 @@ pub(crate) enum Content {
     Remeshed(Remeshed),
     /// Pairs of intersecting triangles.
     Intersections(Vec<[u32; 2]>),
+    Bridged {
+        bridged: Bridged,
+        vertices: usize,
+        triangles: usize,
+    },
+    Joins(Vec<JoinSuggestion>),
+    Erased {
+        erased: Erased,
+        vertices: usize,
+    },
+    /// Per triangle the number of its component.
+    Components {
+        of: Vec<u32>,
+        vertices: usize,
+    },
 }
 
 fn not_available(what: &str) -> Failure {
@@ -67,6 +82,8 @@ impl Content {
             new_triangle_count: 0,
             loop_count: 0,
             boundary_vertex_count: 0,
+            dropped_count: 0,
+            component_count: 0,
         };
         match self {
             Self::Faired(solution) => {
@@ -89,7 +106,36 @@ impl Content {
                 info.new_triangle_count = (filled.triangles.len() - triangles) as u64;
                 info.loop_count = filled.loops.len() as u64;
             }
+            Self::Bridged {
+                bridged,
+                vertices,
+                triangles,
+            } => {
+                info.kind = fairmesh_result_kind::Bridged as u32;
+                info.vertex_count = bridged.positions.len() as u64;
+                info.triangle_count = bridged.triangles.len() as u64;
+                info.new_vertex_count = (bridged.positions.len() - vertices) as u64;
+                info.new_triangle_count = (bridged.triangles.len() - triangles) as u64;
+                info.loop_count = 1 + bridged.rest.len() as u64;
+            }
             Self::Intersections(_) => info.kind = fairmesh_result_kind::Intersections as u32,
+            Self::Joins(joins) => {
+                info.kind = fairmesh_result_kind::Joins as u32;
+                info.loop_count = joins.len() as u64;
+            }
+            Self::Erased { erased, vertices } => {
+                info.kind = fairmesh_result_kind::Erased as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = erased.kept.len() as u64;
+                info.loop_count = erased.loops.len() as u64;
+                info.dropped_count = erased.dropped as u64;
+            }
+            Self::Components { of, vertices } => {
+                info.kind = fairmesh_result_kind::Components as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = of.len() as u64;
+                info.component_count = of.iter().max().map_or(0, |last| u64::from(*last) + 1);
+            }
             Self::Remeshed(mesh) => {
                 info.kind = fairmesh_result_kind::Remeshed as u32;
                 info.vertex_count = mesh.positions.len() as u64;
@@ -104,12 +150,15 @@ impl Content {
     pub(crate) fn report(&self, index: u64) -> CallResult<&Report> {
         match self {
             Self::Faired(solution) => entry(std::slice::from_ref(&solution.report), index, "report"),
-            Self::Filled { filled, .. } => {
-                let of = entry(&filled.loops, index, "loop")?;
-                of.fairing
-                    .as_ref()
-                    .ok_or_else(|| not_available("report of this loop: it was not faired"))
-            }
+            Self::Bridged { bridged, .. } if index == 1 + bridged.rest.len() as u64 => bridged
+                .whole
+                .as_ref()
+                .ok_or_else(|| not_available("report of all that is new together: it was not faired so")),
+            Self::Filled { .. } | Self::Bridged { .. } => self
+                .patch(index)?
+                .fairing
+                .as_ref()
+                .ok_or_else(|| not_available("report of this loop: it was not faired")),
             _ => Err(not_available("report")),
         }
     }
@@ -144,9 +193,30 @@ impl Content {
     }
 
     pub(crate) fn filled_loop(&self, index: u64) -> CallResult<fairmesh_fill_report> {
+        self.patch(index).map(report::filled_loop)
+    }
+
+    /// What became of a loop; of a bridge first the strip, then the holes beside it.
+    fn patch(&self, index: u64) -> CallResult<&LoopReport> {
         match self {
-            Self::Filled { filled, .. } => entry(&filled.loops, index, "loop").map(report::filled_loop),
+            Self::Filled { filled, .. } => entry(&filled.loops, index, "loop"),
+            Self::Bridged { bridged, .. } if index == 0 => Ok(&bridged.strip),
+            Self::Bridged { bridged, .. } => entry(&bridged.rest, index - 1, "hole beside the strip"),
             _ => Err(not_available("filled loops")),
+        }
+    }
+
+    pub(crate) fn bridge(&self) -> CallResult<fairmesh_bridge_report> {
+        match self {
+            Self::Bridged { bridged, .. } => Ok(report::bridge(bridged)),
+            _ => Err(not_available("bridge")),
+        }
+    }
+
+    pub(crate) fn suggestion(&self, index: u64) -> CallResult<fairmesh_join_suggestion> {
+        match self {
+            Self::Joins(joins) => entry(joins, index, "group").map(report::suggestion),
+            _ => Err(not_available("groups of loops")),
         }
     }
 
@@ -154,14 +224,16 @@ impl Content {
         match self {
             Self::Faired(solution) => Ok(&solution.positions),
             Self::Filled { filled, .. } => Ok(&filled.positions),
+            Self::Bridged { bridged, .. } => Ok(&bridged.positions),
             Self::Remeshed(mesh) => Ok(&mesh.positions),
-            Self::Loops(_) | Self::Intersections(_) => Err(not_available("positions")),
+            _ => Err(not_available("positions")),
         }
     }
 
     pub(crate) fn triangles(&self) -> CallResult<&[[u32; 3]]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.triangles),
+            Self::Bridged { bridged, .. } => Ok(&bridged.triangles),
             Self::Remeshed(mesh) => Ok(&mesh.triangles),
             _ => Err(not_available("triangles: they are those given")),
         }
@@ -183,6 +255,7 @@ impl Content {
     fn parents(&self) -> CallResult<&[Parents]> {
         match self {
             Self::Filled { filled, .. } => Ok(&filled.parents),
+            Self::Bridged { bridged, .. } => Ok(&bridged.parents),
             Self::Remeshed(mesh) => Ok(&mesh.parents),
             _ => Err(not_available("parents")),
         }
@@ -211,6 +284,9 @@ impl Content {
         fn of(list: &[u32]) -> Numbered<'_, u32> {
             (list.len(), Box::new(|k| list[k]))
         }
+        fn of_numbers(list: &[usize]) -> Numbered<'_, u32> {
+            (list.len(), Box::new(|k| list[k] as u32))
+        }
         fn of_pairs(list: &[[u32; 2]]) -> Numbered<'_, u32> {
             (2 * list.len(), Box::new(|k| list[k / 2][k % 2]))
         }
@@ -220,8 +296,8 @@ impl Content {
             (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
             (4, _) => self.report(index).map(|r| of(report::unreached(r))),
-            (5, Self::Filled { filled, .. }) => {
-                entry(&filled.loops, index, "loop").map(|l| of_pairs(&l.self_intersections))
+            (5, Self::Filled { .. } | Self::Bridged { .. }) => {
+                self.patch(index).map(|l| of_pairs(&l.self_intersections))
             }
             (5, Self::Intersections(pairs)) => Ok(of_pairs(pairs)),
             (5, _) => self.report(index).map(|r| of_pairs(report::intersections(r))),
@@ -232,15 +308,24 @@ impl Content {
             }
             (32, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.vertices)),
             (33, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.touching)),
-            (48, Self::Filled { filled, .. }) => entry(&filled.loops, index, "loop").map(|l| of(&l.outside)),
+            (48, Self::Filled { .. } | Self::Bridged { .. }) => self.patch(index).map(|l| of(&l.outside)),
             (49, _) => {
                 let parents = self.parents()?;
                 Ok((3 * parents.len(), Box::new(|k| parents[k / 3].vertices[k % 3])))
             }
+            (50, Self::Filled { .. } | Self::Bridged { .. }) => {
+                self.patch(index).map(|l| of_numbers(&l.loops))
+            }
+            (50, Self::Joins(joins)) => entry(joins, index, "group").map(|join| of_numbers(&join.loops)),
             (64, Self::Remeshed(mesh)) => Ok(of(&mesh.free)),
             (65, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_vertices)),
             (66, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_triangles)),
-            (16 | 32 | 33 | 48 | 64..=66, _) => Err(not_available("such list")),
+            (66, Self::Erased { erased, .. }) => Ok(of(&erased.kept)),
+            (80, Self::Erased { erased, .. }) => Ok(of_numbers(&erased.loops)),
+            (112, Self::Bridged { bridged, .. }) => entry(&bridged.chains, index, "chain").map(|c| of(c)),
+            (113, Self::Bridged { bridged, .. }) => entry(&bridged.sides, index, "side").map(|s| of(s)),
+            (96, Self::Components { of: list, .. }) => Ok(of(list)),
+            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113, _) => Err(not_available("such list")),
             _ => Err(unknown(which, "fairmesh_list")),
         }
     }

@@ -157,9 +157,10 @@ impl From<Error> for Failure {
             }
             Error::RepeatedIndex { triangle, vertex } => failure.at(Triangle, triangle).and(vertex),
             Error::DuplicateTriangle { triangle, other } => failure.at(Triangle, triangle).and(other),
-            Error::NonManifoldEdge { a, b, .. } | Error::InconsistentOrientation { a, b, .. } => {
-                failure.at(Edge, a).and(b)
-            }
+            Error::NonManifoldEdge { a, b, .. }
+            | Error::InconsistentOrientation { a, b, .. }
+            | Error::BadGuide { a, b, .. }
+            | Error::GuidesCross { first: [a, b], .. } => failure.at(Edge, a).and(b),
             Error::NotFinite { vertex }
             | Error::CoordinateTooLarge { vertex, .. }
             | Error::NonManifoldVertex { vertex }
@@ -170,6 +171,7 @@ impl From<Error> for Failure {
             | Error::BadNormal { vertex }
             | Error::NoNormal { vertex }
             | Error::NotOnLoop { vertex }
+            | Error::BadChain { vertex, .. }
             | Error::ValenceTooLarge { vertex, .. } => failure.at(Vertex, vertex),
             _ => failure,
         }

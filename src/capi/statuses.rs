@@ -1,4 +1,5 @@
-//! What only the C interface has of the tables: the statuses beside those of [`fairmesh::Error`], and the reason that is none.
+//! What only the C interface has of the tables: the statuses beside those of [`fairmesh::Error`], the reason that is none, and the
+//! place that is no part of space but all of it.
 
 use fairmesh::{Entry, table_entry};
 
@@ -82,3 +83,7 @@ pub(crate) const STATUSES: &[Entry] = &[
 
 /// In place of a reason: there is none.
 pub(crate) const NONE: Entry = table_entry!(0, "none", "there is nothing to say", "");
+
+/// In place of a part of space: all of it.
+#[allow(dead_code, reason = "of the C interface only the numbers are made of it")]
+pub(crate) const EVERYWHERE: Entry = table_entry!(0, "everywhere", "anywhere", "");

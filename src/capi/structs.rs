@@ -193,9 +193,12 @@ pub(crate) fn check_slot<T>(slot: *mut *mut T, argument: Argument, aliases: &mut
     aliases.output(slot.cast(), size_of::<*mut T>(), argument)
 }
 
+/// No call reads more arrays and structs than this.
+const INPUTS: usize = 20;
+
 /// The memory that a call reads and writes: outputs overlap nothing.
 pub(crate) struct AliasCheck {
-    inputs: [(usize, usize); 12],
+    inputs: [(usize, usize); INPUTS],
     input_count: usize,
     outputs: [(usize, usize); 6],
     output_count: usize,
@@ -204,7 +207,7 @@ pub(crate) struct AliasCheck {
 impl AliasCheck {
     pub(crate) fn new() -> Self {
         Self {
-            inputs: [(0, 0); 12],
+            inputs: [(0, 0); INPUTS],
             input_count: 0,
             outputs: [(0, 0); 6],
             output_count: 0,

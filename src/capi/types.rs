@@ -2,8 +2,10 @@
 
 use libc::c_void;
 
+pub use super::bridge::fairmesh_bridge_options;
 pub use super::callback::{fairmesh_progress, fairmesh_progress_fn};
 pub use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
+pub use super::loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use super::numbers::*;
 pub use super::options::fairmesh_options;
 pub use super::records::*;
@@ -83,13 +85,13 @@ pub struct fairmesh_scalars_out {
     pub reserved: u32,
 }
 
-/// Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant.
+/// Indices to be read: one at every `stride` bytes, or three side by side where triangles are meant, two where pairs are.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fairmesh_indices {
     /// The first index. May be NULL only if `count` is 0.
     pub data: *const u32,
-    /// How many indices, or triangles.
+    /// How many indices, or triangles, or pairs.
     pub count: usize,
     /// Bytes from one index, or triangle, to the next, a multiple of 4; 0: nothing between.
     pub stride: usize,

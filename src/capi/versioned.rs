@@ -33,8 +33,11 @@ versioned! {
     fairmesh_continuity 80,
     fairmesh_fill_options 32 + 3 * WORD,
     fairmesh_remesh_options 24,
+    fairmesh_bridge_options 16,
+    fairmesh_bridge_report 32,
     fairmesh_loop 56,
     fairmesh_fill_report 104,
+    fairmesh_join_suggestion 48,
     fairmesh_info 56,
 }
 

@@ -55,6 +55,11 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     erase: Option<PathBuf>,
+    /// The triangulation gets an edge between these two vertices of the boundary, of one
+    /// loop or of two that are joined, before it is refined: as across a long tear. May
+    /// be repeated, no vertex in two of them; the patch has no crease there
+    #[arg(long = "guide", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
+    guides: Vec<[u32; 2]>,
     /// How dense the new vertices are: at 1.414 edges are as long as those
     /// beside the hole, at twice that half as long
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -184,6 +189,7 @@ fn solve(
     let options = FillOptions {
         loops,
         join,
+        guides: args.guides.clone(),
         on_failure: args.which.on_failure(),
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
@@ -228,7 +234,8 @@ fn is_clean(report: &LoopReport) -> bool {
     }
 }
 
-fn told(report: &LoopReport) -> String {
+/// How a patch ended, in words.
+pub fn told(report: &LoopReport) -> String {
     let fairing = report.fairing.as_ref();
     let ended = fairing.map_or(String::new(), |f| {
         let which = member_weight(&f.outcome).map_or(String::new(), explain::member);
@@ -301,6 +308,21 @@ fn why(reason: OpenReason) -> String {
     }
 }
 
+/// The same with the size of the patch, as a line.
+pub fn with_size(report: &LoopReport) -> String {
+    let mut text = told(report);
+    if !matches!(report.outcome, FillOutcome::LeftOpen(_)) {
+        let (vertices, triangles) = (report.vertices.len(), report.triangles.len());
+        let angle = report.worst_angle;
+        let _ = write!(
+            text,
+            "; {vertices} vertices, {triangles} faces, smallest angle {angle:.1}"
+        );
+    }
+    text.push('\n');
+    text
+}
+
 fn named(report: &LoopReport) -> String {
     match &report.loops[..] {
         [_] => format!("loop {}", report.index),
@@ -326,17 +348,8 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
             "{}, {} edges: {}",
             named(report),
             report.edges,
-            told(report)
+            with_size(report)
         );
-        if !matches!(report.outcome, FillOutcome::LeftOpen(_)) {
-            let (vertices, triangles) = (report.vertices.len(), report.triangles.len());
-            let angle = report.worst_angle;
-            let _ = write!(
-                text,
-                "; {vertices} vertices, {triangles} faces, smallest angle {angle:.1}"
-            );
-        }
-        text.push('\n');
         if let Some(reason) = &report.joined {
             let _ = writeln!(text, "  {}", join::told(reason));
         }
@@ -352,7 +365,7 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
 }
 
 /// A loop's report for programs; `face` is a triangle's polygon, new ones have the numbers of the output, from `first` on.
-fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
+pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) -> Value {
     let faces = if report.triangles.is_empty() {
         json!([first, first])
     } else {

@@ -81,3 +81,12 @@ Loops that enclose the mesh instead of a gap (the outer boundary of an open shee
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
 hole is left open or its surface is not fair: the report says which and why; 4 memory or threads ran out, nothing written;
 5 written, but not the report about it.";
+
+/// After the flags of `bridge`.
+pub const BRIDGE: &str = "\
+The new vertices and faces come behind the file's own, as 'fairmesh fill' has them. Vertices are counted from 0, for OBJ too;
+'fairmesh holes --json' lists those of every boundary.
+
+Exit codes: 0 the bridge is fair, and with --fill the holes beside it are, too; 2 wrong usage or input, or a bridge that cannot
+be made, nothing written; 3 written, but not fair: the report says why; 4 memory or threads ran out, nothing written;
+5 written, but not the report about it.";

@@ -24,6 +24,15 @@ pub fn parse(text: &str) -> Result<JoinArg, String> {
     }
 }
 
+/// Reads a value of `--guide`.
+pub fn parse_pair(text: &str) -> Result<[u32; 2], String> {
+    let numbers: Result<Vec<u32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[a, b]) => Ok([a, b]),
+        _ => Err("expected two numbers of vertices, counted from 0, as in 12,57".to_owned()),
+    }
+}
+
 /// What the flags say together.
 pub fn asked(values: &[JoinArg]) -> Result<Join, Failure> {
     let groups: Vec<Vec<usize>> = values

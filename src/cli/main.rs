@@ -5,6 +5,7 @@
 mod answer;
 mod attempts;
 mod bar;
+mod bridge;
 mod component_report;
 mod components;
 mod continuity;
@@ -63,6 +64,9 @@ enum Command {
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
     #[command(after_help = help::FILL)]
     Fill(fill::FillArgs),
+    /// Connects two runs of boundary edges of a mesh file by a fair strip
+    #[command(after_help = help::BRIDGE)]
+    Bridge(Box<bridge::BridgeArgs>),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
     Demo(demo::DemoArgs),
 }
@@ -97,6 +101,7 @@ fn run() -> Result<ExitCode, Failure> {
         Command::Render(args) => render::run(&args),
         Command::Holes(args) => holes::run(&args),
         Command::Fill(args) => fill::run(&args),
+        Command::Bridge(args) => bridge::run(&args),
         Command::Demo(args) => demo::run(&args),
     }?;
     Ok(if is_good {

@@ -4,8 +4,10 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+use super::attempts::Check;
 use super::crossing::{Neighbours, Owned};
 use super::groups::{Group, JoinSuggestion, asked_for, choose};
+use super::guides::Guides;
 use super::joint;
 use super::loops::{BoundaryLoop, Links, LoopKind};
 use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
@@ -160,6 +162,14 @@ fn run<'a>(
         .flat_map(|of| of.vertices.iter().copied());
     check_loops(&fairing.loop_continuity, on_loops)
         .map_err(|error| in_given(error, &joined.copies, &options.fairing))?;
+    let guides = Guides {
+        copies: &joined.copies,
+        links: &links,
+        positions,
+        loops: &loops,
+        groups: &groups,
+    };
+    let guides = guides.resolved(&options.guides)?;
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
     order.sort_by_key(|&i| edges(i));
@@ -180,6 +190,7 @@ fn run<'a>(
         fairing: &fairing,
         progress,
         asked: asked_for(options, positions, &loops),
+        guides,
         done: 0.0,
         total: total as f64,
         cancelled: false,
@@ -236,7 +247,7 @@ fn tell_both(pieces: &mut [(Piece, f64)]) {
 }
 
 /// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.
-fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
+pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
     let first: Vec<u32> = pieces
         .iter()
         .scan(count, |next, (piece, _)| {
@@ -280,6 +291,8 @@ struct Run<'m, 'o> {
     progress: Option<&'o mut ProgressCallback<'o>>,
     /// Per loop whether it has the size and the place that are asked for.
     asked: Vec<bool>,
+    /// Per group its guides, by the places of their ends.
+    guides: Vec<Vec<[u32; 2]>>,
     /// Edges of loops done, and of all.
     done: f64,
     total: f64,
@@ -321,6 +334,7 @@ impl Run<'_, '_> {
             return Piece::open(reason);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
+        surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
             return Piece::open(OpenReason::NotFinite { vertex });
         }
@@ -362,37 +376,15 @@ impl Run<'_, '_> {
             options: local_options(&surroundings, self.fairing),
             precision: self.options.fairing.output_precision,
         };
-        let judge = |piece: Piece| match &self.neighbours {
-            Some(neighbours) => self.workers.install(|| neighbours.judged(i, piece)),
-            None => piece,
+        let check = Check {
+            of: i,
+            neighbours: self.neighbours.as_mut(),
+            workers: self.workers,
         };
-        let mut piece = judge(task.run(&mut tell));
-        let mut avoiding = None;
-        if !piece.is_open() && !piece.is_sound() {
-            let vertices = &surroundings.ids[..edges];
-            let obstacles = self.neighbours.as_ref().map(|near| near.obstacles(i, vertices));
-            avoiding = task.avoiding(obstacles.as_ref());
-            let gentler = avoiding
-                .as_ref()
-                .and_then(|coarse| task.gentler(coarse, &judge, &mut tell));
-            piece = gentler.unwrap_or(piece);
-        }
-        let on_failure = self.options.on_failure;
-        if !piece.is_fair() && !cancelled {
-            match on_failure {
-                OnFailure::Open => return Piece::open(OpenReason::NotFair),
-                OnFailure::Flat => piece = judge(task.flattened(piece)),
-                OnFailure::Linear => {}
-            }
-        }
+        let piece = task.settled(check, self.options.on_failure, &mut tell);
         self.cancelled = cancelled;
         if cancelled {
             return Piece::open(OpenReason::Cancelled);
-        }
-        if let Some(neighbours) = &mut self.neighbours {
-            piece = self
-                .workers
-                .install(|| neighbours.settle(i, &task, piece, avoiding.as_ref(), on_failure));
         }
         self.left -= piece.positions.len();
         for t in &piece.triangles {
@@ -446,7 +438,7 @@ fn edge(a: u32, b: u32) -> (u32, u32) {
 
 impl Filled {
     /// Appends a piece and its report.
-    fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
+    pub(super) fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
         let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {

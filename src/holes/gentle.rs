@@ -4,7 +4,6 @@
 
 use nalgebra::Vector3;
 
-use super::obstacles::Obstacles;
 use super::patch::Patch;
 use super::piece::{Piece, Task};
 use crate::discrete::boundary_normals::angle;
@@ -29,16 +28,6 @@ struct Gentle<'c> {
 }
 
 impl Task<'_> {
-    /// The triangulation of least bends that intersects none of the obstacles.
-    pub(super) fn avoiding(&self, obstacles: Option<&Obstacles>) -> Option<Patch> {
-        let barred = |t: [u32; 3]| obstacles.is_some_and(|obstacles| obstacles.bar(t));
-        let first = self.triangulate(false, None)?;
-        match first.triangles.iter().any(|&t| barred(t)) {
-            true => self.triangulate(false, Some(&barred)),
-            false => Some(first),
-        }
-    }
-
     /// The first patch from this triangulation that is sound.
     pub(super) fn gentler(
         &self,

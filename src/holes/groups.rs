@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::bridges::bridges;
+use super::connections::connections;
 use super::joint::{Bends, bends, triangulate};
 use super::loop_set::LoopSet;
 use super::loops::{BoundaryLoop, Links, LoopKind};
@@ -211,8 +211,8 @@ pub(super) fn suggestions(
         })
         .collect();
     let mut place: Vec<usize> = (0..clusters.len()).collect();
-    for bridge in bridges(&set) {
-        let [a, b] = [bridge.from, bridge.to].map(|v| place[set.loop_of(v as usize)]);
+    for connection in connections(&set) {
+        let [a, b] = [connection.from, connection.to].map(|v| place[set.loop_of(v as usize)]);
         let (Some(first), Some(second)) = (clusters[a].take(), clusters[b].take()) else {
             continue;
         };

@@ -1,8 +1,8 @@
-//! One triangulation for several loops: their polygon's, closed along the bridges.
+//! One triangulation for several loops: their polygon's, closed along the connections.
 
 use nalgebra::Vector3;
 
-use super::bridges::{Bridge, Cut, bridges};
+use super::connections::{Connection, Cut, connections};
 use super::loop_set::LoopSet;
 use super::patch::Patch;
 use super::thinned::Thinned;
@@ -25,10 +25,12 @@ const FITS: f64 = 6.0;
 /// an edge that the mesh has already. Of one loop it is that of its polygon.
 pub(super) fn triangulate(set: &LoopSet, measure: Measure, barred: Barred<'_>) -> Option<Vec<[u32; 3]>> {
     if set.count() == 1 {
+        let guides: Vec<(u32, u32)> = set.guides.iter().map(|&[a, b]| (a.min(b), a.max(b))).collect();
         let polygon = Polygon {
             x: &set.x,
             normals: &set.normals,
             taken: &set.taken,
+            guides: &guides,
             measure,
             barred,
         };
@@ -50,17 +52,18 @@ pub(super) fn triangulate(set: &LoopSet, measure: Measure, barred: Barred<'_>) -
 
 /// The same for several loops as they are.
 fn closed(set: &LoopSet, measure: Measure, barred: Barred<'_>) -> Option<Vec<[u32; 3]>> {
-    let bridges = bridges(set);
-    if bridges.len() + 1 < set.count() {
+    let connections = connections(set);
+    if connections.len() + 1 < set.count() {
         return None;
     }
-    let cut = Cut::new(set, &bridges);
+    let cut = Cut::new(set, &connections);
     let x: Vec<Vector3<f64>> = cut.of.iter().map(|&v| set.x[v as usize]).collect();
     let in_cut = |t: [u32; 3]| barred.is_some_and(|barred| barred(t.map(|v| cut.of[v as usize])));
     let polygon = Polygon {
         x: &x,
         normals: &cut.normals,
         taken: &cut.taken,
+        guides: &cut.guides,
         measure,
         barred: barred.is_some().then_some(&in_cut),
     };
@@ -120,6 +123,7 @@ pub(super) fn bends(set: &LoopSet, triangles: Vec<[u32; 3]>) -> Bends {
 
 /// Two loops side by side of which one fits only if the mesh there faced the other way.
 pub(super) fn opposed(set: &LoopSet) -> Option<[usize; 2]> {
+    let set = &set.without_guides();
     let energy = |set: &LoopSet| {
         let means = [Measure::TotalBend, Measure::Energy].into_iter();
         let energies = means.filter_map(|by| Some(bends(set, triangulate(set, by, None)?).energy));
@@ -132,15 +136,15 @@ pub(super) fn opposed(set: &LoopSet) -> Option<[usize; 2]> {
     let is_turned = |of: &usize| energy(&set.clone().with_reversed(*of)) < OPPOSED * given;
     // Of two either may be turned: the second one is named as well as the first.
     let turned = (0..set.count()).rev().find(is_turned)?;
-    let beside = |bridge: &Bridge| {
-        let ends = [bridge.from, bridge.to].map(|v| set.loop_of(v as usize));
+    let beside = |connection: &Connection| {
+        let ends = [connection.from, connection.to].map(|v| set.loop_of(v as usize));
         ends.contains(&turned).then_some(ends)
     };
-    let [a, b] = bridges(set).iter().find_map(beside)?;
+    let [a, b] = connections(set).iter().find_map(beside)?;
     Some([a.min(b), a.max(b)])
 }
 
-/// A triangulation that is closed along the bridges.
+/// A triangulation that is closed along the connections.
 struct Closed<'a> {
     patch: Patch,
     set: &'a LoopSet,
@@ -213,6 +217,9 @@ impl<'a> Closed<'a> {
         if o == NONE {
             return false;
         }
+        if self.set.is_guide(self.patch.origin(h), self.patch.target(h)) {
+            return false;
+        }
         let (c, d) = (self.patch.apex(h), self.patch.apex(o));
         let taken = (c.min(d), c.max(d));
         c != d
@@ -220,7 +227,7 @@ impl<'a> Closed<'a> {
             && !self.patch.are_neighbours(c, d, &mut self.outgoing)
     }
 
-    /// Flips edges while that lowers the sum: nothing had looked over the bridges.
+    /// Flips edges while that lowers the sum: nothing had looked over the connections.
     fn flatten(&mut self) {
         for _ in 0..PASSES {
             let mut is_done = true;

@@ -21,6 +21,8 @@ pub(super) struct LoopSet {
     pub(super) starts: Vec<usize>,
     /// Pairs (smaller, larger) of vertices that have an edge already, sorted.
     pub(super) taken: Vec<(u32, u32)>,
+    /// Pairs of vertices that shall have an edge; no vertex is in two of them.
+    pub(super) guides: Vec<[u32; 2]>,
 }
 
 impl LoopSet {
@@ -40,6 +42,20 @@ impl LoopSet {
                 .collect(),
             starts,
             taken: taken(links, loops),
+            guides: Vec::new(),
+        }
+    }
+
+    /// Whether two vertices are those of a guide.
+    pub(super) fn is_guide(&self, a: u32, b: u32) -> bool {
+        self.guides.iter().any(|g| *g == [a, b] || *g == [b, a])
+    }
+
+    /// The same loops without guides.
+    pub(super) fn without_guides(&self) -> Self {
+        Self {
+            guides: Vec::new(),
+            ..self.clone()
         }
     }
 
@@ -75,7 +91,7 @@ impl LoopSet {
     }
 
     /// The vertex before this one on its loop.
-    fn before(&self, v: usize) -> usize {
+    pub(super) fn before(&self, v: usize) -> usize {
         let range = self.range(self.loop_of(v));
         if v == range.start { range.end - 1 } else { v - 1 }
     }

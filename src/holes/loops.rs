@@ -249,9 +249,12 @@ impl<'a> Links<'a> {
         }
     }
 
-    /// The half-edges that start at a vertex.
+    /// The half-edges that start at a vertex; of one that is not the mesh's none.
     pub(super) fn at(&self, v: u32) -> &[u32] {
-        self.outgoing.row(v as usize)
+        match (v as usize) < self.outgoing.len() {
+            true => self.outgoing.row(v as usize),
+            false => &[],
+        }
     }
 
     #[inline]

@@ -1,12 +1,19 @@
 //! Holes: boundary loops, their triangulation, refinement and fairing in one call, each by itself or several together.
 
-mod bridges;
+mod attempts;
+mod bridge;
+mod bridge_chains;
+mod bridge_sides;
+mod bridge_strip;
+mod carry_over;
+mod connections;
 mod creases;
 mod crossing;
 mod erase;
 mod fill;
 mod gentle;
 mod groups;
+mod guides;
 mod joint;
 mod lenses;
 mod loop_set;
@@ -28,6 +35,8 @@ mod thinned;
 mod triangulate;
 mod units;
 
+pub use bridge::{BridgeOptions, Bridged, bridge, bridge_with_progress};
+pub use carry_over::{Carried, carry_over};
 pub use erase::{Erased, erase};
 pub use fill::{Filled, fill_holes, fill_holes_with_progress, suggest_joins};
 pub use groups::{JoinReason, JoinSuggestion};

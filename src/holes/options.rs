@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::fairing::Options;
+use crate::table::table;
 
 /// Which loops are filled.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,11 +64,28 @@ impl LoopFilter {
             let value = bound.unwrap_or(0.0);
             Error::check_option(name, value, value >= 0.0, "not negative")?;
         }
+        if let Some(place) = &self.within {
+            let number = place.numbers().find(|number| number.is_nan());
+            Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")?;
+        }
         Ok(())
     }
 }
 
+table!(Place {
+    1 "ball" Place::Ball { .. } => "not further than a radius from a centre", "";
+    2 "box" Place::Box { .. } => "between two corners, the faces included", "";
+});
+
 impl Place {
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let (points, radius) = match self {
+            Self::Ball { centre, radius } => ([*centre, *centre], *radius),
+            Self::Box { low, high } => ([*low, *high], 0.0),
+        };
+        points.into_iter().flatten().chain([radius])
+    }
+
     pub(super) fn holds(&self, p: &[f64; 3]) -> bool {
         match self {
             Self::Ball { centre, radius } => {
@@ -93,6 +111,13 @@ pub enum OnFailure {
     Open,
 }
 
+table!(OnFailure {
+    0 "linear" OnFailure::Linear =>
+        "the best surface that there is: that of the linear problem, or the faired one that intersects where all do", "";
+    1 "flat" OnFailure::Flat => "the triangulation, refined", "";
+    2 "open" OnFailure::Open => "none: it is left open", "";
+});
+
 /// Which loops get one patch together: an island and the hole around it, the ends of tubes, the two sides of a gap.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Join {
@@ -109,6 +134,12 @@ pub enum Join {
     Auto,
 }
 
+table!(Join {
+    0 "none" Join::None => "every loop gets a patch of its own", "";
+    1 "groups" Join::Groups(_) => "the loops of each group get one patch", "";
+    2 "auto" Join::Auto => "loops whose joint patch bends less than patches of their own would get one patch", "";
+});
+
 /// What is asked. `FillOptions::default()` is right for most uses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FillOptions {
@@ -116,6 +147,10 @@ pub struct FillOptions {
     pub loops: Loops,
     /// Which of them get one patch together. Default: none.
     pub join: Join,
+    /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a
+    /// guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut
+    /// open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none.
+    pub guides: Vec<[u32; 2]>,
     /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
     /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
     pub density: f64,
@@ -169,6 +204,7 @@ impl Default for FillOptions {
         Self {
             loops: Loops::UpTo(usize::MAX),
             join: Join::None,
+            guides: Vec::new(),
             density: std::f64::consts::SQRT_2,
             max_new_vertices: 200_000,
             on_failure: OnFailure::default(),

@@ -47,9 +47,40 @@ pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents
         .collect()
 }
 
-/// Squared distance of a point to a triangle and the barycentric coordinates of the nearest point.
+/// Turns parents that are new vertices themselves into theirs: those from `first` on, of vertices behind the mesh's `old` ones, name only
+/// what comes before them. Of more than three the heaviest are taken.
+pub(super) fn compose(parents: &mut [Parents], old: usize, first: usize) {
+    for i in first..parents.len() {
+        let mut sums: Vec<(u32, f64)> = Vec::new();
+        let mut add = |v: u32, w: f64| match sums.iter_mut().find(|sum| sum.0 == v) {
+            Some(sum) => sum.1 += w,
+            None => sums.push((v, w)),
+        };
+        let own = parents[i];
+        for (v, w) in own.vertices.into_iter().zip(own.weights) {
+            match (v as usize).checked_sub(old).map(|new| parents[new]) {
+                None => add(v, w),
+                Some(of) => (0..3).for_each(|k| add(of.vertices[k], w * of.weights[k])),
+            }
+        }
+        sums.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        sums.truncate(3);
+        let total: f64 = sums.iter().map(|sum| sum.1).sum();
+        let at = |k: usize| sums.get(k).copied().unwrap_or((sums[0].0, 0.0));
+        parents[i] = Parents {
+            vertices: [0, 1, 2].map(|k| at(k).0),
+            weights: [0, 1, 2].map(|k| at(k).1 / total),
+        };
+    }
+}
+
+/// [`nearest_on`] for a triangle of a patch.
 fn nearest(patch: &Patch, t: u32, p: &Vector3<f64>) -> (f64, [f64; 3]) {
-    let x = patch.triangles[t as usize].map(|v| patch.x[v as usize]);
+    nearest_on(&patch.triangles[t as usize].map(|v| patch.x[v as usize]), p)
+}
+
+/// Squared distance of a point to a triangle and the barycentric coordinates of the nearest point.
+pub(super) fn nearest_on(x: &[Vector3<f64>; 3], p: &Vector3<f64>) -> (f64, [f64; 3]) {
     let cross = (x[1] - x[0]).cross(&(x[2] - x[0]));
     let square = cross.norm_squared();
     let part = |k: usize| {

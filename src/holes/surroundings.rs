@@ -35,6 +35,10 @@ pub(super) struct Surroundings {
     pub(super) normals: Vec<Vector3<f64>>,
     /// Pairs of the loops' vertices that the mesh has an edge between: (smaller, larger), sorted.
     pub(super) taken: Vec<(u32, u32)>,
+    /// Edges of the loops that the mesh has no triangle at, as the sides of a bridge.
+    open_edges: Vec<[u32; 2]>,
+    /// Pairs of the loops' vertices that the triangulation shall have an edge between.
+    pub(super) guides: Vec<[u32; 2]>,
     /// The centre and the power of two by which positions were moved and divided.
     centre: Vector3<f64>,
     scale: f64,
@@ -62,14 +66,23 @@ impl Surroundings {
             starts,
             normals: Vec::new(),
             taken: taken(links, loops),
+            open_edges: open_edges(loops),
+            guides: Vec::new(),
             centre: Vector3::zeros(),
             scale: 1.0,
         };
         surroundings.enter();
         surroundings.drop_infinite();
         let triangle =
-            |&h: &u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
-        surroundings.normals = half_edges(loops).map(|h| normal(&triangle(h))).collect();
+            |h: u32| links.triangles[h as usize / 3].map(|v| surroundings.entered(positions[v as usize]));
+        let beyond = |&h: &u32| {
+            if h == NONE {
+                Vector3::zeros()
+            } else {
+                normal(&triangle(h))
+            }
+        };
+        surroundings.normals = half_edges(loops).map(beyond).collect();
         surroundings
     }
 
@@ -85,6 +98,7 @@ impl Surroundings {
             normals: self.normals.clone(),
             starts: self.starts.clone(),
             taken: self.taken.clone(),
+            guides: self.guides.clone(),
         }
     }
 
@@ -206,6 +220,9 @@ impl Surroundings {
                 visit(t[k] as usize, t[(k + 1) % 3] as usize);
             }
         }
+        for [a, b] in &self.open_edges {
+            visit(*a as usize, *b as usize);
+        }
     }
 }
 
@@ -218,6 +235,16 @@ pub(super) fn bounds(x: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
 
 fn half_edges<'a>(loops: &'a [&'a BoundaryLoop]) -> impl Iterator<Item = &'a u32> {
     loops.iter().flat_map(|boundary| &boundary.half_edges)
+}
+
+fn open_edges(loops: &[&BoundaryLoop]) -> Vec<[u32; 2]> {
+    let starts = starts(loops);
+    let edges = loops.iter().zip(starts).flat_map(|(boundary, first)| {
+        let count = boundary.half_edges.len();
+        let open = (0..count).filter(move |&i| boundary.half_edges[i] == NONE);
+        open.map(move |i| [first + i, first + (i + 1) % count].map(|v| v as u32))
+    });
+    edges.collect()
 }
 
 fn starts(loops: &[&BoundaryLoop]) -> Vec<usize> {
@@ -239,7 +266,7 @@ fn collect(links: &Links<'_>, loops: &[&BoundaryLoop], place: &mut [u32]) -> Vec
             found.push(t);
         }
     };
-    for &h in half_edges(loops) {
+    for &h in half_edges(loops).filter(|h| **h != NONE) {
         add(h / 3, &mut found);
         // The fans at both ends; at a bow-tie the next half-edge lies in another one.
         let _ = links.follow(h, |g| add(g / 3, &mut found));
@@ -272,9 +299,11 @@ fn number(
     for boundary in loops {
         let (first, count) = (ids.len() as u32, boundary.vertices.len() as u32);
         ids.extend(&boundary.vertices);
-        for (&h, i) in boundary.half_edges.iter().zip(1..) {
-            let corner = corners.smallest(at(h));
-            number[corner as usize] = first + i % count;
+        for (&h, i) in boundary.half_edges.iter().zip(0..).filter(|(h, _)| **h != NONE) {
+            for (end, place) in [(next(h), i), (h, i + 1)] {
+                let corner = corners.smallest(at(end));
+                number[corner as usize] = first + place % count;
+            }
         }
     }
     let triangles = (0..).zip(triangle_ids).map(|(local, &t)| {
@@ -321,7 +350,10 @@ fn unite_corners(
     // A vertex of the loop is where one half-edge of it ends and the one before begins.
     for run in loops.iter().map(|boundary| &boundary.half_edges) {
         for (i, &h) in run.iter().enumerate() {
-            corners.unite(at(next(h)), at(run[(i + run.len() - 1) % run.len()]));
+            let before = run[(i + run.len() - 1) % run.len()];
+            if h != NONE && before != NONE {
+                corners.unite(at(next(h)), at(before));
+            }
         }
     }
     corners

@@ -24,13 +24,18 @@ pub(super) struct Thinned {
 impl Thinned {
     pub(super) fn new(whole: &LoopSet) -> Self {
         let (mut kept, mut starts) = (Vec::new(), vec![0]);
+        // With their neighbours, so that no guide becomes an edge of its loop.
+        let is_guided = |v: usize| {
+            let near = [whole.before(v), v, whole.after(v)].map(|v| v as u32);
+            whole.guides.iter().flatten().any(|v| near.contains(v))
+        };
         for of in 0..whole.count() {
             let range = whole.range(of);
             let edge = |v: usize| (whole.x[whole.after(v)] - whole.x[v]).norm();
             let length: f64 = range.clone().map(edge).sum();
             let mut left = 0.0;
             for v in range {
-                if left <= 0.0 {
+                if left <= 0.0 || is_guided(v) {
                     kept.push(v as u32);
                     left = (length / LEAST).min(NARROW * nearest(whole, of, v));
                 }
@@ -44,6 +49,7 @@ impl Thinned {
                 normals: Vec::new(),
                 starts,
                 taken: Vec::new(),
+                guides: Vec::new(),
             },
             kept,
         };
@@ -57,6 +63,10 @@ impl Thinned {
         let place = |v: u32| thinned.kept.binary_search(&v).ok().map(|at| at as u32);
         let taken = whole.taken.iter();
         thinned.set.taken = taken.filter_map(|&(a, b)| Some((place(a)?, place(b)?))).collect();
+        let guides = whole.guides.iter();
+        thinned.set.guides = guides
+            .filter_map(|&[a, b]| Some([place(a)?, place(b)?]))
+            .collect();
         thinned
     }
 

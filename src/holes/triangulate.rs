@@ -89,6 +89,8 @@ pub(super) struct Polygon<'a> {
     pub(super) normals: &'a [Vector3<f64>],
     /// Pairs (smaller, larger) of vertices that have an edge already, sorted.
     pub(super) taken: &'a [(u32, u32)],
+    /// Pairs (smaller, larger) of vertices that shall have an edge: no other crosses it.
+    pub(super) guides: &'a [(u32, u32)],
     /// What decides.
     pub(super) measure: Measure,
     /// Whether a triangle may not be made.
@@ -100,7 +102,9 @@ pub(super) type Barred<'a> = Option<&'a dyn Fn([u32; 3]) -> bool>;
 
 impl Polygon<'_> {
     fn is_free(&self, a: u32, b: u32) -> bool {
-        self.taken.binary_search(&(a.min(b), a.max(b))).is_err()
+        let edge = (a.min(b), a.max(b));
+        let is_crossing = |guide: &(u32, u32)| cross(edge, *guide);
+        self.taken.binary_search(&edge).is_err() && !self.guides.iter().any(is_crossing)
     }
 
     /// The triangles, in numbers of the loop's vertices, or `None` if there is no triangulation without the edges taken.
@@ -265,6 +269,13 @@ impl Polygon<'_> {
     }
 }
 
+/// Whether two chords of a polygon cross; each is a pair (smaller, larger) of its vertices.
+pub(super) fn cross((a, b): (u32, u32), (c, d): (u32, u32)) -> bool {
+    let is_inside = |v: u32| a < v && v < b;
+    let is_outside = |v: u32| v < a || v > b;
+    is_inside(c) && is_outside(d) || is_inside(d) && is_outside(c)
+}
+
 /// The best triangulation between two vertices of a polygon: its worst bend in steps, its area (of least energy: that
 /// it costs), and the triangle at the chord.
 #[derive(Clone, Copy)]
@@ -424,6 +435,7 @@ mod tests {
             x: &x,
             normals: &normals,
             taken,
+            guides: &[],
             measure: Measure::WorstBend,
             barred: None,
         }
@@ -486,6 +498,7 @@ mod tests {
             x: &at,
             normals: &normals,
             taken: &[],
+            guides: &[],
             measure: Measure::WorstBend,
             barred: None,
         };

@@ -1,9 +1,9 @@
 /* Bad inputs in classes: each has its exact status and element, and leaves every output as it was. */
 #include "common.h"
 
-enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32 };
+enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32, SUGGEST = 64, ERASE = 128, COMPONENTS = 256 };
 #define REGION (FAIR | SOLVER | REMESH)
-#define ALL (REGION | FILL | LOOPS | CURVATURE)
+#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS)
 #define SIDE 9
 #define NONE FAIRMESH_NO_ELEMENT
 
@@ -15,6 +15,7 @@ typedef struct {
     fairmesh_options options;
     fairmesh_fill_options fill;
     fairmesh_remesh_options remesh;
+    fairmesh_indices erased;
     fairmesh_points_out out;
     fairmesh_scalars_out numbers;
     double *outputs;
@@ -112,6 +113,9 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case REMESH: return fairmesh_remesh(c->p_mesh, c->p_selection, c->p_remesh, c->p_result, error);
     case FILL: return fairmesh_fill_holes(c->p_mesh, c->p_fill, c->p_options, c->p_result, error);
     case LOOPS: return fairmesh_boundary_loops(c->p_mesh, c->p_result, error);
+    case SUGGEST: return fairmesh_suggest_joins(c->p_mesh, c->p_fill, c->p_result, error);
+    case ERASE: return fairmesh_erase(c->p_mesh, &c->erased, c->p_result, error);
+    case COMPONENTS: return fairmesh_components(c->p_mesh, c->p_result, error);
     default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
     }
 }
@@ -605,8 +609,68 @@ static Expected paper_in_steps(Call *c, int f, int k) {
 static Expected density(Call *c, int f, int k) {
     static const double wrong[] = {0.0, -1.0, 0.09, 10.1, NAN, INFINITY, -INFINITY, 1e-300};
     c->fill.density = c->remesh.density = wrong[k];
-    return argument(FAIRMESH_STATUS_BAD_OPTION, f == FILL ? 2 : 3,
-                    f == FILL ? OFFSET(fairmesh_fill_options, density) : OFFSET(fairmesh_remesh_options, density));
+    return argument(FAIRMESH_STATUS_BAD_OPTION, f != REMESH ? 2 : 3,
+                    f != REMESH ? OFFSET(fairmesh_fill_options, density) : OFFSET(fairmesh_remesh_options, density));
+}
+static Expected fill_enums(Call *c, int f, int k) {
+    uint32_t n = numbers[k % 5];
+    uint64_t at;
+    (void)f;
+    switch (k / 5) {
+    case 0: c->fill.on_failure = n, at = OFFSET(fairmesh_fill_options, on_failure); break;
+    case 1: c->fill.join.kind = n, at = OFFSET(fairmesh_fill_options, join); break;
+    default:
+        c->fill.filter.within.kind = n;
+        at = OFFSET2(fairmesh_fill_options, filter, fairmesh_loop_filter, within);
+    }
+    return argument(FAIRMESH_STATUS_BAD_ENUM, 2, at);
+}
+static Expected fill_bounds(Call *c, int f, int k) {
+    static const double wrong[] = {-1.0, NAN, -INFINITY};
+    uint64_t at;
+    (void)f;
+    switch (k / 3) {
+    case 0: c->fill.filter.max_length = wrong[k % 3], at = offsetof(fairmesh_loop_filter, max_length); break;
+    case 1: c->fill.filter.max_area = wrong[k % 3], at = offsetof(fairmesh_loop_filter, max_area); break;
+    case 2: c->fill.filter.max_diagonal = wrong[k % 3], at = offsetof(fairmesh_loop_filter, max_diagonal); break;
+    default:
+        c->fill.filter.within.kind = FAIRMESH_PLACE_KIND_BALL;
+        c->fill.filter.within.radius = NAN;
+        at = offsetof(fairmesh_loop_filter, within);
+    }
+    return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET(fairmesh_fill_options, filter) + at);
+}
+/* Groups: their beginnings, and a loop that is in two of them. */
+static Expected groups(Call *c, int f, int k) {
+    static const uint32_t starts[][2] = {{1, 1}, {0, 3}, {1, 0}};
+    (void)f;
+    c->fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
+    c->fill.join.loops.data = c->list;
+    c->fill.join.loops.count = 2;
+    if (k < 3) {
+        c->fill.join.starts.data = starts[k];
+        c->fill.join.starts.count = 2;
+        return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, starts));
+    }
+    if (k == 3) return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
+    if (k == 4) {
+        c->fill.join.loops.data = NULL;
+        return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
+    }
+    c->list[1] = 1;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, 1, NONE);
+}
+static Expected erased(Call *c, int f, int k) {
+    (void)f;
+    c->erased.count = 2;
+    if (k == 0) return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET(fairmesh_indices, data));
+    c->erased.data = c->list;
+    if (k == 1) {
+        c->erased.stride = 2;
+        return argument(FAIRMESH_STATUS_BAD_STRIDE, 2, OFFSET(fairmesh_indices, stride));
+    }
+    c->list[1] = (uint32_t)c->cap.triangles;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_TRIANGLE, c->cap.triangles, NONE);
 }
 
 static Expected aliasing(Call *c, int f, int k) {
@@ -701,6 +765,7 @@ static const Row table[] = {
     {"struct size", "later fields", future_fields, ALL, 7},
     {"enum", "options", option_enums, FAIR | FILL, 45},
     {"enum", "options", option_enums, SOLVER, 40},
+    {"enum", "fill options", fill_enums, FILL | SUGGEST, 15},
     {"enum", "scalar", scalar_enum, ALL, 4},
     {"enum", "selection", selection_enum, REGION, 5},
     {"enum", "output", output_enum, FAIR | CURVATURE, 4},
@@ -709,7 +774,10 @@ static const Row table[] = {
     {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 20},
     {"option range", "paper", paper_ranges, FAIR | FILL, 16},
     {"option range", "paper in steps", paper_in_steps, SOLVER, 1},
-    {"option range", "density", density, FILL | REMESH, 8},
+    {"option range", "density", density, FILL | REMESH | SUGGEST, 8},
+    {"option range", "bounds of holes", fill_bounds, FILL | SUGGEST, 10},
+    {"option range", "groups of loops", groups, FILL, 6},
+    {"option range", "erased triangles", erased, ERASE, 3},
     {"aliasing", "positions", aliasing, FAIR, 8},
     {"aliasing", "outputs", aliased_outputs, FAIR, 4},
     {"aliasing", "numbers", aliased_numbers, CURVATURE, 2},
@@ -806,6 +874,8 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_continuity continuity;
     fairmesh_loop boundary;
     fairmesh_fill_report filled;
+    fairmesh_join_suggestion suggestion;
+    fairmesh_bridge_report bridged;
     fairmesh_error e;
     fairmesh_boundary_normals normals;
     fairmesh_boundary_curvature curvature;
@@ -824,6 +894,8 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     continuity.struct_size = sizeof continuity;
     boundary.struct_size = sizeof boundary;
     filled.struct_size = sizeof filled;
+    suggestion.struct_size = sizeof suggestion;
+    bridged.struct_size = sizeof bridged;
     if (is_solver) {
         expect_handle(fairmesh_solver_run(s, 1, &report, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_boundary_normals(s, &normals, &e), &e, wanted, what);
@@ -850,6 +922,8 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_result_continuity(r, 0, 0, 0, &continuity, &e), &e, wanted, what);
         expect_handle(fairmesh_result_loop(r, 0, &boundary, &e), &e, wanted, what);
         expect_handle(fairmesh_result_fill_report(r, 0, &filled, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_suggestion(r, 0, &suggestion, &e), &e, wanted, what);
+        expect_handle(fairmesh_result_bridge(r, &bridged, &e), &e, wanted, what);
         expect_handle(fairmesh_result_positions(r, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_result_triangles(r, &triangles, &e), &e, wanted, what);
         expect_handle(fairmesh_result_scalars(r, 0, &scalars, &e), &e, wanted, what);
@@ -911,7 +985,8 @@ static void not_available(void) {
     cases += 4;
     for (which = 0; which < 100; which++) {
         int32_t status = fairmesh_result_list(result, which, 0, NULL, 0, &size, &error);
-        int known = which <= 6 || which == 16 || which == 48 || which == 49 || (which >= 64 && which <= 66);
+        int known = which <= 6 || which == 16 || (which >= 48 && which <= 50) || (which >= 64 && which <= 66) ||
+                    which == 80 || which == 96;
         int mine = which == 32 || which == 33;
         cases++;
         CHECK(status == (mine ? FAIRMESH_STATUS_OK : known ? FAIRMESH_STATUS_NOT_AVAILABLE : FAIRMESH_STATUS_BAD_ENUM));
@@ -940,7 +1015,7 @@ int main(void) {
     size_t k, classes = 2;
     for (k = 0; k < sizeof table / sizeof *table; k++) {
         int function, variant;
-        for (function = 1; function <= CURVATURE; function *= 2) {
+        for (function = 1; function <= COMPONENTS; function *= 2) {
             if (!(table[k].functions & function)) continue;
             for (variant = 0; variant < table[k].variants; variant++) check_case(&table[k], function, variant);
         }

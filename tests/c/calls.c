@@ -555,6 +555,333 @@ static void holes(void) {
     cap_free(&cap);
 }
 
+/* Whether a filled mesh is closed, of genus 0, and its new vertices on the unit sphere. */
+static void check_whole_sphere(const fairmesh_result *filled) {
+    fairmesh_info info;
+    fairmesh_mesh mesh;
+    fairmesh_result *loops = NULL;
+    double *positions;
+    uint32_t *corners;
+    fairmesh_points_out to;
+    fairmesh_indices_out into;
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(filled, &info, NULL));
+    CHECK(info.vertex_count - info.triangle_count / 2 == 2);
+    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
+    corners = (uint32_t *)must(malloc((size_t)info.triangle_count * 12));
+    to = points_out_of(positions, (size_t)info.vertex_count);
+    memset(&into, 0, sizeof into);
+    into.data = corners;
+    into.count = (size_t)info.triangle_count;
+    OK(fairmesh_result_positions(filled, &to, NULL));
+    OK(fairmesh_result_triangles(filled, &into, NULL));
+    CHECK(info.new_vertex_count > 30 && off_sphere(positions, (size_t)info.vertex_count) < 1e-8);
+    memset(&mesh, 0, sizeof mesh);
+    mesh.struct_size = sizeof mesh;
+    mesh.positions = points_of(positions, (size_t)info.vertex_count);
+    mesh.triangles.data = corners;
+    mesh.triangles.count = (size_t)info.triangle_count;
+    OK(fairmesh_boundary_loops(&mesh, &loops, NULL));
+    OK(fairmesh_result_info(loops, &info, NULL));
+    CHECK(info.loop_count == 0);
+    OK(fairmesh_result_free(loops));
+    free(positions);
+    free(corners);
+}
+
+/* Two caps of a sphere, joined: by themselves, by their numbers, not if one of them is turned around. */
+static void joins(void) {
+    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_join_suggestion suggestion;
+    fairmesh_fill_report what;
+    fairmesh_result *result = NULL;
+    fairmesh_info info;
+    fairmesh_loop boundary;
+    fairmesh_error error;
+    uint32_t loops[3] = {1, 0, 2}, starts[2] = {0, 2}, list[2] = {9, 9}, *of;
+    size_t size = 0, t;
+    ball_make(ball);
+    info.struct_size = sizeof info;
+    suggestion.struct_size = sizeof suggestion;
+    what.struct_size = sizeof what;
+    boundary.struct_size = sizeof boundary;
+
+    OK(fairmesh_components(&ball->mesh, &result, &error));
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_COMPONENTS && info.component_count == 2);
+    CHECK(info.vertex_count == BALL_VERTICES && info.triangle_count == BALL_TRIANGLES);
+    of = (uint32_t *)must(malloc(BALL_TRIANGLES * sizeof *of));
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_TRIANGLE_COMPONENTS, 0, of, BALL_TRIANGLES, &size, &error));
+    for (t = 0; t < size; t++) CHECK(of[t] == t / BALL_CAP_TRIANGLES);
+    OK(fairmesh_result_free(result));
+    free(of);
+    OK(fairmesh_boundary_loops(&ball->mesh, &result, &error));
+    OK(fairmesh_result_loop(result, 1, &boundary, &error));
+    CHECK(boundary.component == 1 && boundary.vertex_count == BALL_ROUND);
+    OK(fairmesh_result_free(result));
+
+    OK(fairmesh_suggest_joins(&ball->mesh, NULL, &result, &error));
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_JOINS && info.loop_count == 1);
+    OK(fairmesh_result_suggestion(result, 0, &suggestion, &error));
+    CHECK(suggestion.loop_count == 2 && suggestion.joint_bend < 0.9 * suggestion.separate_bend);
+    CHECK(suggestion.joint_area > 0 && suggestion.separate_area > 0);
+    CHECK(fairmesh_result_suggestion(result, 1, &suggestion, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
+    CHECK(size == 2 && list[0] == 0 && list[1] == 1);
+    OK(fairmesh_result_free(result));
+
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    CHECK(fill.join.kind == FAIRMESH_JOIN_KIND_NONE && fill.on_failure == FAIRMESH_ON_FAILURE_LINEAR && fill.only_listed == 0);
+    fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
+    check_whole_sphere(result);
+    OK(fairmesh_result_fill_report(result, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.joined_count == 2 && what.edge_count == 2 * BALL_ROUND);
+    CHECK(what.joint_bend == suggestion.joint_bend && what.separate_area == suggestion.separate_area);
+    CHECK(what.reason_element == FAIRMESH_NO_ELEMENT && what.reason_other == FAIRMESH_NO_ELEMENT);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_JOINED_LOOPS, 0, list, 2, &size, &error));
+    CHECK(size == 2 && list[0] == 0 && list[1] == 1);
+    OK(fairmesh_result_free(result));
+
+    /* By their numbers, and no other loop. */
+    fill.join.kind = FAIRMESH_JOIN_KIND_GROUPS;
+    fill.join.loops.data = loops;
+    fill.join.loops.count = 2;
+    fill.only_listed = 1;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
+    check_whole_sphere(result);
+    OK(fairmesh_result_info(result, &info, &error));
+    OK(fairmesh_result_fill_report(result, 0, &what, &error));
+    CHECK(info.loop_count == 1 && what.joined_count == 2 && what.joint_bend != what.joint_bend);
+    OK(fairmesh_result_free(result));
+    fill.join.starts.data = starts;
+    fill.join.starts.count = 1;
+    fill.join.loops.count = 3;
+    CHECK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_LOOP && error.element == 2);
+
+    /* A group for each is as no group. */
+    starts[1] = 1;
+    fill.join.starts.count = 2;
+    fill.join.loops.count = 2;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.loop_count == 2);
+    OK(fairmesh_result_free(result));
+
+    /* One cap turned around: refused, with the two loops. */
+    for (t = BALL_CAP_TRIANGLES; t < BALL_TRIANGLES; t++) {
+        uint32_t *c = ball->corners + 3 * t, kept = c[1];
+        c[1] = c[2];
+        c[2] = kept;
+    }
+    fill.join.starts.count = 0;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
+    OK(fairmesh_result_fill_report(result, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES);
+    CHECK(what.reason_element == 0 && what.reason_other == 1 && what.triangle_count == 0);
+    OK(fairmesh_result_free(result));
+    free(ball);
+}
+
+/* A strip between the two caps, and the rest filled; guides; chains that are none. */
+static void bridges(void) {
+    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+    fairmesh_options options = quick();
+    fairmesh_bridge_options how;
+    fairmesh_bridge_report told;
+    fairmesh_fill_options fill;
+    fairmesh_fill_report strip;
+    fairmesh_report report;
+    fairmesh_info info;
+    fairmesh_result *result = NULL;
+    fairmesh_error error;
+    uint32_t ends[2][3], guide[4], list[8];
+    fairmesh_indices from, to;
+    size_t k, size;
+    ball_make(ball);
+    for (k = 0; k < 3; k++) {
+        ends[0][k] = (uint32_t)(BALL_CAP - BALL_ROUND + k);
+        ends[1][k] = (uint32_t)(BALL_VERTICES - BALL_ROUND + k);
+    }
+    memset(&from, 0, sizeof from);
+    from.data = ends[0];
+    from.count = 3;
+    to = from;
+    to.data = ends[1];
+    told.struct_size = sizeof told;
+    strip.struct_size = sizeof strip;
+    info.struct_size = sizeof info;
+    report.struct_size = sizeof report;
+    OK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error));
+    OK(fairmesh_result_bridge(result, &told, &error));
+    CHECK(!told.has_whole && told.rest_count == 0 && fabs(told.twist) < 20);
+    OK(fairmesh_result_fill_report(result, 0, &strip, &error));
+    CHECK(strip.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && strip.triangle_count > 10);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_CHAIN, 1, list, 8, &size, &error));
+    CHECK(size == 3);
+    OK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 0, NULL, 0, &size, &error));
+    CHECK(size > 0);
+    CHECK(fairmesh_result_list(result, FAIRMESH_LIST_BRIDGE_SIDE, 2, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    CHECK(fairmesh_result_report(result, 1, &report, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(result));
+
+    OK(fairmesh_bridge_options_init(&how, sizeof how));
+    CHECK(how.fill == 0 && how.width == 0);
+    how.fill = 1;
+    OK(fairmesh_bridge(&ball->mesh, &from, &to, &how, NULL, &options, &result, &error));
+    OK(fairmesh_result_bridge(result, &told, &error));
+    CHECK(told.is_clean && told.has_whole && told.rest_count == 1);
+    OK(fairmesh_result_info(result, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_BRIDGED && info.loop_count == 2);
+    OK(fairmesh_result_report(result, 2, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    check_whole_sphere(result);
+    OK(fairmesh_result_free(result));
+
+    how.width = -1;
+    CHECK(fairmesh_bridge(&ball->mesh, &from, &to, &how, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(error.element == 4 && error.other == offsetof(fairmesh_bridge_options, width));
+    ends[1][1] = 0;
+    CHECK(fairmesh_bridge(&ball->mesh, &from, &to, NULL, NULL, &options, &result, &error) == FAIRMESH_STATUS_BAD_CHAIN);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == 0);
+
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.join.kind = FAIRMESH_JOIN_KIND_AUTO;
+    fill.guides.data = guide;
+    fill.guides.count = 2;
+    guide[0] = ends[0][0], guide[1] = ends[1][0];
+    guide[2] = ends[0][0] + BALL_ROUND / 2, guide[3] = ends[1][0] + BALL_ROUND / 2;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error));
+    check_whole_sphere(result);
+    OK(fairmesh_result_free(result));
+    guide[3] = 0;
+    CHECK(fairmesh_fill_holes(&ball->mesh, &fill, &options, &result, &error) == FAIRMESH_STATUS_BAD_GUIDE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_EDGE);
+    free(ball);
+}
+
+/* How many of the two loops of a sphere without a band are filled that meet these bounds. */
+static unsigned filled_loops(const Ball *ball, const fairmesh_loop_filter *filter) {
+    fairmesh_fill_options fill;
+    fairmesh_fill_report what;
+    fairmesh_result *result = NULL;
+    unsigned l, filled = 0;
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.filter = *filter;
+    fill.fair = 0;
+    what.struct_size = sizeof what;
+    OK(fairmesh_fill_holes(&ball->mesh, &fill, NULL, &result, NULL));
+    for (l = 0; l < 2; l++) {
+        OK(fairmesh_result_fill_report(result, l, &what, NULL));
+        if (what.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN) filled += 1u << l;
+        else CHECK(what.reason == FAIRMESH_FILL_REASON_NOT_ASKED_FOR);
+    }
+    OK(fairmesh_result_free(result));
+    return filled;
+}
+
+static void filters(void) {
+    Ball *ball = (Ball *)must(malloc(sizeof *ball));
+    fairmesh_loop_filter all, filter;
+    uint32_t second = 1;
+    double round = 2 * 3.14159265358979323846 * sin(70 * 3.14159265358979323846 / 180), *p;
+    ball_make(ball);
+    /* The second loop is a little longer, and is the lower one. */
+    for (p = ball->positions + 3 * (BALL_VERTICES - BALL_ROUND); p < ball->positions + 3 * BALL_VERTICES; p += 3) p[0] *= 1.05;
+    memset(&all, 0, sizeof all);
+    CHECK(filled_loops(ball, &all) == 3);
+    filter = all, filter.max_length = round;
+    CHECK(filled_loops(ball, &filter) == 1);
+    filter = all, filter.max_area = round * round / (4 * 3.14159265358979323846);
+    CHECK(filled_loops(ball, &filter) == 1);
+    filter = all, filter.max_diagonal = 2.9;
+    CHECK(filled_loops(ball, &filter) == 3);
+    filter.max_diagonal = 0.1;
+    CHECK(filled_loops(ball, &filter) == 0);
+    filter = all, filter.except_longest = 1;
+    CHECK(filled_loops(ball, &filter) == 1);
+    filter = all, filter.components.data = &second, filter.components.count = 1;
+    CHECK(filled_loops(ball, &filter) == 2);
+    filter = all, filter.within.kind = FAIRMESH_PLACE_KIND_BALL;
+    filter.within.centre[2] = 1, filter.within.radius = 1.4;
+    CHECK(filled_loops(ball, &filter) == 1);
+    filter = all, filter.within.kind = FAIRMESH_PLACE_KIND_BOX;
+    filter.within.low[0] = filter.within.low[1] = filter.within.low[2] = -2;
+    filter.within.high[0] = filter.within.high[1] = 2;
+    CHECK(filled_loops(ball, &filter) == 2);
+    free(ball);
+}
+
+/* A dent erased and filled. */
+static void erasing(void) {
+    Cap cap = cap_new(15);
+    fairmesh_indices faces;
+    fairmesh_mesh left = cap.mesh;
+    fairmesh_options options = quick();
+    fairmesh_fill_options fill;
+    fairmesh_fill_report what;
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *erased = NULL, *filled = NULL;
+    uint32_t *list = (uint32_t *)must(malloc(cap.triangles * 4)), *corners = (uint32_t *)must(malloc(cap.triangles * 12));
+    uint32_t loops[4];
+    double *positions;
+    size_t t, size = 0;
+    memset(&faces, 0, sizeof faces);
+    faces.data = list;
+    for (t = 0; t < cap.triangles; t++) {
+        const uint32_t *c = cap.corners + 3 * t;
+        if (cap.free_mask[c[0]] || cap.free_mask[c[1]] || cap.free_mask[c[2]]) list[faces.count++] = (uint32_t)t;
+    }
+    OK(fairmesh_erase(&cap.mesh, &faces, &erased, &error));
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(erased, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.loop_count == 1 && info.vertex_count == cap.vertices);
+    CHECK(info.triangle_count + info.dropped_count + faces.count == cap.triangles);
+    OK(fairmesh_result_list(erased, FAIRMESH_LIST_ERASED_LOOPS, 0, loops, 4, &size, &error));
+    CHECK(size == 1);
+    OK(fairmesh_result_list(erased, FAIRMESH_LIST_KEPT_TRIANGLES, 0, list, cap.triangles, &size, &error));
+    CHECK(size == info.triangle_count);
+    for (t = 0; t < size; t++) memcpy(corners + 3 * t, cap.corners + 3 * list[t], 12);
+    OK(fairmesh_result_free(erased));
+    left.triangles.data = corners;
+    left.triangles.count = size;
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.loops.data = loops;
+    fill.loops.count = 1;
+    fill.on_failure = FAIRMESH_ON_FAILURE_OPEN;
+    OK(fairmesh_fill_holes(&left, &fill, &options, &filled, &error));
+    what.struct_size = sizeof what;
+    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_FAIRED && what.loop_index == loops[0]);
+    OK(fairmesh_result_info(filled, &info, &error));
+    positions = (double *)must(malloc((size_t)info.vertex_count * 24));
+    {
+        fairmesh_points_out to = points_out_of(positions, (size_t)info.vertex_count);
+        OK(fairmesh_result_positions(filled, &to, &error));
+    }
+    CHECK(off_sphere(positions + 3 * cap.vertices, (size_t)info.new_vertex_count) < 5e-3);
+    OK(fairmesh_result_free(filled));
+    /* One iteration is not enough, and such loops stay open. */
+    options.max_iterations = 1;
+    OK(fairmesh_fill_holes(&left, &fill, &options, &filled, &error));
+    OK(fairmesh_result_fill_report(filled, 0, &what, &error));
+    CHECK(what.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN && what.reason == FAIRMESH_FILL_REASON_NOT_FAIR);
+    OK(fairmesh_result_free(filled));
+    list[0] = (uint32_t)cap.triangles;
+    CHECK(fairmesh_erase(&cap.mesh, &faces, &erased, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_TRIANGLE && error.element == cap.triangles);
+    CHECK(fairmesh_erase(&cap.mesh, NULL, &erased, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    free(positions);
+    free(corners);
+    free(list);
+    cap_free(&cap);
+}
+
 /* A vertex with more triangles than one may have in a region, on a sphere. */
 static void hub(void) {
     enum { VALENCE = 5000, ROWS = 4 };
@@ -766,6 +1093,10 @@ int main(void) {
     in_steps();
     continuity();
     holes();
+    joins();
+    bridges();
+    filters();
+    erasing();
     puts("calls: passed");
     return 0;
 }

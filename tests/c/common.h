@@ -89,6 +89,59 @@ COMMON_MAY_STAY_UNUSED static void tube_make(Tube *tube) {
     }
 }
 
+/* The unit sphere without a band around its equator: two caps of rows of vertices around the poles. */
+enum { BALL_ROUND = 24, BALL_ROWS = 5, BALL_CAP = 1 + BALL_ROUND * BALL_ROWS, BALL_VERTICES = 2 * BALL_CAP };
+enum { BALL_CAP_TRIANGLES = BALL_ROUND * (2 * BALL_ROWS - 1), BALL_TRIANGLES = 2 * BALL_CAP_TRIANGLES };
+typedef struct {
+    double positions[3 * BALL_VERTICES];
+    uint32_t corners[3 * BALL_TRIANGLES];
+    fairmesh_mesh mesh;
+} Ball;
+
+COMMON_MAY_STAY_UNUSED static void ball_make(Ball *ball) {
+    const double degree = 3.14159265358979323846 / 180;
+    uint32_t *t = ball->corners;
+    int side, i, j;
+    for (side = 0; side < 2; side++) {
+        uint32_t pole = (uint32_t)(side * BALL_CAP), flip = (uint32_t)side;
+        double *p = ball->positions + 3 * pole;
+        p[0] = p[1] = 0;
+        p[2] = side ? -1 : 1;
+        for (i = 0; i < BALL_ROWS; i++) {
+            for (j = 0; j < BALL_ROUND; j++) {
+                double tilt = 14 * (i + 1) * degree, turn = (15 * (j + 0.5 * i) + 4 * side) * degree;
+                uint32_t v = pole + 1 + (uint32_t)(BALL_ROUND * i + j), w = pole + 1 + (uint32_t)(BALL_ROUND * i + (j + 1) % BALL_ROUND);
+                p = ball->positions + 3 * v;
+                p[0] = sin(tilt) * cos(turn);
+                p[1] = sin(tilt) * sin(turn);
+                p[2] = (side ? -1 : 1) * cos(tilt);
+                if (i == 0) {
+                    t[0] = pole;
+                    t[1 + flip] = v;
+                    t[2 - flip] = w;
+                    t += 3;
+                }
+                if (i + 1 < BALL_ROWS) {
+                    t[0] = v;
+                    t[1 + flip] = v + BALL_ROUND;
+                    t[2 - flip] = w;
+                    t[3] = w;
+                    t[4 + flip] = v + BALL_ROUND;
+                    t[5 - flip] = w + BALL_ROUND;
+                    t += 6;
+                }
+            }
+        }
+    }
+    memset(&ball->mesh, 0, sizeof ball->mesh);
+    ball->mesh.struct_size = sizeof ball->mesh;
+    ball->mesh.positions.data = ball->positions;
+    ball->mesh.positions.count = BALL_VERTICES;
+    ball->mesh.positions.scalar = FAIRMESH_SCALAR_FLOAT64;
+    ball->mesh.triangles.data = ball->corners;
+    ball->mesh.triangles.count = BALL_TRIANGLES;
+}
+
 COMMON_MAY_STAY_UNUSED static fairmesh_points points_of(const double *data, size_t count) {
     fairmesh_points points;
     memset(&points, 0, sizeof points);

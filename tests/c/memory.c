@@ -18,7 +18,10 @@ typedef struct {
     double *out, *kept;
     uint32_t *kept_corners;
     size_t out_of_memory, good;
+    int joins_itself;
 } Scene;
+
+static const uint32_t both[2] = {0, 1};
 
 /* The good and the expected end; anything else is a failure of the test. */
 static int passed(Scene *s, int32_t status, const fairmesh_error *error) {
@@ -102,6 +105,62 @@ static void fill(Scene *s) {
         OK(fairmesh_result_free(result));
     }
     free(holed);
+}
+
+/* Both caps of a sphere, joined. */
+static void join(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_fill_options options;
+    static Ball ball;
+    ball_make(&ball);
+    OK(fairmesh_fill_options_init(&options, sizeof options));
+    options.join.kind = s->joins_itself ? FAIRMESH_JOIN_KIND_AUTO : FAIRMESH_JOIN_KIND_GROUPS;
+    options.join.loops.data = both;
+    options.join.loops.count = 2;
+    if (passed(s, fairmesh_fill_holes(&ball.mesh, &options, &s->options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
+static void bridge(Scene *s) {
+    static const uint32_t ends[2][2] = {{BALL_CAP - BALL_ROUND, BALL_CAP - BALL_ROUND + 1},
+                                        {BALL_VERTICES - BALL_ROUND, BALL_VERTICES - BALL_ROUND + 1}};
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_bridge_options how;
+    fairmesh_indices from, to;
+    static Ball ball;
+    ball_make(&ball);
+    memset(&from, 0, sizeof from);
+    from.data = ends[0];
+    from.count = 2;
+    to = from;
+    to.data = ends[1];
+    OK(fairmesh_bridge_options_init(&how, sizeof how));
+    how.fill = 1;
+    if (passed(s, fairmesh_bridge(&ball.mesh, &from, &to, &how, NULL, &s->options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
+static void suggest(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    static Ball ball;
+    ball_make(&ball);
+    if (passed(s, fairmesh_suggest_joins(&ball.mesh, NULL, &result, &error), &error)) OK(fairmesh_result_free(result));
+}
+
+static void erase(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_indices faces;
+    memset(&faces, 0, sizeof faces);
+    faces.data = both;
+    faces.count = 2;
+    if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, &result, &error), &error)) OK(fairmesh_result_free(result));
+    if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
 }
 
 static void curvature(Scene *s) {
@@ -212,6 +271,12 @@ int main(int count, char **arguments) {
     every_allocation(&s, intersections, "self-intersections", by);
     every_allocation(&s, remesh, "remesh", by);
     every_allocation(&s, fill, "fill", by);
+    every_allocation(&s, erase, "erase, components", by);
+    every_allocation(&s, suggest, "suggest joins", 7 * by);
+    every_allocation(&s, join, "join", 29 * by);
+    every_allocation(&s, bridge, "bridge", 97 * by);
+    s.joins_itself = 1;
+    every_allocation(&s, join, "join by itself", 97 * by);
     free(s.out);
     free(s.kept);
     free(s.kept_corners);

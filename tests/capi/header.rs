@@ -3,18 +3,22 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 12] = [
+pub(crate) const SOURCES: [&str; 16] = [
     "numbers",
+    "texts",
     "status",
     "types",
     "records",
     "callback",
     "options",
+    "loop_choice",
     "fill_options",
     "about",
     "fair",
     "steps",
     "fill",
+    "erase",
+    "bridge",
     "reading",
 ];
 

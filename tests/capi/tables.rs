@@ -2,8 +2,8 @@
 
 use fairmesh::{
     AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
-    InnerFairness, InteriorNormals, Intersections, LoopKind, LooseReason, OpenReason, Outcome,
-    OutputPrecision, Solver, Target,
+    InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure, OpenReason,
+    Outcome, OutputPrecision, Place, Solver, Target,
 };
 
 #[path = "../../src/capi/statuses.rs"]
@@ -105,6 +105,24 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_loop_kind",
             "What kind of gap a boundary loop is.",
             &[LoopKind::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_join_kind",
+            "Which loops get one patch together.",
+            &[Join::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_on_failure",
+            "What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh.",
+            &[OnFailure::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_place_kind",
+            "A part of space.",
+            &[&[statuses::EVERYWHERE], Place::TABLE],
             false,
         ),
         table(

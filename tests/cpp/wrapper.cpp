@@ -193,6 +193,89 @@ void holes() {
     CHECK(!anew.list(FAIRMESH_LIST_FREE_VERTICES).empty());
 }
 
+/* The unit sphere without a band, whole again. */
+void check_whole_sphere(const fairmesh::result &filled) {
+    const auto x = filled.positions();
+    const auto t = filled.triangles();
+    CHECK(fairmesh::boundary_loops(fairmesh::mesh(x, t)).info().loop_count == 0 && x.size() == t.size() / 2 + 2);
+    CHECK(off_sphere(x.data()->data(), x.size()) < 1e-8);
+}
+
+void joins() {
+    Ball ball;
+    ball_make(&ball);
+    const fairmesh::loop_groups both{{0, 1}};
+    CHECK(fairmesh::suggest_joins(ball.mesh) == both);
+    const auto components = fairmesh::components(ball.mesh);
+    CHECK(components.size() == BALL_TRIANGLES && components.front() == 0 && components.back() == 1);
+    fairmesh::fill_options fill;
+    fill.join_groups({{1, 0}});
+    fill.only({});
+    fill.on_failure = FAIRMESH_ON_FAILURE_OPEN;
+    const auto copy = fill;
+    check_whole_sphere(fairmesh::fill_holes(ball.mesh, copy));
+    fill.join_auto();
+    CHECK(fairmesh::fill_holes(ball.mesh, fill).info().loop_count == 0);
+    fill = fairmesh::fill_options();
+    fill.join_auto();
+    const auto joined = fairmesh::fill_holes(ball.mesh, fill);
+    check_whole_sphere(joined);
+    CHECK(joined.fill_report(0).joined_count == 2 && joined.list(FAIRMESH_LIST_JOINED_LOOPS) == both[0]);
+
+    const auto filled = [&](const fairmesh::fill_options &asked) {
+        const auto found = fairmesh::fill_holes(ball.mesh, asked);
+        return found.fill_report(0).triangle_count > 0 && found.fill_report(1).triangle_count == 0;
+    };
+    fairmesh::fill_options first;
+    first.fair = 0;
+    first.only_of_components({0});
+    CHECK(filled(first));
+    first = fairmesh::fill_options();
+    first.fair = 0;
+    first.only_in_ball({0, 0, 1}, 1.4);
+    CHECK(filled(first));
+    first.only_in_box({-1, -1, 0}, {1, 1, 1});
+    CHECK(filled(first));
+
+    // One cap turned around: refused, and the two loops named.
+    for (std::size_t t = BALL_CAP_TRIANGLES; t < BALL_TRIANGLES; t++) std::swap(ball.corners[3 * t], ball.corners[3 * t + 1]);
+    const auto refused = fairmesh::fill_holes(ball.mesh, copy).fill_report(0);
+    CHECK(refused.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES && refused.reason_element == 0 && refused.reason_other == 1);
+}
+
+void bridging() {
+    Ball ball;
+    ball_make(&ball);
+    const std::vector<std::uint32_t> from{BALL_CAP - BALL_ROUND, BALL_CAP - BALL_ROUND + 1, BALL_CAP - BALL_ROUND + 2};
+    const std::vector<std::uint32_t> to{BALL_VERTICES - BALL_ROUND, BALL_VERTICES - BALL_ROUND + 1};
+    fairmesh::bridge_options how;
+    how.fill = 1;
+    const auto whole = fairmesh::bridge(ball.mesh, from, to, how);
+    CHECK(whole.bridge_report().is_clean && whole.bridge_report().rest_count == 1 && whole.info().loop_count == 2);
+    check_whole_sphere(whole);
+    fairmesh::fill_options fill;
+    fill.join_auto();
+    fill.guide({{{from[0], to[0]}}});
+    check_whole_sphere(fairmesh::fill_holes(ball.mesh, fill));
+}
+
+void erasing() {
+    auto s = cap(15);
+    std::vector<std::uint32_t> dent;
+    for (std::uint32_t t = 0; t < s.triangles.size(); t++) {
+        const auto &c = s.triangles[t];
+        if (s.mask[c[0]] || s.mask[c[1]] || s.mask[c[2]]) dent.push_back(t);
+    }
+    const auto left = fairmesh::erase(fairmesh::mesh(s.positions, s.triangles), dent);
+    CHECK(left.kept.size() + dent.size() + left.dropped == s.triangles.size() && left.loops.size() == 1);
+    std::vector<std::array<std::uint32_t, 3>> kept;
+    for (const auto t : left.kept) kept.push_back(s.triangles[t]);
+    fairmesh::fill_options fill;
+    fill.only(left.loops);
+    const auto filled = fairmesh::fill_holes(fairmesh::mesh(s.positions, kept), fill);
+    CHECK(filled.info().loop_count == 1 && filled.fill_report(0).outcome == FAIRMESH_FILL_OUTCOME_FAIRED);
+}
+
 } // namespace
 
 int main() {
@@ -203,5 +286,8 @@ int main() {
     stepping();
     continuing_curvature();
     holes();
+    joins();
+    bridging();
+    erasing();
     std::puts("wrapper: passed");
 }

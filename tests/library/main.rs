@@ -5,11 +5,13 @@ mod fairing;
 
 mod accuracy;
 mod boundary;
+mod bridge;
 mod coincident;
 mod components;
 mod continuity;
 mod continuity_loops;
 mod golden;
+mod guides;
 mod hole_retries;
 mod holes;
 mod independence;

@@ -9,7 +9,7 @@ import sys
 
 bl_info = {
     "name": "Fairmesh",
-    "description": "Fairs selected regions to harmonic mean curvature, fills holes smoothly, shows curvature",
+    "description": "Fairs regions to harmonic mean curvature, fills holes and joins loops smoothly, shows curvature",
     "author": "fairmesh developers",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
@@ -26,9 +26,19 @@ for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:
     del sys.modules[_name]
     globals().pop(_name.rpartition(".")[2], None)
 
-from . import curvature_operator, fair_operator, fill_operator, found, job, panel, settings  # noqa: E402
+from . import (  # noqa: E402
+    curvature_operator,
+    erase_operator,
+    fair_operator,
+    fill_operator,
+    found,
+    job,
+    join_operator,
+    panel,
+    settings,
+)
 
-_PARTS = (settings, found, fair_operator, fill_operator, curvature_operator, panel)
+_PARTS = (settings, found, fair_operator, fill_operator, join_operator, erase_operator, curvature_operator, panel)
 
 
 def register():

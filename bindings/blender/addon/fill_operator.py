@@ -1,29 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Mesh > Clean Up > Fill Hole and Fair."""
 
-from dataclasses import dataclass, field
-
 import bpy
-import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from . import fairmesh, found, messages, patch, snapshot
+from . import fairmesh, filling, found
 from .job import Background
-from .settings import FairingOptions
 
 
-@dataclass
-class Holes:
-    """What is to be filled of one object."""
-
-    mesh: snapshot.Snapshot
-    loops: list
-    #: Loops that are left out although they are meant: (how many, why).
-    skipped: list = field(default_factory=list)
-    result: object = None
-
-
-class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator):
+class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operator):
     """Fills holes of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_fill_holes"
@@ -49,24 +34,31 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         default=0,
         min=0,
     )
+    max_length: FloatProperty(
+        name="Longest Boundary",
+        description="With All: holes with a longer boundary stay open. 0: holes of any length are filled",
+        default=0.0,
+        min=0.0,
+        subtype="DISTANCE",
+    )
+    except_longest: IntProperty(
+        name="But the Largest",
+        description="With All: so many holes stay open, those with the longest boundaries of each object",
+        default=0,
+        min=0,
+    )
     outer: BoolProperty(
         name="Outer boundaries, Too",
         description="Also fill the outer boundary of an open surface, not only gaps in it",
         default=False,
     )
-    density: FloatProperty(
-        name="Density",
-        description="1: new edges are as long as those around the hole; 2: half as long",
-        default=1.0,
-        min=0.1,
-        max=7.0,
-        soft_min=0.5,
-        soft_max=4.0,
-    )
-    smooth: BoolProperty(
-        name="Fair",
-        description="Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated",
-        default=True,
+    join: BoolProperty(
+        name="Join What Belongs Together",
+        description=(
+            "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
+            "ends of tubes that face each other"
+        ),
+        default=False,
     )
 
     @classmethod
@@ -79,11 +71,11 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         layout.prop(self, "scope")
         if self.scope == "ALL":
             layout.prop(self, "max_edges")
+            layout.prop(self, "max_length")
+            layout.prop(self, "except_longest")
         layout.prop(self, "outer")
-        layout.prop(self, "density")
-        layout.prop(self, "smooth")
-        if self.smooth:
-            self.draw_fairing(layout)
+        layout.prop(self, "join")
+        self.draw_filling(layout)
 
     def prepare(self, context):
         found.remember(None)
@@ -92,34 +84,14 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
             return None
-
-        # The library's factor: the square root of 2 is as long as around the hole. The thread reads no properties.
-        density, smooth = self.density * np.sqrt(2.0), self.smooth
-        keywords = self.fairing_keywords(_size(chosen))
-
-        def work(monitor):
-            for holes in chosen:
-                with messages.about(holes.mesh):
-                    holes.result = fairmesh.fill_holes(
-                        holes.mesh.seen(),
-                        holes.mesh.triangles,
-                        loops=[index for index, _ in holes.loops],
-                        density=density,
-                        fair=smooth,
-                        cancel=monitor,
-                        **keywords,
-                    )
-            return chosen
-
-        return work
+        return self.work_on(chosen)
 
     def _holes(self, obj):
-        mesh = snapshot.read(obj)
-        with messages.about(mesh):
-            loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
-        holes = Holes(mesh, loops)
+        holes = filling.read(obj)
+        mesh = holes.mesh
+        holes.join = "auto" if self.join else "none"
         if self.scope == "SELECTED":
-            holes.loops = _selected(mesh, loops)
+            holes.loops = _selected(holes)
         self._leave_out(holes, "a vertex is hidden", lambda loop: mesh.vertex_hidden[loop.vertices].any())
         if not self.outer:
             self._leave_out(
@@ -127,9 +99,21 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
                 'it is the outer boundary of an open surface: switch on "Outer boundaries, Too" to fill it',
                 lambda loop: loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY,
             )
-        if self.scope == "ALL" and self.max_edges:
-            self._leave_out(holes, "it is larger than Largest Hole", lambda loop: len(loop.vertices) > self.max_edges)
+        if self.scope == "ALL":
+            self._bound(holes)
         return holes
+
+    def _bound(self, holes):
+        """Leaves out what is too large."""
+        by_length = sorted((loop for _, loop in holes.loops), key=lambda loop: loop.length, reverse=True)
+        longest = {id(loop) for loop in by_length[: self.except_longest]}
+        self._leave_out(holes, "it is one of the largest", lambda loop: id(loop) in longest)
+        if self.max_edges:
+            self._leave_out(holes, "it is larger than Largest Hole", lambda loop: len(loop.vertices) > self.max_edges)
+        if self.max_length:
+            # Lengths as seen in the scene, up to the object's size.
+            bound = self.max_length / holes.mesh.size
+            self._leave_out(holes, "it is longer than Longest Boundary", lambda loop: loop.length > bound)
 
     def _leave_out(self, holes, why, applies):
         left = [(index, loop) for index, loop in holes.loops if not applies(loop)]
@@ -149,44 +133,17 @@ class MESH_OT_fairmesh_fill_holes(Background, FairingOptions, bpy.types.Operator
         return "The mesh has no hole"
 
     def finish(self, context, chosen):
-        for holes in chosen:
-            snapshot.edit_mesh(holes.mesh)  # all are still there, before the first is changed
-        bpy.ops.mesh.select_all(action="DESELECT")
-        for holes in chosen:
-            patch.add(holes.mesh, holes.result)
-            kind, text = messages.filled(holes.result.loops, self.continuity)
-            name = f"{holes.mesh.object.name}: " if len(chosen) > 1 else ""
-            for count, why in holes.skipped:
-                text += f"; {count} left open: {why}"
-            self.report({kind}, name + text)
-        return {"FINISHED"}
+        return self.write(chosen)
 
 
-def _selected(mesh, loops):
+def _selected(holes):
     """Loops whose edges are all selected; else those with a selected edge; else those with a selected vertex."""
-    selected = _keys(snapshot.selected_edges(mesh.object), len(mesh.vertices))
-    marks = []
-    for _, loop in loops:
-        ends = np.stack([loop.vertices, np.roll(loop.vertices, -1)], axis=1)
-        edges = np.isin(_keys(ends, len(mesh.vertices)), selected)
-        marks.append((edges.all(), edges.any(), mesh.vertex_selected[loop.vertices].any()))
+    marks = filling.marks(holes)
     for level in range(3):
-        chosen = [loop for loop, mark in zip(loops, marks) if mark[level]]
+        chosen = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
         if chosen:
             return chosen
     return []
-
-
-def _keys(edges, count):
-    """A number for each edge, the same for both directions."""
-    edges = edges.astype(np.int64)
-    return edges.min(axis=1) * count + edges.max(axis=1)
-
-
-def _size(chosen):
-    """The largest extent of the holes, for the constant of the target."""
-    extents = [np.ptp(holes.mesh.seen()[loop.vertices], axis=0) for holes in chosen for _, loop in holes.loops]
-    return max(float(np.linalg.norm(extent)) for extent in extents)
 
 
 def _menu(self, context):

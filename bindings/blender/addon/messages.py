@@ -29,6 +29,10 @@ _FIGURES = {
 }
 
 
+# What to do about loops that face opposite ways.
+_TURN = "Turn the normals of one of the two parts around: select it (L), Mesh > Normals > Flip"
+
+
 @contextmanager
 def about(subject):
     """Notes in errors which `Snapshot` they are about."""
@@ -110,7 +114,7 @@ def _components(report):
 def filled(loops, continuity=0.0):
     """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`."""
     closed = [loop for loop in loops if loop.outcome is not FillOutcome.LEFT_OPEN]
-    text = f"{len(closed)} {'hole' if len(closed) == 1 else 'holes'} filled"
+    text = _count(closed)
     rough = [loop for loop in closed if _is_rough(loop)]
     still = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN]
     if rough:
@@ -124,6 +128,19 @@ def filled(loops, continuity=0.0):
     return ("WARNING" if rough or still or coarse else "INFO"), text
 
 
+def _count(closed):
+    """How many holes were filled, and how many loops joined."""
+    joined = [loop for loop in closed if len(loop.loop_indices) > 1]
+    parts = []
+    if len(joined) < len(closed) or not closed:
+        single = len(closed) - len(joined)
+        parts.append(f"{single} {'hole' if single == 1 else 'holes'} filled")
+    if joined:
+        count = sum(len(loop.loop_indices) for loop in joined)
+        parts.append(f"{count} loops joined by {len(joined)} {'patch' if len(joined) == 1 else 'patches'}")
+    return ", ".join(parts)
+
+
 def _is_rough(loop):
     if loop.outcome is FillOutcome.FLAT:
         return loop.reason not in (FillReason.NOT_ASKED, FillReason.NO_INNER_VERTEX)
@@ -135,4 +152,7 @@ def _reason(loop):
         return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles); {loop.outcome.remedy}"
     if loop.reason is FillReason.NONE and loop.report is not None:
         return faired(loop.report)[1]
+    if loop.reason is FillReason.OPPOSITE_SIDES:
+        first, second = loop.reason_elements
+        return f"{loop.reason.text} (loops {first} and {second}). {_TURN}"
     return f"{loop.reason.text} ({loop.edge_count} edges)"

@@ -5,8 +5,17 @@ import bpy
 
 from . import found
 from .curvature_operator import MESH_OT_fairmesh_show_curvature
+from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
 from .fill_operator import MESH_OT_fairmesh_fill_holes
+from .join_operator import MESH_OT_fairmesh_join_loops
+
+_OPERATORS = (
+    (MESH_OT_fairmesh_fair, "MOD_SMOOTH"),
+    (MESH_OT_fairmesh_erase_and_fill, "BRUSH_DATA"),
+    (MESH_OT_fairmesh_join_loops, "AUTOMERGE_ON"),
+    (MESH_OT_fairmesh_fill_holes, "MESH_DATA"),
+)
 
 
 class _Sidebar:
@@ -25,7 +34,7 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
     def draw(self, context):
         column = self.layout.column()
         settings = context.scene.fairmesh
-        for operator, icon in ((MESH_OT_fairmesh_fair, "MOD_SMOOTH"), (MESH_OT_fairmesh_fill_holes, "MESH_DATA")):
+        for operator, icon in _OPERATORS:
             settings.hand_to(column.operator(operator.bl_idname, icon=icon))
         fill_all = column.operator(MESH_OT_fairmesh_fill_holes.bl_idname, text="Fill All Holes", icon="MESH_DATA")
         settings.hand_to(fill_all)

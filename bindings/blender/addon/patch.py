@@ -11,21 +11,49 @@ import numpy as np
 from . import snapshot
 
 
-def add(mesh, filled):
-    """Adds what a `fairmesh.Filled` has more than the `Snapshot` it was made of, and selects it."""
+def add(mesh, filled, erased=()):
+    """Adds what a `fairmesh.Filled` has more than the `Snapshot` it was made of, and selects it.
+
+    `erased`: the numbers of faces that go, and of which nothing is left then.
+    """
     edit_mesh = snapshot.edit_mesh(mesh)
     positions = mesh.unseen(filled.vertices[filled.new_vertices])
     triangles = filled.faces[filled.new_faces]
     used = np.unique(np.concatenate([filled.parents.ravel(), triangles.ravel()]))
-    patch = _Patch(edit_mesh, mesh, used[used < len(mesh.vertices)], filled.parents, filled.parent_weights)
+    olds = {int(old): edit_mesh.verts[old] for old in used[used < len(mesh.vertices)]}
+    remains = _erase(edit_mesh, erased)
+    patch = _Patch(edit_mesh, mesh, olds, filled.parents, filled.parent_weights)
     try:
         patch.add_vertices(positions)
         patch.add_faces(triangles)
+        _clean(edit_mesh, *remains)
     except BaseException:
         patch.remove()
         raise
     finally:
         bmesh.update_edit_mesh(mesh.object.data, loop_triangles=True, destructive=True)
+
+
+def _erase(edit_mesh, erased):
+    """Deletes faces; their edges and vertices, which stay for now."""
+    if not len(erased):
+        return [], []
+    edit_mesh.faces.ensure_lookup_table()
+    faces = [edit_mesh.faces[index] for index in erased]
+    edges = list({edge for face in faces for edge in face.edges})
+    verts = list({vert for face in faces for vert in face.verts})
+    bmesh.ops.delete(edit_mesh, geom=faces, context="FACES_ONLY")
+    return edges, verts
+
+
+def _clean(edit_mesh, edges, verts):
+    """Takes edges without faces away, then vertices without edges."""
+    for edge in edges:
+        if edge.is_valid and not edge.link_faces:
+            edit_mesh.edges.remove(edge)
+    for vert in verts:
+        if vert.is_valid and not vert.link_edges:
+            edit_mesh.verts.remove(vert)
 
 
 class _Patch:
@@ -37,7 +65,7 @@ class _Patch:
         self.new = []
         self.faces = []
         # Before anything is added: the old vertices, and the corner of an old face that speaks for each.
-        self.old = {int(old): edit_mesh.verts[old] for old in olds}
+        self.old = olds
         self.corner = {old: _corner(vertex) for old, vertex in self.old.items()}
 
     def remove(self):

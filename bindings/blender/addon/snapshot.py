@@ -41,6 +41,8 @@ class Snapshot:
     on_boundary: np.ndarray
     #: 3 by 3: where lengths and angles are those seen in the scene. None: in the object's own coordinates.
     shape: object
+    #: How many times larger the object is seen than its `seen` vertices are.
+    size: float
 
     @property
     def counts(self):
@@ -107,6 +109,7 @@ def read(obj):
         edge_faces=edge_faces,
         on_boundary=_on_boundary(mesh, edge_faces),
         shape=_shape(obj),
+        size=_size(obj),
     )
 
 
@@ -141,6 +144,11 @@ def _positions(obj, mesh, editing):
         flat = np.fromiter((x for v in edit_mesh.verts for x in v.co), np.float64, 3 * len(edit_mesh.verts))
         return flat.reshape(-1, 3)
     return _get(mesh.vertices, "co", np.float32, 3).astype(np.float64)
+
+
+def _size(obj):
+    size = abs(float(np.cbrt(np.linalg.det(np.array(obj.matrix_world, np.float64)[:3, :3]))))
+    return size if size > 0 else 1.0
 
 
 def _shape(obj):

@@ -165,6 +165,27 @@ def _select(obj, kind, chosen):
     bmesh.update_edit_mesh(obj.data, loop_triangles=False, destructive=False)
 
 
+def delete_faces(obj, chosen):
+    """In Edit mode, in the mode of edges; nothing is selected then."""
+    edit(obj)
+    select_faces(obj, chosen)
+    bpy.ops.mesh.delete(type="FACE")
+    # Edit mode would give new vertices the places of deleted ones in the order.
+    bpy.ops.object.mode_set(mode="OBJECT")
+    edit(obj, "EDGE")
+
+
+def boundary_edges(obj):
+    return [e for e in bmesh.from_edit_mesh(obj.data).edges if e.is_boundary]
+
+
+def select_boundary(obj, chosen=lambda edge: True):
+    for edge in boundary_edges(obj):
+        if chosen(edge):
+            edge.select_set(True)
+    bmesh.update_edit_mesh(obj.data)
+
+
 def flatten_cap(obj, height=0.2, offset=(0.0, 0.0, 0.0)):
     """Selects the faces above `height` of a unit sphere at `offset` and lays the vertices inside flat, in Edit mode.
 

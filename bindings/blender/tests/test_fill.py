@@ -10,7 +10,16 @@ import bmesh
 import common
 import numpy as np
 import runner
-from common import coordinates, edit, irregular_sphere, select_faces, select_vertices, uv_sphere
+from common import (
+    boundary_edges,
+    coordinates,
+    delete_faces,
+    edit,
+    irregular_sphere,
+    select_boundary,
+    select_vertices,
+    uv_sphere,
+)
 
 BAR = 1e-5
 common.install(runner.arguments()[0])
@@ -18,32 +27,11 @@ fill = bpy.ops.mesh.fairmesh_fill_holes
 show = bpy.ops.mesh.fairmesh_show_curvature
 
 
-def delete_faces(obj, chosen):
-    """In Edit mode, in the mode of edges; nothing is selected then."""
-    edit(obj)
-    select_faces(obj, chosen)
-    bpy.ops.mesh.delete(type="FACE")
-    # Edit mode would give new vertices the places of deleted ones in the order.
-    bpy.ops.object.mode_set(mode="OBJECT")
-    edit(obj, "EDGE")
-
-
 def holed(frequency=20):
     """An irregular unit sphere without the cap z > 0.85, in Edit mode; the number of vertices left."""
     obj = irregular_sphere(frequency)
     delete_faces(obj, lambda f: f.calc_center_median().z > 0.85)
     return obj, len(obj.data.vertices)
-
-
-def boundary_edges(obj):
-    return [e for e in bmesh.from_edit_mesh(obj.data).edges if e.is_boundary]
-
-
-def select_boundary(obj, chosen=lambda edge: True):
-    for edge in boundary_edges(obj):
-        if chosen(edge):
-            edge.select_set(True)
-    bmesh.update_edit_mesh(obj.data)
 
 
 def middle(edge):

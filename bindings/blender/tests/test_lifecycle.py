@@ -14,11 +14,20 @@ import common
 import runner
 
 ZIP = runner.arguments()[0]
-OPERATORS = ("fairmesh_fair", "fairmesh_fill_holes", "fairmesh_show_curvature", "fairmesh_select_found")
+OPERATORS = (
+    "fairmesh_fair",
+    "fairmesh_fill_holes",
+    "fairmesh_join_loops",
+    "fairmesh_erase_and_fill",
+    "fairmesh_show_curvature",
+    "fairmesh_select_found",
+)
 MENUS = (
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_vertices",
+    "VIEW3D_MT_edit_mesh_edges",
     "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_delete",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
 
@@ -114,7 +123,8 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        assert len(ours) == {"clean": 3, "vertices": 1, "faces": 2, "menu": 2}[menu.rpartition("_")[2]], ours
+        wanted = {"clean": 5, "vertices": 1, "edges": 1, "faces": 3, "delete": 1, "menu": 4}
+        assert len(ours) == wanted[menu.rpartition("_")[2]], ours
 
 
 def test_tooltips_are_short_enough_for_blender():

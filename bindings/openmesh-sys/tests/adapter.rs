@@ -1,4 +1,4 @@
-//! `include/fairmesh_openmesh.hpp` as C++ programs see it: against the installed package, with GCC's sanitizers, and the
+//! `include/fairmesh_openmesh.hpp` and `fairmesh_openmesh_fill.hpp` as C++ programs see it: against the installed package, with GCC's sanitizers, and the
 //! example by CMake. Needs a C++ compiler, make, pkg-config and CMake.
 
 #[path = "../../../tests/common/command.rs"]
@@ -71,29 +71,34 @@ fn compiler(source: &str) -> Command {
     command
 }
 
-/// Compiles and links the adapter's tests with these options more, and runs them.
-fn adapter(name: &str, options: &[&str]) {
-    let program = work().join(name);
+/// Compiles and links tests of the adapter with these options more, and runs them.
+fn adapter(source: &str, kind: &str, options: &[&str]) {
+    let program = work().join(format!("{source}{kind}"));
     let library = prefix().join("lib");
-    let mut command = compiler("adapter.cpp");
+    let mut command = compiler(&format!("{source}.cpp"));
     command.args(options).args(pkg_config("--libs"));
     command.arg(format!("-Wl,-rpath,{}", library.display()));
     run(command.arg("-o").arg(&program));
     let said = run(Command::new(&program).env("ASAN_OPTIONS", "detect_leaks=1"));
-    assert!(said.contains("adapter: passed"), "{said}");
+    assert!(said.contains(&format!("{source}: passed")), "{said}");
 }
 
 #[test]
 fn everything_is_kept_and_honoured() {
-    adapter("adapter", &[]);
+    adapter("adapter", "", &[]);
+}
+
+#[test]
+fn holes_are_filled_and_loops_joined() {
+    adapter("filling", "", &[]);
 }
 
 #[test]
 fn the_sanitizers_have_nothing_to_say() {
-    adapter(
-        "adapter-sanitized",
-        &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
-    );
+    for source in ["adapter", "filling"] {
+        let options = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+        adapter(source, "-sanitized", &options);
+    }
 }
 
 #[test]

@@ -25,7 +25,16 @@ def live_handles(monkeypatch):
 
         monkeypatch.setattr(library, name, counted)
 
-    for name, at in (("fair", -2), ("fill_holes", -2), ("remesh", -2), ("boundary_loops", -2), ("solver_result", -2)):
+    for name, at in (
+        ("fair", -2),
+        ("fill_holes", -2),
+        ("remesh", -2),
+        ("boundary_loops", -2),
+        ("solver_result", -2),
+        ("suggest_joins", -2),
+        ("erase", -2),
+        ("components", -2),
+    ):
         count(f"fairmesh_{name}", "result", 1, lambda arguments, at=at: arguments[at] is not None)
     count("fairmesh_solver_new", "solver", 1, lambda _: True)
     count("fairmesh_solver_free", "solver", -1, lambda _: True)

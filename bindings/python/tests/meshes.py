@@ -141,14 +141,31 @@ def smallest_angle(vertices, faces):
     return np.degrees(np.arctan2(sine, (first * second).sum(axis=2))).min()
 
 
-def sphere_with_hole(level=4, above=0.8, radius=1.0):
-    """A sphere without the triangles above a height; vertices that no triangle names are left out."""
-    vertices, faces = sphere(level, radius)
-    faces = faces[(vertices[faces, 2] < above * radius).any(axis=1)]
+def without(vertices, faces, gone):
+    """A mesh without the faces in a mask; vertices that no face names are left out."""
+    faces = faces[~gone]
     used = np.unique(faces)
     number = np.full(len(vertices), -1)
     number[used] = np.arange(len(used))
     return vertices[used], number[faces]
+
+
+def band_missing(level=4, half=0.3):
+    """The unit sphere without a band around the equator."""
+    vertices, faces = sphere(level)
+    return without(vertices, faces, (np.abs(vertices[faces, 2]) < half).any(axis=1))
+
+
+def in_pieces(level=5, half=0.06):
+    """The unit sphere in four pieces with gaps between them."""
+    vertices, faces = sphere(level)
+    return without(vertices, faces, (np.abs(vertices[faces][:, :, :2]) < half).any(axis=(1, 2)))
+
+
+def sphere_with_hole(level=4, above=0.8, radius=1.0):
+    """A sphere without the triangles above a height."""
+    vertices, faces = sphere(level, radius)
+    return without(vertices, faces, (vertices[faces, 2] >= above * radius).all(axis=1))
 
 
 def off_sphere(vertices, radius=1.0):

@@ -106,7 +106,10 @@ def test_default_options():
         assert stated and stated.group(1).strip('";:') == shown, (name, value, text)
     assert fairmesh.default_fill_options() == {
         "fair": True,
+        "join": "none",
+        "on_failure": "linear",
         "max_edges": None,
+        "except_longest": 0,
         "density": 2**0.5,
         "max_new_vertices": 200000,
     }

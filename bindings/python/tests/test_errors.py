@@ -410,7 +410,8 @@ class Trimesh:
 
 def test_a_mesh_object_is_told_to_give_its_arrays():
     message = "a Trimesh is no array: give mesh.vertices and mesh.faces in its place, as vertices and faces"
-    for function in (fairmesh.fair, fairmesh.Solver, fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.remesh):
+    functions = (fairmesh.fair, fairmesh.Solver, fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.remesh)
+    for function in (*functions, fairmesh.suggest_joins, fairmesh.erase, fairmesh.components):
         with pytest.raises(TypeError) as error:
             function(Trimesh())
         assert str(error.value) == message
@@ -419,7 +420,8 @@ def test_a_mesh_object_is_told_to_give_its_arrays():
 
 
 def test_other_functions_check_the_same():
-    for function in (fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.mean_curvature, fairmesh.remesh):
+    functions = (fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.mean_curvature, fairmesh.remesh)
+    for function in (*functions, fairmesh.suggest_joins, fairmesh.components):
         with pytest.raises(ValueError, match="vertices: the shape"):
             function(VERTICES[:, :2], FACES)
         with pytest.raises(fairmesh.InputError) as error:

@@ -13,7 +13,7 @@ sys.path.insert(0, sys.argv[1])
 import ctypes
 import numpy as np
 import fairmesh
-from meshes import dented_sphere, sphere_with_hole
+from meshes import band_missing, dented_sphere, sphere_with_hole
 
 library = fairmesh.load(sys.argv[2])
 refuse = library._cdll.fairmesh_test_refuse
@@ -22,9 +22,13 @@ panic = library._cdll.fairmesh_test_panic
 panic.argtypes, panic.restype = (ctypes.c_int64,), None
 vertices, faces, free, _ = dented_sphere(side=13, frame=3)
 hole = sphere_with_hole(level=2)
+band = band_missing(level=2)
 calls = {
     "fair": lambda: fairmesh.fair(vertices, faces, free=free, threads=1).vertices,
     "fill_holes": lambda: fairmesh.fill_holes(*hole, threads=1).vertices,
+    "join": lambda: fairmesh.fill_holes(*band, join="auto", threads=1).vertices,
+    "suggest_joins": lambda: np.array([found.loops for found in fairmesh.suggest_joins(*band)]),
+    "erase": lambda: fairmesh.erase(vertices, faces, [3]).faces,
     "mean_curvature": lambda: fairmesh.mean_curvature(vertices, faces),
 }
 """

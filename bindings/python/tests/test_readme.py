@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import fairmesh
-from meshes import dented_sphere, sphere_with_hole
+from meshes import band_missing, dented_sphere, sphere_with_hole
 
 PROJECT = Path(__file__).resolve().parents[1]
 README = (PROJECT / "README.md").read_text()
@@ -19,23 +19,29 @@ PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
 
 
 def test_all_programs_were_found():
-    assert len(PROGRAMS) == README.count("```python") == 7
+    assert len(PROGRAMS) == README.count("```python") == 8
 
 
-@pytest.mark.parametrize("number", range(7))
+@pytest.mark.parametrize("number", range(8))
 def test_programs(number, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    sphere, hole = dented_sphere(), sphere_with_hole()
+    sphere = dented_sphere()
     trimesh.Trimesh(sphere.vertices, sphere.faces, process=False).export("scan.ply")
     text = PROGRAMS[number]
     shown, results = [], []
+    mesh = (sphere.vertices, sphere.faces)
+    if "suggest_joins" in text:
+        mesh = band_missing()
+    elif "fill_holes" in text:
+        mesh = sphere_with_hole()
     names = {
         "fairmesh": fairmesh,
         "threading": threading,
-        "vertices": hole[0] if "fill_holes" in text else sphere.vertices,
-        "faces": hole[1] if "fill_holes" in text else sphere.faces,
+        "vertices": mesh[0],
+        "faces": mesh[1],
+        "selected": (np.linalg.norm(mesh[0][mesh[1]] - [0, 0, 1], axis=2) < 0.3).all(axis=1),
         "mask": np.arange(441) == 3 if "InputError" in text else sphere.free,
-        "colours_given": np.ones((len(hole[0]), 4)),
+        "colours_given": np.ones((len(mesh[0]), 4)),
         "show": lambda *arrays: shown.append(arrays),
         "results": results,
     }
@@ -50,7 +56,10 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
     if "scan.ply" in text:
         assert said.startswith("converged ")
         assert np.abs(np.linalg.norm(names["mesh"].vertices, axis=1) - 1).max() < 1e-6
-    if "fill_holes" in text:
+    if "suggest_joins" in text:
+        assert said.startswith("[0 1] ") and names["filled"].outcomes == ["faired"]
+        assert np.unique(names["part"]).tolist() == [0, 1]
+    elif "fill_holes" in text:
         assert said.startswith("0 ") and "faired none" in said and "hole" in said
         assert np.allclose(names["colours"], 1) and len(names["colours"]) == names["filled"].new_vertex_count
     if "InputError" in text:

@@ -3,32 +3,38 @@
 from __future__ import annotations
 
 from . import _abi
+from ._choice import LoopChoice
 from ._curvature import mean_curvature
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
 from ._holes import Filled, Loop, LoopReport, Remeshed, boundary_loops, fill_holes, remesh
 from ._intersections import self_intersections
+from ._joins import Erased, JoinSuggestion, components, erase, suggest_joins
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Attempt, Component, Continuity, Level, Report
+from ._reports import Attempt, Bends, Component, Continuity, Level, Report
 
 __all__ = [
     "Attempt",
     "AttemptEnd",
+    "Bends",
     "Component",
     "Continuity",
     "ElementKind",
+    "Erased",
     "FairingOptions",
     "FairmeshError",
     "FillOutcome",
     "FillReason",
     "Filled",
     "InputError",
+    "JoinSuggestion",
     "Level",
     "LibraryError",
     "Loop",
+    "LoopChoice",
     "LoopKind",
     "LoopReport",
     "LooseReason",
@@ -42,15 +48,18 @@ __all__ = [
     "Solver",
     "Status",
     "boundary_loops",
+    "components",
     "default_fill_options",
     "default_options",
     "default_remesh_options",
+    "erase",
     "fair",
     "fill_holes",
     "load",
     "mean_curvature",
     "remesh",
     "self_intersections",
+    "suggest_joins",
     "version",
 ]
 #: The version of this package, which is that of the library it was written for.

@@ -63,6 +63,9 @@ class fairmesh_status(enum.IntEnum):
     COORDINATE_TOO_LARGE = 32
     VALENCE_TOO_LARGE = 33
     NOT_ON_LOOP = 34
+    BAD_GUIDE = 35
+    GUIDES_CROSS = 36
+    BAD_CHAIN = 37
     INTERNAL = 99
 
 
@@ -130,6 +133,24 @@ class fairmesh_loop_kind(enum.IntEnum):
     HOLE = 0
     OUTER_BOUNDARY = 1
     NON_MANIFOLD = 2
+
+
+class fairmesh_join_kind(enum.IntEnum):
+    NONE = 0
+    GROUPS = 1
+    AUTO = 2
+
+
+class fairmesh_on_failure(enum.IntEnum):
+    LINEAR = 0
+    FLAT = 1
+    OPEN = 2
+
+
+class fairmesh_place_kind(enum.IntEnum):
+    EVERYWHERE = 0
+    BALL = 1
+    BOX = 2
 
 
 class fairmesh_boundary_normals_kind(enum.IntEnum):
@@ -219,6 +240,10 @@ class fairmesh_result_kind(enum.IntEnum):
     FILLED = 2
     REMESHED = 3
     INTERSECTIONS = 4
+    JOINS = 5
+    ERASED = 6
+    COMPONENTS = 7
+    BRIDGED = 8
 
 
 class fairmesh_list(enum.IntEnum):
@@ -234,9 +259,14 @@ class fairmesh_list(enum.IntEnum):
     LOOP_TOUCHING = 33
     OUTSIDE_VERTICES = 48
     PARENTS = 49
+    JOINED_LOOPS = 50
     FREE_VERTICES = 64
     KEPT_VERTICES = 65
     KEPT_TRIANGLES = 66
+    ERASED_LOOPS = 80
+    TRIANGLE_COMPONENTS = 96
+    BRIDGE_CHAIN = 112
+    BRIDGE_SIDE = 113
 
 
 class fairmesh_vectors(enum.IntEnum):
@@ -491,6 +521,19 @@ class fairmesh_loop(Structure):
         ("turn", c_double),
         ("edge_a", c_uint32),
         ("edge_b", c_uint32),
+        ("component", c_uint64),
+    )
+
+
+class fairmesh_join_suggestion(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("loop_count", c_uint64),
+        ("joint_bend", c_double),
+        ("separate_bend", c_double),
+        ("joint_area", c_double),
+        ("separate_area", c_double),
     )
 
 
@@ -512,6 +555,24 @@ class fairmesh_fill_report(Structure):
         ("has_report", c_uint32),
         ("seconds", c_double),
         ("intersection_count", c_uint64),
+        ("joined_count", c_uint64),
+        ("reason_element", c_uint64),
+        ("reason_other", c_uint64),
+        ("joint_bend", c_double),
+        ("separate_bend", c_double),
+        ("joint_area", c_double),
+        ("separate_area", c_double),
+    )
+
+
+class fairmesh_bridge_report(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("is_clean", c_uint32),
+        ("has_whole", c_uint32),
+        ("reserved", c_uint32),
+        ("twist", c_double),
+        ("rest_count", c_uint64),
     )
 
 
@@ -525,6 +586,8 @@ class fairmesh_info(Structure):
         ("new_triangle_count", c_uint64),
         ("loop_count", c_uint64),
         ("boundary_vertex_count", c_uint64),
+        ("dropped_count", c_uint64),
+        ("component_count", c_uint64),
     )
 
 
@@ -572,6 +635,37 @@ class fairmesh_options(Structure):
     )
 
 
+class fairmesh_join(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("reserved", c_uint32),
+        ("loops", fairmesh_indices),
+        ("starts", fairmesh_indices),
+    )
+
+
+class fairmesh_place(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("reserved", c_uint32),
+        ("centre", c_double * 3),
+        ("radius", c_double),
+        ("low", c_double * 3),
+        ("high", c_double * 3),
+    )
+
+
+class fairmesh_loop_filter(Structure):
+    _fields_ = (
+        ("max_length", c_double),
+        ("max_area", c_double),
+        ("max_diagonal", c_double),
+        ("except_longest", c_uint64),
+        ("components", fairmesh_indices),
+        ("within", fairmesh_place),
+    )
+
+
 class fairmesh_fill_options(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -580,6 +674,11 @@ class fairmesh_fill_options(Structure):
         ("loops", fairmesh_indices),
         ("density", c_double),
         ("max_new_vertices", c_uint64),
+        ("on_failure", c_uint32),
+        ("only_listed", c_uint32),
+        ("join", fairmesh_join),
+        ("filter", fairmesh_loop_filter),
+        ("guides", fairmesh_indices),
     )
 
 
@@ -589,6 +688,14 @@ class fairmesh_remesh_options(Structure):
         ("reserved", c_uint32),
         ("density", c_double),
         ("max_vertices", c_uint64),
+    )
+
+
+class fairmesh_bridge_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("fill", c_uint32),
+        ("width", c_double),
     )
 
 
@@ -625,6 +732,13 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_int32,
         (
             POINTER(fairmesh_fill_options),
+            c_size_t,
+        ),
+    ),
+    "fairmesh_bridge_options_init": (
+        c_int32,
+        (
+            POINTER(fairmesh_bridge_options),
             c_size_t,
         ),
     ),
@@ -796,12 +910,51 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_suggest_joins": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_fill_options),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_remesh": (
         c_int32,
         (
             POINTER(fairmesh_mesh),
             POINTER(fairmesh_selection),
             POINTER(fairmesh_remesh_options),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_erase": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_components": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_bridge": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(fairmesh_indices),
+            POINTER(fairmesh_bridge_options),
+            POINTER(fairmesh_fill_options),
+            POINTER(fairmesh_options),
             POINTER(c_void_p),
             POINTER(fairmesh_error),
         ),
@@ -879,6 +1032,23 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             c_void_p,
             c_uint64,
             POINTER(fairmesh_fill_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_suggestion": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_join_suggestion),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_bridge": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_bridge_report),
             POINTER(fairmesh_error),
         ),
     ),

@@ -26,6 +26,15 @@ _SCALARS = {
     np.dtype(np.float64): _abi.fairmesh_scalar.FLOAT64,
 }
 _NO_INDEX = 2**32
+#: What lists of indices name, if not vertices.
+_ELEMENTS = {
+    "free_faces": ElementKind.TRIANGLE,
+    "among": ElementKind.TRIANGLE,
+    "erased": ElementKind.TRIANGLE,
+    "loops": ElementKind.LOOP,
+    "join": ElementKind.LOOP,
+    "of_components": ElementKind.NONE,
+}
 
 
 def _readable(array: NDArray[Any]) -> bool:
@@ -141,7 +150,7 @@ def indices(given: ArrayLike, name: str) -> UInt32:
         raise InputError(
             Status.SELECTION_OUT_OF_RANGE,
             f"{name} names element {int(array[at])}",
-            element_kind=ElementKind.TRIANGLE if name in ("free_faces", "among") else ElementKind.VERTEX,
+            element_kind=_ELEMENTS.get(name, ElementKind.VERTEX),
             element=int(array[at]),
         )
     return _as_uint32(array)
@@ -247,6 +256,12 @@ def _coincident(given: Coincident | None) -> tuple[int, float]:
     return kinds.JOIN, float(given)
 
 
+def chosen_faces(given: ArrayLike, name: str, count: int) -> UInt32:
+    """Indices of faces, from indices or a mask."""
+    chosen = mask_or_indices(given, name, count)
+    return np.flatnonzero(chosen).astype(np.uint32) if chosen.dtype == np.uint8 else chosen
+
+
 class Region:
     """Which vertices may move, as the library reads it. Keeps the arrays alive."""
 
@@ -264,8 +279,7 @@ class Region:
             self.array = _fixed_mask(fixed, len(mesh.vertices))
             kind = kinds.FIXED_MASK
         elif free_faces is not None:
-            chosen = mask_or_indices(free_faces, "free_faces", len(mesh.faces))
-            self.array = np.flatnonzero(chosen).astype(np.uint32) if chosen.dtype == np.uint8 else chosen
+            self.array = chosen_faces(free_faces, "free_faces", len(mesh.faces))
             kind = kinds.FACES
         self.struct = _abi.fairmesh_selection(
             ctypes.sizeof(_abi.fairmesh_selection), kind, _address(self.array), len(self.array), _stride(self.array)

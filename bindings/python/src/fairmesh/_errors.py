@@ -106,7 +106,7 @@ _KNOWN = {int(member): member for member in Status}
 _KINDS = {int(member): ElementKind[member.name] for member in _abi.fairmesh_element}
 # C structs and fields that are called otherwise in Python.
 _C_ARGUMENT = re.compile(r"^argument \d+(, [\w.]+)?: ")
-_NAMES = {"positions": "vertices", "triangles": "faces"}
+_NAMES = {"positions": "vertices", "triangles": "faces", "components": "of_components"}
 
 
 def call(library: Library, name: str, *arguments: Any) -> None:
@@ -152,6 +152,15 @@ def _argument(function: str, number: int, offset: int | None) -> str | None:
     if offset is None or not (isinstance(struct, type) and issubclass(struct, ctypes.Structure)):
         return None
     for field in reversed(struct._fields_):
-        if getattr(struct, field[0]).offset <= offset:
+        start = getattr(struct, field[0]).offset
+        if start <= offset:
+            if field[1] is _abi.fairmesh_loop_filter:
+                return _field(field[1], offset - start)
             return _NAMES.get(field[0], field[0])
     return None
+
+
+def _field(struct: type[ctypes.Structure], offset: int) -> str:
+    """The Python name of the field of a struct at ``offset``."""
+    names = [field[0] for field in struct._fields_ if getattr(struct, field[0]).offset <= offset]
+    return _NAMES.get(names[-1], names[-1])

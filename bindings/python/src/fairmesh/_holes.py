@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._choice import Choice, Join, LoopChoice, OnFailure, Place, on_failure_number
 from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._errors import call
 from ._handles import ResultHandle
 from ._library import load
 from ._options import Options, initial, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
-from ._reports import Report, sized
+from ._reports import Bends, Report, bends_of, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -45,6 +47,8 @@ class Loop:
     turn: float
     #: The bad edge of a non-manifold loop, otherwise None.
     edge: tuple[int, int] | None
+    #: The component of the mesh that it is on, as `components` numbers them.
+    component: int
 
 
 @_arrays.of_arrays
@@ -77,11 +81,12 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
         loop.area,
         loop.turn,
         (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
+        loop.component,
     )
 
 
 class LoopReport:
-    """What became of a loop that was to be filled."""
+    """What became of a loop that was to be filled, or of several that are joined."""
 
     def __init__(self, handle: ResultHandle, index: int) -> None:
         struct = sized(_abi.fairmesh_fill_report)
@@ -93,8 +98,16 @@ class LoopReport:
         self.reason: FillReason = FillReason.of(struct.reason)
         #: The status that the fairing was refused with, or None.
         self.refused: Status | None = Status.of(struct.refused_status) if struct.refused_status else None
-        #: The loop, as `boundary_loops` numbers it.
+        #: What the reason is about: of OPPOSITE_SIDES two loops, of NON_MANIFOLD the ends of an edge, of SHARED_VERTEX
+        #: and NOT_FINITE a vertex; otherwise empty.
+        self.reason_elements: tuple[int, ...] = tuple(
+            element for element in (struct.reason_element, struct.reason_other) if element != _abi.NO_ELEMENT
+        )
+        #: The loop, as `boundary_loops` numbers it; of several the first.
         self.loop_index: int = struct.loop_index
+        #: Why loops were joined, if that was left to ``join="auto"``.
+        self.joined: Bends | None = None if math.isnan(struct.joint_bend) else bends_of(struct)
+        #: The number of edges, of all loops together.
         self.edge_count: int = struct.edge_count
         #: Its new vertices and triangles, in the arrays of the filled mesh.
         self.vertices = slice(struct.first_vertex, struct.first_vertex + struct.vertex_count)
@@ -109,6 +122,11 @@ class LoopReport:
         self.seconds: float = struct.seconds
 
     @cached_property
+    def loop_indices(self) -> NDArray[np.intp]:
+        """All the loops that the patch is for, ascending: more than one if they are joined."""
+        return self._handle.list(_lists.JOINED_LOOPS, self._index)
+
+    @cached_property
     def outside_vertices(self) -> NDArray[np.intp]:
         """New vertices that lie far outside the loop's bounding box."""
         return self._handle.list(_lists.OUTSIDE_VERTICES, self._index)
@@ -120,7 +138,9 @@ class LoopReport:
 
     def __repr__(self) -> str:
         why = "" if self.reason is FillReason.NONE else f" ({self.reason})"
-        return f"<fairmesh.LoopReport: loop {self.loop_index}, {self.edge_count} edges, {self.outcome}{why}>"
+        loops = self.loop_indices
+        which = f"loop {self.loop_index}" if len(loops) == 1 else f"loops {', '.join(map(str, loops))}"
+        return f"<fairmesh.LoopReport: {which}, {self.edge_count} edges, {self.outcome}{why}>"
 
 
 class _NewMesh:
@@ -203,8 +223,16 @@ def fill_holes(
     vertices: ArrayLike,
     faces: ArrayLike,
     *,
-    loops: ArrayLike | None = None,
+    loops: ArrayLike | Literal["all"] | None = None,
+    join: Join | None = None,
     max_edges: int | None = None,
+    max_length: float | None = None,
+    max_area: float | None = None,
+    max_diagonal: float | None = None,
+    except_longest: int | None = None,
+    of_components: ArrayLike | None = None,
+    within: Place | None = None,
+    on_failure: OnFailure | None = None,
     density: float | None = None,
     max_new_vertices: int | None = None,
     fair: bool | None = None,
@@ -213,15 +241,25 @@ def fill_holes(
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
 ) -> Filled:
-    """Fills holes: triangulates, refines and fairs each.
+    """Fills holes: triangulates, refines and fairs each, or several together.
 
     Vertices and faces given keep their numbers and bits; new ones follow. A loop that cannot be filled says so in its
     `LoopReport` and does not affect the others. Outer boundaries of open surfaces are filled only if they are named.
 
     Args:
         vertices, faces, coincident: As in `fair`. New faces name of each vertex the copy in the face beside them.
-        loops: Only these loops, as `boundary_loops` numbers them. Default: all holes.
-        max_edges: Holes of more edges stay open. Default: no limit; not read with ``loops``.
+        loops: These loops only, as `boundary_loops` numbers them, outer boundaries included; bounds are not read then.
+            "all": all holes. Default: all holes; with groups in ``join``, none but these.
+        join: Which loops get one patch together: "none" (default); groups of them, ``[[0, 1], [2, 5]]``; or "auto",
+            those whose joint patch bends less than patches of their own would, see `suggest_joins`.
+        max_edges, max_length, max_area, max_diagonal: Holes of more stay open: of more edges, longer, of a larger
+            `Loop.area`, with a longer diagonal of the bounding box. Default: no bound.
+        except_longest: So many holes, the longest, stay open. Default 0.
+        of_components: Only holes of these components of the mesh, as `components` numbers them. Default: of all.
+        within: Only holes whose vertices all lie in a ball ``(centre, radius)`` or a box ``(low, high)``, two corners.
+            Default: everywhere.
+        on_failure: What a loop gets for which no fair patch is found, or none that does not intersect: "linear"
+            (default), the best surface there is; "flat", the triangulation, refined; "open", nothing.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
             beside the boundary; at twice that, half as long.
         max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
@@ -238,21 +276,26 @@ def fill_holes(
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    fill = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    choice: LoopChoice = {
+        "loops": loops,
+        "max_edges": max_edges,
+        "max_length": max_length,
+        "max_area": max_area,
+        "max_diagonal": max_diagonal,
+        "except_longest": except_longest,
+        "of_components": of_components,
+        "within": within,
+    }
+    chosen = Choice(library, choice, join)
+    fill = chosen.struct
     if fair is not None:
         fill.fair = int(bool(fair))
-    if max_edges is not None:
-        fill.max_edges = whole(max_edges, "max_edges")
+    if on_failure is not None:
+        fill.on_failure = on_failure_number(on_failure)
     if density is not None:
         fill.density = real(density, "density")
     if max_new_vertices is not None:
         fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
-    chosen = None
-    if loops is not None:
-        chosen = _arrays.indices(loops, "loops")
-        if len(chosen) == 0:
-            raise ValueError("loops: no loop is named; None fills all holes")
-        fill.loops = _arrays.indices_view(chosen)
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)

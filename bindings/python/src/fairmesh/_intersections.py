@@ -29,9 +29,7 @@ def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike |
     mesh = _arrays.Mesh(vertices, faces)
     listed = None
     if among is not None:
-        asked = _arrays.mask_or_indices(among, "among", len(mesh.faces))
-        if asked.dtype == np.uint8:
-            asked = np.flatnonzero(asked).astype(np.uint32)
+        asked = _arrays.chosen_faces(among, "among", len(mesh.faces))
         listed = ctypes.byref(_arrays.indices_view(asked))
     address = ctypes.c_void_p()
     call(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed, ctypes.byref(address))

@@ -128,7 +128,10 @@ class FillOptions(TypedDict):
     """Defaults of `fill_holes`."""
 
     fair: bool
+    join: str
+    on_failure: str
     max_edges: int | None
+    except_longest: int
     density: float
     max_new_vertices: int
 
@@ -197,7 +200,15 @@ _OTHERS = (
     "progress",
     "cancel",
     "loops",
+    "join",
+    "on_failure",
     "max_edges",
+    "max_length",
+    "max_area",
+    "max_diagonal",
+    "except_longest",
+    "of_components",
+    "within",
     "density",
     "max_new_vertices",
 )
@@ -381,7 +392,10 @@ def default_fill_options() -> FillOptions:
     struct = initial(load(), "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
     return {
         "fair": bool(struct.fair),
+        "join": _abi.fairmesh_join_kind(struct.join.kind).name.lower(),
+        "on_failure": _abi.fairmesh_on_failure(struct.on_failure).name.lower(),
         "max_edges": None if struct.max_edges == UINT64_MAX else struct.max_edges,
+        "except_longest": struct.filter.except_longest,
         "density": struct.density,
         "max_new_vertices": struct.max_new_vertices,
     }

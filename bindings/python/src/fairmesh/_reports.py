@@ -247,6 +247,27 @@ def _as_it_is(value: Any) -> Any:
 
 
 @dataclass(frozen=True)
+class Bends:
+    """Why loops are joined: sums over all edges, those of the loops included, of length times angle in radians, of
+    triangulations without new vertices. Edges inside count half.
+    """
+
+    #: Of one patch for all of the loops.
+    joint_bend: float
+    #: Of a patch for each.
+    separate_bend: float
+    #: The area of the joint patch.
+    joint_area: float
+    #: That of the separate ones.
+    separate_area: float
+
+
+def bends_of(struct: _abi.fairmesh_fill_report | _abi.fairmesh_join_suggestion) -> Bends:
+    """The bends in a struct."""
+    return Bends(struct.joint_bend, struct.separate_bend, struct.joint_area, struct.separate_area)
+
+
+@dataclass(frozen=True)
 class Level:
     """What was done on one level of the paper's scheme."""
 

@@ -1,9 +1,10 @@
-//! Several loops made one polygon: cut open along bridges from loop to loop.
+//! Several loops made one polygon: cut open along connections from loop to loop.
 //!
-//! The bridges are a minimum spanning tree of the loops. The polygon runs along each of them twice, so that its
+//! The connections are a minimum spanning tree of the loops. The polygon runs along each of them twice, so that its
 //! triangulation is that of a surface with all the loops for its boundary, cut open. Whatever that triangulation is, the
-//! surface winds around the loops as the bridges do; so these have to lie near to where the surface will: short, and going
-//! on from the mesh rather than back over it.
+//! surface winds around the loops as the connections do; so these have to lie near to where the surface will: short, and going
+//! on from the mesh rather than back over it. Guides that are given come first; those that the tree has no use for divide the
+//! polygon.
 
 use nalgebra::Vector3;
 
@@ -11,50 +12,64 @@ use super::loop_set::LoopSet;
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 
-/// A bridge that leaves the mesh backwards counts as so many times longer, at each end (half of it where it goes sideways).
+/// A connection that leaves the mesh backwards counts as so many times longer, at each end (half of it where it goes sideways).
 const BACKWARDS: f64 = 2.0;
 
 /// From a vertex of one loop to one of another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Bridge {
+pub(super) struct Connection {
     pub(super) from: u32,
     pub(super) to: u32,
 }
 
-/// A bridge and its length as it counts.
-type Candidate = (f64, Bridge);
+/// A connection and its length as it counts.
+type Candidate = (f64, Connection);
 
-/// The bridges between loops, one fewer than these. No vertex has two.
-pub(super) fn bridges(set: &LoopSet) -> Vec<Bridge> {
+/// The connections between loops, one fewer than these, guides among them where they lead to another loop. No vertex has two.
+pub(super) fn connections(set: &LoopSet) -> Vec<Connection> {
     let onward = set.onward();
     let mut is_used = vec![false; set.x.len()];
+    let mut joined = DisjointSets::new(set.count());
+    let mut found = Vec::new();
+    for &[from, to] in &set.guides {
+        is_used[from as usize] = true;
+        is_used[to as usize] = true;
+        let [a, b] = [from, to].map(|v| set.loop_of(v as usize) as u32);
+        if joined.smallest(a) != joined.smallest(b) {
+            joined.unite(a, b);
+            found.push(Connection { from, to });
+        }
+    }
     let pairs = (0..set.count()).flat_map(|a| (a + 1..set.count()).map(move |b| [a, b]));
     let mut best: Vec<([usize; 2], Option<Candidate>)> = pairs
         .map(|pair| (pair, shortest(set, &onward, &is_used, pair)))
         .collect();
-    let mut joined = DisjointSets::new(set.count());
-    let mut found = Vec::new();
     while found.len() + 1 < set.count() {
         best.retain(|([a, b], _)| joined.smallest(*a as u32) != joined.smallest(*b as u32));
-        for (pair, bridge) in &mut best {
-            let is_lost = |b: &Bridge| is_used[b.from as usize] || is_used[b.to as usize];
-            if bridge.as_ref().is_some_and(|(_, bridge)| is_lost(bridge)) {
-                *bridge = shortest(set, &onward, &is_used, *pair);
+        for (pair, connection) in &mut best {
+            let is_lost = |b: &Connection| is_used[b.from as usize] || is_used[b.to as usize];
+            if connection
+                .as_ref()
+                .is_some_and(|(_, connection)| is_lost(connection))
+            {
+                *connection = shortest(set, &onward, &is_used, *pair);
             }
         }
-        let candidates = best.iter().filter_map(|(pair, bridge)| Some((*pair, (*bridge)?)));
-        let Some(([a, b], (_, bridge))) = candidates.min_by(|x, y| x.1.0.total_cmp(&y.1.0)) else {
+        let candidates = best
+            .iter()
+            .filter_map(|(pair, connection)| Some((*pair, (*connection)?)));
+        let Some(([a, b], (_, connection))) = candidates.min_by(|x, y| x.1.0.total_cmp(&y.1.0)) else {
             return found;
         };
         joined.unite(a as u32, b as u32);
-        is_used[bridge.from as usize] = true;
-        is_used[bridge.to as usize] = true;
-        found.push(bridge);
+        is_used[connection.from as usize] = true;
+        is_used[connection.to as usize] = true;
+        found.push(connection);
     }
     found
 }
 
-/// The shortest bridge between two loops, and its length as it counts.
+/// The shortest connection between two loops, and its length as it counts.
 fn shortest(
     set: &LoopSet,
     onward: &[Vector3<f64>],
@@ -73,11 +88,11 @@ fn shortest(
             let turn = 2.0 * length - way.dot(&onward[v]) + way.dot(&onward[w]);
             let cost = length + 0.5 * BACKWARDS * turn;
             if best.is_none_or(|best| cost < best.0) {
-                let bridge = Bridge {
+                let connection = Connection {
                     from: v as u32,
                     to: w as u32,
                 };
-                best = Some((cost, bridge));
+                best = Some((cost, connection));
             }
         }
     }
@@ -87,62 +102,73 @@ fn shortest(
 /// The polygon.
 #[derive(Debug)]
 pub(super) struct Cut {
-    /// Per vertex of the polygon the loops' vertex; ends of bridges come twice.
+    /// Per vertex of the polygon the loops' vertex; ends of connections come twice.
     pub(super) of: Vec<u32>,
-    /// Per edge to the next vertex the mesh's normal beyond it; on a bridge that of a surface which goes on from both ends.
+    /// Per edge to the next vertex the mesh's normal beyond it; on a connection that of a surface which goes on from both ends.
     pub(super) normals: Vec<Vector3<f64>>,
-    /// Per bridge the polygon's edges along it, by their first vertices.
+    /// Per connection the polygon's edges along it, by their first vertices.
     pub(super) sides: Vec<[u32; 2]>,
     /// Pairs (smaller, larger) of the polygon's vertices that may have no edge, sorted.
     pub(super) taken: Vec<(u32, u32)>,
+    /// Pairs (smaller, larger) of the polygon's vertices that shall have an edge, per guide that is no connection.
+    pub(super) guides: Vec<(u32, u32)>,
 }
 
 impl Cut {
-    pub(super) fn new(set: &LoopSet, bridges: &[Bridge]) -> Self {
+    pub(super) fn new(set: &LoopSet, connections: &[Connection]) -> Self {
         let mut across = vec![NONE; set.x.len()];
-        for bridge in bridges {
-            across[bridge.from as usize] = bridge.to;
-            across[bridge.to as usize] = bridge.from;
+        for connection in connections {
+            across[connection.from as usize] = connection.to;
+            across[connection.to as usize] = connection.from;
         }
-        let length = set.x.len() + 2 * bridges.len();
+        let length = set.x.len() + 2 * connections.len();
         let mut cut = Self {
             of: Vec::with_capacity(length),
             normals: Vec::with_capacity(length),
             sides: Vec::new(),
             taken: Vec::new(),
+            guides: Vec::new(),
         };
-        // The place of each vertex, and the place from which a bridge leaves it.
+        // The place of each vertex, and the place from which a connection leaves it.
         let (mut place, mut leaves) = (vec![NONE; across.len()], vec![NONE; across.len()]);
         let mut v = 0;
         let mut crossed = across[0] != NONE;
         while cut.of.len() < length {
             let at = cut.of.len() as u32;
             cut.of.push(v as u32);
-            let bridge = across[v];
-            if bridge == NONE || crossed {
+            let connection = across[v];
+            if connection == NONE || crossed {
                 place[v] = at;
                 cut.normals.push(set.normals[v]);
                 v = set.after(v);
                 crossed = false;
             } else {
                 leaves[v] = at;
-                cut.normals.push(set.normal_between(v, bridge as usize));
-                v = bridge as usize;
+                cut.normals.push(set.normal_between(v, connection as usize));
+                v = connection as usize;
                 crossed = true;
             }
         }
-        let sides = bridges.iter().map(|b| [b.from, b.to].map(|v| leaves[v as usize]));
+        let sides = connections
+            .iter()
+            .map(|b| [b.from, b.to].map(|v| leaves[v as usize]));
         cut.sides = sides.collect();
-        cut.take(set, bridges, &place, &leaves);
+        cut.take(set, connections, &place, &leaves);
+        let is_chord = |&[a, b]: &[u32; 2]| across[a as usize] != b;
+        let chord = |&[a, b]: &[u32; 2]| {
+            let [p, q] = [a, b].map(|v| place[v as usize]);
+            (p.min(q), p.max(q))
+        };
+        cut.guides = set.guides.iter().filter(|g| is_chord(g)).map(chord).collect();
         cut
     }
 
-    /// Edges of the mesh and bridges, between all copies of their ends, and edges between two copies of a vertex.
-    fn take(&mut self, set: &LoopSet, bridges: &[Bridge], place: &[u32], leaves: &[u32]) {
+    /// Edges of the mesh and connections, between all copies of their ends, and edges between two copies of a vertex.
+    fn take(&mut self, set: &LoopSet, connections: &[Connection], place: &[u32], leaves: &[u32]) {
         let copies = |v: u32| [place, leaves].map(|list| list[v as usize]);
-        let ends = bridges.iter().flat_map(|b| [b.from, b.to]);
+        let ends = connections.iter().flat_map(|b| [b.from, b.to]);
         let twice = ends.map(|v| (v, v));
-        let edges = bridges.iter().map(|b| (b.from, b.to));
+        let edges = connections.iter().map(|b| (b.from, b.to));
         for (a, b) in set.taken.iter().copied().chain(edges).chain(twice) {
             for p in copies(a).into_iter().filter(|&p| p != NONE) {
                 for q in copies(b).into_iter().filter(|&q| q != NONE && q != p) {
@@ -166,6 +192,7 @@ mod tests {
             normals: vec![Vector3::z(); n * centres.len()],
             starts: (0..=centres.len()).map(|k| n * k).collect(),
             taken: Vec::new(),
+            guides: Vec::new(),
         };
         for c in centres {
             set.x.extend((0..n).map(|i| {
@@ -177,9 +204,9 @@ mod tests {
     }
 
     #[test]
-    fn the_polygon_runs_along_every_edge_once_and_along_every_bridge_twice() {
+    fn the_polygon_runs_along_every_edge_once_and_along_every_connection_twice() {
         let set = circles(8, &[0.0, 3.0, 6.0, 9.0]);
-        let found = bridges(&set);
+        let found = connections(&set);
         assert_eq!(found.len(), 3);
         let cut = Cut::new(&set, &found);
         let n = cut.of.len();
@@ -187,21 +214,24 @@ mod tests {
         let mut edges: Vec<(u32, u32)> = (0..n).map(|p| (cut.of[p], cut.of[(p + 1) % n])).collect();
         edges.sort_unstable();
         let mut expected: Vec<(u32, u32)> = (0..32).map(|v| (v, set.after(v as usize) as u32)).collect();
-        for bridge in &found {
-            expected.extend([(bridge.from, bridge.to), (bridge.to, bridge.from)]);
+        for connection in &found {
+            expected.extend([(connection.from, connection.to), (connection.to, connection.from)]);
         }
         expected.sort_unstable();
         assert_eq!(edges, expected);
-        for (side, bridge) in cut.sides.iter().zip(&found) {
+        for (side, connection) in cut.sides.iter().zip(&found) {
             let ends = side.map(|p| [cut.of[p as usize], cut.of[(p as usize + 1) % n]]);
-            assert_eq!(ends, [[bridge.from, bridge.to], [bridge.to, bridge.from]]);
+            assert_eq!(
+                ends,
+                [[connection.from, connection.to], [connection.to, connection.from]]
+            );
         }
     }
 
     #[test]
-    fn bridges_lead_from_neighbour_to_neighbour_and_share_no_vertex() {
+    fn connections_lead_from_neighbour_to_neighbour_and_share_no_vertex() {
         let set = circles(3, &[0.0, 9.0, 3.0, 6.0]);
-        let found = bridges(&set);
+        let found = connections(&set);
         let mut loops: Vec<[usize; 2]> = found
             .iter()
             .map(|b| [b.from, b.to].map(|v| set.loop_of(v as usize)))

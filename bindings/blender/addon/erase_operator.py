@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh > Delete > Erase and Fill."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty
+
+from . import fairmesh, filling, found, messages, snapshot
+from .job import Background
+
+
+class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Operator):
+    """Replaces the selected faces of each object in Edit mode."""
+
+    bl_idname = "mesh.fairmesh_erase_and_fill"
+    bl_label = "Erase and Fill"
+    bl_description = (
+        "Delete the selected faces, and close the holes with new triangles on a surface that goes on smoothly: "
+        "for bumps, noise and tangles whose old shape is of no use"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    outer: BoolProperty(
+        name="Outer boundaries, Too",
+        description="Also where the faces lie at the outer boundary of an open surface, which is closed then",
+        default=False,
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "EDIT_MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "outer")
+        self.draw_filling(layout)
+
+    def prepare(self, context):
+        found.remember(None)
+        meshes = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
+        meshes = [mesh for mesh in meshes if mesh.face_selected.any()]
+        if not meshes:
+            self.report({"ERROR"}, "No face is selected: select the faces that are to be replaced")
+            return None
+        chosen = []
+        for mesh in meshes:
+            with messages.about(mesh):
+                holes = _erased(mesh)
+            why = self._objection(holes)
+            if why is not None:
+                self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
+                return None
+            chosen.append(holes)
+        return self.work_on(chosen)
+
+    def _objection(self, holes):
+        loops = [loop for _, loop in holes.loops]
+        if not loops:
+            return "nothing is left around the selected faces that a new surface could go on from"
+        if not self.outer and any(loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY for loop in loops):
+            return (
+                "the selected faces lie at the outer boundary of the surface, which would be closed: "
+                'deselect those there, or switch on "Outer boundaries, Too"'
+            )
+        if any(holes.mesh.vertex_hidden[loop.vertices].any() for loop in loops):
+            return "a vertex around the selected faces is hidden"
+        return None
+
+    def finish(self, context, chosen):
+        for holes in chosen:
+            still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
+            if still:
+                # The old faces are better than none.
+                text = messages.filled(still)[1]
+                self.report({"ERROR"}, f"{filling.name_before(chosen, holes)}{text}. The mesh is unchanged")
+                return {"CANCELLED"}
+        return self.write(chosen)
+
+
+def _erased(mesh):
+    """The mesh without its selected faces, and what would hang loose there; faces go as a whole."""
+    gone = mesh.face_selected.copy()
+    while True:
+        left = fairmesh.erase(mesh.seen(), mesh.triangles, gone[mesh.face_of])
+        kept = np.zeros(len(mesh.triangles), bool)
+        kept[left.kept_faces] = True
+        cut = np.zeros(len(gone), bool)
+        cut[mesh.face_of[~kept]] = True
+        if (cut == gone).all():
+            break
+        gone = cut
+    loops = fairmesh.boundary_loops(mesh.seen(), left.faces)
+    return filling.Holes(mesh, [(int(i), loops[i]) for i in left.loops], left.faces, np.flatnonzero(gone))
+
+
+def _menu(self, context):
+    self.layout.operator(MESH_OT_fairmesh_erase_and_fill.bl_idname)
+
+
+_MENUS = (
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_delete",
+    "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)
+
+
+def register():
+    bpy.utils.register_class(MESH_OT_fairmesh_erase_and_fill)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).append(_menu)
+
+
+def unregister():
+    for menu in _MENUS:
+        getattr(bpy.types, menu).remove(_menu)
+    bpy.utils.unregister_class(MESH_OT_fairmesh_erase_and_fill)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the operators that make patches have in common: their options, the library's call, what is written and said."""
+
+from dataclasses import dataclass, field
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
+
+from . import fairmesh, found, messages, patch, snapshot
+from .settings import FairingOptions
+
+
+@dataclass
+class Holes:
+    """What is to be filled of one object."""
+
+    mesh: snapshot.Snapshot
+    #: [(its number, the loop)]; those of `triangles`.
+    loops: list
+    #: The mesh that is filled, (m, 3), and the faces of the object that are not in it.
+    triangles: np.ndarray
+    erased: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+    #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it.
+    join: object = "none"
+    #: Loops that are left out although they are meant: [(how many, why)].
+    skipped: list = field(default_factory=list)
+    result: object = None
+
+    def listed(self):
+        """The loops that are filled by themselves, or looked at for joining."""
+        return [] if isinstance(self.join, list) else [index for index, _ in self.loops]
+
+
+class Filling(FairingOptions):
+    """Mixed into operators that make patches."""
+
+    density: FloatProperty(
+        name="Density",
+        description="1: new edges are as long as those around the hole; 2: half as long",
+        default=1.0,
+        min=0.1,
+        max=7.0,
+        soft_min=0.5,
+        soft_max=4.0,
+    )
+    smooth: BoolProperty(
+        name="Fair",
+        description="Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated",
+        default=True,
+    )
+    on_failure: EnumProperty(
+        name="If Not Fair",
+        description="What a hole gets for which no fair patch is found, or none that does not intersect anything",
+        items=(
+            ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
+            ("FLAT", "Flat", "The patch as triangulated"),
+            ("OPEN", "Nothing", "It stays open"),
+        ),
+        default="LINEAR",
+    )
+
+    def draw_filling(self, layout):
+        """Density, and what the patch is to be."""
+        layout.prop(self, "density")
+        layout.prop(self, "smooth")
+        if self.smooth:
+            layout.prop(self, "on_failure")
+            self.draw_fairing(layout)
+
+    def work_on(self, chosen):
+        """A function for the thread that fills all of `chosen`, a list of `Holes`."""
+        # The library's factor: the square root of 2 is as long as around the hole. The thread reads no properties.
+        density, smooth, on_failure = self.density * np.sqrt(2.0), self.smooth, self.on_failure.lower()
+        keywords = self.fairing_keywords(_size(chosen))
+
+        def work(monitor):
+            for holes in chosen:
+                with messages.about(holes.mesh):
+                    holes.result = fairmesh.fill_holes(
+                        holes.mesh.seen(),
+                        holes.triangles,
+                        loops=holes.listed(),
+                        join=holes.join,
+                        density=density,
+                        fair=smooth,
+                        on_failure=on_failure,
+                        cancel=monitor,
+                        **keywords,
+                    )
+            return chosen
+
+        return work
+
+    def write(self, chosen):
+        """Puts the patches into the meshes, and says how it went."""
+        for holes in chosen:
+            snapshot.edit_mesh(holes.mesh)  # all are still there, before the first is changed
+        bpy.ops.mesh.select_all(action="DESELECT")
+        for holes in chosen:
+            patch.add(holes.mesh, holes.result, holes.erased)
+            kind, text = messages.filled(holes.result.loops, self.continuity)
+            loose = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
+            if loose:
+                text += f"; {loose} more {'face was' if loose == 1 else 'faces were'} erased that hung loose"
+            for count, why in holes.skipped:
+                text += f"; {count} left open: {why}"
+            self.report({kind}, name_before(chosen, holes) + text)
+        return {"FINISHED"}
+
+
+def read(obj):
+    """The `Holes` of an object: all of its loops."""
+    mesh = snapshot.read(obj)
+    with messages.about(mesh):
+        loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
+    return Holes(mesh, loops, mesh.triangles)
+
+
+def name_before(chosen, holes):
+    """The object's name, where there are several."""
+    return f"{holes.mesh.object.name}: " if len(chosen) > 1 else ""
+
+
+def marks(holes):
+    """Per loop: whether all of its edges are selected; any edge; any vertex."""
+    mesh = holes.mesh
+    selected = _keys(snapshot.selected_edges(mesh.object), len(mesh.vertices))
+    made = []
+    for _, loop in holes.loops:
+        ends = np.stack([loop.vertices, np.roll(loop.vertices, -1)], axis=1)
+        edges = np.isin(_keys(ends, len(mesh.vertices)), selected)
+        made.append((edges.all(), edges.any(), mesh.vertex_selected[loop.vertices].any()))
+    return made
+
+
+def remember_refused(holes):
+    """Offers to select what a patch was refused for: two loops, a vertex."""
+    for report in holes.result.loops:
+        if report.outcome is not fairmesh.FillOutcome.LEFT_OPEN or not report.reason_elements:
+            continue
+        vertices, what = list(report.reason_elements), "what keeps a hole open"
+        if report.reason is fairmesh.FillReason.OPPOSITE_SIDES:
+            loops = dict(holes.loops)
+            vertices = np.concatenate([loops[index].vertices for index in report.reason_elements])
+            what = "two loops that face opposite ways"
+        found.remember(found.Found(holes.mesh.object, holes.mesh.counts, what, vertices=vertices))
+        return
+
+
+def _keys(edges, count):
+    """A number for each edge, the same for both directions."""
+    edges = edges.astype(np.int64)
+    return edges.min(axis=1) * count + edges.max(axis=1)
+
+
+def _size(chosen):
+    """The largest extent of the holes, for the constant of the target."""
+    extents = [np.ptp(holes.mesh.seen()[loop.vertices], axis=0) for holes in chosen for _, loop in holes.loops]
+    return max(float(np.linalg.norm(extent)) for extent in extents)

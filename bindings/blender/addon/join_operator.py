@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Edge > Join Loops and Fair."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from . import fairmesh, filling, found, messages
+from .job import Background
+
+
+class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operator):
+    """Joins boundary loops of each object in Edit mode."""
+
+    bl_idname = "mesh.fairmesh_join_loops"
+    bl_label = "Join Loops and Fair"
+    bl_description = (
+        "Close the gap between the selected boundary loops with one surface that goes on smoothly from all of them: "
+        "ends of tubes, the sides of a gap, a hole and the island in it"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    groups: EnumProperty(
+        name="Patches",
+        description="Which loops get one patch together",
+        items=(
+            ("ONE", "One for All", "All selected loops of an object get one patch"),
+            (
+                "AUTO",
+                "Where It Bends Less",
+                "Loops whose common patch bends less than patches of their own would; the others are left open. "
+                "Without a selection: of all loops",
+            ),
+        ),
+        default="ONE",
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "EDIT_MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "groups")
+        self.draw_filling(layout)
+
+    def prepare(self, context):
+        found.remember(None)
+        meshes = [filling.read(obj) for obj in context.objects_in_mode_unique_data]
+        for holes in meshes:
+            self._choose(holes)
+        chosen = [holes for holes in meshes if holes.join]
+        if not chosen:
+            self.report({"ERROR"}, self._nothing(meshes))
+            return None
+        return self.work_on(chosen)
+
+    def _choose(self, holes):
+        """Sets which loops are joined; none: an empty list."""
+        marks = filling.marks(holes)
+        selected = holes.loops if self.groups == "AUTO" and not any(mark[2] for mark in marks) else []
+        # Whole loops if there are two, else those with a selected edge, else those with a selected vertex.
+        for level in range(3):
+            if len(selected) < 2:
+                selected = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
+        shown = [(index, loop) for index, loop in selected if not holes.mesh.vertex_hidden[loop.vertices].any()]
+        if len(shown) < len(selected):
+            holes.skipped.append((len(selected) - len(shown), "a vertex is hidden"))
+        indices = [index for index, _ in shown]
+        if self.groups == "AUTO" and len(indices) > 1:
+            mesh = holes.mesh
+            with messages.about(mesh):
+                suggested = fairmesh.suggest_joins(mesh.seen(), mesh.triangles, loops=indices)
+            holes.join = [each.loops.tolist() for each in suggested]
+        else:
+            holes.join = [indices] if len(indices) > 1 else []
+
+    def _nothing(self, meshes):
+        for holes in meshes:
+            for count, why in holes.skipped:
+                return f"Nothing was joined, {count} left out: {why}"
+        if self.groups == "AUTO":
+            return "No two loops have a common patch that bends less than patches of their own: select those to be joined"
+        return (
+            "Select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
+            "Parts in several objects: join the objects first (Ctrl-J)"
+        )
+
+    def finish(self, context, chosen):
+        # Where nothing became of any group, the mesh stays as it is, selection included.
+        done = [holes for holes in chosen if holes.result.new_face_count]
+        for holes in chosen:
+            if holes not in done:
+                text = messages.filled(holes.result.loops)[1]
+                self.report({"WARNING" if done else "ERROR"}, filling.name_before(chosen, holes) + text)
+            filling.remember_refused(holes)
+        return self.write(done) if done else {"CANCELLED"}
+
+
+def _menu(self, context):
+    self.layout.operator(MESH_OT_fairmesh_join_loops.bl_idname)
+
+
+_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
+
+
+def register():
+    bpy.utils.register_class(MESH_OT_fairmesh_join_loops)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).append(_menu)
+
+
+def unregister():
+    for menu in _MENUS:
+        getattr(bpy.types, menu).remove(_menu)
+    bpy.utils.unregister_class(MESH_OT_fairmesh_join_loops)

@@ -1,0 +1,127 @@
+"""Which loops to join, triangles erased, components."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._choice import Choice, LoopChoice
+from ._errors import call
+from ._handles import ResultHandle
+from ._library import load
+from ._reports import Bends, bends_of, sized
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+_lists = _abi.fairmesh_list
+
+
+@dataclass(frozen=True)
+class JoinSuggestion:
+    """Loops whose joint patch bends less than patches of their own would."""
+
+    #: As `boundary_loops` numbers them, ascending.
+    loops: NDArray[np.intp]
+    #: Why.
+    reason: Bends
+
+
+@dataclass(frozen=True)
+class Erased:
+    """A mesh without some of its triangles. Its vertices are those given, used or not."""
+
+    #: The faces that are left, in the type given.
+    faces: NDArray[Any]
+    #: Their numbers before, ascending.
+    kept_faces: NDArray[np.intp]
+    #: The loops that the deleted faces leave, as `boundary_loops` numbers those of the mesh that is left.
+    loops: NDArray[np.intp]
+    #: How many faces were dropped besides those named: they hung at the mesh by one edge or by a vertex.
+    dropped_count: int
+
+
+@_arrays.of_arrays
+def suggest_joins(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = None,
+    **which: Unpack[LoopChoice],
+) -> list[JoinSuggestion]:
+    """The loops that ``fill_holes(..., join="auto")`` would give one patch, and why.
+
+    Args:
+        vertices, faces, coincident: As in `fair`.
+        **which: Among which loops: ``loops`` and the bounds of `fill_holes`. Default: all.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    choice = Choice(library, which)
+    address = ctypes.c_void_p()
+    call(
+        library,
+        "fairmesh_suggest_joins",
+        ctypes.byref(mesh.struct),
+        ctypes.byref(choice.struct),
+        ctypes.byref(address),
+    )
+    handle = ResultHandle(library, address)
+    return [_suggestion(handle, index) for index in range(handle.info().loop_count)]
+
+
+def _suggestion(handle: ResultHandle, index: int) -> JoinSuggestion:
+    made = sized(_abi.fairmesh_join_suggestion)
+    handle.read("fairmesh_result_suggestion", index, ctypes.byref(made))
+    return JoinSuggestion(handle.list(_lists.JOINED_LOOPS, index), bends_of(made))
+
+
+@_arrays.of_arrays
+def erase(
+    vertices: ArrayLike, faces: ArrayLike, erased: ArrayLike, *, coincident: _arrays.Coincident | None = None
+) -> Erased:
+    """Deletes faces, and what would hang loose where they were, so that new patches can take their place:
+
+    ``left = erase(v, f, faces); fill_holes(v, left.faces, loops=left.loops)``.
+
+    Args:
+        vertices, faces, coincident: As in `fair`.
+        erased: A bool mask (m,) or indices of faces.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    listed = _arrays.chosen_faces(erased, "erased", len(mesh.faces))
+    address = ctypes.c_void_p()
+    call(
+        library,
+        "fairmesh_erase",
+        ctypes.byref(mesh.struct),
+        ctypes.byref(_arrays.indices_view(listed)),
+        ctypes.byref(address),
+    )
+    handle = ResultHandle(library, address)
+    kept = handle.list(_lists.KEPT_TRIANGLES)
+    left = mesh.faces[kept].astype(mesh.index_type, copy=False)
+    return Erased(left, kept, handle.list(_lists.ERASED_LOOPS), handle.info().dropped_count)
+
+
+@_arrays.of_arrays
+def components(
+    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
+) -> NDArray[np.intp]:
+    """Per face the number of its component, (m,): faces that hang together by edges.
+
+    Components count in the order of their first faces. Arguments as in `fair`.
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    address = ctypes.c_void_p()
+    call(library, "fairmesh_components", ctypes.byref(mesh.struct), ctypes.byref(address))
+    return ResultHandle(library, address).list(_lists.TRIANGLE_COMPONENTS)

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+#include "filled.h"
+
+#include "report.h"
+
+#include <algorithm>
+
+namespace fairmesh_meshlab {
+
+namespace {
+
+std::uint32_t first_vertex(const fairmesh::result &loops, std::uint64_t loop) {
+    return loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop).front();
+}
+
+/** Which hole, or which loops, by their vertices. */
+std::string name_of(const fairmesh_fill_report &hole, const std::vector<std::uint32_t> &group, const fairmesh::result &loops) {
+    const auto edges = static_cast<unsigned long long>(hole.edge_count);
+    std::string name = text("hole of %llu edges at vertex %u", edges, first_vertex(loops, hole.loop_index));
+    if (group.size() < 2) return name;
+    name = text("%zu loops of %llu edges at vertices %u", group.size(), edges, first_vertex(loops, group[0]));
+    const std::size_t shown = std::min<std::size_t>(group.size(), 8);
+    for (std::size_t k = 1; k < shown; ++k) name += text(", %u", first_vertex(loops, group[k]));
+    return name + (shown < group.size() ? ", ..." : "");
+}
+
+/** Which two loops face opposite ways, and what to do. */
+std::string opposite(const fairmesh_fill_report &hole, const fairmesh::result &loops) {
+    return text(" These are the loops at vertices %u and %u: select the faces of one of the two parts and apply 'Invert Faces "
+                "Orientation'.",
+                first_vertex(loops, hole.reason_element), first_vertex(loops, hole.reason_other));
+}
+
+} // namespace
+
+Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host) {
+    const fairmesh_info info = filled.info();
+    int open = 0, unfair = 0, joined = 0;
+    // Of the first hole that did not become fair.
+    std::uint32_t outcome = FAIRMESH_FILL_OUTCOME_FAIRED, fairing = FAIRMESH_OUTCOME_CONVERGED;
+    double defect = 0, solve = 0;
+    std::uint64_t iterations = 0;
+    for (std::uint64_t i = 0; i < info.loop_count; ++i) {
+        const fairmesh_fill_report hole = filled.fill_report(i);
+        std::string but = reservation(hole);
+        bool fair = hole.outcome == FAIRMESH_FILL_OUTCOME_FAIRED || hole.reason == FAIRMESH_FILL_REASON_NO_INNER_VERTEX;
+        if (hole.has_report) {
+            const fairmesh_report report = filled.report(i);
+            defect = std::max(defect, report.defect);
+            iterations = std::max(iterations, report.iterations);
+            if (report.outcome != FAIRMESH_OUTCOME_CONVERGED && but.empty()) but = "closed; " + reservation(report);
+            fair = fair && report.outcome == FAIRMESH_OUTCOME_CONVERGED;
+            if (open + unfair == 0 && !fair) fairing = report.outcome;
+        }
+        if (open + unfair == 0 && !fair) outcome = hole.outcome;
+        solve += hole.seconds;
+        open += hole.outcome == FAIRMESH_FILL_OUTCOME_LEFT_OPEN;
+        unfair += hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && !fair;
+        const auto group = filled.list(FAIRMESH_LIST_JOINED_LOOPS, i);
+        const std::string which = name_of(hole, group, loops);
+        if (hole.outcome != FAIRMESH_FILL_OUTCOME_LEFT_OPEN && group.size() > 1) joined += static_cast<int>(group.size());
+        if (hole.reason == FAIRMESH_FILL_REASON_OPPOSITE_SIDES) but += opposite(hole, loops);
+        if (!but.empty()) host.warn("Warning, " + which + ": " + but);
+        if (continues_curvature && hole.has_report) log_continuity(filled, host, i);
+    }
+    const int closed = static_cast<int>(info.loop_count) - open;
+    if (joined > 0) host.log(text("Loops that share a patch with others: %d", joined));
+    host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
+                  static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count), open,
+                  unfair));
+    return {{"converged", open + unfair == 0},
+            {"outcome", static_cast<int>(fairing)},
+            {"fill_outcome", static_cast<int>(outcome)},
+            {"closed", closed},
+            {"left_open", open},
+            {"not_fair", unfair},
+            {"joined", joined},
+            {"new_vertices", static_cast<int>(info.new_vertex_count)},
+            {"new_faces", static_cast<int>(info.new_triangle_count)},
+            {"defect", defect},
+            {"iterations", static_cast<int>(iterations)},
+            {"seconds_solve", solve}};
+}
+
+void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish) {
+    if (wish == SelectionAfter::AsBefore) return;
+    const std::size_t first = mesh.face.size() - count;
+    for (std::size_t i = 0; i < mesh.face.size(); ++i) {
+        if (mesh.face[i].IsD()) continue;
+        if (i >= first) mesh.face[i].SetS();
+        else if (wish == SelectionAfter::NewOnly) mesh.face[i].ClearS();
+    }
+}
+
+} // namespace fairmesh_meshlab

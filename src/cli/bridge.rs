@@ -1,0 +1,202 @@
+//! `fairmesh bridge`: a strip between two runs of boundary edges.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use fairmesh::{
+    BridgeOptions, Bridged, FillOptions, FillOutcome, Options, OutputPrecision, Progress,
+    bridge_with_progress,
+};
+use serde_json::{Value, json};
+
+use crate::answer::Answer;
+use crate::bar::Bar;
+use crate::explain;
+use crate::failure::Failure;
+use crate::fill::{reported, told, with_size};
+use crate::formats::{Added, Format, MeshFile};
+use crate::output::Output;
+use crate::surface::{IntersectionArgs, MeshArgs};
+
+/// What `fairmesh bridge` is asked.
+#[derive(Debug, Args)]
+pub struct BridgeArgs {
+    /// The mesh: .ply, .obj, .off or .stl
+    input: PathBuf,
+    /// Where the result goes; may be the input itself. It is written whole or not at all
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// The vertices of a run of boundary edges, one after the other, in either
+    /// direction, as in 12,13,14; one is enough with --width
+    #[arg(
+        long,
+        value_name = "VERTICES",
+        value_delimiter = ',',
+        required = true,
+        verbatim_doc_comment
+    )]
+    from: Vec<u32>,
+    /// The run at the other end, of the same hole or of another boundary
+    #[arg(long, value_name = "VERTICES", value_delimiter = ',', required = true)]
+    to: Vec<u32>,
+    /// Both runs are made longer or shorter about their middles, along their
+    /// boundaries, to about this length [default: as they are]
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    width: Option<f64>,
+    /// Fills the holes beside the bridge, too, and fairs all that is new together
+    #[arg(long)]
+    fill: bool,
+    /// How dense the new vertices are: at 1.414 edges are as long as those
+    /// of the two runs, at twice that half as long
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    density: Option<f64>,
+    /// At most this many new vertices [default: 200000]
+    #[arg(long, value_name = "N")]
+    max_new_vertices: Option<usize>,
+    /// Triangulates and refines, but does not fair
+    #[arg(long)]
+    no_fair: bool,
+    /// Stop when the vertices move less than this part of the patch's
+    /// diagonal, between 0 and 1 [default: 1e-8]
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    tolerance: Option<f64>,
+    /// Worker threads, 0: as many as the machine has;
+    /// the result is the same to the last bit
+    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
+    threads: usize,
+    #[command(flatten)]
+    mesh: MeshArgs,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
+    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// No progress bar and no report; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Makes the bridge; true if it is fair, and the rest, too, if that was asked for. Where none can be made nothing is written.
+pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
+    let start = Instant::now();
+    let format = Format::of(&args.output)?;
+    let mesh = MeshFile::read(&args.input)?;
+    let precision = match (mesh.format(), format) {
+        (Format::Ply, Format::Ply) => mesh.output_precision(),
+        _ => format.output_precision(),
+    };
+    mesh.check_writable(&args.input, format)?;
+    let output = Output::prepare(&args.output)?;
+    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let solving = Instant::now();
+    let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
+    let solve = solving.elapsed().as_secs_f64();
+    if matches!(bridged.strip.outcome, FillOutcome::LeftOpen(_)) {
+        return Err(Failure::new(format!(
+            "{}: no bridge was made: {}",
+            args.input.display(),
+            told(&bridged.strip)
+        )));
+    }
+    let added = Added {
+        positions: &bridged.positions,
+        triangles: &bridged.triangles,
+        parents: &bridged.parents,
+    };
+    output.write(&mesh.with_added(format, &added))?;
+    let total = start.elapsed().as_secs_f64();
+    let json = || {
+        let first = mesh.first_added_face(format);
+        let geometry = &mesh.geometry;
+        let face = |t: u32| match (t as usize).checked_sub(geometry.triangles.len()) {
+            Some(added) => first + added,
+            None => geometry.polygon_of(t as usize),
+        };
+        let rest: Vec<Value> = bridged.rest.iter().map(|l| reported(l, first, face)).collect();
+        json!({ "strip": reported(&bridged.strip, first, face), "chains": bridged.chains, "sides": bridged.sides,
+            "twist": bridged.twist, "loops": rest,
+            "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
+            "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - geometry.triangles.len(),
+            "seconds": { "solve": solve, "total": total } })
+    };
+    answer.tell(&[&args.output], json, || readable(&bridged))?;
+    Ok(bridged.is_clean() || args.no_fair)
+}
+
+fn solve(
+    args: &BridgeArgs,
+    mesh: &MeshFile,
+    output_precision: OutputPrecision,
+) -> Result<Bridged, fairmesh::Error> {
+    let mut bar = Bar::new(args.quiet);
+    let mut progress = |progress: &Progress| bar.show(progress);
+    let defaults = FillOptions::default();
+    let options = BridgeOptions {
+        width: args.width,
+        fill: args.fill,
+        filling: FillOptions {
+            density: args.density.unwrap_or(defaults.density),
+            max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
+            fair: !args.no_fair,
+            fairing: Options {
+                tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
+                output_precision,
+                threads: args.threads,
+                intersections: args.intersections.intersections(),
+                coincident: args.mesh.coincident,
+                ..Options::default()
+            },
+            ..defaults
+        },
+    };
+    let geometry = &mesh.geometry;
+    let chains = [&args.from[..], &args.to];
+    let bridged = bridge_with_progress(
+        &geometry.positions,
+        &geometry.triangles,
+        chains,
+        &options,
+        &mut progress,
+    );
+    bar.finish();
+    bridged
+}
+
+/// The library's refusal; of a chain, by its flag.
+fn refusal(args: &BridgeArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
+    match error {
+        fairmesh::Error::BadChain { chain, vertex, why } => {
+            let flag = if *chain == 0 { "from" } else { "to" };
+            Failure::new(format!(
+                "--{flag}, vertex {vertex} of {}: {why}; {}",
+                args.input.display(),
+                error.entry().remedy()
+            ))
+        }
+        _ => explain::refusal(&args.input, mesh, error),
+    }
+}
+
+fn readable(bridged: &Bridged) -> String {
+    let ends = bridged.chains.each_ref().map(|chain| chain.len() - 1);
+    let mut text = format!(
+        "bridge from {} edges to {}, twisted by {:.1} degrees: {}",
+        ends[0],
+        ends[1],
+        bridged.twist,
+        with_size(&bridged.strip)
+    );
+    for report in &bridged.rest {
+        let _ = write!(text, "beside it, {} edges: {}", report.edges, with_size(report));
+    }
+    if let Some(whole) = &bridged.whole {
+        let _ = writeln!(
+            text,
+            "all of it together: {}",
+            whole.outcome.name().replace('_', " ")
+        );
+    }
+    text
+}
