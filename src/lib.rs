@@ -32,10 +32,11 @@ pub use fairing::{
     Session, Solution, Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
-    BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason, Join,
-    JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure, OpenReason, Parents,
-    Place, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, bridge, bridge_with_progress,
-    erase, fill_holes, fill_holes_with_progress, remesh_region, suggest_joins, triangle_components,
+    BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
+    Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure, OpenReason,
+    Parents, Place, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, bridge,
+    bridge_with_progress, carry_over, erase, erase_and_clean, fill_holes, fill_holes_with_progress,
+    remesh_region, suggest_joins, triangle_components,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 #[cfg(feature = "profile")]

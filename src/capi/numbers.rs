@@ -81,6 +81,12 @@ pub enum fairmesh_status {
     ValenceTooLarge = 33,
     /// A vertex is on no boundary loop of the region.
     NotOnLoop = 34,
+    /// A guide does not join two vertices of the boundary that one patch can have an edge between.
+    BadGuide = 35,
+    /// Two guides cross each other.
+    GuidesCross = 36,
+    /// A chain is no run of edges of one boundary loop.
+    BadChain = 37,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -378,6 +384,9 @@ impl fairmesh_status {
             32 => Self::CoordinateTooLarge,
             33 => Self::ValenceTooLarge,
             34 => Self::NotOnLoop,
+            35 => Self::BadGuide,
+            36 => Self::GuidesCross,
+            37 => Self::BadChain,
             99 => Self::Internal,
             _ => Self::Internal,
         }

@@ -219,6 +219,24 @@ class Status(Numbered):
         "a vertex is on no boundary loop of the region",
         "name a fixed vertex beside a free one",
     )
+    #: A guide does not join two vertices of the boundary that one patch can have an edge between.
+    BAD_GUIDE = (
+        35,
+        "a guide does not join two vertices of the boundary that one patch can have an edge between",
+        "name two vertices of one loop that are no neighbours, or of two loops that are joined, each in one guide",
+    )
+    #: Two guides cross each other.
+    GUIDES_CROSS = (
+        36,
+        "two guides cross each other",
+        "leave one of them out",
+    )
+    #: A chain is no run of edges of one boundary loop.
+    BAD_CHAIN = (
+        37,
+        "a chain is no run of edges of one boundary loop",
+        "name the vertices of a run of boundary edges, one after the other",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,
