@@ -42,7 +42,9 @@ impl Task<'_> {
         if !piece.is_sound() {
             avoiding = self.avoiding(&check);
             let judge = |piece| check.judged(piece);
-            let gentler = avoiding.as_ref().and_then(|coarse| self.gentler(coarse, &judge, tell));
+            let gentler = avoiding
+                .as_ref()
+                .and_then(|coarse| self.gentler(coarse, &judge, tell));
             piece = gentler.unwrap_or(piece);
         }
         if !piece.is_fair() {
@@ -64,7 +66,10 @@ impl Task<'_> {
     fn avoiding(&self, check: &Check<'_, '_>) -> Option<Patch> {
         let around = self.surroundings;
         let vertices = &around.ids[..around.loop_vertices];
-        let obstacles = check.neighbours.as_ref().map(|near| near.obstacles(check.of, vertices));
+        let obstacles = check
+            .neighbours
+            .as_ref()
+            .map(|near| near.obstacles(check.of, vertices));
         let barred = |t: [u32; 3]| obstacles.as_ref().is_some_and(|obstacles| obstacles.bar(t));
         let first = self.triangulate(false, None)?;
         match first.triangles.iter().any(|&t| barred(t)) {

@@ -5,15 +5,15 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 
+use super::attempts::Check;
 use super::bridge::Bridged;
 use super::bridge_chains::Chain;
-use super::attempts::Check;
 use super::bridge_sides::{Corner, End, Side};
 use super::crossing::Neighbours;
 use super::fill::{Filled, crossings};
 use super::groups::Group;
 use super::loops::{BoundaryLoop, Links, LoopKind};
-use super::options::{FillOptions, OnFailure, largest_patch};
+use super::options::{FillOptions, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::parents::{Parents, compose};
 use super::piece::{Piece, Task};

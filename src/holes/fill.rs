@@ -10,7 +10,7 @@ use super::groups::{Group, JoinSuggestion, asked_for, choose};
 use super::guides::Guides;
 use super::joint;
 use super::loops::{BoundaryLoop, Links, LoopKind};
-use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
+use super::options::{FillOptions, Join, Loops, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};

@@ -193,14 +193,14 @@ mod tests {
             let m = n as u32;
             let across = vec![[1, m / 2], [m - 2, m / 2 + 3]];
             for measure in [Measure::WorstBend, Measure::Area] {
-                let triangles = triangulate(&gap(n, false, across.clone()), measure).unwrap();
+                let triangles = triangulate(&gap(n, false, across.clone()), measure, None).unwrap();
                 assert_eq!(triangles.len(), n - 2);
                 assert!(across.iter().all(|guide| has_edge(&triangles, *guide)), "{n}");
             }
             // From circle to circle, askew, and one on the outer circle that cuts a corner off.
             let between = vec![[0, m + 2], [m / 2, m + m / 2 + 1], [m / 4 - 1, m / 4 + 1]];
             for measure in [Measure::TotalBend, Measure::Energy] {
-                let triangles = triangulate(&gap(n, true, between.clone()), measure).unwrap();
+                let triangles = triangulate(&gap(n, true, between.clone()), measure, None).unwrap();
                 assert_eq!(triangles.len(), 2 * n);
                 assert!(
                     between.iter().all(|guide| has_edge(&triangles, *guide)),
