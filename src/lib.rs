@@ -33,8 +33,8 @@ pub use fairing::{
 };
 pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
-    Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure, OpenReason,
-    Parents, Place, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, bridge,
+    Join, JoinKind, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure,
+    OpenReason, Parents, Place, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, bridge,
     bridge_with_progress, carry_over, erase, erase_and_clean, fill_holes, fill_holes_with_progress,
     remesh_region, suggest_joins, triangle_components,
 };

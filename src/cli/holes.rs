@@ -16,6 +16,9 @@ use crate::formats::{Geometry, MeshFile};
 use crate::join;
 use crate::surface::MeshArgs;
 
+/// A component of no more faces is debris, or a piece of a soup.
+const DEBRIS: usize = 3;
+
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
 pub struct HolesArgs {
@@ -54,6 +57,7 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
             touching(boundary)
         );
     }
+    text += &soup(&loops);
     let suggested = match args.suggest {
         true => {
             Some(suggested(args, geometry).map_err(|error| explain::refusal(&args.input, &mesh, &error))?)
@@ -86,6 +90,19 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     Ok(true)
 }
 
+/// What is to be said where most loops are outlines of single faces.
+fn soup(loops: &[BoundaryLoop]) -> String {
+    let debris = loops.iter().filter(|of| of.component_triangles <= DEBRIS).count();
+    match 2 * debris > loops.len() {
+        true => format!(
+            "{debris} of {} loops are outlines of {DEBRIS} faces or fewer: if this is a soup, --coincident DISTANCE joins vertices that are near each \
+             other; if it is debris, 'fairmesh fill --drop-components-below' drops it\n",
+            loops.len()
+        ),
+        false => String::new(),
+    }
+}
+
 fn suggested(args: &HolesArgs, geometry: &Geometry) -> Result<Vec<JoinSuggestion>, fairmesh::Error> {
     let options = FillOptions {
         fairing: Options {
@@ -100,6 +117,12 @@ fn suggested(args: &HolesArgs, geometry: &Geometry) -> Result<Vec<JoinSuggestion
 fn kind(boundary: &BoundaryLoop) -> String {
     match boundary.kind {
         LoopKind::Hole => "hole".into(),
+        LoopKind::OuterBoundary if boundary.component_triangles <= DEBRIS => {
+            format!(
+                "outer boundary of {} faces that hang at nothing",
+                boundary.component_triangles
+            )
+        }
         LoopKind::OuterBoundary => "outer boundary".into(),
         LoopKind::NonManifold { a, b } => format!("runs into the non-manifold edge ({a}, {b})"),
         _ => "unknown".into(),
@@ -123,6 +146,7 @@ fn described(boundary: &BoundaryLoop) -> Value {
     };
     json!({
         "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
-        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "component": boundary.component, "vertices": boundary.vertices,
+        "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "component": boundary.component,
+        "component_faces": boundary.component_triangles, "vertices": boundary.vertices,
     })
 }

@@ -55,15 +55,19 @@ pub fn asked(values: &[JoinArg]) -> Result<Join, Failure> {
 /// The reason in words.
 pub fn told(reason: &JoinReason) -> String {
     format!(
-        "together they bend by {:.4e}, by themselves by {:.4e} (edge length times angle); area {:.4e} against {:.4e}",
-        reason.joint_bend, reason.separate_bend, reason.joint_area, reason.separate_area
+        "{}; together they bend by {:.4e}, by themselves by {:.4e} (edge length times angle); area {:.4e} against {:.4e}",
+        reason.kind.entry().text(),
+        reason.joint_bend,
+        reason.separate_bend,
+        reason.joint_area,
+        reason.separate_area
     )
 }
 
 /// The reason for programs.
 pub fn json(reason: &JoinReason) -> Value {
     json!({
-        "joint_bend": reason.joint_bend, "separate_bend": reason.separate_bend,
+        "kind": reason.kind.name(), "joint_bend": reason.joint_bend, "separate_bend": reason.separate_bend,
         "joint_area": reason.joint_area, "separate_area": reason.separate_area,
     })
 }

@@ -133,6 +133,7 @@ impl<'m> Strip<'m> {
             touching: Vec::new(),
             kind: LoopKind::Hole,
             component,
+            component_triangles: 0,
         }
     }
 

@@ -10,6 +10,7 @@ use super::options::{FillOptions, Join, LoopFilter, Loops};
 use super::surroundings::bounds;
 use super::triangulate::Measure;
 use crate::error::Error;
+use crate::table::table;
 
 /// Loops that a patch of their own closes with less turn (degrees) have no need of others.
 const FLAT: f64 = 20.0;
@@ -20,10 +21,44 @@ const GAIN: f64 = 0.1;
 /// No group of more edges than this is looked for: the triangulations would take too long.
 const MOST_EDGES: usize = 20_000;
 
+/// What lies between loops that are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum JoinKind {
+    /// Between parts of the mesh that do not hang together: the ends of tubes, two sheets.
+    Gap,
+    /// In the same part, which gets a handle: the two mouths of a hole through a thick plate, a ring that is cut out of a tube.
+    Tunnel,
+    /// Between a hole and parts that lie in it.
+    Island,
+}
+
+table!(JoinKind {
+    0 "gap" JoinKind::Gap => "a gap between parts", "";
+    1 "tunnel" JoinKind::Tunnel => "a tunnel: the part gets a handle", "";
+    2 "island" JoinKind::Island => "a hole with an island in it", "";
+});
+
+impl JoinKind {
+    fn of(loops: &[&BoundaryLoop]) -> Self {
+        let mut components: Vec<usize> = loops.iter().map(|of| of.component).collect();
+        components.sort_unstable();
+        components.dedup();
+        let has = |kind: LoopKind| loops.iter().any(|of| of.kind == kind);
+        match components.len() < loops.len() {
+            true => Self::Tunnel,
+            false if has(LoopKind::Hole) && has(LoopKind::OuterBoundary) => Self::Island,
+            false => Self::Gap,
+        }
+    }
+}
+
 /// Why loops are joined: bends are sums over all edges, those of the loops included, of length times angle (radians), of
 /// triangulations without new vertices; edges inside count half.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JoinReason {
+    /// What lies between them.
+    pub kind: JoinKind,
     /// Of one patch for all of the loops.
     pub joint_bend: f64,
     /// Of a patch for each.
@@ -225,7 +260,9 @@ pub(super) fn suggestions(
         .map(|(of, joint)| {
             let separate = single.iter().filter(|(l, _)| of.contains(l));
             let sum = |value: fn(&Bends) -> f64| separate.clone().map(|(_, bends)| value(bends)).sum();
+            let between: Vec<&BoundaryLoop> = of.iter().map(|&l| &loops[l]).collect();
             let reason = JoinReason {
+                kind: JoinKind::of(&between),
                 joint_bend: joint.total,
                 separate_bend: sum(|bends| bends.total),
                 joint_area: joint.area,

@@ -71,6 +71,9 @@ pub struct BoundaryLoop {
     /// The component of the mesh that the loop is on: triangles that hang together by edges. They count in the order of their
     /// first triangles.
     pub component: usize,
+    /// How many triangles that component has. A mesh whose components are single triangles is a soup: its vertices have to be joined, see
+    /// [`Coincident`].
+    pub component_triangles: usize,
     /// The mesh's half-edge at each edge from a vertex to the next; it runs the other way.
     pub(super) half_edges: Vec<u32>,
 }
@@ -345,9 +348,11 @@ impl<'a> Links<'a> {
             visits[place] = visits[place].saturating_add(1);
         }
         let components = self.components();
+        let mut sizes = vec![0; components.iter().max().map_or(0, |&last| last as usize + 1)];
+        components.iter().for_each(|&c| sizes[c as usize] += 1);
         found
             .into_iter()
-            .map(|(run, bad)| self.measure(run, bad, positions, (&places, &visits), &components))
+            .map(|(run, bad)| self.measure(run, bad, positions, (&places, &visits), (&components, &sizes)))
             .collect()
     }
 
@@ -437,8 +442,9 @@ impl<'a> Links<'a> {
         bad: Option<u32>,
         positions: &[[f64; 3]],
         (places, visits): (&Places, &[u8]),
-        components: &[u32],
+        (components, sizes): (&[u32], &[usize]),
     ) -> BoundaryLoop {
+        let component = components[run[0] as usize / 3] as usize;
         let vertices: Vec<u32> = run.iter().map(|&h| self.origin(next(h))).collect();
         let at = |v: u32| Vector3::from(positions[v as usize]);
         let first = at(vertices[0]);
@@ -458,7 +464,8 @@ impl<'a> Links<'a> {
             turn: turn.to_degrees(),
             touching,
             kind: self.kind(bad, turn),
-            component: components[run[0] as usize / 3] as usize,
+            component,
+            component_triangles: sizes[component],
             half_edges: run,
         }
     }

@@ -39,7 +39,7 @@ pub use bridge::{BridgeOptions, Bridged, bridge, bridge_with_progress};
 pub use carry_over::{Carried, carry_over};
 pub use erase::{Erased, erase, erase_and_clean};
 pub use fill::{Filled, fill_holes, fill_holes_with_progress, suggest_joins};
-pub use groups::{JoinReason, JoinSuggestion};
+pub use groups::{JoinKind, JoinReason, JoinSuggestion};
 pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, triangle_components};
 pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};

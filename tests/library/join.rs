@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 
 use crate::fairing::{angle, distances_to_mesh, irregular, vector};
 use fairmesh::{
-    BoundaryNormals, Error, FillOptions, FillOutcome, Filled, Join, Loops, OnFailure, OpenReason, Options,
-    Outcome, Selection, boundary_loops, fair, fill_holes, suggest_joins,
+    BoundaryNormals, Error, FillOptions, FillOutcome, Filled, Join, JoinKind, Loops, OnFailure, OpenReason,
+    Options, Outcome, Selection, boundary_loops, fair, fill_holes, suggest_joins,
 };
 use fairmesh_shapes::{
     Sampling, Shape, cylinder_band, cylinder_blend_fine, in_parts, plate, sphere_in_pieces,
@@ -335,6 +335,55 @@ fn only_what_belongs_together_is_joined_by_itself() {
             .then_some(0)))
         .is_empty()
     );
+}
+
+/// A torus of tube radius .4 about the unit circle, without a sixth of the way around: both ends are of the same part.
+fn open_torus() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let (n, m) = (40, 16);
+    let at = |i: u32, j: u32| {
+        let (u, v) = (
+            TAU / 1.2 * f64::from(i) / f64::from(n),
+            TAU * f64::from(j) / f64::from(m),
+        );
+        let r = 1.0 + 0.4 * v.cos();
+        [r * u.cos(), r * u.sin(), 0.4 * v.sin()]
+    };
+    let x = (0..=n).flat_map(|i| (0..m).map(move |j| at(i, j))).collect();
+    let quad = |i: u32, j: u32| {
+        let next = (j + 1) % m;
+        let [a, b, c, d] = [m * i + j, m * (i + 1) + j, m * (i + 1) + next, m * i + next];
+        [[a, b, c], [a, c, d]]
+    };
+    (
+        x,
+        (0..n)
+            .flat_map(|i| (0..m).flat_map(move |j| quad(i, j)))
+            .collect(),
+    )
+}
+
+#[test]
+fn what_lies_between_loops_that_are_joined_is_named() {
+    let kinds = |x: &[[f64; 3]], t: &[[u32; 3]]| -> Vec<JoinKind> {
+        let found = suggest_joins(x, t, &FillOptions::default()).unwrap();
+        found.iter().map(|of| of.reason.kind).collect()
+    };
+    let of_shape = |shape: Shape| kinds(&shape.positions, &shape.triangles);
+    assert_eq!(
+        of_shape(sphere_without_band(1_500, irregular(3), 40.0)),
+        [JoinKind::Gap]
+    );
+    assert_eq!(of_shape(plate_with_island(1_500, 2, 1)), [JoinKind::Island]);
+    let (x, t) = open_torus();
+    assert_eq!(kinds(&x, &t), [JoinKind::Tunnel]);
+    // The torus is whole again: as many vertices and triangles as edges.
+    let options = FillOptions {
+        join: Join::Auto,
+        ..FillOptions::default()
+    };
+    let filled = fill_holes(&x, &t, &options).unwrap();
+    assert_eq!(filled.loops[0].outcome, FillOutcome::Faired);
+    assert_eq!(euler(&filled), 0);
 }
 
 #[test]
