@@ -61,7 +61,8 @@ pub struct FairArgs {
     #[command(flatten)]
     intersections: IntersectionArgs,
     /// Triangulates the region anew before, with edges as long as those
-    /// around it: for features whose vertices would crowd. The output then
+    /// around it: for features whose vertices would crowd. Where its shape leads
+    /// to no sound surface, it is deleted and the hole filled. The output then
     /// holds vertices and triangles and nothing else
     #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
     remesh: bool,
@@ -80,7 +81,7 @@ pub struct FairArgs {
         help_heading = "Solver",
         verbatim_doc_comment
     )]
-    threads: usize,
+    pub threads: usize,
 }
 
 /// A mesh of triangles, what may move in it, and the normals and the curvature at the boundary of that.

@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
-use fairmesh::{BoundaryCurvature, BoundaryNormals, OutputPrecision, RemeshOptions, Solver, remesh_region};
+use fairmesh::{
+    BoundaryCurvature, BoundaryNormals, FillOptions, Options, Outcome, OutputPrecision, RemeshOptions,
+    Remeshed, Solver, refill_region, remesh_region,
+};
 
 use crate::fair::{FairArgs, FairInput, solve};
 use crate::formats::{Geometry, Kind};
@@ -18,20 +21,25 @@ pub fn remesh(
     input: &FairInput<'_>,
 ) -> Result<FairInput<'static>, fairmesh::Error> {
     let rough = solve(args, solver, input, Some(TOLERANCE), OutputPrecision::Double)?;
+    let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
+    let refilled = match rough.report.linear_surface || is_poor {
+        true => refill(args, input)?,
+        false => None,
+    };
     let positions = if rough.report.linear_surface {
         &input.geometry.positions
     } else {
         &rough.positions
     };
-    let mesh = remesh_region(
-        positions,
-        &input.geometry.triangles,
-        input.selected.selection(),
-        &RemeshOptions {
-            coincident: args.mesh.coincident,
-            ..RemeshOptions::default()
-        },
-    )?;
+    let options = RemeshOptions {
+        coincident: args.mesh.coincident,
+        ..RemeshOptions::default()
+    };
+    let triangles = &input.geometry.triangles;
+    let mesh = match refilled {
+        Some(mesh) => mesh,
+        None => remesh_region(positions, triangles, input.selected.selection(), &options)?,
+    };
     let moved = |v: u32| mesh.kept_vertices.binary_search(&v).ok().map(|new| new as u32);
     let boundary_normals = match &input.boundary_normals {
         BoundaryNormals::Given(list) => {
@@ -61,4 +69,25 @@ pub fn remesh(
         boundary_curvature,
         loop_continuity: loop_continuity.collect(),
     })
+}
+
+/// The region deleted and filled: its shape has led to no sound surface.
+fn refill(args: &FairArgs, input: &FairInput<'_>) -> Result<Option<Remeshed>, fairmesh::Error> {
+    let options = FillOptions {
+        fairing: Options {
+            boundary_normals: input.boundary_normals.clone(),
+            tolerance: TOLERANCE,
+            coincident: args.mesh.coincident,
+            threads: args.threads,
+            ..Options::default()
+        },
+        ..FillOptions::default()
+    };
+    let geometry = &input.geometry;
+    refill_region(
+        &geometry.positions,
+        &geometry.triangles,
+        input.selected.selection(),
+        &options,
+    )
 }

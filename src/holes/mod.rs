@@ -25,6 +25,7 @@ mod outcome;
 mod parents;
 mod patch;
 mod piece;
+mod refill;
 mod refine;
 mod relax;
 mod remesh;
@@ -44,4 +45,5 @@ pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, t
 pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
+pub use refill::refill_region;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};

@@ -21,6 +21,7 @@ mod join;
 mod long;
 mod outcomes;
 mod paper;
+mod refill;
 mod search;
 mod session;
 mod soundness;
