@@ -35,8 +35,8 @@ pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,
     Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure, OpenReason,
     Parents, Place, RemeshOptions, Remeshed, boundary_loops, boundary_loops_joined, bridge,
-    bridge_with_progress, erase, fill_holes, fill_holes_with_progress, remesh_region, suggest_joins,
-    triangle_components,
+    bridge_with_progress, carry_over, erase, erase_and_clean, fill_holes, fill_holes_with_progress,
+    remesh_region, suggest_joins, triangle_components,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 #[cfg(feature = "profile")]

@@ -104,6 +104,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         positions: &bridged.positions,
         triangles: &bridged.triangles,
         parents: &bridged.parents,
+        carry: None,
     };
     output.write(&mesh.with_added(format, &added))?;
     let total = start.elapsed().as_secs_f64();

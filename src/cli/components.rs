@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use fairmesh::{Coincident, erase, triangle_components};
+use fairmesh::{Carried, Coincident, Filled, carry_over, erase_and_clean, triangle_components};
 
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::{self, Format, Kind, MeshFile};
+use crate::formats::carry::Carry;
+use crate::formats::{Kind, MeshFile};
 use crate::selection::{Selected, indices};
 
-/// The mesh without the components of fewer than `least` triangles, and how many these are. If there are any, nothing is left of
-/// the file but vertices and faces.
+/// The mesh without the components of fewer than `least` triangles, and how many these are.
 pub fn without_small(
     name: &Path,
     mesh: MeshFile,
@@ -27,17 +27,33 @@ pub fn without_small(
         return Ok((mesh, 0));
     }
     let kept: Vec<bool> = components.iter().map(|&c| sizes[c as usize] >= least).collect();
-    Ok((only(name, &mesh, &kept)?, dropped))
+    let (rest, _) = mesh.only(&name.display().to_string(), &polygons(&mesh, &kept))?;
+    Ok((rest, dropped))
 }
 
-/// The mesh without the faces that a file lists, and without what would hang loose then; the loops where they were, and how many
-/// faces more were dropped.
+/// A mesh that some faces were taken from.
+pub struct Without {
+    /// The mesh as it was.
+    was: MeshFile,
+    /// The loops that are left where they were.
+    pub loops: Vec<usize>,
+    /// How many triangles more were dropped.
+    pub dropped: usize,
+    /// How many because they were slender, or fins.
+    pub cleaned: usize,
+    /// The triangles that are gone, by their numbers before.
+    gone: Vec<u32>,
+    /// The vertices that are kept, by their numbers before.
+    kept: Vec<u32>,
+}
+
+/// The mesh without the faces that a file lists, and without what would hang loose then.
 pub fn without_faces(
     name: &Path,
-    mesh: &MeshFile,
+    mesh: MeshFile,
     list: &Path,
-    coincident: Coincident,
-) -> Result<(MeshFile, Vec<usize>, usize), Failure> {
+    (coincident, clean): (Coincident, usize),
+) -> Result<(MeshFile, Without), Failure> {
     let geometry = &mesh.geometry;
     let listed = Selected {
         kind: Kind::Face,
@@ -45,20 +61,27 @@ pub fn without_faces(
     };
     let mut faces = listed.in_triangles(geometry).elements;
     let named = faces.len();
+    let mut cleaned = 0;
     loop {
-        let erased = erase(&geometry.positions, &geometry.triangles, &faces, coincident)
-            .map_err(|error| explain::refusal(name, mesh, &error))?;
+        let most = clean.saturating_sub(cleaned);
+        let erased = erase_and_clean(&geometry.positions, &geometry.triangles, &faces, coincident, most)
+            .map_err(|error| explain::refusal(name, &mesh, &error))?;
+        cleaned += erased.cleaned;
         let mut kept = vec![false; geometry.triangles.len()];
         erased.kept.iter().for_each(|&t| kept[t as usize] = true);
         // Of a polygon all triangles go, or none.
-        let mut whole = vec![true; geometry.polygon_count];
-        (0..kept.len()).for_each(|t| whole[geometry.polygon_of(t)] &= kept[t]);
+        let whole = polygons(&mesh, &kept);
         if (0..kept.len()).all(|t| kept[t] == whole[geometry.polygon_of(t)]) {
-            return Ok((
-                only(name, mesh, &kept)?,
-                erased.loops,
-                faces.len() + erased.dropped - named,
-            ));
+            let (rest, kept_vertices) = mesh.only(&name.display().to_string(), &whole)?;
+            let without = Without {
+                loops: erased.loops,
+                dropped: (0..kept.len()).filter(|&t| !kept[t]).count() - named - cleaned,
+                cleaned,
+                gone: (0..kept.len() as u32).filter(|&t| !kept[t as usize]).collect(),
+                kept: kept_vertices,
+                was: mesh,
+            };
+            return Ok((rest, without));
         }
         faces = (0..kept.len() as u32)
             .filter(|&t| !whole[geometry.polygon_of(t as usize)])
@@ -66,39 +89,37 @@ pub fn without_faces(
     }
 }
 
-/// A mesh of the polygons of these triangles, and the vertices that they use.
-fn only(name: &Path, mesh: &MeshFile, kept: &[bool]) -> Result<MeshFile, Failure> {
-    let geometry = &mesh.geometry;
-    let mut polygons = geometry.polygons();
-    let mut is_kept: Vec<bool> = Vec::with_capacity(polygons.len());
-    let mut last = None;
-    for (t, &kept) in kept.iter().enumerate() {
-        if last.replace(geometry.polygon_of(t)) != Some(geometry.polygon_of(t)) {
-            is_kept.push(kept);
+/// The polygons of which all triangles are kept, and those without triangles.
+fn polygons(mesh: &MeshFile, kept: &[bool]) -> Vec<bool> {
+    let mut whole = vec![true; mesh.geometry.polygon_count];
+    (0..kept.len()).for_each(|t| whole[mesh.geometry.polygon_of(t)] &= kept[t]);
+    whole
+}
+
+/// Where new vertices and the middles of new triangles lie on what is gone.
+type Places = [Vec<Option<Carried>>; 2];
+
+impl Without {
+    /// The places of what was added to a mesh of so many triangles.
+    pub fn carried(&self, filled: &Filled, triangles: usize) -> Result<Places, fairmesh::Error> {
+        let was = &self.was.geometry;
+        let middle = |t: &[u32; 3]| {
+            let corners = t.map(|v| filled.positions[v as usize]);
+            [0, 1, 2].map(|k| corners.iter().map(|p| p[k]).sum::<f64>() / 3.0)
+        };
+        let middles: Vec<[f64; 3]> = filled.triangles[triangles..].iter().map(middle).collect();
+        let places = |points: &[[f64; 3]]| carry_over(&was.positions, &was.triangles, &self.gone, points);
+        let old = filled.positions.len() - filled.parents.len();
+        Ok([places(&filled.positions[old..])?, places(&middles)?])
+    }
+
+    /// What attributes are carried over from.
+    pub fn carry<'a>(&'a self, [vertices, faces]: &'a Places) -> Carry<'a> {
+        Carry {
+            mesh: &self.was,
+            vertices,
+            faces,
+            kept: &self.kept,
         }
     }
-    let mut keep = is_kept.iter();
-    polygons.retain(|_| *keep.next().unwrap_or(&false));
-    if polygons.is_empty() {
-        return Err(Failure::new(format!(
-            "{}: nothing would be left of the mesh",
-            name.display()
-        )));
-    }
-    let mut is_used = vec![false; geometry.positions.len()];
-    polygons
-        .iter()
-        .flatten()
-        .for_each(|&v| is_used[v as usize] = true);
-    let (mut number, mut positions) = (vec![0; is_used.len()], Vec::new());
-    for v in (0..is_used.len()).filter(|&v| is_used[v]) {
-        number[v] = positions.len() as u32;
-        positions.push(geometry.positions[v]);
-    }
-    polygons
-        .iter_mut()
-        .flatten()
-        .for_each(|v| *v = number[*v as usize]);
-    let bytes = formats::plain(Format::Off, &positions, &polygons);
-    MeshFile::parse(&name.display().to_string(), Format::Off, bytes)
 }

@@ -36,7 +36,7 @@ pub struct FillArgs {
     #[command(flatten)]
     which: WhichArgs,
     /// Drops components of the mesh of fewer triangles than this before anything is
-    /// filled or counted; of the file nothing but vertices and faces is kept then
+    /// filled or counted
     #[arg(
         long,
         value_name = "N",
@@ -46,8 +46,7 @@ pub struct FillArgs {
     )]
     drop_components_below: usize,
     /// Deletes the faces that this text file lists, one number per line, from 0, and
-    /// what would hang loose then, and fills the holes that they leave, no others; of
-    /// the file nothing but vertices and faces is kept
+    /// what would hang loose then, and fills the holes that they leave, no others
     #[arg(
         long,
         value_name = "FILE",
@@ -55,6 +54,20 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     erase: Option<PathBuf>,
+    /// Drops up to so many faces more at the edge of what is erased: slender ones, with an
+    /// angle below 5 degrees, and fins, turned by more than 100 against one beside them
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        requires = "erase",
+        verbatim_doc_comment
+    )]
+    clean_boundary: usize,
+    /// New vertices and faces take colours, quality, texture coordinates and the like
+    /// from the nearest place of what was erased, not from the edge of the hole
+    #[arg(long, requires = "erase", verbatim_doc_comment)]
+    carry_over: bool,
     /// The triangulation gets an edge between these two vertices of the boundary, of one
     /// loop or of two that are joined, before it is refined: as across a long tear. May
     /// be repeated, no vertex in two of them; the patch has no crease there
@@ -122,18 +135,35 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let (mesh, erased) = match &args.erase {
         None => (mesh, None),
         Some(list) => {
-            let (rest, loops, _) = components::without_faces(&args.input, &mesh, list, args.mesh.coincident)?;
-            (rest, Some(loops))
+            let (rest, erased) = components::without_faces(
+                &args.input,
+                mesh,
+                list,
+                (args.mesh.coincident, args.clean_boundary),
+            )?;
+            (rest, Some(erased))
         }
     };
-    let loops = erased.map_or_else(|| args.which.loops(&groups), Loops::Chosen);
+    let loops = match &erased {
+        Some(erased) => Loops::Chosen(erased.loops.clone()),
+        None => args.which.loops(&groups),
+    };
     let filled = solve(args, (loops, groups), &mesh, boundary_curvature, precision)
         .map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
+    let source = erased.as_ref().filter(|_| args.carry_over);
+    let carried = source.map(|of| of.carried(&filled, mesh.geometry.triangles.len()));
+    let carried = carried
+        .transpose()
+        .map_err(|error| refusal(args, &mesh, &error))?;
+    let carry = source
+        .zip(carried.as_ref())
+        .map(|(of, carried)| of.carry(carried));
     let added = Added {
         positions: &filled.positions,
         triangles: &filled.triangles,
         parents: &filled.parents,
+        carry: carry.as_ref(),
     };
     output.write(&mesh.with_added(format, &added))?;
     let total = start.elapsed().as_secs_f64();
@@ -146,10 +176,15 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         };
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
         json!({ "loops": loops, "dropped_components": dropped, "new_vertices": filled.parents.len(),
+            "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
+            "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&filled, args, dropped))?;
+    answer.tell(&[&args.output], json, || {
+        let more = erased.as_ref().map_or([0; 2], |of| [of.dropped, of.cleaned]);
+        readable(&filled, args, dropped, more)
+    })?;
     Ok(filled.loops.iter().all(is_clean))
 }
 
@@ -326,13 +361,22 @@ fn named(report: &LoopReport) -> String {
     }
 }
 
-fn readable(filled: &Filled, args: &FillArgs, dropped: usize) -> String {
+fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: [usize; 2]) -> String {
     let mut text = String::new();
     if dropped > 0 {
         let _ = writeln!(
             text,
             "{dropped} components of fewer than {} triangles were dropped",
             args.drop_components_below
+        );
+    }
+    if loose > 0 {
+        let _ = writeln!(text, "{loose} faces more were dropped: they hung loose then");
+    }
+    if cleaned > 0 {
+        let _ = writeln!(
+            text,
+            "{cleaned} faces more were dropped: they were slender, or fins"
         );
     }
     if filled.loops.is_empty() {

@@ -1,5 +1,6 @@
 //! Mesh files: read once, written back with nothing changed but what had to.
 
+pub mod carry;
 pub mod obj;
 pub mod off;
 pub mod patches;
@@ -13,6 +14,7 @@ use std::path::Path;
 use fairmesh::{OutputPrecision, Parents};
 
 use crate::failure::{Failure, Malformed};
+use crate::formats::carry::Carry;
 use crate::formats::patches::Patches;
 use crate::normals;
 
@@ -148,6 +150,12 @@ impl Geometry {
         polygon.map_or(triangle, |&polygon| polygon as usize)
     }
 
+    /// The first triangle of every polygon that has at least three corners.
+    fn first_triangles(&self) -> Vec<usize> {
+        let is_first = |t: &usize| *t == 0 || self.polygon_of(*t) != self.polygon_of(*t - 1);
+        (0..self.triangles.len()).filter(is_first).collect()
+    }
+
     /// The corners of every polygon that has at least three.
     pub fn polygons(&self) -> Vec<Vec<u32>> {
         let mut polygons: Vec<Vec<u32>> = Vec::new();
@@ -189,6 +197,8 @@ pub struct Added<'a> {
     pub triangles: &'a [[u32; 3]],
     /// Where each new vertex comes from.
     pub parents: &'a [Parents],
+    /// What attributes are carried over from instead, if that is asked for.
+    pub carry: Option<&'a Carry<'a>>,
 }
 
 impl Added<'_> {
@@ -355,6 +365,85 @@ impl MeshFile {
                 plain(format, added.positions, &polygons)
             }
         }
+    }
+
+    /// Where things are in a PLY file, and its bytes.
+    fn as_ply(&self) -> Option<(&ply::Ply, &[u8])> {
+        match &self.places {
+            Places::Ply(places) => Some((places, &self.bytes)),
+            _ => None,
+        }
+    }
+
+    /// The bytes of an OBJ file.
+    fn as_obj(&self) -> Option<&[u8]> {
+        match &self.places {
+            Places::Obj(_) => Some(&self.bytes),
+            _ => None,
+        }
+    }
+
+    /// The mesh with some of its polygons, by the file's numbers, and without the vertices that none of these uses and others did; and the
+    /// numbers of the vertices that are kept. In PLY and OBJ all else stays as it is; unless it may name vertices besides: then all of them stay.
+    ///
+    /// # Errors
+    /// If no polygon is left.
+    pub fn only(&self, name: &str, is_kept: &[bool]) -> Result<(Self, Vec<u32>), Failure> {
+        let geometry = &self.geometry;
+        let (mut was_used, mut is_used) = (vec![false; geometry.positions.len()], Vec::new());
+        is_used.clone_from(&was_used);
+        for (t, corners) in geometry.triangles.iter().enumerate() {
+            for &v in corners {
+                was_used[v as usize] = true;
+                is_used[v as usize] |= is_kept[geometry.polygon_of(t)];
+            }
+        }
+        if !is_used.contains(&true) {
+            return Err(Failure::new(format!("{name}: nothing would be left of the mesh")));
+        }
+        // Polygons without triangles may name any vertex.
+        let has_others = geometry.polygons().len() < geometry.polygon_count;
+        let keeps_all = has_others
+            || match &self.places {
+                Places::Ply(places) => places.has_other_rows(),
+                Places::Obj(_) => obj::has_other_lines(&self.bytes),
+                Places::Off(_) | Places::Stl(_) => false,
+            };
+        let stays = |v: usize| keeps_all || is_used[v] || !was_used[v];
+        let vertices: Vec<bool> = (0..is_used.len()).map(stays).collect();
+        let kept: Vec<u32> = (0..)
+            .zip(&vertices)
+            .filter(|(_, stays)| **stays)
+            .map(|(v, _)| v)
+            .collect();
+        let (format, bytes) = match &self.places {
+            Places::Ply(places) => {
+                let mut patches = Patches::default();
+                places.only(&self.bytes, &vertices, is_kept, &mut patches);
+                (Format::Ply, patches.apply(&self.bytes))
+            }
+            Places::Obj(_) => (Format::Obj, obj::only(&self.bytes, &vertices, is_kept)),
+            Places::Off(_) | Places::Stl(_) => (Format::Off, self.plain_of(&kept, is_kept)),
+        };
+        Ok((Self::parse(name, format, bytes)?, kept))
+    }
+
+    /// These vertices and polygons as an OFF file.
+    fn plain_of(&self, kept: &[u32], is_kept: &[bool]) -> Vec<u8> {
+        let geometry = &self.geometry;
+        let mut number = vec![0; geometry.positions.len()];
+        for (new, &v) in (0..).zip(kept) {
+            number[v as usize] = new;
+        }
+        let mut polygons = Vec::new();
+        for (corners, t) in geometry.polygons().into_iter().zip(geometry.first_triangles()) {
+            if is_kept[geometry.polygon_of(t)] {
+                let corners: Vec<u32> = corners.iter().map(|&v| number[v as usize]).collect();
+                polygons.push(corners);
+            }
+        }
+        let positions: Vec<[f64; 3]> = kept.iter().map(|&v| geometry.positions[v as usize]).collect();
+        plain(Format::Off, &positions, &polygons)
     }
 
     /// The file with these positions. Only what belongs to the vertices that differ is changed.

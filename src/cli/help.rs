@@ -76,6 +76,8 @@ The new vertices and faces come behind the file's own, which stay as they are, b
 other formats than the input's are written anew. In PLY, new vertices get normals and interpolated colours, quality and
 texture coordinates (u, v, s, t); all other properties of new vertices and faces are 0 or empty lists.
 
+With --erase and --drop-components-below the rest of a PLY or OBJ file stays, too, but for the numbers of vertices in faces.
+
 Loops that enclose the mesh instead of a gap (the outer boundary of an open sheet) stay open unless named by --loop.
 
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some

@@ -2,10 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::loops::{BoundaryLoop, Links, LoopKind};
+use super::loops::{BoundaryLoop, LoopKind};
 use crate::error::Error;
 use crate::mesh::coincident::Copies;
 use crate::mesh::halfedge::next;
+
+/// So many edges of the loop on either side of a chain are looked at where it is a part of a tooth.
+const BESIDE: usize = 3;
 
 /// A run of a loop's edges, in the direction in which triangles that fill the loop run through it.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +19,8 @@ pub(super) struct Chain {
     pub(super) vertices: Vec<u32>,
     /// The mesh's half-edge at each edge; it runs the other way.
     pub(super) half_edges: Vec<u32>,
+    /// Those at the edges before the first one, and behind the last one, the nearest first.
+    pub(super) beside: [Vec<u32>; 2],
 }
 
 /// The mesh that chains are looked up in.
@@ -161,14 +166,18 @@ fn run(boundary: &[u32], chain: &[u32]) -> Run {
 impl Chain {
     fn new(of: usize, boundary: &BoundaryLoop, (start, edges): (usize, usize)) -> Self {
         let n = boundary.vertices.len();
+        let half_edge = |i: usize| boundary.half_edges[i % n];
+        let count = BESIDE.min((n - edges) / 2);
         Self {
             of,
             vertices: (start..=start + edges)
                 .map(|i| boundary.vertices[i % n])
                 .collect(),
-            half_edges: (start..start + edges)
-                .map(|i| boundary.half_edges[i % n])
-                .collect(),
+            half_edges: (start..start + edges).map(half_edge).collect(),
+            beside: [
+                (1..=count).map(|k| half_edge(start + n - k)).collect(),
+                (0..count).map(|k| half_edge(start + edges + k)).collect(),
+            ],
         }
     }
 
@@ -177,13 +186,6 @@ impl Chain {
         let corner = |h: u32| triangles[h as usize / 3][h as usize % 3];
         let firsts = self.half_edges.iter().map(|&h| corner(next(h)));
         firsts.chain(self.half_edges.last().map(|&h| corner(h))).collect()
-    }
-
-    /// The unit normal of the mesh's triangle at each edge, zero if it has no area.
-    pub(super) fn normals(&self, links: &Links<'_>, positions: &[[f64; 3]]) -> Vec<Vector3<f64>> {
-        let at = |v: u32| Vector3::from(positions[v as usize]);
-        let of = |&h: &u32| super::surroundings::normal(&links.triangles[h as usize / 3].map(at));
-        self.half_edges.iter().map(of).collect()
     }
 }
 

@@ -8,12 +8,15 @@ use nalgebra::{Matrix5, Unit, Vector3, Vector5};
 
 use super::bridge_chains::Chain;
 use super::loops::Links;
+use super::surroundings::normal;
 use crate::mesh::halfedge::{next, previous};
 
 /// Curves are measured in so many steps.
 const STEPS: usize = 256;
 /// The direction of a side may differ by so much from the perpendicular to the chain at its end (radians, 45 degrees).
 const ASKEW: f64 = std::f64::consts::FRAC_PI_4;
+/// Where a boundary turns by more than this (radians, 30 degrees) to one side and then to the other, it is one of teeth.
+const TOOTH: f64 = std::f64::consts::FRAC_PI_6;
 /// Tangents are no longer than for this sum of 1 + cosine of the angles between chord and tangent: curves that lead
 /// back make no wide bows.
 const LEAST_COSINE: f64 = 0.5;
@@ -44,29 +47,43 @@ impl End {
     /// That of a chain; None if its triangles have no area.
     pub(super) fn new(links: &Links<'_>, positions: &[[f64; 3]], chain: &Chain) -> Option<Self> {
         let at = |v: u32| Vector3::from(positions[v as usize]);
-        let x: Vec<Vector3<f64>> = chain.vertices.iter().map(|&v| at(v)).collect();
-        let normals = chain.normals(links, positions);
-        let edges: Vec<Vector3<f64>> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let sum: Vector3<f64> = edges.iter().zip(&normals).map(|(e, n)| n.cross(e)).sum();
-        let mean = sum.try_normalize(0.0)?;
-        let corner = |i: usize, edge: usize| {
-            let normal = fitted_normal(links, positions, chain.vertices[i])?;
-            let local = normal.cross(&edges[edge]).try_normalize(0.0)?;
-            let onward = turned_towards(&local, &mean, &normal);
+        let edge = |&h: &u32| Edge::new(links, positions, h);
+        let edges: Vec<Edge> = chain.half_edges.iter().map(edge).collect();
+        let beside = chain
+            .beside
+            .each_ref()
+            .map(|list| list.iter().map(edge).collect::<Vec<_>>());
+        let sum = sum_of(&edges);
+        let is_tooth = is_tooth(&sum, &beside);
+        let mean = match is_tooth {
+            true => sum_of(edges.iter().chain(beside.iter().flatten())),
+            false => sum,
+        };
+        let mean = mean.onward.try_normalize(0.0)?;
+        let corner = |v: u32, edge: &Edge| {
+            let normal = fitted_normal(links, positions, v)?;
+            let local = normal.cross(&edge.along).try_normalize(0.0)?;
+            let most = if is_tooth {
+                std::f64::consts::FRAC_PI_2
+            } else {
+                ASKEW
+            };
             Some(Corner {
-                at: x[i],
-                onward,
+                at: at(v),
+                onward: turned_towards(&local, &mean, &normal, most),
                 normal,
             })
         };
-        let (first, last) = (corner(0, 0)?, corner(x.len() - 1, edges.len() - 1)?);
+        let (first, last) = (edges.first()?, edges.last()?);
+        let first = corner(*chain.vertices.first()?, first)?;
+        let last = corner(*chain.vertices.last()?, last)?;
         let normal = (first.normal + last.normal).try_normalize(0.0)?;
         let middle = Corner {
             at: 0.5 * (first.at + last.at),
             onward: (mean - normal * normal.dot(&mean)).try_normalize(0.0)?,
             normal,
         };
-        let length: f64 = edges.iter().map(Vector3::norm).sum();
+        let length: f64 = edges.iter().map(|edge| edge.along.norm()).sum();
         let edge = length / edges.len() as f64;
         (edge > 0.0).then_some(Self {
             first,
@@ -77,10 +94,64 @@ impl End {
     }
 }
 
-/// A direction perpendicular to `normal` turned about it towards another one, by no more than [`ASKEW`].
-fn turned_towards(from: &Vector3<f64>, to: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
+/// An edge of a loop, or the sum of several.
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    /// From its first vertex to its second, in the direction of the loop.
+    along: Vector3<f64>,
+    /// As long, and perpendicular to it away from the mesh.
+    onward: Vector3<f64>,
+    /// The normal of the mesh's triangle there.
+    normal: Vector3<f64>,
+}
+
+impl Edge {
+    /// The one at a half-edge of the mesh, which runs the other way.
+    fn new(links: &Links<'_>, positions: &[[f64; 3]], h: u32) -> Self {
+        let at = |v: u32| Vector3::from(positions[v as usize]);
+        let along = at(links.origin(h)) - at(links.origin(next(h)));
+        let normal = normal(&links.triangles[h as usize / 3].map(at));
+        Self {
+            along,
+            onward: normal.cross(&along),
+            normal,
+        }
+    }
+}
+
+fn sum_of<'e>(edges: impl IntoIterator<Item = &'e Edge>) -> Edge {
+    let zero = Edge {
+        along: Vector3::zeros(),
+        onward: Vector3::zeros(),
+        normal: Vector3::zeros(),
+    };
+    edges.into_iter().fold(zero, |sum, edge| Edge {
+        along: sum.along + edge.along,
+        onward: sum.onward + edge.onward,
+        normal: sum.normal + edge.normal,
+    })
+}
+
+/// Whether a boundary turns to one side before a chain and to the other behind it, as a saw's does. Which way the surface goes on is then told
+/// by more of the boundary than the chain.
+fn is_tooth(chain: &Edge, beside: &[Vec<Edge>; 2]) -> bool {
+    let turn = |a: &Edge, b: &Edge| {
+        chain
+            .normal
+            .dot(&a.along.cross(&b.along))
+            .atan2(chain.normal.norm() * a.along.dot(&b.along))
+    };
+    let [Some(before), Some(behind)] = beside.each_ref().map(|list| list.first()) else {
+        return false;
+    };
+    let turns = [turn(before, chain), turn(chain, behind)];
+    turns[0] * turns[1] < 0.0 && turns.iter().all(|turn| turn.abs() > TOOTH)
+}
+
+/// A direction perpendicular to `normal` turned about it towards another one, by no more than an angle.
+fn turned_towards(from: &Vector3<f64>, to: &Vector3<f64>, normal: &Vector3<f64>, most: f64) -> Vector3<f64> {
     let across = normal.cross(from);
-    let angle = to.dot(&across).atan2(to.dot(from)).clamp(-ASKEW, ASKEW);
+    let angle = to.dot(&across).atan2(to.dot(from)).clamp(-most, most);
     from * angle.cos() + across * angle.sin()
 }
 
@@ -316,7 +387,7 @@ mod tests {
         };
         let side = Side::new(&corner(1.0, 1.0), &corner(-1.0, -1.0));
         assert!(side.twist(&-Vector3::z()).abs() < 1e-9);
-        assert!((side.way[STEPS] - std::f64::consts::PI).abs() < 0.02);
+        assert!((side.way[STEPS] - std::f64::consts::PI).abs() < 0.06);
         // Facing the same way, the strip would have to be turned over.
         assert!((side.twist(&Vector3::z()).abs() - std::f64::consts::PI).abs() < 1e-9);
     }

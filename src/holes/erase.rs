@@ -1,13 +1,21 @@
 //! Triangles deleted, so that a new patch can take their place.
 
+use nalgebra::Vector3;
+
 use super::loops::Links;
+use super::surroundings::normal;
 use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
+use crate::quality::smallest_angle;
 
 /// What hangs loose at the edge is dropped in so many passes, at most: each takes what the one before has laid bare.
 const PASSES: usize = 8;
+/// A triangle beside what is erased is slender with a smaller angle than this (degrees),
+const SLENDER: f64 = 5.0;
+/// and a fin if it is turned by more than this (cosine, 100 degrees) against one beside it: no edge of a box.
+const FIN: f64 = -0.174;
 
 /// What is left of a mesh without some of its triangles.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +24,8 @@ pub struct Erased {
     pub kept: Vec<u32>,
     /// How many were dropped besides those named: they hung at the mesh by one edge or by a vertex.
     pub dropped: usize,
+    /// How many more were dropped because they were slender or fins, see [`erase_and_clean`].
+    pub cleaned: usize,
     /// The loops that the deleted triangles leave, by their numbers in [`boundary_loops`](super::boundary_loops) of those that are
     /// kept.
     pub loops: Vec<usize>,
@@ -47,6 +57,34 @@ pub fn erase(
     erased: &[u32],
     coincident: Coincident,
 ) -> Result<Erased, Error> {
+    erase_and_clean(positions, triangles, erased, coincident, 0)
+}
+
+/// [`erase`], which drops up to so many triangles more beside what is erased, those that spoil the boundary of a patch: with an angle below 5
+/// degrees, or turned by more than 100 degrees against a triangle beside them. The worst go first, and then those that this lays bare.
+///
+/// ```
+/// use fairmesh::{Coincident, erase_and_clean};
+/// // Two squares, between them a narrow strip of two triangles.
+/// let positions = [
+///     [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.02, 0.0, 0.0], [1.02, 1.0, 0.0], [2.0, 0.0, 0.0],
+///     [2.0, 1.0, 0.0],
+/// ];
+/// let triangles = [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3], [4, 6, 7], [4, 7, 5]];
+/// let erased = erase_and_clean(&positions, &triangles, &[4, 5], Coincident::default(), 10)?;
+/// assert_eq!((erased.kept, erased.cleaned), (vec![0, 1], 2));
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`erase`].
+pub fn erase_and_clean(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    erased: &[u32],
+    coincident: Coincident,
+    most: usize,
+) -> Result<Erased, Error> {
     let count = triangles.len();
     if let Some(&t) = erased.iter().find(|&&t| t as usize >= count) {
         let index = t as usize;
@@ -60,16 +98,22 @@ pub fn erase(
     };
     erased.iter().for_each(|&t| cut.is_gone[t as usize] = true);
     let named = cut.gone();
-    for _ in 0..PASSES {
-        let loose = cut.loose()?;
-        if loose.is_empty() {
+    cut.drop_loose()?;
+    let mut cleaned = 0;
+    while cleaned < most {
+        let mut spoiling = cut.spoiling(positions)?;
+        spoiling.truncate(most - cleaned);
+        if spoiling.is_empty() {
             break;
         }
-        loose.into_iter().for_each(|t| cut.is_gone[t as usize] = true);
+        cleaned += spoiling.len();
+        spoiling.into_iter().for_each(|t| cut.is_gone[t as usize] = true);
+        cut.drop_loose()?;
     }
     let kept = cut.kept();
     Ok(Erased {
-        dropped: cut.gone() - named,
+        dropped: cut.gone() - named - cleaned,
+        cleaned,
         loops: cut.loops(positions, &kept)?,
         kept,
     })
@@ -103,6 +147,46 @@ impl Cut<'_> {
         let mut edges: Vec<(u32, u32)> = edges.collect();
         edges.sort_unstable();
         edges
+    }
+
+    fn drop_loose(&mut self) -> Result<(), Error> {
+        for _ in 0..PASSES {
+            let loose = self.loose()?;
+            if loose.is_empty() {
+                break;
+            }
+            loose.into_iter().for_each(|t| self.is_gone[t as usize] = true);
+        }
+        Ok(())
+    }
+
+    /// The slender triangles and the fins with an edge beside something that is gone, the worst first.
+    fn spoiling(&self, positions: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
+        let kept = self.kept();
+        let triangles: Vec<[u32; 3]> = kept.iter().map(|&t| self.triangles[t as usize]).collect();
+        let links = Links::new(self.vertices, &triangles)?;
+        let gone = self.edges();
+        let corners = |t: u32| triangles[t as usize].map(|v| Vector3::from(positions[v as usize]));
+        let faces_gone = |h: u32| {
+            let edge = (links.origin(next(h)), links.origin(h));
+            links.across(h).is_none() && gone.binary_search(&edge).is_ok()
+        };
+        let mut found = Vec::new();
+        for t in 0..triangles.len() as u32 {
+            let sides = [3 * t, 3 * t + 1, 3 * t + 2];
+            if !sides.iter().any(|&h| faces_gone(h)) {
+                continue;
+            }
+            let own = normal(&corners(t));
+            let beside = sides.iter().filter_map(|&h| links.across(h));
+            let cosines = beside.map(|o| own.dot(&normal(&corners(o / 3))));
+            let angle = smallest_angle(&corners(t));
+            if angle < SLENDER || cosines.fold(1.0, f64::min) < FIN {
+                found.push((angle, kept[t as usize]));
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        Ok(found.into_iter().map(|entry| entry.1).collect())
     }
 
     /// The triangles that hang at the others by one edge, and smaller fans at vertices that have several, where something is
@@ -198,5 +282,29 @@ mod tests {
         assert_eq!(loops.len(), 2);
         assert!(loops.iter().all(|of| of.touching.is_empty()));
         assert!(erase(&x, &t, &[128], Coincident::default()).is_err());
+    }
+
+    #[test]
+    fn slender_triangles_and_fins_go_up_to_the_count() {
+        let (mut x, t) = sheet(8);
+        let square = |i: u32, j: u32| 2 * (8 * i + j);
+        let gone: Vec<u32> = [3, 4]
+            .iter()
+            .flat_map(|&i| [3, 4].map(|j| square(i, j)))
+            .flat_map(|first| [first, first + 1])
+            .collect();
+        let clean =
+            |x: &[[f64; 3]], most| erase_and_clean(x, &t, &gone, Coincident::default(), most).unwrap();
+        let sound = clean(&x, 100);
+        assert_eq!((sound.cleaned, sound.dropped), (0, 0));
+        assert_eq!(sound, erase(&x, &t, &gone, Coincident::default()).unwrap());
+        // The corner (3, 4) at the edge of what is gone, nearly on the next one: two triangles have hardly any width.
+        x[3 * 9 + 4] = [2.02, 4.0, 0.0];
+        let cleaned = clean(&x, 100);
+        assert!(cleaned.cleaned > 0, "{cleaned:?}");
+        assert_eq!(clean(&x, 1).cleaned, 1);
+        // Folded over the next one.
+        x[3 * 9 + 4] = [1.0, 4.0, 0.1];
+        assert!(clean(&x, 100).cleaned > 0);
     }
 }

@@ -34,7 +34,7 @@ mod units;
 
 pub use bridge::{BridgeOptions, Bridged, bridge, bridge_with_progress};
 pub use carry_over::{Carried, carry_over};
-pub use erase::{Erased, erase};
+pub use erase::{Erased, erase, erase_and_clean};
 pub use fill::{Filled, fill_holes, fill_holes_with_progress, suggest_joins};
 pub use groups::{JoinReason, JoinSuggestion};
 pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, triangle_components};

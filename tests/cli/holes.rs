@@ -404,34 +404,19 @@ fn a_hole_is_filled_with_continuous_curvature() {
 
 /// An OFF file of triangles without some vertices.
 fn without(off: &str, removed: &[usize]) -> String {
-    let mut lines = off.lines();
-    assert_eq!(lines.next(), Some("OFF"));
-    let counts: Vec<usize> = lines
-        .next()
-        .unwrap()
-        .split_whitespace()
-        .map(|n| n.parse().unwrap())
-        .collect();
-    let (vertices, faces): (Vec<&str>, Vec<&str>) =
-        (lines.by_ref().take(counts[0]).collect(), lines.collect());
-    let mut number = vec![None; vertices.len()];
+    let (vertices, faces) = read_off(off);
     let kept: Vec<usize> = (0..vertices.len()).filter(|v| !removed.contains(v)).collect();
-    kept.iter()
-        .enumerate()
-        .for_each(|(new, &v)| number[v] = Some(new));
-    let faces: Vec<String> = faces
-        .iter()
-        .filter_map(|face| {
-            let corners = face
-                .split_whitespace()
-                .skip(1)
-                .map(|v| number[v.parse::<usize>().unwrap()]);
-            let [a, b, c] = corners.collect::<Option<Vec<usize>>>()?.try_into().ok()?;
-            Some(format!("3 {a} {b} {c}\n"))
-        })
-        .collect();
-    let rows: String = kept.iter().map(|&v| format!("{}\n", vertices[v])).collect();
-    format!("OFF\n{} {} 0\n{rows}{}", kept.len(), faces.len(), faces.concat())
+    let number = |v: &usize| kept.binary_search(v).ok();
+    let corners = |face: &Vec<usize>| face.iter().map(number).collect::<Option<Vec<usize>>>();
+    let faces: Vec<Vec<usize>> = faces.iter().filter_map(corners).collect();
+    let mut text = format!("OFF\n{} {} 0\n", kept.len(), faces.len());
+    for v in kept {
+        let _ = writeln!(text, "{} {} {}", vertices[v][0], vertices[v][1], vertices[v][2]);
+    }
+    for face in faces {
+        let _ = writeln!(text, "3 {} {} {}", face[0], face[1], face[2]);
+    }
+    text
 }
 
 /// Two tubes of 16 sides and three rings of edges of length about 0.4, one above the other, and a triangle by itself; `turned`: the faces of the upper

@@ -6,6 +6,7 @@ mod commands;
 mod common;
 #[cfg(target_os = "linux")]
 mod endings;
+mod erase;
 mod files;
 mod formats;
 mod holes;

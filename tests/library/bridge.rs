@@ -160,6 +160,24 @@ fn a_bridge_over_a_hole_of_a_sphere_lies_on_it_and_the_rest_is_filled() {
 }
 
 #[test]
+fn a_single_edge_of_a_jagged_boundary_leads_straight_across() {
+    for seed in 1..6 {
+        let mesh = sphere_hole(3_000, seed, 35.0);
+        let loops = boundary_loops(&mesh.0, &mesh.1).unwrap();
+        let hole = loops.iter().max_by(|a, b| a.length.total_cmp(&b.length)).unwrap();
+        let n = hole.vertices.len();
+        for i in [0, n / 5, n / 3] {
+            let edge = |i: usize| [hole.vertices[i % n], hole.vertices[(i + 1) % n]];
+            let bridged = run(&mesh, [&edge(i), &edge(i + n / 2)], &options(None, false));
+            check("jagged", &mesh, &bridged);
+            let error = off_sphere(&mesh, &bridged);
+            println!("{seed}, edge {i}: {error:.1e}");
+            assert!(error < 1e-2, "{error}");
+        }
+    }
+}
+
+#[test]
 fn a_bridge_in_a_plane_stays_in_it() {
     let plate = |x: f64| move |u: f64, v: f64| [x + u, 0.7 * v - 0.3, 0.0];
     let (mesh, second) = both(sheet(10, 7, plate(0.0)), sheet(10, 7, plate(2.3)));

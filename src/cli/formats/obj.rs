@@ -1,6 +1,7 @@
 //! Wavefront OBJ.
 
 mod grow;
+mod only;
 
 use std::ops::Range;
 
@@ -10,6 +11,7 @@ use crate::formats::{Change, Geometry};
 use crate::text::{self, Words};
 
 pub use grow::grown;
+pub use only::{has_other_lines, only};
 
 /// No partner.
 const NONE: u32 = u32::MAX;

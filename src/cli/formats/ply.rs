@@ -2,6 +2,7 @@
 
 mod grow;
 mod header;
+mod only;
 mod rows;
 
 use crate::failure::Malformed;
@@ -28,6 +29,8 @@ pub struct Ply {
     position: [usize; 3],
     /// The properties nx, ny, nz, if the file has them as floats.
     normal: Option<[usize; 3]>,
+    /// Rows of other elements.
+    has_others: bool,
 }
 
 /// An element and the byte offset of each of its rows.
@@ -49,6 +52,7 @@ pub fn parse(bytes: &[u8]) -> Result<(Geometry, Ply), Malformed> {
 fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply), Malformed> {
     let mut geometry = Geometry::default();
     let (mut vertex, mut face) = (None, None);
+    let mut has_others = false;
     let mut at = header.end;
     for element in &header.elements {
         let rows = Rows {
@@ -70,6 +74,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply)
             "tristrips" if element.count > 0 => return Err(rows.malformed(element.at, STRIPS)),
             _ => {
                 at = pass_over(&rows, at)?;
+                has_others |= element.count > 0;
                 continue;
             }
         };
@@ -98,6 +103,7 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Ply)
             face,
             position,
             normal,
+            has_others,
         },
     ))
 }

@@ -1,6 +1,9 @@
 //! New lines at the end of an OBJ file: vertices with colours and texture coordinates where the file has them, and faces.
 
+use std::collections::BTreeMap;
+
 use super::logical_line;
+use crate::formats::carry::Corners;
 use crate::formats::{Added, average};
 use crate::text::{self, Words};
 
@@ -13,6 +16,8 @@ struct Attributes {
     coordinates: Vec<Option<[f64; 2]>>,
     /// Per vertex the `vt` of its first corner, from 0. A vertex on a seam has several; the first one counts.
     texture_of: Vec<Option<usize>>,
+    /// Per triangle the texture coordinates of its corners.
+    wedges: Vec<Option<Corners>>,
 }
 
 /// The file with lines for new vertices and faces behind its own.
@@ -24,11 +29,24 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
         out.push(b'\n');
     }
     let mut textures = String::new();
-    for (position, parents) in added.positions[old..].iter().zip(added.parents) {
-        let colour = average(parents, |v| attributes.colours[v]);
+    let was = added.carry.and_then(|carry| {
+        let count = carry.mesh.geometry.positions.len();
+        Some((carry, Attributes::read(carry.mesh.as_obj()?, count)))
+    });
+    for (i, (position, parents)) in added.positions[old..].iter().zip(added.parents).enumerate() {
+        let carried = was
+            .as_ref()
+            .and_then(|(carry, was)| Some((carry.vertices[i].as_ref()?, was)));
+        let colour = match carried {
+            Some((carried, was)) => average(&carried.parents, |v| was.colours[v]),
+            None => average(parents, |v| attributes.colours[v]),
+        };
         let words = position.iter().chain(colour.iter().flatten());
         let words: Vec<String> = words.map(|&c| text::double(c)).collect();
         out.extend(format!("v {}\n", words.join(" ")).bytes());
+        if was.is_some() {
+            continue;
+        }
         let coordinate = average(parents, |v| attributes.coordinates[attributes.texture_of[v]?]);
         attributes
             .texture_of
@@ -38,9 +56,31 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
             textures += &format!("vt {} {}\n", text::double(u), text::double(v));
         }
     }
+    let mut corners: Vec<[Option<usize>; 3]> = Vec::with_capacity(faces.len());
+    match &was {
+        None => corners.extend(
+            faces
+                .iter()
+                .map(|face| face.map(|v| attributes.texture_of[v as usize])),
+        ),
+        Some((carry, was)) => {
+            let mut known = BTreeMap::new();
+            for (face, texture) in faces.iter().zip(carry.textures(&was.wedges, faces)) {
+                let mut named = [None; 3];
+                for (k, [u, v]) in texture.iter().flatten().enumerate() {
+                    let place = known.entry((face[k], [u.to_bits(), v.to_bits()]));
+                    named[k] = Some(*place.or_insert_with(|| {
+                        textures += &format!("vt {} {}\n", text::double(*u), text::double(*v));
+                        attributes.coordinates.push(Some([*u, *v]));
+                        attributes.coordinates.len() - 1
+                    }));
+                }
+                corners.push(named);
+            }
+        }
+    }
     out.extend(textures.bytes());
-    for face in faces {
-        let textures = face.map(|v| attributes.texture_of[v as usize]);
+    for (face, textures) in faces.iter().zip(corners) {
         let is_textured = textures.iter().all(Option::is_some);
         out.push(b'f');
         for (v, texture) in face.iter().zip(textures) {
@@ -83,6 +123,7 @@ impl Attributes {
 
     fn corners(&mut self, bytes: &[u8], words: Words<'_>) {
         let counts = [self.colours.len(), self.coordinates.len()];
+        let mut of_corners = Vec::new();
         for word in words {
             let mut parts = bytes[word].split(|&byte| byte == b'/');
             let mut index = |count: usize| -> Option<usize> {
@@ -94,7 +135,9 @@ impl Attributes {
                 };
                 usize::try_from(index).ok()
             };
-            if let (Some(v), Some(texture)) = (index(counts[0]), index(counts[1]))
+            let (vertex, texture) = (index(counts[0]), index(counts[1]));
+            of_corners.push(texture.and_then(|texture| *self.coordinates.get(texture)?));
+            if let (Some(v), Some(texture)) = (vertex, texture)
                 && let Some(slot) = self.texture_of.get_mut(v)
                 && slot.is_none()
                 && texture < counts[1]
@@ -102,6 +145,9 @@ impl Attributes {
                 *slot = Some(texture);
             }
         }
+        let of_triangle = |i: usize| Some([of_corners[0]?, of_corners[i]?, of_corners[i + 1]?]);
+        self.wedges
+            .extend((1..of_corners.len().saturating_sub(1)).map(of_triangle));
     }
 }
 

@@ -3,6 +3,7 @@
 use super::header::{Encoding, PropertyKind, Scalar};
 use super::rows::Field;
 use super::{Ply, Table, rows};
+use crate::formats::carry::Corners;
 use crate::formats::patches::Patches;
 use crate::formats::{Added, average};
 use crate::normals;
@@ -42,9 +43,16 @@ impl Ply {
             Some(_) => normals::all(added.positions, added.triangles),
             None => Vec::new(),
         };
+        let was = added.carry.and_then(|carry| Some((carry, carry.mesh.as_ply()?)));
         for (i, parents) in added.parents.iter().enumerate() {
             let v = old_vertices + i;
-            let values = self.averaged(bytes, parents.vertices, parents.weights);
+            let carried = was.and_then(|(carry, was)| Some((carry.vertices[i].as_ref()?, was)));
+            let values = match carried {
+                Some((carried, (was, bytes))) => {
+                    was.averaged(bytes, carried.parents.vertices, carried.parents.weights)
+                }
+                None => self.averaged(bytes, parents.vertices, parents.weights),
+            };
             self.push_row(&mut new, &self.vertex, |property| {
                 if let Some(axis) = self.position.iter().position(|&p| p == property) {
                     return added.positions[v][axis];
@@ -56,6 +64,25 @@ impl Ply {
             });
         }
         self.insert(bytes, &self.vertex, added.parents.len(), new, patches);
+        if let Some((carry, (was, was_bytes))) = was {
+            let textures = carry.textures(&was.corners(was_bytes), faces);
+            let mut new = Vec::new();
+            for ((corners, texture), carried) in faces.iter().zip(textures).zip(carry.faces) {
+                let polygon = carried
+                    .as_ref()
+                    .map(|of| carry.mesh.geometry.polygon_of(of.triangle as usize));
+                let values = polygon.map(|polygon| was.numbers_of_face(was_bytes, polygon));
+                let value = |property: usize| values.as_ref().map_or(0.0, |values| values[property]);
+                self.push_face(
+                    &mut new,
+                    corners,
+                    texture.map_or([None; 3], |of| of.map(Some)),
+                    value,
+                );
+            }
+            self.insert(bytes, &self.face, faces.len(), new, patches);
+            return;
+        }
         let mut wedges = self.wedges(bytes, old_vertices);
         for parents in added.parents {
             let wedge = average(parents, |v| *wedges.get(v)?);
@@ -64,7 +91,7 @@ impl Ply {
         let mut new = Vec::new();
         for corners in faces {
             let of = corners.map(|v| *wedges.get(v as usize)?);
-            self.push_face(&mut new, corners, of);
+            self.push_face(&mut new, corners, of, |_| 0.0);
         }
         self.insert(bytes, &self.face, faces.len(), new, patches);
     }
@@ -131,12 +158,57 @@ impl Ply {
         wedges
     }
 
-    fn push_face(&self, out: &mut Vec<u8>, corners: &[u32; 3], wedges: [Option<[f64; 2]>; 3]) {
+    /// Per triangle the texture coordinates of its corners.
+    fn corners(&self, bytes: &[u8]) -> Vec<Option<Corners>> {
+        let element = &self.face.element;
+        let texture = element.property("texcoord");
+        let rows = self.rows(bytes, &self.face);
+        let mut all = Vec::new();
+        for &row in &self.face.rows {
+            let (mut corners, mut coordinates) = (Vec::new(), Vec::new());
+            // The same walk succeeded when the file was read.
+            let _ = rows.walk(row, &mut |property, field: Field| {
+                if Some(property) == element.vertex_indices() {
+                    rows.integers(property, &field, &mut corners)?;
+                } else if Some(property) == texture {
+                    coordinates = rows.numbers(property, &field)?;
+                }
+                Ok(())
+            });
+            let pair = |i: usize| Some([*coordinates.get(2 * i)?, *coordinates.get(2 * i + 1)?]);
+            let of_triangle = |i: usize| Some([pair(0)?, pair(i)?, pair(i + 1)?]);
+            all.extend((1..corners.len().saturating_sub(1)).map(of_triangle));
+        }
+        all
+    }
+
+    /// The values of a face's properties that are numbers; zero for the others.
+    fn numbers_of_face(&self, bytes: &[u8], face: usize) -> Vec<f64> {
+        let properties = &self.face.element.properties;
+        let rows = self.rows(bytes, &self.face);
+        let mut values = vec![0.0; properties.len()];
+        // The same walk succeeded when the file was read.
+        let _ = rows.walk(self.face.rows[face], &mut |property, field: Field| {
+            if let PropertyKind::Scalar(_) = properties[property].kind {
+                values[property] = rows.scalar(property, &field)?;
+            }
+            Ok(())
+        });
+        values
+    }
+
+    fn push_face(
+        &self,
+        out: &mut Vec<u8>,
+        corners: &[u32; 3],
+        wedges: [Option<[f64; 2]>; 3],
+        value: impl Fn(usize) -> f64,
+    ) {
         let element = &self.face.element;
         let (wanted, texture) = (element.vertex_indices(), element.property("texcoord"));
         for (property, described) in element.properties.iter().enumerate() {
             match described.kind {
-                PropertyKind::Scalar(scalar) => self.push(out, scalar, 0.0),
+                PropertyKind::Scalar(scalar) => self.push(out, scalar, value(property)),
                 PropertyKind::List { count, item } if Some(property) == wanted => {
                     self.push(out, count, 3.0);
                     corners.iter().for_each(|&v| self.push(out, item, f64::from(v)));
@@ -196,7 +268,7 @@ impl Ply {
 }
 
 /// A whole number as the file writes it: rounded and moved into the type's range.
-fn integer(encoding: Encoding, scalar: Scalar, value: f64) -> Vec<u8> {
+pub(super) fn integer(encoding: Encoding, scalar: Scalar, value: f64) -> Vec<u8> {
     let value = value.round();
     let mut bytes = match scalar {
         Scalar::I8 => (value as i8).to_le_bytes().to_vec(),

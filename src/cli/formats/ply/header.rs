@@ -62,6 +62,16 @@ pub enum PropertyKind {
     List { count: Scalar, item: Scalar },
 }
 
+impl PropertyKind {
+    /// The type of a list's items.
+    pub fn item(self) -> Option<Scalar> {
+        match self {
+            Self::List { item, .. } => Some(item),
+            Self::Scalar(_) => None,
+        }
+    }
+}
+
 /// A column of an element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Property {

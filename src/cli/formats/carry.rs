@@ -1,0 +1,82 @@
+//! Attributes carried over from a mesh as it was to faces that take the place of some of its own.
+
+use std::collections::BTreeMap;
+
+use fairmesh::Carried;
+
+use crate::formats::MeshFile;
+
+/// Texture coordinates of a face's corners.
+pub type Corners = [[f64; 2]; 3];
+
+/// Where what is new comes from.
+pub struct Carry<'a> {
+    /// The mesh as it was.
+    pub mesh: &'a MeshFile,
+    /// Per new vertex its place there.
+    pub vertices: &'a [Option<Carried>],
+    /// Per new triangle that of its middle.
+    pub faces: &'a [Option<Carried>],
+    /// Per vertex that is kept its number there.
+    pub kept: &'a [u32],
+}
+
+impl Carry<'_> {
+    /// Per new face the texture coordinates of its corners, None where a seam is crossed. `wedges` are those of every triangle of the
+    /// mesh as it was; what hangs together by edges with the same coordinates on both sides is a chart.
+    pub fn textures(&self, wedges: &[Option<Corners>], faces: &[[u32; 3]]) -> Vec<Option<Corners>> {
+        let triangles = &self.mesh.geometry.triangles;
+        let charts = charts(triangles, wedges);
+        let mut at: BTreeMap<(u32, usize), [f64; 2]> = BTreeMap::new();
+        for ((t, wedge), chart) in triangles.iter().zip(wedges).zip(&charts) {
+            for (v, uv) in t.iter().zip(wedge.iter().flatten()) {
+                at.entry((*v, *chart)).or_insert(*uv);
+            }
+        }
+        let corner = |v: u32, chart: usize| match (v as usize).checked_sub(self.kept.len()) {
+            None => at.get(&(self.kept[v as usize], chart)).copied(),
+            Some(new) => {
+                let carried = self.vertices.get(new)?.as_ref()?;
+                let of = wedges[carried.triangle as usize]
+                    .filter(|_| charts[carried.triangle as usize] == chart)?;
+                let sum = |k: usize| (0..3).map(|i| carried.parents.weights[i] * of[i][k]).sum();
+                Some([sum(0), sum(1)])
+            }
+        };
+        let of_face = |(t, carried): (&[u32; 3], &Option<Carried>)| {
+            let chart = charts[carried.as_ref()?.triangle as usize];
+            let [a, b, c] = t.map(|v| corner(v, chart));
+            Some([a?, b?, c?])
+        };
+        faces.iter().zip(self.faces).map(of_face).collect()
+    }
+}
+
+/// Per triangle the number of its chart.
+fn charts(triangles: &[[u32; 3]], wedges: &[Option<Corners>]) -> Vec<usize> {
+    // Sides with the coordinates of their ends, in the order of these, so that both triangles have the same.
+    let mut sides: BTreeMap<[(u32, [u64; 2]); 2], usize> = BTreeMap::new();
+    let mut parent: Vec<usize> = (0..triangles.len()).collect();
+    for (i, (t, wedge)) in triangles.iter().zip(wedges).enumerate() {
+        let Some(wedge) = wedge else { continue };
+        for k in 0..3 {
+            let end = |k: usize| (t[k % 3], wedge[k % 3].map(f64::to_bits));
+            let mut side = [end(k), end(k + 1)];
+            side.sort_unstable();
+            if let Some(other) = sides.insert(side, i) {
+                let (a, b) = (root(&mut parent, i), root(&mut parent, other));
+                parent[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    (0..triangles.len()).map(|i| root(&mut parent, i)).collect()
+}
+
+fn root(parent: &mut [usize], i: usize) -> usize {
+    let mut at = i;
+    while parent[at] != at {
+        parent[at] = parent[parent[at]];
+        at = parent[at];
+    }
+    at
+}
