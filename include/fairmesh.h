@@ -194,6 +194,18 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NOT_ON_LOOP = 34,
     /**
+     * A guide does not join two vertices of the boundary that one patch can have an edge between.
+     */
+    FAIRMESH_STATUS_BAD_GUIDE = 35,
+    /**
+     * Two guides cross each other.
+     */
+    FAIRMESH_STATUS_GUIDES_CROSS = 36,
+    /**
+     * A chain is no run of edges of one boundary loop.
+     */
+    FAIRMESH_STATUS_BAD_CHAIN = 37,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,

@@ -27,6 +27,167 @@ VERSION_MINOR = 1
 VERSION_PATCH = 0
 
 
+class fairmesh_status(enum.IntEnum):
+    OK = 0
+    NULL_POINTER = 1
+    MISALIGNED = 2
+    BAD_STRUCT_SIZE = 3
+    BAD_OPTION = 4
+    BAD_ENUM = 5
+    BAD_STRIDE = 6
+    COUNT_OVERFLOW = 7
+    COUNT_MISMATCH = 8
+    ALIASING = 9
+    BAD_HANDLE = 10
+    BUSY = 11
+    OUT_OF_MEMORY = 12
+    THREADS = 13
+    TOO_LARGE = 14
+    NOT_FINITE = 15
+    INDEX_OUT_OF_RANGE = 16
+    REPEATED_INDEX = 17
+    DUPLICATE_TRIANGLE = 18
+    NON_MANIFOLD_EDGE = 19
+    NON_MANIFOLD_VERTEX = 20
+    INCONSISTENT_ORIENTATION = 21
+    FREE_VERTEX_ON_BOUNDARY = 22
+    FREE_VERTEX_WITHOUT_TRIANGLE = 23
+    NOTHING_FIXED = 24
+    EMPTY_REGION = 25
+    SELECTION_OUT_OF_RANGE = 26
+    BAD_NORMAL = 27
+    NO_NORMAL = 28
+    NOT_AVAILABLE = 29
+    BUFFER_TOO_SMALL = 30
+    BAD_RESERVED = 31
+    COORDINATE_TOO_LARGE = 32
+    VALENCE_TOO_LARGE = 33
+    NOT_ON_LOOP = 34
+    BAD_GUIDE = 35
+    GUIDES_CROSS = 36
+    BAD_CHAIN = 37
+    INTERNAL = 99
+
+
+class fairmesh_outcome(enum.IntEnum):
+    CONVERGED = 0
+    CONVERGED_POOR_TRIANGLES = 1
+    CONVERGED_LOOSELY = 2
+    NORMALS_NOT_REACHABLE = 3
+    TARGET_NOT_REACHABLE = 4
+    NOT_CONVERGED = 5
+    ITERATION_LIMIT = 6
+    CANCELLED = 7
+    BOUNDARY_CREASE = 8
+    SELF_INTERSECTING = 9
+    POOR_WHEN_ROUNDED = 10
+    NEAREST_MEMBER = 11
+
+
+class fairmesh_loose_reason(enum.IntEnum):
+    NONE = 0
+    SUSPICIOUS_NORMALS = 1
+    ROUNDING = 2
+    FIRST_ORDER_CURVATURE = 3
+    BUMP = 4
+    TOLERANCE = 5
+
+
+class fairmesh_attempt_end(enum.IntEnum):
+    SOUND = 0
+    UNSOUND = 1
+    NOT_CONVERGED = 2
+    STOPPED = 3
+
+
+class fairmesh_fill_outcome(enum.IntEnum):
+    FAIRED = 0
+    LINEAR = 1
+    FLAT = 2
+    LEFT_OPEN = 3
+    SELF_INTERSECTING = 4
+
+
+class fairmesh_fill_reason(enum.IntEnum):
+    NONE = 0
+    NON_MANIFOLD = 1
+    OUTER_BOUNDARY = 2
+    TOO_MANY_EDGES = 3
+    NO_TRIANGULATION = 4
+    NOT_FINITE = 5
+    CANCELLED = 6
+    OPPOSITE_SIDES = 7
+    SHARED_VERTEX = 8
+    NOT_ASKED_FOR = 9
+    NOT_FAIR = 10
+    INTERSECTS = 11
+    NOT_ASKED = 32
+    NO_INNER_VERTEX = 33
+    REFUSED = 34
+    UNSOUND = 35
+    INTERSECTING = 36
+
+
+class fairmesh_loop_kind(enum.IntEnum):
+    HOLE = 0
+    OUTER_BOUNDARY = 1
+    NON_MANIFOLD = 2
+
+
+class fairmesh_boundary_normals_kind(enum.IntEnum):
+    FITTED = 0
+    AVERAGED = 1
+    GIVEN = 2
+
+
+class fairmesh_interior_normals(enum.IntEnum):
+    SMOOTH = 0
+    INPUT = 1
+
+
+class fairmesh_coincident(enum.IntEnum):
+    JOIN = 0
+    SEPARATE = 1
+
+
+class fairmesh_target_kind(enum.IntEnum):
+    HARMONIC = 0
+    CONSTANT = 1
+    MINIMAL_ENERGY = 2
+
+
+class fairmesh_inner_fairness(enum.IntEnum):
+    UNIFORM = 0
+    CONFORMAL = 1
+    CONVEX = 2
+
+
+class fairmesh_output_precision(enum.IntEnum):
+    DOUBLE = 0
+    SINGLE = 1
+
+
+class fairmesh_discretization(enum.IntEnum):
+    SECOND_ORDER = 0
+    PAPER = 1
+
+
+class fairmesh_solver_kind(enum.IntEnum):
+    FAST = 0
+    PAPER = 1
+
+
+class fairmesh_estimate(enum.IntEnum):
+    ALTERNATING = 0
+    GAUSS_SEIDEL = 1
+    CONJUGATE_GRADIENTS = 2
+
+
+class fairmesh_intersections(enum.IntEnum):
+    CHECK = 0
+    SKIP = 1
+
+
 class fairmesh_element(enum.IntEnum):
     NONE = 0
     VERTEX = 1
@@ -435,6 +596,24 @@ class fairmesh_remesh_options(Structure):
 
 # A function's name: what it returns, and its parameters. Handles, and arrays in parameters, are plain addresses.
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "fairmesh_status_name": (c_char_p, (c_int32,)),
+    "fairmesh_status_text": (c_char_p, (c_int32,)),
+    "fairmesh_status_remedy": (c_char_p, (c_int32,)),
+    "fairmesh_outcome_name": (c_char_p, (c_uint32,)),
+    "fairmesh_outcome_text": (c_char_p, (c_uint32,)),
+    "fairmesh_outcome_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_name": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_text": (c_char_p, (c_uint32,)),
+    "fairmesh_loose_reason_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_name": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_text": (c_char_p, (c_uint32,)),
+    "fairmesh_attempt_end_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_name": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_text": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_outcome_remedy": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_name": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_text": (c_char_p, (c_uint32,)),
+    "fairmesh_fill_reason_remedy": (c_char_p, (c_uint32,)),
     "fairmesh_version": (c_uint32, ()),
     "fairmesh_version_string": (c_char_p, ()),
     "fairmesh_options_init": (
