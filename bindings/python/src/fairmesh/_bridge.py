@@ -34,7 +34,8 @@ class Bridged(NewMesh):
         super().__init__(handle, mesh)
         told = sized(_abi.fairmesh_bridge_report)
         handle.read("fairmesh_result_bridge", ctypes.byref(told))
-        #: Whether the result is faired without reservation: all that is new together, or the strip if that is all.
+        #: Whether there is nothing to be said of it: what was to be faired converged, and no hole that was to be filled
+        #: is open.
         self.is_clean = bool(told.is_clean)
         #: By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
         self.twist: float = told.twist
