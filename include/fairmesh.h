@@ -2439,7 +2439,7 @@ typedef struct fairmesh_bridge_report {
      */
     uint32_t struct_size;
     /**
-     * Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+     * Not 0: there is nothing to be said of the result: what was to be faired converged, and no hole that was to be filled is open.
      */
     uint32_t is_clean;
     /**

@@ -323,7 +323,7 @@ pub struct fairmesh_fill_report {
 pub struct fairmesh_bridge_report {
     /// `sizeof(fairmesh_bridge_report)`.
     pub struct_size: u32,
-    /// Not 0: the result is faired without reservation, all that is new together, or the strip if that is all.
+    /// Not 0: there is nothing to be said of the result: what was to be faired converged, and no hole that was to be filled is open.
     pub is_clean: u32,
     /// Not 0: there is a report of the fairing of all that is new together. Unless its outcome is CONVERGED, the strip and the patches
     /// beside it are left as they were made.

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BridgeOptions, Bridged, FillOptions, FillOutcome, Options, OutputPrecision, Progress,
+    BridgeOptions, Bridged, FillOptions, FillOutcome, OpenReason, Options, OutputPrecision, Progress,
     bridge_with_progress,
 };
 use serde_json::{Value, json};
@@ -94,11 +94,15 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     if matches!(bridged.strip.outcome, FillOutcome::LeftOpen(_)) {
-        return Err(Failure::new(format!(
-            "{}: no bridge was made: {}",
-            args.input.display(),
-            told(&bridged.strip)
-        )));
+        let why = match bridged.strip.outcome {
+            FillOutcome::LeftOpen(OpenReason::OppositeSides { .. }) => format!(
+                "its ends face opposite ways: it would be twisted by {:.0} degrees; turn the faces of one of the two parts around",
+                bridged.twist.abs()
+            ),
+            _ => told(&bridged.strip),
+        };
+        let name = args.input.display();
+        return Err(Failure::new(format!("{name}: no bridge was made: {why}")));
     }
     let added = Added {
         positions: &bridged.positions,
@@ -123,7 +127,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
             "seconds": { "solve": solve, "total": total } })
     };
     answer.tell(&[&args.output], json, || readable(&bridged))?;
-    Ok(bridged.is_clean() || args.no_fair)
+    Ok(bridged.is_clean())
 }
 
 fn solve(

@@ -63,7 +63,7 @@ enum Command {
     Holes(holes::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
     #[command(after_help = help::FILL)]
-    Fill(fill::FillArgs),
+    Fill(Box<fill::FillArgs>),
     /// Connects two runs of boundary edges of a mesh file by a fair strip
     #[command(after_help = help::BRIDGE)]
     Bridge(Box<bridge::BridgeArgs>),

@@ -10,7 +10,7 @@ use super::bridge_strip::Strip;
 use super::fill::fill_holes_with_progress;
 use super::loops::{BoundaryLoop, Links, LoopKind, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
-use super::outcome::{FillOutcome, LoopReport};
+use super::outcome::{FillOutcome, FlatReason, LoopReport};
 use super::parents::{Parents, compose};
 use crate::error::Error;
 use crate::fairing::{Outcome, Progress, ProgressCallback, Report, Selection, fair_with_progress};
@@ -73,14 +73,25 @@ pub struct Bridged {
 }
 
 impl Bridged {
-    /// Whether the result is faired without reservation: all that is new together, or the strip if that is all.
+    /// Whether there is nothing to be said of the result: all that is new converged together, or strip and patches did by themselves, as far as
+    /// they were to be faired; and no hole that was to be filled is open.
     pub fn is_clean(&self) -> bool {
         let is_converged = |of: &Option<Report>| {
             of.as_ref()
                 .is_some_and(|report| report.outcome == Outcome::Converged)
         };
-        let is_faired = |of: &LoopReport| of.outcome == FillOutcome::Faired && is_converged(&of.fairing);
-        is_converged(&self.whole) || is_faired(&self.strip) && self.rest.iter().all(is_faired)
+        let is_good = |of: &LoopReport| match &of.outcome {
+            FillOutcome::Faired => is_converged(&of.fairing),
+            FillOutcome::Flat { reason } => {
+                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
+            }
+            _ => false,
+        };
+        let is_open = |of: &LoopReport| matches!(of.outcome, FillOutcome::LeftOpen(_));
+        match is_converged(&self.whole) {
+            true => !self.rest.iter().any(is_open),
+            false => self.whole.is_none() && is_good(&self.strip) && self.rest.iter().all(is_good),
+        }
     }
 }
 

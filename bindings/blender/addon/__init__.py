@@ -27,6 +27,7 @@ for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:
     globals().pop(_name.rpartition(".")[2], None)
 
 from . import (  # noqa: E402
+    bridge_operator,
     curvature_operator,
     erase_operator,
     fair_operator,
@@ -38,7 +39,17 @@ from . import (  # noqa: E402
     settings,
 )
 
-_PARTS = (settings, found, fair_operator, fill_operator, join_operator, erase_operator, curvature_operator, panel)
+_PARTS = (
+    settings,
+    found,
+    fair_operator,
+    fill_operator,
+    join_operator,
+    bridge_operator,
+    erase_operator,
+    curvature_operator,
+    panel,
+)
 
 
 def register():

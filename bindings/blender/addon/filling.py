@@ -68,11 +68,24 @@ class Filling(FairingOptions):
             layout.prop(self, "on_failure")
             self.draw_fairing(layout)
 
+    def patch_keywords(self, extent):
+        """The options for the library; `extent`: that of the holes, for the constant of the target."""
+        return {
+            # The library's factor: the square root of 2 is as long as around the hole.
+            "density": self.density * np.sqrt(2.0),
+            "fair": self.smooth,
+            "on_failure": self.on_failure.lower(),
+            **self.fairing_keywords(extent),
+        }
+
+    def told(self, holes):
+        """How it went."""
+        return messages.filled(holes.result.loops, self.continuity)
+
     def work_on(self, chosen):
         """A function for the thread that fills all of `chosen`, a list of `Holes`."""
-        # The library's factor: the square root of 2 is as long as around the hole. The thread reads no properties.
-        density, smooth, on_failure = self.density * np.sqrt(2.0), self.smooth, self.on_failure.lower()
-        keywords = self.fairing_keywords(_size(chosen))
+        # The thread reads no properties.
+        keywords = self.patch_keywords(_size(chosen))
 
         def work(monitor):
             for holes in chosen:
@@ -82,9 +95,6 @@ class Filling(FairingOptions):
                         holes.triangles,
                         loops=holes.listed(),
                         join=holes.join,
-                        density=density,
-                        fair=smooth,
-                        on_failure=on_failure,
                         cancel=monitor,
                         **keywords,
                     )
@@ -99,7 +109,7 @@ class Filling(FairingOptions):
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
             patch.add(holes.mesh, holes.result, holes.erased)
-            kind, text = messages.filled(holes.result.loops, self.continuity)
+            kind, text = self.told(holes)
             loose = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
             if loose:
                 text += f"; {loose} more {'face was' if loose == 1 else 'faces were'} erased that hung loose"

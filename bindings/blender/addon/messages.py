@@ -30,7 +30,7 @@ _FIGURES = {
 
 
 # What to do about loops that face opposite ways.
-_TURN = "Turn the normals of one of the two parts around: select it (L), Mesh > Normals > Flip"
+TURN = "Turn the normals of one of the two parts around: select it (L), Mesh > Normals > Flip"
 
 
 @contextmanager
@@ -128,6 +128,18 @@ def filled(loops, continuity=0.0):
     return ("WARNING" if rough or still or coarse else "INFO"), text
 
 
+def bridged(result, is_faired):
+    """How a bridge went: ("INFO" or "WARNING", text)."""
+    text = f"bridge of {result.new_face_count} faces"
+    if not is_faired or result.is_clean:
+        return "INFO", text
+    if result.whole is not None:
+        return "WARNING", f"{text}; together, {faired(result.whole)[1]}"
+    loops = [result.strip, *result.rest]
+    rough = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN or _is_rough(loop)]
+    return "WARNING", text + (f", not fair: {_reason(rough[0])}" if rough else "")
+
+
 def _count(closed):
     """How many holes were filled, and how many loops joined."""
     joined = [loop for loop in closed if len(loop.loop_indices) > 1]
@@ -154,5 +166,5 @@ def _reason(loop):
         return faired(loop.report)[1]
     if loop.reason is FillReason.OPPOSITE_SIDES:
         first, second = loop.reason_elements
-        return f"{loop.reason.text} (loops {first} and {second}). {_TURN}"
+        return f"{loop.reason.text} (loops {first} and {second}). {TURN}"
     return f"{loop.reason.text} ({loop.edge_count} edges)"

@@ -4,6 +4,7 @@
 import bpy
 
 from . import found
+from .bridge_operator import MESH_OT_fairmesh_bridge
 from .curvature_operator import MESH_OT_fairmesh_show_curvature
 from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
@@ -14,6 +15,7 @@ _OPERATORS = (
     (MESH_OT_fairmesh_fair, "MOD_SMOOTH"),
     (MESH_OT_fairmesh_erase_and_fill, "BRUSH_DATA"),
     (MESH_OT_fairmesh_join_loops, "AUTOMERGE_ON"),
+    (MESH_OT_fairmesh_bridge, "MOD_SKIN"),
     (MESH_OT_fairmesh_fill_holes, "MESH_DATA"),
 )
 

@@ -120,10 +120,10 @@ def _on_boundary(mesh, edge_faces):
     return mask
 
 
-def selected_edges(obj):
-    """(k, 2): the ends of the selected edges, of a mesh that was just read."""
+def selected_edges(obj, among=True):
+    """(k, 2): the ends of the selected edges, of a mesh that was just read, of those in a mask."""
     mesh = obj.data
-    return _indices(mesh.edges, "vertices", 2)[_get(mesh.edges, "select", bool)]
+    return _indices(mesh.edges, "vertices", 2)[_get(mesh.edges, "select", bool) & among]
 
 
 def _indices(collection, name, width=1):

@@ -16,6 +16,7 @@ BAR = 1e-5
 common.install(runner.arguments()[0])
 join = bpy.ops.mesh.fairmesh_join_loops
 erase = bpy.ops.mesh.fairmesh_erase_and_fill
+bridge = bpy.ops.mesh.fairmesh_bridge
 fill = bpy.ops.mesh.fairmesh_fill_holes
 
 
@@ -200,6 +201,39 @@ def test_what_cannot_be_erased_stays():
     bpy.ops.mesh.select_all(action="SELECT")
     runner.raises(erase, "nothing is left around the selected faces")
     assert np.array_equal(coordinates(obj), before)
+
+
+def select_runs(obj, half=0.25):
+    """Two runs of boundary edges that face each other."""
+    for edge in boundary_edges(obj):
+        if edge.verts[0].co.x > 0 and max(abs(v.co.y) for v in edge.verts) < half:
+            edge.select_set(True)
+    bmesh.update_edit_mesh(obj.data)
+
+
+def test_a_bridge_between_two_runs_of_edges():
+    obj = band_missing()
+    before = coordinates(obj)
+    select_runs(obj)
+    assert bridge() == {"FINISHED"}
+    mesh = bmesh.from_edit_mesh(obj.data)
+    assert len(coordinates(obj)) > len(before) and np.array_equal(coordinates(obj)[: len(before)], before)
+    assert all(e.is_contiguous for e in mesh.edges if len(e.link_faces) == 2)
+    # A tube closed at both ends with a hole in its side.
+    assert len(mesh.verts) - len(mesh.edges) + len(mesh.faces) == 1
+    common.clear()
+    obj = band_missing()
+    select_runs(obj)
+    bridge(fill_rest=True)
+    check_whole_sphere(obj)
+
+
+def test_what_is_no_pair_of_runs_is_not_bridged():
+    obj = band_missing()
+    for chosen in (lambda e: False, lambda e: e.verts[0].co.z > 0, lambda e: True):
+        bpy.ops.mesh.select_all(action="DESELECT")
+        select_boundary(obj, chosen)
+        runner.raises(bridge, "Select two runs of boundary edges")
 
 
 def test_which_holes_of_all():

@@ -34,6 +34,7 @@ def live_handles(monkeypatch):
         ("suggest_joins", -2),
         ("erase", -2),
         ("components", -2),
+        ("bridge", -2),
     ):
         count(f"fairmesh_{name}", "result", 1, lambda arguments, at=at: arguments[at] is not None)
     count("fairmesh_solver_new", "solver", 1, lambda _: True)

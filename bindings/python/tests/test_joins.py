@@ -128,6 +128,49 @@ def test_a_dent_is_erased_and_filled():
         assert len(fairmesh.boundary_loops(filled.vertices, filled.faces)) == 1
 
 
+def band_chains(vertices, faces, count=3):
+    """Some vertices of both loops, beside each other."""
+    upper, lower = sorted(fairmesh.boundary_loops(vertices, faces), key=lambda loop: -vertices[loop.vertices[0], 2])
+
+    def chain(loop):
+        middle = np.argmax(vertices[loop.vertices, 0])
+        return np.roll(loop.vertices, count // 2 - middle)[:count]
+
+    return chain(upper), chain(lower)
+
+
+def test_a_bridge_and_the_rest_of_the_band():
+    vertices, faces = band_missing()
+    start, end = band_chains(vertices, faces)
+    strip = fairmesh.bridge(vertices, faces, start, end)
+    assert strip.strip.outcome == "faired" and strip.is_clean and strip.whole is None and strip.rest == []
+    assert set(strip.chains[0]) == set(start) and set(strip.chains[1]) == set(end) and abs(strip.twist) < 10
+    assert all(len(side) for side in strip.sides) and len(fairmesh.boundary_loops(strip.vertices, strip.faces)) == 1
+    assert off_sphere(strip.vertices) < 0.02
+    whole = fairmesh.bridge(vertices, faces, start, end[::-1], fill=True)
+    assert whole.is_clean and whole.whole.outcome.is_success and len(whole.rest) == 1
+    check_whole_sphere(whole)
+    for given, status in (({"start": [0, 1]}, Status.BAD_CHAIN), ({"width": -1.0}, Status.BAD_OPTION)):
+        with pytest.raises(fairmesh.InputError) as error:
+            fairmesh.bridge(vertices, faces, **{"start": start, "end": end, **given})
+        assert error.value.status is status
+    (loop,) = [fairmesh.bridge(*turned(vertices, faces), start, end).strip]
+    assert loop.reason is FillReason.OPPOSITE_SIDES
+
+
+def test_guides():
+    vertices, faces = band_missing()
+    start, end = band_chains(vertices, faces)
+    check_whole_sphere(fairmesh.fill_holes(vertices, faces, join="auto", guides=[(start[1], end[1])]))
+    edges = fairmesh.fill_holes(vertices, faces, join="auto", guides=[(start[1], end[1])], max_new_vertices=0).faces
+    assert any({start[1], end[1]} <= set(face) for face in edges.tolist())
+    with pytest.raises(fairmesh.InputError) as error:
+        fairmesh.fill_holes(vertices, faces, join="auto", guides=[(start[1], start[1])])
+    assert error.value.status is Status.BAD_GUIDE
+    with pytest.raises(ValueError, match=r"guides: the shape has to be \(k, 2\), not \(3,\)"):
+        fairmesh.fill_holes(vertices, faces, guides=[1, 2, 3])
+
+
 def test_wrong_choices_are_named():
     mesh = band_missing(level=3)
     for message, given in {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import _abi
+from ._bridge import Bridged, bridge
 from ._choice import LoopChoice
 from ._curvature import mean_curvature
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
@@ -20,6 +21,7 @@ __all__ = [
     "Attempt",
     "AttemptEnd",
     "Bends",
+    "Bridged",
     "Component",
     "Continuity",
     "ElementKind",
@@ -48,6 +50,7 @@ __all__ = [
     "Solver",
     "Status",
     "boundary_loops",
+    "bridge",
     "components",
     "default_fill_options",
     "default_options",

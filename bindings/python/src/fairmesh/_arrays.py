@@ -156,6 +156,16 @@ def indices(given: ArrayLike, name: str) -> UInt32:
     return _as_uint32(array)
 
 
+def pairs(given: ArrayLike, name: str) -> UInt32:
+    """Pairs of indices, (k, 2), as uint32."""
+    array = np.asarray(given)
+    if array.shape == (0,):
+        return np.empty((0, 2), np.uint32)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name}: the shape has to be (k, 2), not {array.shape}")
+    return indices(array.reshape(-1), name).reshape(-1, 2)
+
+
 def _whole_numbers(array: NDArray[Any], name: str) -> None:
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: integers are needed, not {array.dtype}")

@@ -100,6 +100,9 @@ _INPUT = {
     Status.NO_NORMAL,
     Status.VALENCE_TOO_LARGE,
     Status.NOT_ON_LOOP,
+    Status.BAD_GUIDE,
+    Status.GUIDES_CROSS,
+    Status.BAD_CHAIN,
 }
 
 _KNOWN = {int(member): member for member in Status}

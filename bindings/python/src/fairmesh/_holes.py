@@ -143,7 +143,7 @@ class LoopReport:
         return f"<fairmesh.LoopReport: {which}, {self.edge_count} edges, {self.outcome}{why}>"
 
 
-class _NewMesh:
+class NewMesh:
     """A mesh with new vertices at the end of its arrays."""
 
     def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
@@ -178,7 +178,7 @@ class _NewMesh:
         return self._handle.vectors(_abi.fairmesh_vectors.PARENT_WEIGHTS, self.new_vertex_count)
 
 
-class Filled(_NewMesh):
+class Filled(NewMesh):
     """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow."""
 
     @cached_property
@@ -195,7 +195,7 @@ class Filled(_NewMesh):
         return f"<fairmesh.Filled: {len(self.loops)} loops, {self.new_vertex_count} new vertices>"
 
 
-class Remeshed(_NewMesh):
+class Remeshed(NewMesh):
     """A mesh with a new triangulation of a region."""
 
     @cached_property
@@ -217,6 +217,24 @@ class Remeshed(_NewMesh):
         return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
 
 
+def set_patches(
+    fill: _abi.fairmesh_fill_options,
+    density: float | None,
+    max_new_vertices: int | None,
+    fair: bool | None,
+    on_failure: OnFailure | None,
+) -> None:
+    """Sets what patches shall be."""
+    if fair is not None:
+        fill.fair = int(bool(fair))
+    if on_failure is not None:
+        fill.on_failure = on_failure_number(on_failure)
+    if density is not None:
+        fill.density = real(density, "density")
+    if max_new_vertices is not None:
+        fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
+
+
 @_arrays.of_arrays
 @with_options
 def fill_holes(
@@ -232,6 +250,7 @@ def fill_holes(
     except_longest: int | None = None,
     of_components: ArrayLike | None = None,
     within: Place | None = None,
+    guides: ArrayLike | None = None,
     on_failure: OnFailure | None = None,
     density: float | None = None,
     max_new_vertices: int | None = None,
@@ -258,6 +277,8 @@ def fill_holes(
         of_components: Only holes of these components of the mesh, as `components` numbers them. Default: of all.
         within: Only holes whose vertices all lie in a ball ``(centre, radius)`` or a box ``(low, high)``, two corners.
             Default: everywhere.
+        guides: Pairs of vertices of the boundary, (k, 2), that the triangulation shall have an edge between before it
+            is refined: across a long tear, or between loops that are joined. No vertex is in two of them.
         on_failure: What a loop gets for which no fair patch is found, or none that does not intersect: "linear"
             (default), the best surface there is; "flat", the triangulation, refined; "open", nothing.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
@@ -288,14 +309,10 @@ def fill_holes(
     }
     chosen = Choice(library, choice, join)
     fill = chosen.struct
-    if fair is not None:
-        fill.fair = int(bool(fair))
-    if on_failure is not None:
-        fill.on_failure = on_failure_number(on_failure)
-    if density is not None:
-        fill.density = real(density, "density")
-    if max_new_vertices is not None:
-        fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
+    set_patches(fill, density, max_new_vertices, fair, on_failure)
+    if guides is not None:
+        guiding = _arrays.pairs(guides, "guides")
+        fill.guides = _arrays.indices_view(guiding)
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)

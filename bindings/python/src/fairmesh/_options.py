@@ -209,6 +209,8 @@ _OTHERS = (
     "except_longest",
     "of_components",
     "within",
+    "guides",
+    "width",
     "density",
     "max_new_vertices",
 )

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Edge > Bridge Edges and Fair."""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty
+
+from . import fairmesh, filling, found, messages, snapshot
+from .job import Background
+
+
+class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
+    """Connects two runs of boundary edges of each object in Edit mode."""
+
+    bl_idname = "mesh.fairmesh_bridge"
+    bl_label = "Bridge Edges and Fair"
+    bl_description = (
+        "Connect two selected runs of boundary edges by a strip that goes on smoothly from both: across a hole, which is "
+        "divided, or between two parts"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    fill_rest: BoolProperty(
+        name="Fill the Rest",
+        description="Also fill the holes that the strip leaves beside it; all that is new is faired together",
+        default=False,
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "EDIT_MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "fill_rest")
+        self.draw_filling(layout)
+
+    def prepare(self, context):
+        found.remember(None)
+        chosen = []
+        for obj in context.objects_in_mode_unique_data:
+            mesh = snapshot.read(obj)
+            runs = _runs(mesh)
+            if len(runs) == 2:
+                chosen.append(filling.Holes(mesh, [], mesh.triangles, join=runs))
+        if not chosen:
+            self.report(
+                {"ERROR"},
+                "Select two runs of boundary edges of one object, each without a gap, that do not touch each other",
+            )
+            return None
+        extents = [np.ptp(each.mesh.seen()[np.concatenate(each.join)], axis=0) for each in chosen]
+        options = self.patch_keywords(max(float(np.linalg.norm(extent)) for extent in extents))
+        fill_rest = self.fill_rest
+
+        def work(monitor):
+            for each in chosen:
+                mesh = each.mesh
+                with messages.about(mesh):
+                    each.result = fairmesh.bridge(
+                        mesh.seen(), mesh.triangles, *each.join, fill=fill_rest, cancel=monitor, **options
+                    )
+            return chosen
+
+        return work
+
+    def finish(self, context, chosen):
+        for each in chosen:
+            if each.result.strip.outcome is fairmesh.FillOutcome.LEFT_OPEN:
+                why = each.result.strip.reason
+                name = filling.name_before(chosen, each)
+                advice = f" {messages.TURN}." if why is fairmesh.FillReason.OPPOSITE_SIDES else ""
+                self.report({"ERROR"}, f"{name}No bridge was made: {why.text}.{advice} The mesh is unchanged")
+                return {"CANCELLED"}
+        return self.write(chosen)
+
+    def told(self, each):
+        return messages.bridged(each.result, self.smooth)
+
+
+def _runs(mesh):
+    """The runs of selected boundary edges: their vertices, one after the other."""
+    edges = snapshot.selected_edges(mesh.object, mesh.edge_faces == 1)
+    beside = {}
+    for a, b in edges.tolist():
+        beside.setdefault(a, []).append(b)
+        beside.setdefault(b, []).append(a)
+    runs = []
+    ends = [v for v, others in beside.items() if len(others) == 1]
+    seen = set()
+    for end in ends:
+        if end in seen:
+            continue
+        run = [end]
+        while True:
+            seen.add(run[-1])
+            onward = [v for v in beside[run[-1]] if v not in seen]
+            if not onward:
+                break
+            run.append(onward[0])
+        runs.append(run)
+    # Closed runs, and those that branch, have no end or several.
+    return runs if len(seen) == len(beside) else []
+
+
+def _menu(self, context):
+    self.layout.operator(MESH_OT_fairmesh_bridge.bl_idname)
+
+
+_MENUS = ("VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
+
+
+def register():
+    bpy.utils.register_class(MESH_OT_fairmesh_bridge)
+    for menu in _MENUS:
+        getattr(bpy.types, menu).append(_menu)
+
+
+def unregister():
+    for menu in _MENUS:
+        getattr(bpy.types, menu).remove(_menu)
+    bpy.utils.unregister_class(MESH_OT_fairmesh_bridge)

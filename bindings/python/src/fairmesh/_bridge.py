@@ -1,0 +1,129 @@
+"""Strips between two runs of boundary edges."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._errors import call
+from ._handles import ResultHandle
+from ._holes import LoopReport, NewMesh, set_patches
+from ._library import load
+from ._options import Options, initial, real, with_options
+from ._progress import Event, ProgressCallback, Relay
+from ._reports import Report, sized
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._choice import OnFailure
+    from ._options import FairingOptions
+
+_lists = _abi.fairmesh_list
+
+
+class Bridged(NewMesh):
+    """A mesh with a bridge. Vertices and faces given keep their numbers and bits; new ones follow."""
+
+    def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
+        super().__init__(handle, mesh)
+        told = sized(_abi.fairmesh_bridge_report)
+        handle.read("fairmesh_result_bridge", ctypes.byref(told))
+        #: Whether there is nothing to be said of it: what was to be faired converged, and no hole that was to be filled
+        #: is open.
+        self.is_clean = bool(told.is_clean)
+        #: By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+        self.twist: float = told.twist
+        #: What became of the strip.
+        self.strip = LoopReport(handle, 0)
+        #: What became of the holes beside it, if they were to be filled.
+        self.rest: list[LoopReport] = [LoopReport(handle, 1 + index) for index in range(told.rest_count)]
+        #: The fairing of all new vertices together, if holes were filled. Unless its outcome is "converged", the strip
+        #: and the patches are left as they were made.
+        self.whole: Report | None = handle.report(1 + told.rest_count) if told.has_whole else None
+
+    @cached_property
+    def chains(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The vertices that the strip begins and ends at, in the direction in which its faces run through them."""
+        return self._handle.list(_lists.BRIDGE_CHAIN, 0), self._handle.list(_lists.BRIDGE_CHAIN, 1)
+
+    @cached_property
+    def sides(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The new vertices on its two sides: from the first chain to the second, and back."""
+        return self._handle.list(_lists.BRIDGE_SIDE, 0), self._handle.list(_lists.BRIDGE_SIDE, 1)
+
+    def __repr__(self) -> str:
+        return f"<fairmesh.Bridged: {self.strip.outcome}, {self.new_vertex_count} new vertices>"
+
+
+@_arrays.of_arrays
+@with_options
+def bridge(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    start: ArrayLike,
+    end: ArrayLike,
+    *,
+    width: float | None = None,
+    fill: bool | None = None,
+    on_failure: OnFailure | None = None,
+    density: float | None = None,
+    max_new_vertices: int | None = None,
+    fair: bool | None = None,
+    coincident: _arrays.Coincident | None = None,
+    progress: ProgressCallback | None = None,
+    cancel: Event | None = None,
+    **options: Unpack[FairingOptions],
+) -> Bridged:
+    """Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired.
+
+    On one loop the strip divides the hole, on two it joins the parts. Where their ends face opposite ways none is made:
+    its report says "opposite_sides".
+
+    Args:
+        vertices, faces, coincident: As in `fair`.
+        start, end: The vertices of each run, one after the other, in either direction: at least two, or one if there is
+            a width.
+        width: How long the runs shall be: each is made longer or shorter about its middle. Default: as they are.
+        fill: True: the holes that the strip leaves beside it are filled, too, and all that is new is faired together.
+        on_failure, density, max_new_vertices, fair, progress, cancel, **options: As in `fill_holes`.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    how = initial(library, "fairmesh_bridge_options_init", _abi.fairmesh_bridge_options)
+    if fill is not None:
+        how.fill = int(bool(fill))
+    if width is not None:
+        how.width = real(width, "width")
+        if how.width == 0.0:
+            raise ValueError("width: it has to be positive")
+    filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    set_patches(filling, density, max_new_vertices, fair, on_failure)
+    ends = [_arrays.indices(start, "start"), _arrays.indices(end, "end")]
+    asked = Options(library, mesh.vertices, options)
+    relay = Relay(progress, cancel)
+    relay.install(asked.struct)
+    address = ctypes.c_void_p()
+    with relay:
+        call(
+            library,
+            "fairmesh_bridge",
+            ctypes.byref(mesh.struct),
+            ctypes.byref(_arrays.indices_view(ends[0])),
+            ctypes.byref(_arrays.indices_view(ends[1])),
+            ctypes.byref(how),
+            ctypes.byref(filling),
+            ctypes.byref(asked.struct),
+            ctypes.byref(address),
+        )
+        handle = ResultHandle(library, address)
+    return Bridged(handle, mesh)
