@@ -12,6 +12,7 @@ use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};
+use super::rim::Rims;
 use super::surroundings::Surroundings;
 use super::units::local_options;
 use crate::error::Error;
@@ -24,7 +25,7 @@ use crate::mesh::{Joined, NONE};
 /// The filled mesh.
 #[derive(Debug, Clone)]
 pub struct Filled {
-    /// The positions given, then the new ones.
+    /// The positions given, then the new ones. Those given are as they were, unless [`FillOptions::rim`] lets them move.
     pub positions: Vec<[f64; 3]>,
     /// The triangles given, then the new ones.
     pub triangles: Vec<[u32; 3]>,
@@ -37,7 +38,8 @@ pub struct Filled {
 /// Fills holes of a triangle mesh: triangulates, refines and fairs each. `positions` is #V by 3, `triangles` #T by 3,
 /// counter-clockwise seen from the side that normals point to.
 ///
-/// Original vertices and triangles keep their numbers and bits. A loop that cannot be filled, or not well, says so in its
+/// Original vertices and triangles keep their numbers, and their bits, but for vertices that are [allowed to
+/// move](super::Rim::relax). A loop that cannot be filled, or not well, says so in its
 /// report and does not affect the others.
 ///
 /// ```
@@ -167,10 +169,18 @@ fn run<'a>(
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
     let workers = Workers::new(options.fairing.threads)?;
+    let asked = asked_for(options, positions, &loops);
+    let mut rims = Rims::none(groups.len(), positions);
+    if options.rim.relax > 0 {
+        let is_filled = |i: &usize| objection(options, &asked, &groups[*i], &of_group(*i)).is_none();
+        let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
+        workers.install(|| rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i)))));
+    }
     let mut run = Run {
-        positions,
+        positions: &rims.positions,
+        rims: &rims,
         neighbours: is_checked
-            .then(|| workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))),
+            .then(|| workers.install(|| Neighbours::new(&rims.positions, &joined.triangles, chosen))),
         workers: &workers,
         links: &links,
         place: vec![NONE; triangles.len()],
@@ -179,7 +189,7 @@ fn run<'a>(
         options,
         fairing: &fairing,
         progress,
-        asked: asked_for(options, positions, &loops),
+        asked,
         done: 0.0,
         total: total as f64,
         cancelled: false,
@@ -196,8 +206,14 @@ fn run<'a>(
         run.done += edges(i) as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
+    let open = |i: &usize| {
+        pieces[*i]
+            .as_ref()
+            .is_none_or(|(piece, _)| piece.triangles.is_empty())
+    };
+    let open: Vec<usize> = (0..groups.len()).filter(open).collect();
     let mut filled = Filled {
-        positions: positions.to_vec(),
+        positions: rims.written(positions, &open, &joined.copies),
         triangles: triangles.to_vec(),
         parents: Vec::new(),
         loops: Vec::with_capacity(groups.len()),
@@ -208,6 +224,7 @@ fn run<'a>(
     for ((i, (piece, seconds)), pairs) in pieces.into_iter().enumerate().zip(crossings) {
         filled.append(piece, &groups[i], edges(i), seconds);
         if let Some(report) = filled.loops.last_mut() {
+            report.rim = rims.report(i).filter(|_| open.binary_search(&i).is_err());
             report.self_intersections = pairs;
         }
     }
@@ -264,6 +281,7 @@ fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
 
 struct Run<'m, 'o> {
     positions: &'m [[f64; 3]],
+    rims: &'m Rims,
     /// What patches may intersect; none if they are not checked.
     neighbours: Option<Neighbours<'m>>,
     workers: &'m Workers,
@@ -287,38 +305,13 @@ struct Run<'m, 'o> {
 }
 
 impl Run<'_, '_> {
-    /// What speaks against filling some loops, known before the work.
-    fn objection(&self, group: &Group, loops: &[&BoundaryLoop]) -> Option<OpenReason> {
-        let bad = loops.iter().find_map(|boundary| match boundary.kind {
-            LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
-            _ => None,
-        });
-        if bad.is_some() {
-            return bad;
-        }
-        if self.cancelled {
-            return Some(OpenReason::Cancelled);
-        }
-        if let Some(vertex) = shared_vertex(loops) {
-            return Some(OpenReason::SharedVertex { vertex });
-        }
-        if group.is_named {
-            return None;
-        }
-        if !group.loops.iter().all(|&l| self.asked[l]) {
-            return Some(match self.options.loops {
-                Loops::UpTo(_) => OpenReason::TooManyEdges,
-                _ => OpenReason::NotAsked,
-            });
-        }
-        let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
-        loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
-    }
-
     /// Fills the loops of a group, which is number `i` among those asked for.
     fn fill(&mut self, i: usize, group: &Group, loops: &[&BoundaryLoop]) -> Piece {
-        if let Some(reason) = self.objection(group, loops) {
+        if let Some(reason) = objection(self.options, &self.asked, group, loops) {
             return Piece::open(reason);
+        }
+        if self.cancelled {
+            return Piece::open(OpenReason::Cancelled);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         if let Some(vertex) = surroundings.first_unusable() {
@@ -359,7 +352,9 @@ impl Run<'_, '_> {
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self.left.min(largest_patch(edges, self.options.density)),
             fair: self.options.fair,
-            options: local_options(&surroundings, self.fairing),
+            options: self
+                .rims
+                .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
             precision: self.options.fairing.output_precision,
         };
         let mut piece = task.run(&mut tell);
@@ -411,6 +406,36 @@ impl Run<'_, '_> {
         surroundings.taken.sort_unstable();
         surroundings.taken.dedup();
     }
+}
+
+/// What speaks against filling some loops, known before the work. `asked` is per loop.
+fn objection(
+    options: &FillOptions,
+    asked: &[bool],
+    group: &Group,
+    loops: &[&BoundaryLoop],
+) -> Option<OpenReason> {
+    let bad = loops.iter().find_map(|boundary| match boundary.kind {
+        LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
+        _ => None,
+    });
+    if bad.is_some() {
+        return bad;
+    }
+    if let Some(vertex) = shared_vertex(loops) {
+        return Some(OpenReason::SharedVertex { vertex });
+    }
+    if group.is_named {
+        return None;
+    }
+    if !group.loops.iter().all(|&l| asked[l]) {
+        return Some(match options.loops {
+            Loops::UpTo(_) => OpenReason::TooManyEdges,
+            _ => OpenReason::NotAsked,
+        });
+    }
+    let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
+    loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
 }
 
 /// A vertex that two of the loops have.
@@ -478,6 +503,7 @@ impl Filled {
             outside: piece.outside.iter().map(|&i| vertex + i).collect(),
             coarsened: piece.coarsened,
             self_intersections: Vec::new(),
+            rim: None,
             seconds,
         });
     }

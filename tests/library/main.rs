@@ -18,6 +18,7 @@ mod join;
 mod long;
 mod outcomes;
 mod paper;
+mod rim;
 mod search;
 mod session;
 mod soundness;
