@@ -11,6 +11,10 @@ use crate::holes::loops::{BoundaryLoop, Links};
 
 /// Below this, in edges, noise has not folded anything.
 const CLEAN: f64 = 0.02;
+/// Above this it has hardly left a triangle its shape.
+const ROUGH: f64 = 0.1;
+/// The quality below which triangles are mended for either.
+const POOR: [f64; 2] = [0.3, 0.6];
 
 /// What relaxing the rim of one patch comes to.
 #[derive(Debug, Clone)]
@@ -63,15 +67,17 @@ pub(super) fn relaxed(
     for (x, sheet) in x.iter_mut().zip(&sheets) {
         *x = sheet.map_or(*x, |sheet| sheet.at);
     }
+    let rough = (width.noise / edge - CLEAN) / (ROUGH - CLEAN);
     let mut untangling = Untangling {
         band: &band,
         sheets: &sheets,
         x,
         within,
         edge,
+        poor: POOR[0] + (POOR[1] - POOR[0]) * rough.clamp(0.0, 1.0),
         on_loops: band.count(1),
     };
-    if width.noise > CLEAN * edge {
+    if rough > 0.0 {
         untangling.run();
     }
     let mut moved = Moved {

@@ -7,8 +7,6 @@ use nalgebra::Vector3;
 use super::band::Band;
 use super::fit::Sheet;
 
-/// Triangles of less quality than this are mended; an equilateral one has 1, one with angles of 30, 30 and 120 degrees 0.6.
-const POOR: f64 = 0.6;
 /// The gap's angle at a vertex of a loop counts as a triangle's quality, over this one.
 const WIDE: f64 = 100.0 / 360.0 * TAU;
 /// Rounds over all vertices.
@@ -27,6 +25,8 @@ pub(super) struct Untangling<'a> {
     /// No vertex goes further than this from where the mesh has it.
     pub(super) within: f64,
     pub(super) edge: f64,
+    /// Triangles of less quality than this are mended.
+    pub(super) poor: f64,
     /// The first vertices are on the loops.
     pub(super) on_loops: usize,
 }
@@ -65,7 +65,7 @@ impl Untangling<'_> {
     /// A place for a vertex with a poor triangle where the worst of them is better.
     fn better(&self, v: usize, sheet: &Sheet) -> Option<Vector3<f64>> {
         let mut best = (self.worst(v, self.x[v], sheet), None);
-        if best.0 >= POOR {
+        if best.0 >= self.poor {
             return None;
         }
         for step in STEPS {
@@ -106,7 +106,7 @@ impl Untangling<'_> {
     }
 }
 
-/// 1 for an equilateral triangle, 0 for one without area, less if it is turned over.
+/// 1 for an equilateral triangle, 0.6 for one with angles of 30, 30 and 120 degrees, 0 for one without area, less if it is turned over.
 fn quality([a, b, c]: [Vector3<f64>; 3], normal: &Vector3<f64>) -> f64 {
     let squares = (b - a).norm_squared() + (c - b).norm_squared() + (a - c).norm_squared();
     let area = normal.dot(&(b - a).cross(&(c - a)));

@@ -2,8 +2,7 @@
 //!
 //! The wider they are the less is left of the noise, and the less of the surface's own shape, too. What they are expected to miss it by
 //! is told by the fits themselves, without knowing the noise: what is random by the points' distances from them, bias by what
-//! polynomials of degree three find beside those of degree two. Noise that neighbours have in common, as in the steps of voxels,
-//! shows in wide fits only, which then are the better ones all the same.
+//! polynomials of degree three find beside those of degree two.
 
 use super::band::Band;
 use super::fit::Fit;
@@ -16,9 +15,9 @@ pub(super) const REACH: usize = 42;
 const SAMPLES: usize = 256;
 /// The sphere of a fit is no smaller than its window, on average.
 const MOST_CURVED: f64 = 1.0;
-/// From this radius on no noise grows any more: if the variance grows by more than this part, that is bias.
+/// From this radius on noise looks the same at all of them: if the variance grows to more than so many times, that is bias.
 const SETTLED: f64 = 5.0;
-const GROWTH: f64 = 1.1;
+const GROWTH: f64 = 1.5;
 
 /// The radius of fits, and how far vertices are from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,31 +32,54 @@ pub(super) fn width(band: &Band, edge: f64) -> Option<Width> {
     let on_loops = band.count(1);
     let stride = on_loops.div_ceil(SAMPLES).max(1);
     let samples: Vec<usize> = (0..on_loops).step_by(stride).collect();
+    let tried: Vec<Tried> = RADII
+        .iter()
+        .filter_map(|factor| Tried::new(band, &samples, factor * edge))
+        .take_while(|tried| tried.curvature < MOST_CURVED)
+        .collect();
     let mut best: Option<(f64, Width)> = None;
     let mut least = f64::INFINITY;
-    for radius in RADII.map(|factor| factor * edge) {
-        let fits: Vec<Fit> = band.fits(&samples, radius).into_iter().flatten().collect();
-        if fits.is_empty() || 2 * fits.len() < samples.len() {
-            continue;
+    for tried in &tried {
+        let growth = (tried.variance - GROWTH * least).max(0.0);
+        let bias = (tried.change - tried.expected).max(0.0);
+        let risk = tried.random + bias + growth;
+        if tried.radius >= SETTLED * edge {
+            least = least.min(tried.variance);
         }
-        let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
-        if mean(|fit| fit.curvature.abs()) > MOST_CURVED {
-            break;
-        }
-        let variance = mean(|fit| fit.variance);
-        let expected = mean(|fit| fit.variance * fit.change[1]);
-        let growth = (variance - GROWTH * least).max(0.0);
-        let risk = mean(|fit| fit.variance * fit.leverage)
-            + growth
-            + (mean(|fit| fit.change[0]) - expected).max(0.0);
-        if radius >= SETTLED * edge {
-            least = least.min(variance);
-        }
-        let noise = variance.sqrt();
-        // Infinite, if there were too few points for degree three somewhere.
         if risk < best.map_or(f64::INFINITY, |best| best.0) {
+            let (radius, noise) = (tried.radius, tried.variance.sqrt());
             best = Some((risk, Width { radius, noise }));
         }
     }
     best.map(|best| best.1)
+}
+
+/// What fits of a radius come to, on average.
+struct Tried {
+    radius: f64,
+    /// Times the radius.
+    curvature: f64,
+    /// Of the points, and what that makes of the fits' heights.
+    variance: f64,
+    random: f64,
+    /// The squared difference of polynomials of degree three and two, and what the variance makes of it.
+    change: f64,
+    expected: f64,
+}
+
+impl Tried {
+    /// None if there are too few points in most places, or for degree three in one.
+    fn new(band: &Band, samples: &[usize], radius: f64) -> Option<Self> {
+        let fits: Vec<Fit> = band.fits(samples, radius).into_iter().flatten().collect();
+        let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
+        let tried = Self {
+            radius,
+            curvature: mean(|fit| fit.curvature.abs()),
+            variance: mean(|fit| fit.variance),
+            random: mean(|fit| fit.variance * fit.leverage),
+            change: mean(|fit| fit.change[0]),
+            expected: mean(|fit| fit.variance * fit.change[1]),
+        };
+        (2 * fits.len() >= samples.len() && tried.change.is_finite()).then_some(tried)
+    }
 }
