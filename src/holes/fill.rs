@@ -7,8 +7,9 @@ use std::time::Instant;
 use super::crossing::{Neighbours, Owned};
 use super::groups::{Group, JoinSuggestion, asked_for, choose};
 use super::joint;
-use super::loops::{BoundaryLoop, Links, LoopKind};
-use super::options::{FillOptions, Join, Loops, OnFailure, largest_patch};
+use super::loops::{BoundaryLoop, Links};
+use super::objection::objection;
+use super::options::{FillOptions, Join, OnFailure, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};
@@ -406,49 +407,6 @@ impl Run<'_, '_> {
         surroundings.taken.sort_unstable();
         surroundings.taken.dedup();
     }
-}
-
-/// What speaks against filling some loops, known before the work. `asked` is per loop.
-fn objection(
-    options: &FillOptions,
-    asked: &[bool],
-    group: &Group,
-    loops: &[&BoundaryLoop],
-) -> Option<OpenReason> {
-    let bad = loops.iter().find_map(|boundary| match boundary.kind {
-        LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
-        _ => None,
-    });
-    if bad.is_some() {
-        return bad;
-    }
-    if let Some(vertex) = shared_vertex(loops) {
-        return Some(OpenReason::SharedVertex { vertex });
-    }
-    if group.is_named {
-        return None;
-    }
-    if !group.loops.iter().all(|&l| asked[l]) {
-        return Some(match options.loops {
-            Loops::UpTo(_) => OpenReason::TooManyEdges,
-            _ => OpenReason::NotAsked,
-        });
-    }
-    let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
-    loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
-}
-
-/// A vertex that two of the loops have.
-fn shared_vertex(loops: &[&BoundaryLoop]) -> Option<u32> {
-    if loops.len() == 1 {
-        return None;
-    }
-    let mut vertices: Vec<u32> = loops.iter().flat_map(|of| of.vertices.iter().copied()).collect();
-    vertices.sort_unstable();
-    vertices
-        .windows(2)
-        .find(|pair| pair[0] == pair[1])
-        .map(|pair| pair[0])
 }
 
 fn edge(a: u32, b: u32) -> (u32, u32) {

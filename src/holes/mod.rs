@@ -11,6 +11,7 @@ mod lenses;
 mod loop_set;
 mod loops;
 mod mend;
+mod objection;
 mod options;
 mod outcome;
 mod parents;

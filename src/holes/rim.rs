@@ -58,11 +58,7 @@ impl RimReport {
 impl Rim {
     pub(super) fn validate(&self) -> Result<(), Error> {
         let within = self.within.unwrap_or(1.0);
-        Error::check_option(
-            "within",
-            within,
-            within > 0.0 && within.is_finite(),
-            "positive and finite",
-        )
+        let allowed = within > 0.0 && within.is_finite();
+        Error::check_option("relax_within", within, allowed, "positive and finite")
     }
 }
