@@ -1,388 +1,490 @@
-//! Rims that are noise.
+//! Rims that are noise: spheres with noise, and of voxels, with a cap missing.
 
-use fairmesh::*;
-use fairmesh_shapes::{Sampling, sphere_with_hole};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
-struct Rng(u64);
-impl Rng {
+use crate::fairing::{Bars, irregular, vector};
+use fairmesh::{
+    Error, FillOptions, FillOutcome, Filled, Join, Loops, Options, Outcome, Rim, boundary_loops, fill_holes,
+};
+use fairmesh_shapes::{sphere_with_hole, sphere_without_band};
+use nalgebra::Vector3;
+
+type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// Numbers that are the same on every machine.
+struct Random(u64);
+
+impl Random {
     fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        ((self.0 >> 11) as f64) / (1u64 << 53) as f64
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (self.unit().max(1e-300), self.unit());
-        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
+
+    fn gauss(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
+        radius * (TAU * self.unit()).cos()
     }
-}
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
+
+    fn vector(&mut self) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.gauss())
+    }
 }
 
-/// Largest angle in degrees between new and old triangles over an edge.
-fn crease(f: &Filled) -> f64 {
-    let first = f.loops[0].triangles.start as usize;
-    let mut edges = std::collections::BTreeMap::new();
-    let n = |t: usize| {
-        let [a, b, c] = f.triangles[t].map(|v| f.positions[v as usize]);
-        cross(sub(b, a), sub(c, a))
-    };
-    for t in 0..first {
-        for k in 0..3 {
-            edges.insert((f.triangles[t][k], f.triangles[t][(k + 1) % 3]), t);
-        }
+/// The unit sphere without a cap of 60 degrees, and its mean edge.
+fn sphere(n: usize, seed: u64) -> (Mesh, f64) {
+    let shape = sphere_with_hole(60.0, n, irregular(seed), 3);
+    let is_free = |t: &&[u32; 3]| t.iter().all(|&v| shape.free[v as usize]);
+    let triangles = shape.triangles.iter().filter(is_free).copied().collect();
+    let edge = shape.mean_edge();
+    ((shape.positions, triangles), edge)
+}
+
+/// Which vertices are in the first rings around the first loop.
+fn rings((x, t): &Mesh, count: usize) -> Vec<bool> {
+    let mut is_in = vec![false; x.len()];
+    let loops = boundary_loops(x, t).unwrap();
+    loops[0].vertices.iter().for_each(|&v| is_in[v as usize] = true);
+    for _ in 1..count {
+        let before = is_in.clone();
+        let near = t.iter().filter(|t| t.iter().any(|&v| before[v as usize]));
+        near.flatten().for_each(|&v| is_in[v as usize] = true);
     }
-    let mut worst: f64 = 0.0;
-    for t in first..f.triangles.len() {
+    is_in
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Noise {
+    /// Of each coordinate.
+    deviation: f64,
+    is_isotropic: bool,
+    is_everywhere: bool,
+}
+
+fn noisy(mesh: &Mesh, noise: Noise, random: &mut Random) -> Mesh {
+    let near = rings(mesh, 3);
+    let moved = |(p, is_near): (&[f64; 3], &bool)| {
+        let (p, way) = (vector(p), random.vector() * noise.deviation);
+        let way = if noise.is_isotropic { way } else { p * way.x };
+        match noise.is_everywhere || *is_near {
+            true => (p + way).into(),
+            false => p.into(),
+        }
+    };
+    let x = mesh.0.iter().zip(&near).map(moved).collect();
+    (x, mesh.1.clone())
+}
+
+fn options(rim: Rim) -> FillOptions {
+    FillOptions {
+        rim,
+        fairing: Options {
+            threads: 1,
+            ..Options::default()
+        },
+        ..FillOptions::default()
+    }
+}
+
+fn relaxed(relax: usize) -> Rim {
+    Rim { relax, within: None }
+}
+
+fn fill((x, t): &Mesh, rim: Rim) -> Filled {
+    fill_holes(x, t, &options(rim)).unwrap()
+}
+
+/// Distances of the new vertices from a sphere.
+fn errors(filled: &Filled, centre: Vector3<f64>, radius: f64) -> Vec<f64> {
+    let new = filled.loops[0].vertices.clone();
+    let new = new.map(|v| vector(&filled.positions[v as usize]));
+    new.map(|p| (p - centre).norm() - radius).collect()
+}
+
+fn rms(errors: &[f64]) -> f64 {
+    (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
+}
+
+/// The largest angle between the patch and the mesh, in degrees.
+fn crease(filled: &Filled) -> f64 {
+    let first = filled.loops[0].triangles.start as usize;
+    let normal = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| vector(&filled.positions[v as usize]));
+        (b - a).cross(&(c - a))
+    };
+    let mut at = BTreeMap::new();
+    for t in &filled.triangles[..first] {
+        (0..3).for_each(|k| drop(at.insert((t[k], t[(k + 1) % 3]), normal(t))));
+    }
+    let mut largest: f64 = 0.0;
+    for t in &filled.triangles[first..] {
         for k in 0..3 {
-            if let Some(&o) = edges.get(&(f.triangles[t][(k + 1) % 3], f.triangles[t][k])) {
-                let (p, q) = (n(t), n(o));
-                worst = worst.max(norm(cross(p, q)).atan2(dot(p, q)));
+            if let Some(other) = at.get(&(t[(k + 1) % 3], t[k])) {
+                largest = largest.max(normal(t).angle(other));
             }
         }
     }
-    worst.to_degrees()
+    largest.to_degrees()
+}
+
+fn is_fair(filled: &Filled) -> bool {
+    let report = &filled.loops[0];
+    let fairing = report.fairing.as_ref();
+    report.outcome == FillOutcome::Faired && fairing.is_some_and(|f| f.outcome == Outcome::Converged)
+}
+
+fn check_noise(seeds: std::ops::Range<u64>, n: usize) {
+    let mut bars = Bars::default();
+    for seed in seeds {
+        let (mesh, edge) = sphere(n, seed);
+        let own = crease(&fill(&mesh, Rim::default()));
+        for (is_isotropic, is_everywhere) in [(false, false), (false, true), (true, false), (true, true)] {
+            for part in [0.05, 0.1, 0.2, 0.3] {
+                let noise = Noise {
+                    deviation: part * edge,
+                    is_isotropic,
+                    is_everywhere,
+                };
+                let rough = noisy(&mesh, noise, &mut Random(seed + 1000));
+                let filled = fill(&rough, relaxed(3));
+                let what = format!("seed {seed}, {part} of an edge, {noise:?}");
+                let report = filled.loops[0].rim.as_ref().unwrap();
+                bars.check(&what, is_fair(&filled), format!("{:?}", filled.loops[0]));
+                bars.at_most(
+                    &what,
+                    rms(&errors(&filled, Vector3::zeros(), 1.0)),
+                    0.6 * noise.deviation,
+                );
+                bars.at_most(format!("{what}: crease"), crease(&filled), 1.5 * own);
+                bars.at_most(
+                    format!("{what}: largest"),
+                    report.largest,
+                    report.within * (1.0 + 1e-12),
+                );
+                if is_everywhere {
+                    bars.at_most(format!("{what}: noise"), report.noise, 1.15 * noise.deviation);
+                    bars.at_least(format!("{what}: noise"), report.noise, 0.85 * noise.deviation);
+                }
+            }
+        }
+    }
+    bars.finish();
 }
 
 #[test]
-#[ignore]
-fn experiment() {
-    let n: usize = std::env::var("N").map_or(3000, |s| s.parse().unwrap());
-    let k: usize = std::env::var("K").map_or(3, |s| s.parse().unwrap());
-    let noises: Vec<f64> = std::env::var("NOISE").map_or(vec![0.0, 0.05, 0.1, 0.2, 0.3], |s| {
-        s.split(',').map(|x| x.parse().unwrap()).collect()
-    });
-    let seeds: u64 = std::env::var("SEEDS").map_or(2, |s| s.parse().unwrap());
-    let isos = if std::env::var("ISO").is_ok() {
-        vec![true]
-    } else {
-        vec![false, true]
-    };
-    for iso in isos {
-        for whole in [true, false] {
-            for &noise in &noises {
-                for seed in 0..seeds {
-                    let mut shape = sphere_with_hole(60.0, n, Sampling::Irregular { seed }, 3);
-                    let free = shape.free.clone();
-                    shape.triangles.retain(|t| t.iter().all(|&v| free[v as usize]));
-                    let h = shape.mean_edge();
-                    let mut rng = Rng(seed + 17);
-                    for _ in 0..10 {
-                        rng.unit();
-                    }
-                    // rings
-                    let mut ring = vec![usize::MAX; shape.positions.len()];
-                    for v in &boundary_loops(&shape.positions, &shape.triangles).unwrap()[0].vertices {
-                        ring[*v as usize] = 0;
-                    }
-                    for r in 1..k {
-                        for t in &shape.triangles {
-                            if t.iter().any(|&v| ring[v as usize] == r - 1) {
-                                for &v in t {
-                                    if ring[v as usize] == usize::MAX {
-                                        ring[v as usize] = r;
-                                    }
-                                }
-                            }
-                        }
-                    }
-                    let mut x = shape.positions.clone();
-                    for v in 0..x.len() {
-                        let s = noise * h;
-                        let d = [rng.normal() * s, rng.normal() * s, rng.normal() * s];
-                        if whole || ring[v] != usize::MAX {
-                            let p = shape.positions[v];
-                            if iso {
-                                for i in 0..3 {
-                                    x[v][i] += d[i];
-                                }
-                            } else {
-                                for i in 0..3 {
-                                    x[v][i] += d[0] * p[i];
-                                }
-                            }
-                        }
-                    }
-                    let mut out = String::new();
-                    let mut nn = 0;
-                    for relax in [0, k] {
-                        let options = FillOptions {
-                            loops: Loops::Chosen(vec![0]),
-                            rim: Rim { relax, within: None },
-                            fairing: Options {
-                                threads: 2,
-                                ..Options::default()
-                            },
-                            ..FillOptions::default()
-                        };
-                        let f = fill_holes(&x, &shape.triangles, &options).unwrap();
-                        nn = f.positions.len() - x.len();
-                        let new = &f.positions[x.len()..];
-                        let e: Vec<f64> = new.iter().map(|p| norm(*p) - 1.0).collect();
-                        let rms = (e.iter().map(|e| e * e).sum::<f64>() / e.len() as f64).sqrt();
-                        let max = e.iter().fold(0.0f64, |m, e| m.max(e.abs()));
-                        out += &format!(
-                            " | {} rms {:.3} max {:.3} /h (ratio {:.2}) crease {:.2} {:?}",
-                            relax,
-                            rms / h,
-                            max / h,
-                            rms / h / noise,
-                            crease(&f),
-                            f.loops[0].fairing.as_ref().map(|r| &r.outcome).map(|o| o.name())
-                        );
-                        if let Some(r) = &f.loops[0].rim {
-                            out += &format!(
-                                " moved {} rms {:.3} largest {:.3} bounded {} folded {} noise {:.3} radius {:.1}",
-                                r.moved,
-                                r.rms / h,
-                                r.largest / h,
-                                r.bounded,
-                                r.folded + 1000 * r.self_intersections.len(),
-                                r.noise / h,
-                                r.radius / h
-                            );
-                        }
-                    }
-                    println!(
-                        "v {} loop {} h {h:.4} new {} iso {} whole {} noise {noise} seed {seed}{out}",
-                        x.len(),
-                        boundary_loops(&shape.positions, &shape.triangles).unwrap()[0]
-                            .vertices
-                            .len(),
-                        nn,
-                        iso as u8,
-                        whole as u8
-                    );
-                }
-            }
-        }
-    }
-}
-
-/// The boundary faces of the unit cells whose centres lie in a ball about `c`: a raw staircase.
-fn staircase(r: f64, c: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-    let m = r.ceil() as i64 + 2;
-    let inside = |i: [i64; 3]| norm(sub(i.map(|k| k as f64), c)) < r;
-    let mut ids = std::collections::BTreeMap::new();
-    let (mut x, mut t) = (Vec::new(), Vec::new());
-    for i in -m..=m {
-        for j in -m..=m {
-            for k in -m..=m {
-                if !inside([i, j, k]) {
-                    continue;
-                }
-                for axis in 0..3 {
-                    for side in [-1i64, 1] {
-                        let mut n = [i, j, k];
-                        n[axis] += side;
-                        if inside(n) {
-                            continue;
-                        }
-                        let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-                        let corner = |p: i64, q: i64| {
-                            let mut g = [2 * i, 2 * j, 2 * k];
-                            g[axis] += side;
-                            g[a] += p;
-                            g[b] += q;
-                            g
-                        };
-                        let mut quad = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-                        if side < 0 {
-                            quad.reverse();
-                        }
-                        let v = quad.map(|g| {
-                            *ids.entry(g).or_insert_with(|| {
-                                x.push(g.map(|g| g as f64 / 2.0));
-                                x.len() as u32 - 1
-                            })
-                        });
-                        t.push([v[0], v[1], v[2]]);
-                        t.push([v[0], v[2], v[3]]);
-                    }
-                }
-            }
-        }
-    }
-    (x, t)
-}
-
-/// Marching cubes on what is inside and what is not: vertices in the middle of edges, the inner corners of a face always apart.
-fn marching(r: f64, c: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-    let m = r.ceil() as i64 + 2;
-    let inside = |i: [i64; 3]| norm(sub(i.map(|k| k as f64), c)) < r;
-    let mut ids = std::collections::BTreeMap::new();
-    let (mut x, mut t): (Vec<[f64; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
-    for i in -m..m {
-        for j in -m..m {
-            for k in -m..m {
-                let mut next = std::collections::BTreeMap::new();
-                for axis in 0..3 {
-                    for side in [0i64, 1] {
-                        let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-                        let corner = |p: i64, q: i64| {
-                            let mut g = [i, j, k];
-                            g[axis] += side;
-                            g[a] += p;
-                            g[b] += q;
-                            g
-                        };
-                        let mut face = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
-                        if side == 0 {
-                            face.reverse();
-                        }
-                        let is: Vec<bool> = face.iter().map(|&g| inside(g)).collect();
-                        let mid = |p: usize| {
-                            let (g, h) = (face[p], face[(p + 1) % 4]);
-                            [g[0] + h[0], g[1] + h[1], g[2] + h[2]]
-                        };
-                        for p in 0..4 {
-                            if !is[p] && is[(p + 1) % 4] {
-                                let enter = mid(p);
-                                let mut q = (p + 1) % 4;
-                                while is[(q + 1) % 4] {
-                                    q = (q + 1) % 4;
-                                }
-                                next.insert(mid(q), enter);
-                            }
-                        }
-                    }
-                }
-                while let Some((&start, _)) = next.iter().next() {
-                    let mut run = vec![start];
-                    let mut at = next.remove(&start).unwrap();
-                    while at != start {
-                        run.push(at);
-                        at = next.remove(&at).unwrap();
-                    }
-                    let v: Vec<u32> = run
-                        .into_iter()
-                        .map(|g: [i64; 3]| {
-                            *ids.entry(g).or_insert_with(|| {
-                                x.push(g.map(|g| g as f64 / 2.0));
-                                x.len() as u32 - 1
-                            })
-                        })
-                        .collect();
-                    for p in 1..v.len() - 1 {
-                        t.push([v[0], v[p + 1], v[p]]);
-                    }
-                }
-            }
-        }
-    }
-    (x, t)
+fn a_noisy_rim_is_drawn_to_the_surface() {
+    check_noise(0..1, 1500);
 }
 
 #[test]
-#[ignore]
-fn voxels() {
-    let k: usize = std::env::var("K").map_or(3, |s| s.parse().unwrap());
-    let ds: Vec<f64> = std::env::var("D").map_or(vec![40.0, 70.0, 100.0], |s| {
-        s.split(',').map(|x| x.parse().unwrap()).collect()
+#[ignore = "full tier: 16 noises of 8 seeds"]
+fn noisy_rims_of_more_seeds_are_drawn_to_the_surface() {
+    check_noise(0..8, 3000);
+}
+
+/// The cubes whose centres lie in a ball: their faces to the outside, as a raw staircase.
+fn staircase(radius: f64, centre: Vector3<f64>) -> Mesh {
+    let (mut numbers, mut x, mut t) = (BTreeMap::new(), Vec::new(), Vec::new());
+    each_cell(radius, |cell| {
+        for (axis, side) in [0, 1, 2].into_iter().flat_map(|axis| [(axis, -1), (axis, 1)]) {
+            let mut beside = cell;
+            beside[axis] += side;
+            if !is_in(radius, centre, cell) || is_in(radius, centre, beside) {
+                continue;
+            }
+            let face = square(axis, side).map(|offset| {
+                let twice: [i64; 3] = std::array::from_fn(|k| 2 * cell[k] + offset[k]);
+                *numbers.entry(twice).or_insert_with(|| {
+                    x.push(twice.map(|c| 0.5 * c as f64));
+                    x.len() as u32 - 1
+                })
+            });
+            t.extend([[face[0], face[1], face[2]], [face[0], face[2], face[3]]]);
+        }
     });
-    let seeds: u64 = std::env::var("SEEDS").map_or(2, |s| s.parse().unwrap());
-    for raw in [true, false] {
-        for &d in &ds {
+    (x, t)
+}
+
+/// Marching cubes over the same: vertices in the middle of edges between inside and outside.
+fn marching(radius: f64, centre: Vector3<f64>) -> Mesh {
+    let (mut numbers, mut x, mut t) = (BTreeMap::new(), Vec::new(), Vec::new());
+    each_cell(radius, |cell| {
+        // In each face of the cube whose corner this is, from where its boundary leaves the ball to where it came in.
+        let mut onward = BTreeMap::new();
+        for (axis, side) in [0, 1, 2].into_iter().flat_map(|axis| [(axis, -1), (axis, 1)]) {
+            let face = square(axis, side)
+                .map(|offset| -> [i64; 3] { std::array::from_fn(|k| cell[k] + (offset[k] + 1) / 2) });
+            let inside = face.map(|corner| is_in(radius, centre, corner));
+            let middle =
+                |i: usize| -> [i64; 3] { std::array::from_fn(|k| face[i][k] + face[(i + 1) % 4][k]) };
+            for i in (0..4).filter(|&i| !inside[i] && inside[(i + 1) % 4]) {
+                let last = (i + 1..i + 4).find(|j| !inside[(j + 1) % 4]).unwrap();
+                onward.insert(middle(last % 4), middle(i));
+            }
+        }
+        while let Some((first, mut at)) = onward.pop_first() {
+            let mut polygon = vec![first];
+            while at != first {
+                polygon.push(at);
+                at = onward.remove(&at).unwrap();
+            }
+            let number = |twice: [i64; 3]| {
+                *numbers.entry(twice).or_insert_with(|| {
+                    x.push(twice.map(|c| 0.5 * c as f64));
+                    x.len() as u32 - 1
+                })
+            };
+            let polygon: Vec<u32> = polygon.into_iter().map(number).collect();
+            t.extend((1..polygon.len() - 1).map(|i| [polygon[0], polygon[i + 1], polygon[i]]));
+        }
+    });
+    (x, t)
+}
+
+fn each_cell(radius: f64, mut visit: impl FnMut([i64; 3])) {
+    let most = radius.ceil() as i64 + 2;
+    for i in -most..=most {
+        for j in -most..=most {
+            (-most..=most).for_each(|k| visit([i, j, k]));
+        }
+    }
+}
+
+fn is_in(radius: f64, centre: Vector3<f64>, cell: [i64; 3]) -> bool {
+    (vector(&cell.map(|c| c as f64)) - centre).norm() < radius
+}
+
+/// The corners of a face of the cube from -1 to 1, counter-clockwise seen from outside.
+fn square(axis: usize, side: i64) -> [[i64; 3]; 4] {
+    let mut corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)].map(|(p, q)| {
+        let mut corner = [side; 3];
+        corner[(axis + 1) % 3] = p;
+        corner[(axis + 2) % 3] = q;
+        corner
+    });
+    if side < 0 {
+        corners.reverse();
+    }
+    corners
+}
+
+fn check_voxels(diameters: &[f64], seeds: std::ops::Range<u64>) {
+    let mut bars = Bars::default();
+    let kinds: [(&str, fn(f64, Vector3<f64>) -> Mesh); 2] =
+        [("staircase", staircase), ("marching cubes", marching)];
+    for (kind, make) in kinds {
+        for (&diameter, seed) in diameters.iter().flat_map(|d| seeds.clone().map(move |s| (d, s))) {
+            let mut random = Random(seed);
+            let (centre, radius) = (random.vector() * 0.3, 0.5 * diameter);
+            let axis = random.vector().normalize();
+            let whole = make(radius, centre);
             for angle in [30.0f64, 60.0] {
-                for seed in 0..seeds {
-                    let mut rng = Rng(seed * 77 + 5);
-                    for _ in 0..10 {
-                        rng.unit();
-                    }
-                    let c = [rng.unit(), rng.unit(), rng.unit()];
-                    let axis = if seed == 0 {
-                        [0.0, 0.0, 1.0]
-                    } else {
-                        let a = [rng.normal(), rng.normal(), rng.normal()];
-                        let n = norm(a);
-                        a.map(|x| x / n)
-                    };
-                    let r = d / 2.0;
-                    let (x, mut t) = if raw { staircase(r, c) } else { marching(r, c) };
-                    t.retain(|t| {
-                        let m: [f64; 3] = std::array::from_fn(|i| {
-                            t.iter().map(|&v| x[v as usize][i]).sum::<f64>() / 3.0 - c[i]
-                        });
-                        dot(m, axis) < norm(m) * angle.to_radians().cos()
-                    });
-                    let n = |t: &[u32; 3]| {
-                        let [a, b, q] = t.map(|v| x[v as usize]);
-                        dot(cross(sub(b, a), sub(q, a)), sub(a, c))
-                    };
-                    let sign = t.iter().map(n).sum::<f64>();
-                    let used: std::collections::BTreeSet<u32> = t.iter().flatten().copied().collect();
-                    let mean = used.iter().map(|&v| norm(sub(x[v as usize], c)) - r).sum::<f64>()
-                        / used.len() as f64;
-                    let loops = boundary_loops(&x, &t).unwrap();
-                    let l = (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap();
-                    let mut out = format!(
-                        "sign {} loops {} edges {} meanoff {mean:.3}",
-                        sign > 0.0,
-                        loops.len(),
-                        loops[l].vertices.len()
-                    );
-                    let rr = if std::env::var("BOTH").is_ok() {
-                        vec![0, k]
-                    } else {
-                        vec![k]
-                    };
-                    for relax in rr {
-                        let clock = std::time::Instant::now();
-                        let options = FillOptions {
-                            loops: Loops::Chosen(vec![l]),
-                            rim: Rim { relax, within: None },
-                            fairing: Options {
-                                threads: 2,
-                                ..Options::default()
-                            },
-                            ..FillOptions::default()
-                        };
-                        let f = fill_holes(&x, &t, &options).unwrap();
-                        let new = &f.positions[x.len()..];
-                        let e: Vec<f64> = new.iter().map(|p| norm(sub(*p, c)) - r).collect();
-                        let rms = (e.iter().map(|e| e * e).sum::<f64>() / e.len() as f64).sqrt();
-                        let max = e.iter().fold(0.0f64, |m, e| m.max(e.abs()));
-                        out += &format!(
-                            "\n  {:.1} s | {} rms {:.3} max {:.3} voxels crease {:.2} {:?} {:?}",
-                            clock.elapsed().as_secs_f64(),
-                            relax,
-                            rms,
-                            max,
-                            crease(&f),
-                            f.loops[0].outcome,
-                            f.loops[0].fairing.as_ref().map(|r| &r.outcome).map(|o| o.name())
-                        );
-                        if let Some(r) = &f.loops[0].rim {
-                            out += &format!(
-                                " moved {} rms {:.3} largest {:.3} bounded {} folded {} noise {:.3} radius {:.1}",
-                                r.moved,
-                                r.rms,
-                                r.largest,
-                                r.bounded,
-                                r.folded + 1000 * r.self_intersections.len(),
-                                r.noise,
-                                r.radius
-                            );
-                        }
-                    }
-                    println!("raw {} d {d} angle {angle} seed {seed} {out}", raw as u8);
-                }
+                let is_left = |t: &&[u32; 3]| {
+                    let [a, b, c] = t.map(|v| vector(&whole.0[v as usize]));
+                    let way = (a + b + c) / 3.0 - centre;
+                    way.dot(&axis) < way.norm() * angle.to_radians().cos()
+                };
+                let t: Vec<[u32; 3]> = whole.1.iter().filter(is_left).copied().collect();
+                let loops = boundary_loops(&whole.0, &t).unwrap();
+                let longest = (0..loops.len()).max_by_key(|&l| loops[l].vertices.len()).unwrap();
+                let options = FillOptions {
+                    loops: Loops::Chosen(vec![longest]),
+                    ..options(relaxed(3))
+                };
+                let filled = fill_holes(&whole.0, &t, &options).unwrap();
+                let what = format!("{kind}, {diameter} across, seed {seed}, {angle} degrees");
+                bars.check(&what, is_fair(&filled), format!("{:?}", filled.loops[0].outcome));
+                let errors = errors(&filled, centre, radius);
+                bars.at_most(&what, rms(&errors), 0.25);
+                bars.at_most(&what, errors.iter().fold(0.0, |most, e| e.abs().max(most)), 0.5);
             }
         }
+    }
+    bars.finish();
+}
+
+#[test]
+fn a_sphere_of_voxels_is_filled_to_half_a_voxel() {
+    check_voxels(&[40.0], 0..1);
+}
+
+#[test]
+#[ignore = "full tier: spheres of up to 100 voxels"]
+fn spheres_of_voxels_are_filled_to_half_a_voxel() {
+    check_voxels(&[40.0, 55.0, 70.0, 100.0], 0..4);
+}
+
+#[test]
+fn an_exact_rim_stays() {
+    let (mesh, _) = sphere(1000, 3);
+    let without = fill(&mesh, Rim::default());
+    assert_eq!(without.positions[..mesh.0.len()], mesh.0);
+    assert!(without.loops[0].rim.is_none());
+    let filled = fill(&mesh, relaxed(3));
+    let report = filled.loops[0].rim.as_ref().unwrap();
+    assert!(report.largest < 1e-12 && report.noise < 1e-12, "{report:?}");
+    assert!(rms(&errors(&filled, Vector3::zeros(), 1.0)) < 1e-8);
+    let near = rings(&mesh, 3);
+    for v in (0..mesh.0.len()).filter(|&v| !near[v]) {
+        assert_eq!(filled.positions[v], mesh.0[v]);
+    }
+}
+
+#[test]
+fn no_vertex_moves_further_than_it_may() {
+    let (mesh, edge) = sphere(1000, 3);
+    let noise = Noise {
+        deviation: 0.2 * edge,
+        is_isotropic: true,
+        is_everywhere: true,
+    };
+    let mesh = noisy(&mesh, noise, &mut Random(5));
+    let within = 0.15 * edge;
+    let rim = Rim {
+        relax: 2,
+        within: Some(within),
+    };
+    let filled = fill(&mesh, rim);
+    let report = filled.loops[0].rim.as_ref().unwrap();
+    let near = rings(&mesh, 2);
+    let moved: Vec<f64> = (0..mesh.0.len())
+        .map(|v| (vector(&filled.positions[v]) - vector(&mesh.0[v])).norm())
+        .collect();
+    assert!((0..mesh.0.len()).all(|v| near[v] || moved[v] == 0.0));
+    let count = moved.iter().filter(|&&way| way > 0.0).count();
+    let largest = moved.iter().copied().fold(0.0, f64::max);
+    assert!(largest <= within * (1.0 + 1e-12));
+    assert_eq!(
+        (report.moved, report.largest, report.within),
+        (count, largest, within)
+    );
+    let mean = (moved.iter().map(|way| way * way).sum::<f64>() / count as f64).sqrt();
+    assert!((report.rms / mean - 1.0).abs() < 1e-12);
+    // A normal distribution has 45 of 100 beyond three quarters of its deviation.
+    let part = report.bounded as f64 / near.iter().filter(|&&near| near).count() as f64;
+    assert!((0.35..0.55).contains(&part), "{part}");
+}
+
+#[test]
+fn what_is_left_open_keeps_its_rim() {
+    let (mesh, edge) = sphere(1000, 3);
+    let noise = Noise {
+        deviation: 0.1 * edge,
+        is_isotropic: false,
+        is_everywhere: true,
+    };
+    let mesh = noisy(&mesh, noise, &mut Random(5));
+    let options = FillOptions {
+        loops: Loops::UpTo(10),
+        ..options(relaxed(3))
+    };
+    let filled = fill_holes(&mesh.0, &mesh.1, &options).unwrap();
+    assert_eq!(filled.positions, mesh.0);
+    assert!(filled.loops[0].rim.is_none());
+}
+
+#[test]
+fn relaxing_depends_neither_on_threads_nor_on_unit_and_place() {
+    let (mesh, edge) = sphere(1000, 3);
+    let noise = Noise {
+        deviation: 0.2 * edge,
+        is_isotropic: true,
+        is_everywhere: true,
+    };
+    let mesh = noisy(&mesh, noise, &mut Random(5));
+    let one = fill(&mesh, relaxed(3));
+    for threads in [2, 3] {
+        let mut options = options(relaxed(3));
+        options.fairing.threads = threads;
+        let several = fill_holes(&mesh.0, &mesh.1, &options).unwrap();
+        assert_eq!(
+            (several.positions, several.triangles),
+            (one.positions.clone(), one.triangles.clone())
+        );
+    }
+    let large = (
+        mesh.0.iter().map(|p| p.map(|c| 1024.0 * c)).collect(),
+        mesh.1.clone(),
+    );
+    let scaled = fill(&large, relaxed(3));
+    assert!(
+        scaled
+            .positions
+            .iter()
+            .zip(&one.positions)
+            .all(|(a, b)| *a == b.map(|c| 1024.0 * c))
+    );
+    let turn = nalgebra::Rotation3::from_euler_angles(0.3, 1.1, -2.0);
+    let by = Vector3::new(0.7, -0.2, 0.4);
+    let moved = |p: &[f64; 3]| -> [f64; 3] { (turn * vector(p) + by).into() };
+    let turned = fill(&(mesh.0.iter().map(moved).collect(), mesh.1.clone()), relaxed(3));
+    let apart = |v: usize| (vector(&moved(&one.positions[v])) - vector(&turned.positions[v])).norm();
+    assert!((0..mesh.0.len()).map(apart).fold(0.0, f64::max) < 1e-9);
+}
+
+#[test]
+fn the_rims_of_joined_loops_are_relaxed() {
+    let shape = sphere_without_band(2500, irregular(1), 40.0);
+    let edge = shape.mean_edge();
+    let mut random = Random(7);
+    let rough = |p: &[f64; 3]| -> [f64; 3] { (vector(p) * (1.0 + 0.1 * edge * random.gauss())).into() };
+    let x: Vec<[f64; 3]> = shape.positions.iter().map(rough).collect();
+    let loops = boundary_loops(&x, &shape.triangles).unwrap();
+    let mut order: Vec<usize> = (0..loops.len()).collect();
+    order.sort_by_key(|&l| std::cmp::Reverse(loops[l].vertices.len()));
+    let options = FillOptions {
+        loops: Loops::Chosen(Vec::new()),
+        join: Join::Groups(vec![order[..2].to_vec()]),
+        ..options(relaxed(3))
+    };
+    let filled = fill_holes(&x, &shape.triangles, &options).unwrap();
+    assert!(is_fair(&filled), "{:?}", filled.loops[0]);
+    let rms = rms(&errors(&filled, Vector3::zeros(), 1.0));
+    assert!(rms < 0.06 * edge, "{}", rms / edge);
+    for l in &order[..2] {
+        let stays = |&&v: &&u32| filled.positions[v as usize] == x[v as usize];
+        assert_eq!(loops[*l].vertices.iter().filter(stays).count(), 0);
+    }
+}
+
+#[test]
+fn what_is_too_small_to_fit_says_so() {
+    let x = [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0],
+    ];
+    let t = [
+        [0, 1, 4],
+        [1, 2, 4],
+        [2, 3, 4],
+        [3, 0, 4],
+        [1, 0, 5],
+        [2, 1, 5],
+        [3, 2, 5],
+    ];
+    let filled = fill(&(x.to_vec(), t.to_vec()), relaxed(2));
+    let report = filled.loops[0].rim.as_ref().unwrap();
+    assert_eq!((report.radius, report.moved), (0.0, 0));
+    assert_eq!(filled.positions[..6], x);
+}
+
+#[test]
+fn a_bound_has_to_be_one() {
+    let (mesh, _) = sphere(500, 3);
+    for value in [0.0, -1.0, f64::INFINITY] {
+        let rim = Rim {
+            relax: 2,
+            within: Some(value),
+        };
+        let error = fill_holes(&mesh.0, &mesh.1, &options(rim)).unwrap_err();
+        let (name, range) = ("relax_within", "positive and finite");
+        assert_eq!(error, Error::BadOption { name, value, range });
     }
 }

@@ -65,6 +65,11 @@ impl Sheet {
         Self { at, ..self }
     }
 
+    /// The angle of a direction from the first tangent.
+    pub(super) fn direction(&self, d: Vector3<f64>) -> f64 {
+        d.dot(&self.tangents[1]).atan2(d.dot(&self.tangents[0]))
+    }
+
     /// A point of the surface, a step along the tangents from one near it.
     pub(super) fn near(&self, x: Vector3<f64>, step: [f64; 2]) -> Vector3<f64> {
         let d = x - self.at;

@@ -68,9 +68,12 @@ impl Untangling<'_> {
         if best.0 >= self.poor {
             return None;
         }
+        // Directions count from a neighbour, so that they turn with the mesh.
+        let neighbour = self.band.neighbours.row(v).first()?;
+        let first = sheet.direction(self.x[*neighbour as usize] - self.x[v]);
         for step in STEPS {
             for k in 0..DIRECTIONS {
-                let (sin, cos) = (TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+                let (sin, cos) = (first + TAU * k as f64 / DIRECTIONS as f64).sin_cos();
                 let x = sheet.near(self.x[v], [cos, sin].map(|c| c * step * self.edge));
                 if (x - self.band.x[v]).norm() <= self.within {
                     let worst = self.worst(v, x, sheet);
