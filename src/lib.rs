@@ -34,8 +34,8 @@ pub use fairing::{
 pub use holes::{
     BoundaryLoop, Erased, FillOptions, FillOutcome, Filled, FlatReason, Join, JoinReason, JoinSuggestion,
     LoopFilter, LoopKind, LoopReport, Loops, OnFailure, OpenReason, Parents, Place, RemeshOptions, Remeshed,
-    Rim, RimReport, boundary_loops, boundary_loops_joined, erase, fill_holes, fill_holes_with_progress,
-    remesh_region, suggest_joins, triangle_components,
+    Rim, RimReport, Roughness, boundary_loops, boundary_loops_joined, erase, fill_holes,
+    fill_holes_with_progress, remesh_region, rim_roughness, suggest_joins, triangle_components,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 #[cfg(feature = "profile")]

@@ -1,7 +1,7 @@
 //! Flags for rims that are noise, and how what became of them is told.
 
 use clap::Args;
-use fairmesh::{Rim, RimReport};
+use fairmesh::{Rim, RimReport, Roughness};
 use serde_json::{Value, json};
 
 /// Flags that let the mesh around a hole move.
@@ -64,4 +64,24 @@ pub fn json(report: &RimReport, face: impl Fn(u32) -> usize) -> Value {
         "bounded": report.bounded, "folded": report.folded, "noise": report.noise, "radius": report.radius,
         "intersections": pairs.collect::<Vec<_>>(),
     })
+}
+
+/// What to do about a rim, if it is rough.
+pub fn advice(of: &Roughness) -> Option<String> {
+    let rim = of.advice?;
+    let within = rim
+        .within
+        .map_or(String::new(), |within| format!(" --relax-within {within:.3e}"));
+    Some(format!(
+        "is rough: {:.0} degrees between neighbouring faces, {:.0} expected; 'fairmesh fill --relax-rim {}{within}' smooths it",
+        of.angle, of.expected, rim.relax
+    ))
+}
+
+/// The roughness for programs.
+pub fn roughness_json(of: &Roughness) -> Value {
+    let advice = of
+        .advice
+        .map(|rim| json!({ "relax_rim": rim.relax, "relax_within": rim.within }));
+    json!({ "ratio": of.ratio(), "angle": of.angle, "expected": of.expected, "noise": of.noise, "advice": advice })
 }

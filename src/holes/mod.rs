@@ -36,4 +36,4 @@ pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};
-pub use rim::{Rim, RimReport};
+pub use rim::{Rim, RimReport, Roughness, rim_roughness};

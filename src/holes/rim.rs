@@ -4,10 +4,12 @@ mod band;
 mod fit;
 mod relax;
 mod rims;
+mod roughness;
 mod untangle;
 mod width;
 
 pub(super) use rims::Rims;
+pub use roughness::{Roughness, rim_roughness};
 
 use crate::error::Error;
 

@@ -155,8 +155,8 @@ impl Band {
             let w = found[i] as usize;
             i += 1;
             let far = (self.x[w] - at).norm_squared() / (radius * radius);
-            points.push((self.x[w], 1.0 - far));
-            normal += self.normals[w] * (1.0 - far);
+            points.push((self.x[w], 1.0 - far * far));
+            normal += self.normals[w] * (1.0 - far * far);
             for &u in self.neighbours.row(w) {
                 if !seen[u as usize] && (self.x[u as usize] - at).norm() < radius {
                     seen[u as usize] = true;

@@ -1,6 +1,6 @@
 //! A sphere and a polynomial over it, fitted to some points.
 //!
-//! Heights are measured from a sphere whose curvature is the points' own mean curvature, so that a wide fit to a part of a sphere
+//! Heights are measured from a sphere whose curvature is the points' own mean curvature, so that even a fit to half a sphere
 //! has no error but that of the noise; elsewhere it is as good as a polynomial of the same degree.
 
 use nalgebra::{SMatrix, SVector, Vector3};
