@@ -895,6 +895,35 @@ typedef uint32_t fairmesh_join_kind;
 #endif // __cplusplus
 
 /**
+ * What lies between loops that are joined. Numbers are never reused.
+ */
+enum fairmesh_gap_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * A gap between parts.
+     */
+    FAIRMESH_GAP_KIND_GAP = 0,
+    /**
+     * A tunnel: the part gets a handle.
+     */
+    FAIRMESH_GAP_KIND_TUNNEL = 1,
+    /**
+     * A hole with an island in it.
+     */
+    FAIRMESH_GAP_KIND_ISLAND = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_gap_kind fairmesh_gap_kind;
+#else
+typedef uint32_t fairmesh_gap_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
  */
 enum fairmesh_on_failure
@@ -1635,6 +1664,15 @@ typedef struct fairmesh_fill_options {
      * refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
      */
     struct fairmesh_indices guides;
+    /**
+     * So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it
+     * is filled: for boundaries that are noise. Zero (default): none.
+     */
+    uint64_t relax_rings;
+    /**
+     * No vertex moves further than this, in the unit of the positions. Zero (default): the mean length of the edges around the loop.
+     */
+    double relax_within;
 } fairmesh_fill_options;
 
 /**
@@ -2293,6 +2331,10 @@ typedef struct fairmesh_loop {
      * The component of the mesh that the loop is on, as `fairmesh_components` numbers them.
      */
     uint64_t component;
+    /**
+     * How many triangles that has.
+     */
+    uint64_t component_triangle_count;
 } fairmesh_loop;
 
 /**
@@ -2393,6 +2435,39 @@ typedef struct fairmesh_fill_report {
      * That of a patch for each loop.
      */
     double separate_area;
+    /**
+     * 1 where the boundary normals are those asked for. Less where no sound patch has them: so much of the way from the normals of a
+     * membrane to the averages of the mesh's.
+     */
+    double normals_reached;
+    /**
+     * Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, a `fairmesh_gap_kind`: what lies between them.
+     */
+    uint32_t gap_kind;
+    /**
+     * Not 0: vertices around the loop were allowed to move (`relax_rings`), and the next five say how far they did; otherwise these are 0.
+     */
+    uint32_t has_relaxed;
+    /**
+     * How many vertices of the mesh moved.
+     */
+    uint64_t moved_count;
+    /**
+     * How far, root mean square.
+     */
+    double moved_rms;
+    /**
+     * How far the one that moved furthest did.
+     */
+    double moved_largest;
+    /**
+     * The bound: none moved further.
+     */
+    double moved_within;
+    /**
+     * How many triangles at vertices that moved are folded or, of the mesh, intersect since: none in a sound result.
+     */
+    uint64_t moved_unsound;
 } fairmesh_fill_report;
 
 /**
@@ -2405,9 +2480,9 @@ typedef struct fairmesh_join_suggestion {
      */
     uint32_t struct_size;
     /**
-     * Zero.
+     * A `fairmesh_gap_kind`: what lies between the loops.
      */
-    uint32_t reserved;
+    uint32_t gap_kind;
     /**
      * Size of the list JOINED_LOOPS.
      */

@@ -7,7 +7,7 @@ use super::options::{NO_INDICES, chosen, count, fields, refused};
 use super::status::CallResult;
 use super::types::*;
 use super::views::{AliasCheck, Argument, Array, FieldPath, check_reserved, indices_in, read_struct};
-use fairmesh::{FillOptions, Loops, OnFailure, Options, RemeshOptions};
+use fairmesh::{FillOptions, Loops, OnFailure, Options, RemeshOptions, Rim};
 
 /// What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
 #[repr(C)]
@@ -39,6 +39,11 @@ pub struct fairmesh_fill_options {
     /// Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
     /// refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
     pub guides: fairmesh_indices,
+    /// So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it
+    /// is filled: for boundaries that are noise. Zero (default): none.
+    pub relax_rings: u64,
+    /// No vertex moves further than this, in the unit of the positions. Zero (default): the mean length of the edges around the loop.
+    pub relax_within: f64,
 }
 
 /// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
@@ -69,6 +74,8 @@ pub(crate) fn default_fill_options() -> fairmesh_fill_options {
         join: NO_JOIN,
         filter: NO_FILTER,
         guides: NO_INDICES,
+        relax_rings: 0,
+        relax_within: 0.0,
     }
 }
 
@@ -111,7 +118,7 @@ fn place_of(argument: Argument, option: &str) -> Option<FieldPath> {
 }
 
 const FIELDS: fn(Argument, &str) -> Option<FieldPath> =
-    fields!(fairmesh_fill_options: density max_new_vertices);
+    fields!(fairmesh_fill_options: density max_new_vertices relax_within);
 
 impl FillOptionsIn {
     pub(crate) fn new(
@@ -143,6 +150,7 @@ impl FillOptionsIn {
         let plain = FillOptions {
             loops: Loops::Where(filter.checked()),
             density: view.density,
+            rim: rim(&view),
             ..FillOptions::default()
         };
         plain
@@ -179,6 +187,7 @@ impl FillOptionsIn {
             density: view.density,
             max_new_vertices: count(view.max_new_vertices),
             on_failure: self.on_failure,
+            rim: rim(view),
             fair: view.fair != 0,
             fairing,
         };
@@ -186,6 +195,14 @@ impl FillOptionsIn {
             .validate()
             .map_err(|error| refused(error, self.argument, place_of))?;
         Ok(options)
+    }
+}
+
+/// What may happen to the mesh around loops.
+fn rim(view: &fairmesh_fill_options) -> Rim {
+    Rim {
+        relax: count(view.relax_rings),
+        within: (view.relax_within != 0.0).then_some(view.relax_within),
     }
 }
 

@@ -236,6 +236,19 @@ pub enum fairmesh_join_kind {
     Auto = 2,
 }
 
+/// What lies between loops that are joined. Numbers are never reused.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "numbers for C")]
+pub enum fairmesh_gap_kind {
+    /// A gap between parts.
+    Gap = 0,
+    /// A tunnel: the part gets a handle.
+    Tunnel = 1,
+    /// A hole with an island in it.
+    Island = 2,
+}
+
 /// What a loop gets for which no fair patch is found, or none that does not intersect itself or the mesh. Numbers are never reused.
 #[repr(u32)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -240,6 +240,8 @@ pub struct fairmesh_loop {
     pub edge_b: u32,
     /// The component of the mesh that the loop is on, as `fairmesh_components` numbers them.
     pub component: u64,
+    /// How many triangles that has.
+    pub component_triangle_count: u64,
 }
 
 /// Loops whose joint patch bends less than patches of their own would. Bends are sums over all edges of triangulations without new
@@ -249,8 +251,8 @@ pub struct fairmesh_loop {
 pub struct fairmesh_join_suggestion {
     /// `sizeof(fairmesh_join_suggestion)`.
     pub struct_size: u32,
-    /// Zero.
-    pub reserved: u32,
+    /// A `fairmesh_gap_kind`: what lies between the loops.
+    pub gap_kind: u32,
     /// Size of the list JOINED_LOOPS.
     pub loop_count: u64,
     /// The bend of one patch for all of the loops.
@@ -315,6 +317,23 @@ pub struct fairmesh_fill_report {
     pub joint_area: f64,
     /// That of a patch for each loop.
     pub separate_area: f64,
+    /// 1 where the boundary normals are those asked for. Less where no sound patch has them: so much of the way from the normals of a
+    /// membrane to the averages of the mesh's.
+    pub normals_reached: f64,
+    /// Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, a `fairmesh_gap_kind`: what lies between them.
+    pub gap_kind: u32,
+    /// Not 0: vertices around the loop were allowed to move (`relax_rings`), and the next five say how far they did; otherwise these are 0.
+    pub has_relaxed: u32,
+    /// How many vertices of the mesh moved.
+    pub moved_count: u64,
+    /// How far, root mean square.
+    pub moved_rms: f64,
+    /// How far the one that moved furthest did.
+    pub moved_largest: f64,
+    /// The bound: none moved further.
+    pub moved_within: f64,
+    /// How many triangles at vertices that moved are folded or, of the mesh, intersect since: none in a sound result.
+    pub moved_unsound: u64,
 }
 
 /// What became of a bridge. Set `struct_size` before the call.

@@ -193,13 +193,14 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
         edge_a,
         edge_b,
         component: of.component as u64,
+        component_triangle_count: of.component_triangles as u64,
     }
 }
 
 pub(crate) fn suggestion(of: &JoinSuggestion) -> fairmesh_join_suggestion {
     fairmesh_join_suggestion {
         struct_size: size_of::<fairmesh_join_suggestion>() as u32,
-        reserved: 0,
+        gap_kind: of.reason.kind.entry().number(),
         loop_count: of.loops.len() as u64,
         joint_bend: of.reason.joint_bend,
         separate_bend: of.reason.separate_bend,
@@ -233,6 +234,7 @@ fn named(reason: &OpenReason) -> [u64; 2] {
 
 pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
     let mut refused = fairmesh_status::Ok;
+    let rim = of.rim.clone().unwrap_or_default();
     let [reason_element, reason_other] = match &of.outcome {
         FillOutcome::LeftOpen(reason) => named(reason),
         _ => [FAIRMESH_NO_ELEMENT; 2],
@@ -272,5 +274,16 @@ pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         separate_bend: bend(|reason| reason.separate_bend),
         joint_area: bend(|reason| reason.joint_area),
         separate_area: bend(|reason| reason.separate_area),
+        normals_reached: of.normals_reached,
+        gap_kind: of
+            .joined
+            .as_ref()
+            .map_or(0, |reason| reason.kind.entry().number()),
+        has_relaxed: u32::from(of.rim.is_some()),
+        moved_count: rim.moved as u64,
+        moved_rms: rim.rms,
+        moved_largest: rim.largest,
+        moved_within: rim.within,
+        moved_unsound: (rim.folded + 2 * rim.self_intersections.len()) as u64,
     }
 }

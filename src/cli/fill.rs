@@ -22,6 +22,7 @@ use crate::formats::{Added, Format, MeshFile};
 use crate::join;
 use crate::output::Output;
 use crate::report::{creased, member_weight};
+use crate::rim::{self, RimArgs};
 use crate::surface::{IntersectionArgs, MeshArgs};
 use crate::which::WhichArgs;
 
@@ -73,6 +74,8 @@ pub struct FillArgs {
     /// be repeated, no vertex in two of them; the patch has no crease there
     #[arg(long = "guide", value_name = "A,B", value_parser = join::parse_pair, verbatim_doc_comment)]
     guides: Vec<[u32; 2]>,
+    #[command(flatten)]
+    rim: RimArgs,
     /// How dense the new vertices are: at 1.414 edges are as long as those
     /// beside the hole, at twice that half as long
     #[arg(long, value_name = "X", verbatim_doc_comment)]
@@ -159,6 +162,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let carry = source
         .zip(carried.as_ref())
         .map(|(of, carried)| of.carry(carried));
+    let mesh = with_moved(args, mesh, &filled)?;
     let added = Added {
         positions: &filled.positions,
         triangles: &filled.triangles,
@@ -186,6 +190,16 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         readable(&filled, args, dropped, more)
     })?;
     Ok(filled.loops.iter().all(is_clean))
+}
+
+/// The mesh with the vertices of rims where they have moved to.
+fn with_moved(args: &FillArgs, mesh: MeshFile, filled: &Filled) -> Result<MeshFile, Failure> {
+    let has_moved = |report: &LoopReport| report.rim.as_ref().is_some_and(|rim| rim.moved > 0);
+    if !filled.loops.iter().any(has_moved) {
+        return Ok(mesh);
+    }
+    let written = mesh.with_positions(&filled.positions[..mesh.geometry.positions.len()]);
+    MeshFile::parse(&args.input.display().to_string(), mesh.format(), written.bytes)
 }
 
 /// The library's refusal; of a loop, by its flag.
@@ -228,6 +242,7 @@ fn solve(
         on_failure: args.which.on_failure(),
         density: args.density.unwrap_or(defaults.density),
         max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
+        rim: args.rim.rim(),
         fair: !args.no_fair,
         fairing: Options {
             continuity: args.continuity.continuity,
@@ -253,6 +268,9 @@ fn solve(
 
 /// Filled and fair, or nothing more was asked for, or left open by rule.
 fn is_clean(report: &LoopReport) -> bool {
+    if report.rim.as_ref().is_some_and(|rim| !rim.is_sound()) {
+        return false;
+    }
     match &report.outcome {
         FillOutcome::Faired => report
             .fairing
@@ -397,6 +415,9 @@ fn readable(filled: &Filled, args: &FillArgs, dropped: usize, [loose, cleaned]: 
         if let Some(reason) = &report.joined {
             let _ = writeln!(text, "  {}", join::told(reason));
         }
+        if let Some(report) = &report.rim {
+            let _ = writeln!(text, "  {}", rim::told(report));
+        }
         let Some(fairing) = &report.fairing else { continue };
         let tried = args.verbose.then(|| attempts::lines(&fairing.components));
         let continued = args.continuity.is_asked();
@@ -415,6 +436,7 @@ pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) 
     } else {
         json!([face(report.triangles.start), face(report.triangles.end)])
     };
+    let rim = report.rim.as_ref().map(|report| rim::json(report, &face));
     let pairs: Vec<Vec<usize>> = report
         .self_intersections
         .iter()
@@ -433,6 +455,6 @@ pub fn reported(report: &LoopReport, first: usize, face: impl Fn(u32) -> usize) 
         "edges": report.edges, "outcome": report.outcome.name(), "told": told(report),
         "vertices": [report.vertices.start, report.vertices.end], "faces": faces, "fairing": fairing,
         "normals_reached": report.normals_reached, "worst_angle": report.worst_angle, "outside": report.outside, "coarsened": report.coarsened,
-        "intersections": { "count": pairs.len(), "list": pairs }, "seconds": report.seconds,
+        "intersections": { "count": pairs.len(), "list": pairs }, "rim": rim, "seconds": report.seconds,
     })
 }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use fairmesh::{
-    BoundaryLoop, FillOptions, JoinSuggestion, LoopKind, Options, boundary_loops_joined, suggest_joins,
+    BoundaryLoop, FillOptions, JoinSuggestion, LoopKind, Options, Roughness, boundary_loops_joined,
+    rim_roughness, suggest_joins,
 };
 use serde_json::{Value, json};
 
@@ -14,6 +15,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{Geometry, MeshFile};
 use crate::join;
+use crate::rim;
 use crate::surface::MeshArgs;
 
 /// A component of no more faces is debris, or a piece of a soup.
@@ -41,23 +43,31 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let geometry = &mesh.geometry;
     let loops = boundary_loops_joined(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
+    let rough = rim_roughness(&geometry.positions, &geometry.triangles, args.mesh.coincident)
+        .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;
     let mut text = match loops.len() {
         0 => "no boundary: the mesh is closed\n".to_owned(),
-        _ => "loop   edges      length        area  turn  kind\n".to_owned(),
+        _ => "loop   edges      length        area  turn  rough  kind\n".to_owned(),
     };
     for (i, boundary) in loops.iter().enumerate() {
         let _ = writeln!(
             text,
-            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0}  {}{}",
+            "{i:>4} {:>7} {:>11.5e} {:>11.5e} {:>5.0} {:>6}  {}{}",
             boundary.vertices.len(),
             boundary.length,
             boundary.area,
             boundary.turn,
+            rough[i].map_or("-".to_owned(), |of| format!("{:.1}", of.ratio())),
             kind(boundary),
             touching(boundary)
         );
     }
     text += &soup(&loops);
+    for (i, of) in rough.iter().enumerate() {
+        if let Some(advice) = of.as_ref().and_then(rim::advice) {
+            let _ = writeln!(text, "loop {i} {advice}");
+        }
+    }
     let suggested = match args.suggest {
         true => {
             Some(suggested(args, geometry).map_err(|error| explain::refusal(&args.input, &mesh, &error))?)
@@ -76,7 +86,7 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
         text += "no loops whose joint patch would bend less than separate ones\n";
     }
     let json = || {
-        let loops = Value::from(loops.iter().map(described).collect::<Vec<Value>>());
+        let loops = Value::from(loops.iter().zip(&rough).map(described).collect::<Vec<Value>>());
         match &suggested {
             None => loops,
             Some(list) => {
@@ -137,7 +147,7 @@ fn touching(boundary: &BoundaryLoop) -> String {
     }
 }
 
-fn described(boundary: &BoundaryLoop) -> Value {
+fn described((boundary, rough): (&BoundaryLoop, &Option<Roughness>)) -> Value {
     let (name, edge) = match boundary.kind {
         LoopKind::Hole => ("hole", Value::Null),
         LoopKind::OuterBoundary => ("outer_boundary", Value::Null),
@@ -147,6 +157,6 @@ fn described(boundary: &BoundaryLoop) -> Value {
     json!({
         "kind": name, "non_manifold_edge": edge, "edges": boundary.vertices.len(), "length": boundary.length,
         "area": boundary.area, "turn": boundary.turn, "touching": boundary.touching, "component": boundary.component,
-        "component_faces": boundary.component_triangles, "vertices": boundary.vertices,
+        "component_faces": boundary.component_triangles, "roughness": rough.as_ref().map(rim::roughness_json), "vertices": boundary.vertices,
     })
 }

@@ -26,6 +26,7 @@ mod picture;
 mod remesh;
 mod render;
 mod report;
+mod rim;
 mod selection;
 mod solver;
 mod surface;

@@ -9,11 +9,13 @@ use super::crossing::{Neighbours, Owned};
 use super::groups::{Group, JoinSuggestion, asked_for, choose};
 use super::guides::Guides;
 use super::joint;
-use super::loops::{BoundaryLoop, Links, LoopKind};
-use super::options::{FillOptions, Join, Loops, largest_patch};
+use super::loops::{BoundaryLoop, Links};
+use super::objection::objection;
+use super::options::{FillOptions, Join, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
 use super::parents::Parents;
 use super::piece::{Piece, Task};
+use super::rim::Rims;
 use super::surroundings::Surroundings;
 use super::units::local_options;
 use crate::error::Error;
@@ -26,7 +28,7 @@ use crate::mesh::{Joined, NONE};
 /// The filled mesh.
 #[derive(Debug, Clone)]
 pub struct Filled {
-    /// The positions given, then the new ones.
+    /// The positions given, then the new ones. Those given are as they were, unless [`FillOptions::rim`] lets them move.
     pub positions: Vec<[f64; 3]>,
     /// The triangles given, then the new ones.
     pub triangles: Vec<[u32; 3]>,
@@ -39,7 +41,8 @@ pub struct Filled {
 /// Fills holes of a triangle mesh: triangulates, refines and fairs each. `positions` is #V by 3, `triangles` #T by 3,
 /// counter-clockwise seen from the side that normals point to.
 ///
-/// Original vertices and triangles keep their numbers and bits. A loop that cannot be filled, or not well, says so in its
+/// Original vertices and triangles keep their numbers, and their bits, but for vertices that are [allowed to
+/// move](super::Rim::relax). A loop that cannot be filled, or not well, says so in its
 /// report and does not affect the others.
 ///
 /// ```
@@ -177,10 +180,18 @@ fn run<'a>(
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
     let workers = Workers::new(options.fairing.threads)?;
+    let asked = asked_for(options, positions, &loops);
+    let mut rims = Rims::none(groups.len(), positions);
+    if options.rim.relax > 0 {
+        let is_filled = |i: &usize| objection(options, &asked, &groups[*i], &of_group(*i)).is_none();
+        let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
+        workers.install(|| rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i)))));
+    }
     let mut run = Run {
-        positions,
+        positions: &rims.positions,
+        rims: &rims,
         neighbours: is_checked
-            .then(|| workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))),
+            .then(|| workers.install(|| Neighbours::new(&rims.positions, &joined.triangles, chosen))),
         workers: &workers,
         links: &links,
         place: vec![NONE; triangles.len()],
@@ -189,7 +200,7 @@ fn run<'a>(
         options,
         fairing: &fairing,
         progress,
-        asked: asked_for(options, positions, &loops),
+        asked,
         guides,
         done: 0.0,
         total: total as f64,
@@ -207,8 +218,14 @@ fn run<'a>(
         run.done += edges(i) as f64;
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
+    let open = |i: &usize| {
+        pieces[*i]
+            .as_ref()
+            .is_none_or(|(piece, _)| piece.triangles.is_empty())
+    };
+    let open: Vec<usize> = (0..groups.len()).filter(open).collect();
     let mut filled = Filled {
-        positions: positions.to_vec(),
+        positions: rims.written(positions, &open, &joined.copies),
         triangles: triangles.to_vec(),
         parents: Vec::new(),
         loops: Vec::with_capacity(groups.len()),
@@ -219,6 +236,7 @@ fn run<'a>(
     for ((i, (piece, seconds)), pairs) in pieces.into_iter().enumerate().zip(crossings) {
         filled.append(piece, &groups[i], edges(i), seconds);
         if let Some(report) = filled.loops.last_mut() {
+            report.rim = rims.report(i).filter(|_| open.binary_search(&i).is_err());
             report.self_intersections = pairs;
         }
     }
@@ -275,6 +293,7 @@ pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]
 
 struct Run<'m, 'o> {
     positions: &'m [[f64; 3]],
+    rims: &'m Rims,
     /// What patches may intersect; none if they are not checked.
     neighbours: Option<Neighbours<'m>>,
     workers: &'m Workers,
@@ -300,38 +319,13 @@ struct Run<'m, 'o> {
 }
 
 impl Run<'_, '_> {
-    /// What speaks against filling some loops, known before the work.
-    fn objection(&self, group: &Group, loops: &[&BoundaryLoop]) -> Option<OpenReason> {
-        let bad = loops.iter().find_map(|boundary| match boundary.kind {
-            LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
-            _ => None,
-        });
-        if bad.is_some() {
-            return bad;
-        }
-        if self.cancelled {
-            return Some(OpenReason::Cancelled);
-        }
-        if let Some(vertex) = shared_vertex(loops) {
-            return Some(OpenReason::SharedVertex { vertex });
-        }
-        if group.is_named {
-            return None;
-        }
-        if !group.loops.iter().all(|&l| self.asked[l]) {
-            return Some(match self.options.loops {
-                Loops::UpTo(_) => OpenReason::TooManyEdges,
-                _ => OpenReason::NotAsked,
-            });
-        }
-        let is_outer = |boundary: &&BoundaryLoop| boundary.kind == LoopKind::OuterBoundary;
-        loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
-    }
-
     /// Fills the loops of a group, which is number `i` among those asked for.
     fn fill(&mut self, i: usize, group: &Group, loops: &[&BoundaryLoop]) -> Piece {
-        if let Some(reason) = self.objection(group, loops) {
+        if let Some(reason) = objection(self.options, &self.asked, group, loops) {
             return Piece::open(reason);
+        }
+        if self.cancelled {
+            return Piece::open(OpenReason::Cancelled);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         surroundings.guides.clone_from(&self.guides[i]);
@@ -373,7 +367,9 @@ impl Run<'_, '_> {
             factor: std::f64::consts::SQRT_2 / self.options.density,
             most: self.left.min(largest_patch(edges, self.options.density)),
             fair: self.options.fair,
-            options: local_options(&surroundings, self.fairing),
+            options: self
+                .rims
+                .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
             precision: self.options.fairing.output_precision,
         };
         let check = Check {
@@ -417,19 +413,6 @@ impl Run<'_, '_> {
         surroundings.taken.sort_unstable();
         surroundings.taken.dedup();
     }
-}
-
-/// A vertex that two of the loops have.
-fn shared_vertex(loops: &[&BoundaryLoop]) -> Option<u32> {
-    if loops.len() == 1 {
-        return None;
-    }
-    let mut vertices: Vec<u32> = loops.iter().flat_map(|of| of.vertices.iter().copied()).collect();
-    vertices.sort_unstable();
-    vertices
-        .windows(2)
-        .find(|pair| pair[0] == pair[1])
-        .map(|pair| pair[0])
 }
 
 fn edge(a: u32, b: u32) -> (u32, u32) {
@@ -485,6 +468,7 @@ impl Filled {
             coarsened: piece.coarsened,
             normals_reached: piece.normals_reached,
             self_intersections: Vec::new(),
+            rim: None,
             seconds,
         });
     }

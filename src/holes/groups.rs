@@ -24,7 +24,7 @@ const MOST_EDGES: usize = 20_000;
 /// What lies between loops that are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum JoinKind {
+pub enum GapKind {
     /// Between parts of the mesh that do not hang together: the ends of tubes, two sheets.
     Gap,
     /// In the same part, which gets a handle: the two mouths of a hole through a thick plate, a ring that is cut out of a tube.
@@ -33,13 +33,13 @@ pub enum JoinKind {
     Island,
 }
 
-table!(JoinKind {
-    0 "gap" JoinKind::Gap => "a gap between parts", "";
-    1 "tunnel" JoinKind::Tunnel => "a tunnel: the part gets a handle", "";
-    2 "island" JoinKind::Island => "a hole with an island in it", "";
+table!(GapKind {
+    0 "gap" GapKind::Gap => "a gap between parts", "";
+    1 "tunnel" GapKind::Tunnel => "a tunnel: the part gets a handle", "";
+    2 "island" GapKind::Island => "a hole with an island in it", "";
 });
 
-impl JoinKind {
+impl GapKind {
     fn of(loops: &[&BoundaryLoop]) -> Self {
         let mut components: Vec<usize> = loops.iter().map(|of| of.component).collect();
         components.sort_unstable();
@@ -58,7 +58,7 @@ impl JoinKind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JoinReason {
     /// What lies between them.
-    pub kind: JoinKind,
+    pub kind: GapKind,
     /// Of one patch for all of the loops.
     pub joint_bend: f64,
     /// Of a patch for each.
@@ -262,7 +262,7 @@ pub(super) fn suggestions(
             let sum = |value: fn(&Bends) -> f64| separate.clone().map(|(_, bends)| value(bends)).sum();
             let between: Vec<&BoundaryLoop> = of.iter().map(|&l| &loops[l]).collect();
             let reason = JoinReason {
-                kind: JoinKind::of(&between),
+                kind: GapKind::of(&between),
                 joint_bend: joint.total,
                 separate_bend: sum(|bends| bends.total),
                 joint_area: joint.area,

@@ -1,5 +1,6 @@
 //! What filling is asked.
 
+use super::rim::Rim;
 use crate::error::Error;
 use crate::fairing::Options;
 use crate::table::table;
@@ -160,6 +161,8 @@ pub struct FillOptions {
     pub max_new_vertices: usize,
     /// What becomes of a loop for which no fair patch is found. Default: it gets the best surface there is.
     pub on_failure: OnFailure,
+    /// What may happen to the mesh around a loop before it is filled. Default: nothing.
+    pub rim: Rim,
     /// Whether the patches are faired. Default: yes.
     pub fair: bool,
     /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
@@ -195,6 +198,7 @@ impl FillOptions {
             let value = twice.map_or(0.0, |pair| pair[0] as f64);
             Error::check_option("join", value, twice.is_none(), "each loop in one group, and once")?;
         }
+        self.rim.validate()?;
         self.fairing.validate()
     }
 }
@@ -208,6 +212,7 @@ impl Default for FillOptions {
             density: std::f64::consts::SQRT_2,
             max_new_vertices: 200_000,
             on_failure: OnFailure::default(),
+            rim: Rim::default(),
             fair: true,
             fairing: Options::default(),
         }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::groups::JoinReason;
+use super::rim::RimReport;
 use crate::error::Error;
 use crate::fairing::{Outcome, Report};
 use crate::quality::Quality;
@@ -189,6 +190,8 @@ pub struct LoopReport {
     /// [`Options::intersections`](crate::Options::intersections) says so. No more than
     /// [`SelfIntersections::MOST`](crate::SelfIntersections::MOST).
     pub self_intersections: Vec<[u32; 2]>,
+    /// What became of the vertices around the loop, if they were [allowed to move](super::Rim::relax).
+    pub rim: Option<RimReport>,
     /// Wall seconds for this loop.
     pub seconds: f64,
 }

@@ -2,8 +2,8 @@
 
 use fairmesh::{
     AttemptEnd, BoundaryNormals, Coincident, Discretization, Entry, Error, Estimate, FillOutcome, FlatReason,
-    InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure, OpenReason,
-    Outcome, OutputPrecision, Place, Solver, Target,
+    GapKind, InnerFairness, InteriorNormals, Intersections, Join, LoopKind, LooseReason, OnFailure,
+    OpenReason, Outcome, OutputPrecision, Place, Solver, Target,
 };
 
 #[path = "../../src/capi/statuses.rs"]
@@ -111,6 +111,12 @@ pub(crate) fn all() -> Vec<Table> {
             "fairmesh_join_kind",
             "Which loops get one patch together.",
             &[Join::TABLE],
+            false,
+        ),
+        table(
+            "fairmesh_gap_kind",
+            "What lies between loops that are joined.",
+            &[GapKind::TABLE],
             false,
         ),
         table(

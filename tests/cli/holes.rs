@@ -575,3 +575,60 @@ fn read_off(text: &str) -> (Vec<Vec<f64>>, Vec<Vec<usize>>) {
     };
     (vertices, lines.take(counts[1]).map(corners).collect())
 }
+
+#[test]
+fn a_rough_rim_is_told_and_relaxed() {
+    let directory = directory("rim");
+    let cap = ["generate", "sphere-hole", "-o", "clean.off", "--vertices", "1500"];
+    expect(&directory, &cap, 0);
+    let (vertices, faces) = read_off(&fs::read_to_string(directory.join("clean.off")).unwrap());
+    // Up and down by about a fifth of an edge, without a pattern.
+    let noise = |v: usize| 0.02 * (1.7 * (v * v % 97) as f64).sin();
+    let mut text = format!("OFF\n{} {} 0\n", vertices.len(), faces.len());
+    for (v, p) in vertices.iter().enumerate() {
+        let p: Vec<String> = p.iter().map(|c| (c * (1.0 + noise(v))).to_string()).collect();
+        let _ = writeln!(text, "{}", p.join(" "));
+    }
+    for face in &faces {
+        let _ = writeln!(text, "3 {} {} {}", face[0], face[1], face[2]);
+    }
+    fs::write(directory.join("in.off"), text).unwrap();
+    let (out, _) = expect(&directory, &["holes", "clean.off"], 0);
+    assert!(!out.contains("is rough"), "{out}");
+    let (out, _) = expect(&directory, &["holes", "in.off", "--json", "l.json"], 0);
+    assert!(
+        out.contains("loop 0 is rough: ") && out.contains("--relax-rim 3"),
+        "{out}"
+    );
+    let list: Value = serde_json::from_slice(&fs::read(directory.join("l.json")).unwrap()).unwrap();
+    assert!(list[0]["roughness"]["ratio"].as_f64().unwrap() > 2.0);
+    assert_eq!(list[0]["roughness"]["advice"]["relax_rim"], 3);
+    let args = [
+        "fill",
+        "in.off",
+        "-o",
+        "out.off",
+        "--json",
+        "r.json",
+        "--relax-rim",
+        "3",
+    ];
+    let (out, _) = expect(&directory, &args, 0);
+    assert!(out.contains("vertices moved by"), "{out}");
+    let report: Value = serde_json::from_slice(&fs::read(directory.join("r.json")).unwrap()).unwrap();
+    let rim = &report["loops"][0]["rim"];
+    let (filled, _) = read_off(&fs::read_to_string(directory.join("out.off")).unwrap());
+    let (rough, _) = read_off(&fs::read_to_string(directory.join("in.off")).unwrap());
+    let moved = (0..rough.len()).filter(|&v| filled[v] != rough[v]).count();
+    assert_eq!(rim["moved"], moved);
+    assert!(rim["largest"].as_f64().unwrap() <= rim["within"].as_f64().unwrap());
+    let off = |p: &Vec<f64>| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).powi(2);
+    let new = &filled[rough.len()..];
+    let rms = (new.iter().map(off).sum::<f64>() / new.len() as f64).sqrt();
+    assert!(rms < 0.6 * 0.02 * 0.5f64.sqrt(), "{rms}");
+    let (_, error) = expect(&directory, &[&args[..], &["--relax-within", "0"]].concat(), 2);
+    assert!(
+        error.contains("--relax-within 0: it must be positive and finite"),
+        "{error}"
+    );
+}

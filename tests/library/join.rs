@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use crate::fairing::{angle, distances_to_mesh, irregular, vector};
 use fairmesh::{
-    BoundaryNormals, Error, FillOptions, FillOutcome, Filled, Join, JoinKind, Loops, OnFailure, OpenReason,
+    BoundaryNormals, Error, FillOptions, FillOutcome, Filled, GapKind, Join, Loops, OnFailure, OpenReason,
     Options, Outcome, Selection, boundary_loops, fair, fill_holes, suggest_joins,
 };
 use fairmesh_shapes::{
@@ -364,18 +364,18 @@ fn open_torus() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
 
 #[test]
 fn what_lies_between_loops_that_are_joined_is_named() {
-    let kinds = |x: &[[f64; 3]], t: &[[u32; 3]]| -> Vec<JoinKind> {
+    let kinds = |x: &[[f64; 3]], t: &[[u32; 3]]| -> Vec<GapKind> {
         let found = suggest_joins(x, t, &FillOptions::default()).unwrap();
         found.iter().map(|of| of.reason.kind).collect()
     };
     let of_shape = |shape: Shape| kinds(&shape.positions, &shape.triangles);
     assert_eq!(
         of_shape(sphere_without_band(1_500, irregular(3), 40.0)),
-        [JoinKind::Gap]
+        [GapKind::Gap]
     );
-    assert_eq!(of_shape(plate_with_island(1_500, 2, 1)), [JoinKind::Island]);
+    assert_eq!(of_shape(plate_with_island(1_500, 2, 1)), [GapKind::Island]);
     let (x, t) = open_torus();
-    assert_eq!(kinds(&x, &t), [JoinKind::Tunnel]);
+    assert_eq!(kinds(&x, &t), [GapKind::Tunnel]);
     // The torus is whole again: as many vertices and triangles as edges.
     let options = FillOptions {
         join: Join::Auto,

@@ -22,6 +22,7 @@ mod long;
 mod outcomes;
 mod paper;
 mod refill;
+mod rim;
 mod search;
 mod session;
 mod soundness;

@@ -39,6 +39,27 @@ def test_a_sphere_without_a_band_is_joined(dtype):
     (found,) = fairmesh.suggest_joins(vertices, faces)
     assert found.loops.tolist() == [0, 1] and found.reason == loop.joined
     assert found.reason.joint_bend < 0.9 * found.reason.separate_bend
+    assert found.reason.kind == "gap"
+
+
+def test_a_noisy_boundary_is_relaxed():
+    vertices, faces = band_missing()
+    # Of one kept half the noise is in the mesh, too.
+    noisy = vertices * (1 + 0.01 * np.random.default_rng(4).standard_normal(len(vertices)))[:, None]
+    plain = fairmesh.fill_holes(noisy, faces, join="auto")
+    assert plain.loops[0].moved is None and np.array_equal(plain.vertices[: len(noisy)], noisy)
+    relaxed = fairmesh.fill_holes(noisy, faces, join="auto", relax_rim=3, relax_within=0.03)
+    (loop,) = relaxed.loops
+    assert loop.outcome == "faired" and loop.normals_reached == 1.0
+    moved = np.linalg.norm(relaxed.vertices[: len(noisy)] - noisy, axis=1)
+    assert loop.moved.count == np.count_nonzero(moved) and 0 < moved.max() <= 0.03 * (1 + 1e-9)
+    assert math.isclose(loop.moved.largest, moved.max()) and loop.moved.unsound == 0
+    new = slice(len(noisy), None)
+    rms = [np.sqrt(np.mean((np.linalg.norm(f.vertices[new], axis=1) - 1) ** 2)) for f in (plain, relaxed)]
+    assert rms[1] < rms[0]
+    with pytest.raises(fairmesh.InputError, match="relax_within") as caught:
+        fairmesh.fill_holes(noisy, faces, relax_rim=1, relax_within=-1.0)
+    assert caught.value.status is Status.BAD_OPTION
 
 
 def test_a_sphere_in_four_pieces_is_joined():

@@ -15,7 +15,7 @@ from ._joins import Erased, JoinSuggestion, components, erase, suggest_joins
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
-from ._reports import Attempt, Bends, Component, Continuity, Level, Report
+from ._reports import Attempt, Bends, Component, Continuity, Level, Moved, Report
 
 __all__ = [
     "Attempt",
@@ -41,6 +41,7 @@ __all__ = [
     "LoopReport",
     "LooseReason",
     "Monitor",
+    "Moved",
     "OutOfMemoryError",
     "Outcome",
     "Progress",

@@ -141,6 +141,12 @@ class fairmesh_join_kind(enum.IntEnum):
     AUTO = 2
 
 
+class fairmesh_gap_kind(enum.IntEnum):
+    GAP = 0
+    TUNNEL = 1
+    ISLAND = 2
+
+
 class fairmesh_on_failure(enum.IntEnum):
     LINEAR = 0
     FLAT = 1
@@ -522,13 +528,14 @@ class fairmesh_loop(Structure):
         ("edge_a", c_uint32),
         ("edge_b", c_uint32),
         ("component", c_uint64),
+        ("component_triangle_count", c_uint64),
     )
 
 
 class fairmesh_join_suggestion(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("gap_kind", c_uint32),
         ("loop_count", c_uint64),
         ("joint_bend", c_double),
         ("separate_bend", c_double),
@@ -562,6 +569,14 @@ class fairmesh_fill_report(Structure):
         ("separate_bend", c_double),
         ("joint_area", c_double),
         ("separate_area", c_double),
+        ("normals_reached", c_double),
+        ("gap_kind", c_uint32),
+        ("has_relaxed", c_uint32),
+        ("moved_count", c_uint64),
+        ("moved_rms", c_double),
+        ("moved_largest", c_double),
+        ("moved_within", c_double),
+        ("moved_unsound", c_uint64),
     )
 
 
@@ -679,6 +694,8 @@ class fairmesh_fill_options(Structure):
         ("join", fairmesh_join),
         ("filter", fairmesh_loop_filter),
         ("guides", fairmesh_indices),
+        ("relax_rings", c_uint64),
+        ("relax_within", c_double),
     )
 
 

@@ -19,7 +19,7 @@ from ._handles import ResultHandle
 from ._library import load
 from ._options import Options, initial, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
-from ._reports import Bends, Report, bends_of, sized
+from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -49,6 +49,8 @@ class Loop:
     edge: tuple[int, int] | None
     #: The component of the mesh that it is on, as `components` numbers them.
     component: int
+    #: How many faces that has.
+    component_faces: int
 
 
 @_arrays.of_arrays
@@ -82,6 +84,7 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
         loop.turn,
         (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
         loop.component,
+        loop.component_triangle_count,
     )
 
 
@@ -107,6 +110,11 @@ class LoopReport:
         self.loop_index: int = struct.loop_index
         #: Why loops were joined, if that was left to ``join="auto"``.
         self.joined: Bends | None = None if math.isnan(struct.joint_bend) else bends_of(struct)
+        #: 1.0 where the boundary normals are those asked for. Less where no sound patch has them: so much of the way from
+        #: the normals of a membrane to the averages of the mesh's.
+        self.normals_reached: float = struct.normals_reached
+        #: What became of the vertices around the loop, if ``relax_rim`` let them move.
+        self.moved: Moved | None = moved_of(struct) if struct.has_relaxed else None
         #: The number of edges, of all loops together.
         self.edge_count: int = struct.edge_count
         #: Its new vertices and triangles, in the arrays of the filled mesh.
@@ -252,6 +260,8 @@ def fill_holes(
     within: Place | None = None,
     guides: ArrayLike | None = None,
     on_failure: OnFailure | None = None,
+    relax_rim: int | None = None,
+    relax_within: float | None = None,
     density: float | None = None,
     max_new_vertices: int | None = None,
     fair: bool | None = None,
@@ -262,7 +272,7 @@ def fill_holes(
 ) -> Filled:
     """Fills holes: triangulates, refines and fairs each, or several together.
 
-    Vertices and faces given keep their numbers and bits; new ones follow. A loop that cannot be filled says so in its
+    Vertices and faces given keep their numbers and bits (but for ``relax_rim``); new ones follow. A loop that cannot be filled says so in its
     `LoopReport` and does not affect the others. Outer boundaries of open surfaces are filled only if they are named.
 
     Args:
@@ -281,6 +291,9 @@ def fill_holes(
             is refined: across a long tear, or between loops that are joined. No vertex is in two of them.
         on_failure: What a loop gets for which no fair patch is found, or none that does not intersect: "linear"
             (default), the best surface there is; "flat", the triangulation, refined; "open", nothing.
+        relax_rim: So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has
+            there on average, before it is filled: for boundaries that are noise. Default 0.
+        relax_within: No vertex moves further than this. Default: the mean length of the edges around the loop.
         density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
             beside the boundary; at twice that, half as long.
         max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
@@ -310,6 +323,10 @@ def fill_holes(
     chosen = Choice(library, choice, join)
     fill = chosen.struct
     set_patches(fill, density, max_new_vertices, fair, on_failure)
+    if relax_rim is not None:
+        fill.relax_rings = relax_rim
+    if relax_within is not None:
+        fill.relax_within = relax_within
     if guides is not None:
         guiding = _arrays.pairs(guides, "guides")
         fill.guides = _arrays.indices_view(guiding)

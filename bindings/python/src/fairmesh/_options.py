@@ -130,6 +130,7 @@ class FillOptions(TypedDict):
     fair: bool
     join: str
     on_failure: str
+    relax_rim: int
     max_edges: int | None
     except_longest: int
     density: float
@@ -202,6 +203,8 @@ _OTHERS = (
     "loops",
     "join",
     "on_failure",
+    "relax_rim",
+    "relax_within",
     "max_edges",
     "max_length",
     "max_area",
@@ -396,6 +399,7 @@ def default_fill_options() -> FillOptions:
         "fair": bool(struct.fair),
         "join": _abi.fairmesh_join_kind(struct.join.kind).name.lower(),
         "on_failure": _abi.fairmesh_on_failure(struct.on_failure).name.lower(),
+        "relax_rim": struct.relax_rings,
         "max_edges": None if struct.max_edges == UINT64_MAX else struct.max_edges,
         "except_longest": struct.filter.except_longest,
         "density": struct.density,

@@ -252,6 +252,8 @@ class Bends:
     triangulations without new vertices. Edges inside count half.
     """
 
+    #: What lies between them: "gap" (between parts of the mesh), "tunnel" (the part gets a handle) or "island".
+    kind: str
     #: Of one patch for all of the loops.
     joint_bend: float
     #: Of a patch for each.
@@ -262,9 +264,32 @@ class Bends:
     separate_area: float
 
 
+@dataclass(frozen=True)
+class Moved:
+    """How far the vertices around a loop moved."""
+
+    #: How many did.
+    count: int
+    #: How far, root mean square.
+    rms: float
+    #: How far the one that moved furthest did.
+    largest: float
+    #: The bound: none moved further.
+    within: float
+    #: How many triangles are folded or intersect since; none in a sound result.
+    unsound: int
+
+
+def moved_of(struct: _abi.fairmesh_fill_report) -> Moved:
+    """The figures in a struct."""
+    figures = (struct.moved_rms, struct.moved_largest, struct.moved_within)
+    return Moved(struct.moved_count, *figures, struct.moved_unsound)
+
+
 def bends_of(struct: _abi.fairmesh_fill_report | _abi.fairmesh_join_suggestion) -> Bends:
     """The bends in a struct."""
-    return Bends(struct.joint_bend, struct.separate_bend, struct.joint_area, struct.separate_area)
+    kind = _abi.fairmesh_gap_kind(struct.gap_kind).name.lower()
+    return Bends(kind, struct.joint_bend, struct.separate_bend, struct.joint_area, struct.separate_area)
 
 
 @dataclass(frozen=True)

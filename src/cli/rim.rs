@@ -1,0 +1,87 @@
+//! Flags for rims that are noise, and how what became of them is told.
+
+use clap::Args;
+use fairmesh::{Rim, RimReport, Roughness};
+use serde_json::{Value, json};
+
+/// Flags that let the mesh around a hole move.
+#[derive(Debug, Clone, Copy, Args)]
+#[command(next_help_heading = "Rough rims")]
+pub struct RimArgs {
+    /// Lets K rings of vertices around each hole, its own counted, move onto the
+    /// surface that the mesh has there on average; 3 is a good number
+    #[arg(long, value_name = "K", default_value_t = 0, verbatim_doc_comment)]
+    relax_rim: usize,
+    /// No vertex moves further than this [default: the mean edge length there]
+    #[arg(long, value_name = "D", requires = "relax_rim")]
+    relax_within: Option<f64>,
+}
+
+impl RimArgs {
+    pub fn rim(&self) -> Rim {
+        Rim {
+            relax: self.relax_rim,
+            within: self.relax_within,
+        }
+    }
+}
+
+/// What became of a rim, in a line.
+pub fn told(report: &RimReport) -> String {
+    if report.radius == 0.0 {
+        return "rim: too small to tell what it is like; no vertex moved".to_owned();
+    }
+    let mut text = format!(
+        "rim: {} vertices moved by {:.3e} (rms), {:.3e} at most; noise {:.3e} over {:.3e}",
+        report.moved, report.rms, report.largest, report.noise, report.radius
+    );
+    if report.bounded > 0 {
+        text += &format!(
+            "; {} would have moved further than {:.3e}",
+            report.bounded, report.within
+        );
+    }
+    if report.folded > 0 {
+        text += &format!(
+            "; {} faces beside the hole are folded: let more rings move, or further",
+            report.folded
+        );
+    }
+    if !report.self_intersections.is_empty() {
+        text += &format!(
+            "; {} pairs of the mesh's own faces intersect now: let fewer rings move, or less far",
+            report.self_intersections.len()
+        );
+    }
+    text
+}
+
+/// The same for programs; `face` is a triangle's polygon.
+pub fn json(report: &RimReport, face: impl Fn(u32) -> usize) -> Value {
+    let pairs = report.self_intersections.iter().map(|pair| pair.map(&face));
+    json!({
+        "moved": report.moved, "rms": report.rms, "largest": report.largest, "within": report.within,
+        "bounded": report.bounded, "folded": report.folded, "noise": report.noise, "radius": report.radius,
+        "intersections": pairs.collect::<Vec<_>>(),
+    })
+}
+
+/// What to do about a rim, if it is rough.
+pub fn advice(of: &Roughness) -> Option<String> {
+    let rim = of.advice?;
+    let within = rim
+        .within
+        .map_or(String::new(), |within| format!(" --relax-within {within:.3e}"));
+    Some(format!(
+        "is rough: {:.0} degrees between neighbouring faces, {:.0} expected; 'fairmesh fill --relax-rim {}{within}' smooths it",
+        of.angle, of.expected, rim.relax
+    ))
+}
+
+/// The roughness for programs.
+pub fn roughness_json(of: &Roughness) -> Value {
+    let advice = of
+        .advice
+        .map(|rim| json!({ "relax_rim": rim.relax, "relax_within": rim.within }));
+    json!({ "ratio": of.ratio(), "angle": of.angle, "expected": of.expected, "noise": of.noise, "advice": advice })
+}

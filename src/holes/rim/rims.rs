@@ -1,0 +1,163 @@
+//! The rims of all patches.
+
+use nalgebra::Vector3;
+
+use super::RimReport;
+use super::relax::{Moved, Place, relaxed};
+use crate::fairing::{BoundaryNormals, Intersections, Options, SelfIntersections};
+use crate::holes::loops::{BoundaryLoop, Links};
+use crate::holes::options::FillOptions;
+use crate::holes::surroundings::Surroundings;
+use crate::intersections::of_some;
+use crate::mesh::NONE;
+use crate::mesh::coincident::Copies;
+
+/// What became of the vertices around the loops of all patches.
+pub(in crate::holes) struct Rims {
+    /// Where the vertices are now.
+    pub(in crate::holes) positions: Vec<[f64; 3]>,
+    /// Which vertices moved, and for which patch; ascending.
+    owners: Vec<(u32, usize)>,
+    of: Vec<Option<Moved>>,
+}
+
+impl Rims {
+    /// Nothing moves for so many patches.
+    pub(in crate::holes) fn none(patches: usize, positions: &[[f64; 3]]) -> Self {
+        Self {
+            positions: positions.to_vec(),
+            owners: Vec::new(),
+            of: vec![None; patches],
+        }
+    }
+
+    /// Moves what is around the loops of these patches.
+    pub(in crate::holes) fn relax<'l>(
+        &mut self,
+        options: &FillOptions,
+        links: &Links<'_>,
+        patches: impl Iterator<Item = (usize, Vec<&'l BoundaryLoop>)>,
+    ) {
+        let given = self.positions.clone();
+        let mut place = vec![NONE; given.len()];
+        let mut wanted: Vec<(Place, usize)> = Vec::new();
+        for (i, loops) in patches {
+            let moved = relaxed(&options.rim, links, &given, &loops, &mut place);
+            wanted.extend(moved.places.iter().map(|&of| (of, i)));
+            self.of[i] = Some(moved);
+        }
+        // Of a vertex near several loops the nearest one decides.
+        wanted.sort_by_key(|(of, i)| (of.vertex, of.ring, *i));
+        wanted.dedup_by_key(|(of, _)| of.vertex);
+        for (of, i) in wanted {
+            let v = of.vertex as usize;
+            self.positions[v] = options.fairing.output_precision.round(of.x.into());
+            if self.positions[v] != given[v] {
+                self.owners.push((of.vertex, i));
+            }
+        }
+        self.measure(&given);
+        if options.fairing.intersections == Intersections::Check {
+            self.intersect(&given, links.triangles);
+        }
+    }
+
+    fn owner(&self, v: u32) -> Option<usize> {
+        let at = self.owners.binary_search_by_key(&v, |owner| owner.0).ok()?;
+        Some(self.owners[at].1)
+    }
+
+    fn measure(&mut self, given: &[[f64; 3]]) {
+        let mut squares = vec![0.0; self.of.len()];
+        for &(v, i) in &self.owners {
+            let [a, b] = [given, &self.positions].map(|x| Vector3::from(x[v as usize]));
+            let length = (b - a).norm();
+            squares[i] += length * length;
+            if let Some(moved) = &mut self.of[i] {
+                moved.report.moved += 1;
+                moved.report.largest = moved.report.largest.max(length);
+            }
+        }
+        for (moved, squares) in self.of.iter_mut().zip(squares) {
+            if let Some(report) = moved.as_mut().map(|of| &mut of.report) {
+                report.rms = f64::sqrt(squares / report.moved.max(1) as f64);
+            }
+        }
+    }
+
+    /// Looks for triangles that intersect and did not before.
+    fn intersect(&mut self, given: &[[f64; 3]], triangles: &[[u32; 3]]) {
+        let has_moved = |t: &u32| triangles[*t as usize].iter().any(|&v| self.owner(v).is_some());
+        let asked: Vec<u32> = (0..triangles.len() as u32).filter(has_moved).collect();
+        let most = SelfIntersections::MOST;
+        let found = of_some(&self.positions, triangles, &asked, most);
+        if found.is_empty() {
+            return;
+        }
+        let before = of_some(given, triangles, &asked, usize::MAX);
+        for pair in found.into_iter().filter(|pair| !before.contains(pair)) {
+            let corners = pair.iter().flat_map(|&t| triangles[t as usize]);
+            let mut owners: Vec<usize> = corners.filter_map(|v| self.owner(v)).collect();
+            owners.sort_unstable();
+            owners.dedup();
+            for i in owners {
+                if let Some(moved) = &mut self.of[i] {
+                    moved.report.self_intersections.push(pair);
+                }
+            }
+        }
+    }
+
+    /// The options with the normals that were fitted at the loops of a patch; those that are given hold.
+    pub(in crate::holes) fn with_normals(
+        &self,
+        patch: usize,
+        around: &Surroundings,
+        options: Options,
+    ) -> Options {
+        let Some(moved) = self.of[patch].as_ref().filter(|of| !of.normals.is_empty()) else {
+            return options;
+        };
+        let given = match &options.boundary_normals {
+            BoundaryNormals::Given(list) => &list[..],
+            _ => &[],
+        };
+        let mut all = given.to_vec();
+        let is_free = |v: u32| given.binary_search_by_key(&v, |entry| entry.0).is_err();
+        for (v, id) in (0..).zip(&around.ids[..around.loop_vertices]) {
+            if let Ok(at) = moved.normals.binary_search_by_key(id, |entry| entry.0)
+                && is_free(v)
+            {
+                all.push((v, moved.normals[at].1));
+            }
+        }
+        all.sort_by_key(|entry| entry.0);
+        Options {
+            boundary_normals: BoundaryNormals::Given(all),
+            ..options
+        }
+    }
+
+    /// Where the mesh's vertices are if these patches are left open: what moved for those alone is where it was.
+    pub(in crate::holes) fn written(
+        &self,
+        given: &[[f64; 3]],
+        open: &[usize],
+        copies: &Copies,
+    ) -> Vec<[f64; 3]> {
+        let mut positions = given.to_vec();
+        for &(v, patch) in &self.owners {
+            if open.binary_search(&patch).is_err() {
+                let x = self.positions[v as usize];
+                positions[v as usize] = x;
+                copies.others(v).for_each(|w| positions[w as usize] = x);
+            }
+        }
+        positions
+    }
+
+    /// What became of the rim of a patch; nothing if none was to move.
+    pub(in crate::holes) fn report(&self, patch: usize) -> Option<RimReport> {
+        self.of[patch].as_ref().map(|of| of.report.clone())
+    }
+}

@@ -1,0 +1,125 @@
+//! How rough rims are, before anything is done about it.
+
+use nalgebra::Vector3;
+
+use super::Rim;
+use super::band::Band;
+use super::width::{REACH, width};
+use crate::error::Error;
+use crate::fairing::Workers;
+use crate::holes::loops::{BoundaryLoop, Links};
+use crate::holes::surroundings::normal;
+use crate::mesh::coincident::Coincident;
+use crate::mesh::{Joined, NONE};
+
+/// Edges of a loop that are looked at, at most.
+const SAMPLES: usize = 256;
+/// No surface is so flat that less than this (radians) is expected: triangles of a clean mesh have some angle.
+const LEAST: f64 = 0.02;
+/// A rim is rough if its angles are wider than expected by this factor, and its noise is more than this part of an edge.
+const ROUGH: f64 = 2.0;
+const NOISE: f64 = 0.02;
+/// The rings that are advised to be relaxed.
+const RINGS: usize = 3;
+
+/// How rough the rim of a loop is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness {
+    /// The angle between the normals of the mesh's triangles at consecutive edges of the loop, in degrees, root mean square.
+    pub angle: f64,
+    /// The angle that is expected there, by the surface fitted to what is around.
+    pub expected: f64,
+    /// The distance of the mesh around from that surface, root mean square.
+    pub noise: f64,
+    /// What is advised for [`FillOptions::rim`](crate::FillOptions::rim), if the rim is rough.
+    pub advice: Option<Rim>,
+}
+
+impl Roughness {
+    /// The angle over the one expected; not less than a degree or so is expected anywhere. About 1 where the mesh is clean.
+    pub fn ratio(&self) -> f64 {
+        self.angle / self.expected.max(LEAST.to_degrees())
+    }
+}
+
+/// Per loop of [`boundary_loops_joined`](crate::boundary_loops_joined) how rough it is; nothing where the mesh around is too small to tell.
+///
+/// ```
+/// use fairmesh::{Coincident, rim_roughness};
+/// // A sheet of 12 by 12 squares with a bumpy hole in the middle.
+/// let at = |i: u32, j: u32| [f64::from(i), f64::from(j), 0.2 * f64::from((7 * i + 5 * j) % 3)];
+/// let positions: Vec<[f64; 3]> = (0..13 * 13).map(|v| at(v / 13, v % 13)).collect();
+/// let squares = (0..12 * 12).map(|s| (s / 12, s % 12));
+/// let triangles: Vec<[u32; 3]> = squares
+///     .filter(|&(i, j)| !(5..7).contains(&i) || !(5..7).contains(&j))
+///     .map(|(i, j)| 13 * i + j)
+///     .flat_map(|a| [[a, a + 13, a + 14], [a, a + 14, a + 1]])
+///     .collect();
+/// let rough = rim_roughness(&positions, &triangles, Coincident::default())?;
+/// assert!(rough.iter().flatten().all(|of| of.ratio() > 2.0 && of.advice.is_some()));
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`boundary_loops_joined`](crate::boundary_loops_joined).
+pub fn rim_roughness(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    coincident: Coincident,
+) -> Result<Vec<Option<Roughness>>, Error> {
+    let joined = Joined::new(positions, triangles, coincident)?;
+    let links = Links::new(positions.len(), &joined.triangles)?;
+    let mut place = vec![NONE; positions.len()];
+    let loops = links.loops(positions, coincident);
+    // Not on the global pool, whose threads would outlive a library that is unloaded.
+    Ok(Workers::new(0)?.install(|| {
+        let of_loop = |of: &BoundaryLoop| roughness(&links, positions, of, &mut place);
+        loops.iter().map(of_loop).collect()
+    }))
+}
+
+fn roughness(
+    links: &Links<'_>,
+    positions: &[[f64; 3]],
+    of: &BoundaryLoop,
+    place: &mut [u32],
+) -> Option<Roughness> {
+    let band = Band::new(links, positions, &[of], 1 + REACH, 0, place);
+    let edge = band.mean_edge(band.count(2));
+    let count = of.vertices.len();
+    // A vertex that is not finite is not in the band.
+    if band.count(1) != count {
+        return None;
+    }
+    let width = width(&band, edge)?;
+    let samples: Vec<usize> = (0..count).step_by(count.div_ceil(SAMPLES)).collect();
+    let after: Vec<usize> = samples.iter().map(|v| (v + 1) % count).collect();
+    let [here, there] = [&samples, &after].map(|list| band.fits(list, width.radius));
+    let triangle = |h: u32| links.triangles[h as usize / 3].map(|v| Vector3::from(positions[v as usize]));
+    let (mut squares, mut expected, mut pairs) = (0.0, 0.0, 0.0);
+    for ((&v, a), b) in samples.iter().zip(&here).zip(&there) {
+        let (Some(a), Some(b)) = (a, b) else { continue };
+        let [m, n] = [v, (v + 1) % count].map(|i| normal(&triangle(of.half_edges[i])));
+        squares += between(&m, &n).powi(2);
+        expected += between(&a.sheet.normal, &b.sheet.normal).powi(2);
+        pairs += 1.0;
+    }
+    let [angle, expected] = [squares, expected].map(|sum| (sum / pairs).sqrt().to_degrees());
+    let mut found = Roughness {
+        angle,
+        expected,
+        noise: width.noise,
+        advice: None,
+    };
+    if found.ratio() > ROUGH && width.noise > NOISE * edge {
+        found.advice = Some(Rim {
+            relax: RINGS,
+            within: Some(edge),
+        });
+    }
+    angle.is_finite().then_some(found)
+}
+
+fn between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}

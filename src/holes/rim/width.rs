@@ -1,0 +1,85 @@
+//! How much of the mesh the fits look at.
+//!
+//! The wider they are the less is left of the noise, and the less of the surface's own shape, too. What they are expected to miss it by
+//! is told by the fits themselves, without knowing the noise: what is random by the points' distances from them, bias by what
+//! polynomials of degree three find beside those of degree two.
+
+use super::band::Band;
+use super::fit::Fit;
+
+/// Radii that are tried, in edges.
+const RADII: [f64; 9] = [2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 17.0, 20.0, 28.0];
+/// The rings that the widest of them may reach: rings are nearer to each other than an edge is long.
+pub(super) const REACH: usize = 42;
+/// Vertices of the loops that they are tried at, at most.
+const SAMPLES: usize = 256;
+/// The sphere of a fit is hardly smaller than its window, on average.
+const MOST_CURVED: f64 = 1.2;
+/// From this radius on noise looks the same at all of them: if the variance grows to more than so many times, that is bias.
+const SETTLED: f64 = 5.0;
+const GROWTH: f64 = 1.5;
+
+/// The radius of fits, and how far vertices are from them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Width {
+    pub(super) radius: f64,
+    /// Root mean square.
+    pub(super) noise: f64,
+}
+
+/// The width at which fits at the loops are expected to be nearest to the surface; none if nothing can be fitted.
+pub(super) fn width(band: &Band, edge: f64) -> Option<Width> {
+    let on_loops = band.count(1);
+    let stride = on_loops.div_ceil(SAMPLES).max(1);
+    let samples: Vec<usize> = (0..on_loops).step_by(stride).collect();
+    let tried: Vec<Tried> = RADII
+        .iter()
+        .filter_map(|factor| Tried::new(band, &samples, factor * edge))
+        .take_while(|tried| tried.curvature < MOST_CURVED)
+        .collect();
+    let mut best: Option<(f64, Width)> = None;
+    let mut least = f64::INFINITY;
+    for tried in &tried {
+        let growth = (tried.variance - GROWTH * least).max(0.0);
+        let bias = (tried.change - tried.expected).max(0.0);
+        let risk = tried.random + bias + growth;
+        if tried.radius >= SETTLED * edge {
+            least = least.min(tried.variance);
+        }
+        if risk < best.map_or(f64::INFINITY, |best| best.0) {
+            let (radius, noise) = (tried.radius, tried.variance.sqrt());
+            best = Some((risk, Width { radius, noise }));
+        }
+    }
+    best.map(|best| best.1)
+}
+
+/// What fits of a radius come to, on average.
+struct Tried {
+    radius: f64,
+    /// Times the radius.
+    curvature: f64,
+    /// Of the points, and what that makes of the fits' heights.
+    variance: f64,
+    random: f64,
+    /// The squared difference of polynomials of degree three and two, and what the variance makes of it.
+    change: f64,
+    expected: f64,
+}
+
+impl Tried {
+    /// None if there are too few points in most places, or for degree three in one.
+    fn new(band: &Band, samples: &[usize], radius: f64) -> Option<Self> {
+        let fits: Vec<Fit> = band.fits(samples, radius).into_iter().flatten().collect();
+        let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
+        let tried = Self {
+            radius,
+            curvature: mean(|fit| fit.curvature.abs()),
+            variance: mean(|fit| fit.variance),
+            random: mean(|fit| fit.variance * fit.leverage),
+            change: mean(|fit| fit.change[0]),
+            expected: mean(|fit| fit.variance * fit.change[1]),
+        };
+        (2 * fits.len() >= samples.len() && tried.change.is_finite()).then_some(tried)
+    }
+}
