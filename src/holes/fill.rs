@@ -236,7 +236,10 @@ fn run<'a>(
     for ((i, (piece, seconds)), pairs) in pieces.into_iter().enumerate().zip(crossings) {
         filled.append(piece, &groups[i], edges(i), seconds);
         if let Some(report) = filled.loops.last_mut() {
+            let triangles = report.triangles.start as usize..report.triangles.end as usize;
+            let turned = rims.turned(i, &filled.positions, &filled.triangles[triangles], &joined.copies);
             report.rim = rims.report(i).filter(|_| open.binary_search(&i).is_err());
+            report.rim.iter_mut().for_each(|rim| rim.folded += turned);
             report.self_intersections = pairs;
         }
     }

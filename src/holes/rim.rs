@@ -39,7 +39,7 @@ pub struct RimReport {
     pub within: f64,
     /// How many would have moved further.
     pub bounded: usize,
-    /// How many triangles at vertices that moved are folded all the same.
+    /// How many triangles at vertices that moved are folded all the same, those of the patch at the loop counted.
     pub folded: usize,
     /// The distance of the mesh around from the surfaces fitted to it, root mean square.
     pub noise: f64,

@@ -7,10 +7,13 @@ use super::relax::{Moved, Place, relaxed};
 use crate::fairing::{BoundaryNormals, Intersections, Options, SelfIntersections};
 use crate::holes::loops::{BoundaryLoop, Links};
 use crate::holes::options::FillOptions;
-use crate::holes::surroundings::Surroundings;
+use crate::holes::surroundings::{Surroundings, normal};
 use crate::intersections::of_some;
 use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;
+
+/// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
+const TURNED: f64 = 0.5;
 
 /// What became of the vertices around the loops of all patches.
 pub(in crate::holes) struct Rims {
@@ -154,6 +157,28 @@ impl Rims {
             }
         }
         positions
+    }
+
+    /// How many of these triangles of a patch are turned away from the surface fitted at one of their vertices on the loops.
+    pub(in crate::holes) fn turned(
+        &self,
+        patch: usize,
+        x: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        copies: &Copies,
+    ) -> usize {
+        let Some(moved) = &self.of[patch] else { return 0 };
+        let fitted = |v: &u32| {
+            let v = copies.smallest(*v);
+            let at = moved.normals.binary_search_by_key(&v, |entry| entry.0);
+            at.ok().map(|at| Vector3::from(moved.normals[at].1))
+        };
+        let is_turned = |t: &&[u32; 3]| {
+            let own = normal(&t.map(|v| Vector3::from(x[v as usize])));
+            let mut fitted = t.iter().filter_map(fitted);
+            fitted.any(|fitted| own.dot(&fitted) < TURNED)
+        };
+        triangles.iter().filter(is_turned).count()
     }
 
     /// What became of the rim of a patch; nothing if none was to move.
