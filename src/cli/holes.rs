@@ -100,12 +100,12 @@ pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     Ok(true)
 }
 
-/// What is to be said where most loops are outlines of single faces.
+/// What is to be said where most loops are boundaries of single faces.
 fn soup(loops: &[BoundaryLoop]) -> String {
     let debris = loops.iter().filter(|of| of.component_triangles <= DEBRIS).count();
     match 2 * debris > loops.len() {
         true => format!(
-            "{debris} of {} loops are outlines of {DEBRIS} faces or fewer: if this is a soup, --coincident DISTANCE joins vertices that are near each \
+            "{debris} of {} loops are boundaries of {DEBRIS} faces or fewer: if this is a soup, --coincident DISTANCE joins vertices that are near each \
              other; if it is debris, 'fairmesh fill --drop-components-below' drops it\n",
             loops.len()
         ),
