@@ -41,6 +41,9 @@ pub fn told(report: &RimReport) -> String {
             report.bounded, report.within
         );
     }
+    if !report.is_even() {
+        text += "; it is in some places only, so that features may have been taken for noise: look at them";
+    }
     if report.folded > 0 {
         text += &format!(
             "; {} faces beside the hole are folded: let more rings move, or further",
@@ -61,7 +64,7 @@ pub fn json(report: &RimReport, face: impl Fn(u32) -> usize) -> Value {
     let pairs = report.self_intersections.iter().map(|pair| pair.map(&face));
     json!({
         "moved": report.moved, "rms": report.rms, "largest": report.largest, "within": report.within,
-        "bounded": report.bounded, "folded": report.folded, "noise": report.noise, "radius": report.radius,
+        "bounded": report.bounded, "folded": report.folded, "noise": report.noise, "evenness": report.evenness, "radius": report.radius,
         "intersections": pairs.collect::<Vec<_>>(),
     })
 }

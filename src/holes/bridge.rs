@@ -119,7 +119,7 @@ impl Bridged {
 /// # Ok::<(), fairmesh::Error>(())
 /// ```
 ///
-/// A strip whose ends face opposite ways is not made: its report says [`OpenReason::OppositeSides`].
+/// A strip whose ends face opposite ways is not made: its report says [`OpenReason::OppositeSides`](super::OpenReason::OppositeSides).
 ///
 /// # Errors
 /// [`Error::BadChain`], which names the chain and a vertex, [`Error::BadOption`], [`Error::IndexOutOfRange`], [`Error::TooLarge`],

@@ -183,7 +183,8 @@ fn run<'a>(
     let asked = asked_for(options, positions, &loops);
     let mut rims = Rims::none(groups.len(), positions);
     if options.rim.relax > 0 {
-        let is_filled = |i: &usize| objection(options, &asked, &groups[*i], &of_group(*i)).is_none();
+        let is_filled =
+            |i: &usize| objection(options, &asked, &groups[*i], (&of_group(*i), positions)).is_none();
         let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
         workers.install(|| rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i)))));
     }
@@ -324,7 +325,7 @@ struct Run<'m, 'o> {
 impl Run<'_, '_> {
     /// Fills the loops of a group, which is number `i` among those asked for.
     fn fill(&mut self, i: usize, group: &Group, loops: &[&BoundaryLoop]) -> Piece {
-        if let Some(reason) = objection(self.options, &self.asked, group, loops) {
+        if let Some(reason) = objection(self.options, &self.asked, group, (loops, self.positions)) {
             return Piece::open(reason);
         }
         if self.cancelled {

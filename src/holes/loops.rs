@@ -8,13 +8,13 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
+use super::pinches::{Places, Run};
 use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
-use crate::mesh::places::places;
 use crate::mesh::rows::Rows;
 use crate::table::table;
 
@@ -175,25 +175,6 @@ impl BoundaryLoop {
         };
         self.touching = self.touching.iter().map(of).collect();
         self.vertices = copies;
-    }
-}
-
-/// The half-edges of a loop, and the bad edge that it met.
-type Run = (Vec<u32>, Option<u32>);
-
-/// Which vertices of the boundary lie at the same place.
-#[derive(Default)]
-struct Places {
-    /// Ascending.
-    vertices: Vec<u32>,
-    /// Per vertex which of these is the first at its place; none where each has a place of its own.
-    first: Option<Vec<u32>>,
-}
-
-impl Places {
-    fn of(&self, v: u32) -> u32 {
-        let first = self.first.as_ref().zip(self.vertices.binary_search(&v).ok());
-        first.map_or(v, |(first, at)| self.vertices[first[at] as usize])
     }
 }
 
@@ -366,45 +347,6 @@ impl<'a> Links<'a> {
             }
         }
         sets.numbers(count).0
-    }
-
-    /// Which of the runs' vertices lie at the same place.
-    fn places(&self, found: &[Run], positions: &[[f64; 3]], coincident: Coincident) -> Places {
-        let Some(within) = coincident.within() else {
-            return Places::default();
-        };
-        let on_runs = found.iter().flat_map(|(run, _)| run);
-        let mut vertices: Vec<u32> = on_runs.map(|&h| self.origin(next(h))).collect();
-        vertices.sort_unstable();
-        vertices.dedup();
-        Places {
-            first: places(positions, &vertices, within),
-            vertices,
-        }
-    }
-
-    /// The simple loops of one that passes a place twice, by copies of a vertex that are not joined: gaps that meet there in a point.
-    /// `last` is scratch.
-    fn parted(&self, run: Vec<u32>, places: &Places, last: &mut [u32]) -> Vec<Vec<u32>> {
-        if places.first.is_none() {
-            return vec![run];
-        }
-        let (mut found, mut rest) = (Vec::new(), Vec::<u32>::new());
-        let place = |&g: &u32| places.of(self.origin(next(g))) as usize;
-        for h in run {
-            let before = last[place(&h)] as usize;
-            // Two edges alone are no gap.
-            if before < rest.len() && rest.len() - before > 2 {
-                let inner = rest.split_off(before);
-                inner.iter().for_each(|g| last[place(g)] = BOUNDARY);
-                found.push(inner);
-            }
-            last[place(&h)] = rest.len() as u32;
-            rest.push(h);
-        }
-        rest.iter().for_each(|g| last[place(g)] = BOUNDARY);
-        found.push(rest);
-        found
     }
 
     /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies

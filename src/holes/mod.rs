@@ -26,6 +26,7 @@ mod outcome;
 mod parents;
 mod patch;
 mod piece;
+mod pinches;
 mod refill;
 mod refine;
 mod relax;

@@ -10,7 +10,7 @@ pub(super) fn objection(
     options: &FillOptions,
     asked: &[bool],
     group: &Group,
-    loops: &[&BoundaryLoop],
+    (loops, positions): (&[&BoundaryLoop], &[[f64; 3]]),
 ) -> Option<OpenReason> {
     let bad = loops.iter().find_map(|boundary| match boundary.kind {
         LoopKind::NonManifold { a, b } => Some(OpenReason::NonManifold { a, b }),
@@ -19,7 +19,7 @@ pub(super) fn objection(
     if bad.is_some() {
         return bad;
     }
-    if let Some(vertex) = shared_vertex(loops) {
+    if let Some(vertex) = shared_vertex(loops, positions) {
         return Some(OpenReason::SharedVertex { vertex });
     }
     if group.is_named {
@@ -35,15 +35,15 @@ pub(super) fn objection(
     loops.iter().any(is_outer).then_some(OpenReason::OuterBoundary)
 }
 
-/// A vertex that two of the loops have.
-fn shared_vertex(loops: &[&BoundaryLoop]) -> Option<u32> {
+/// A vertex that two of the loops have, or two copies of it.
+fn shared_vertex(loops: &[&BoundaryLoop], positions: &[[f64; 3]]) -> Option<u32> {
     if loops.len() == 1 {
         return None;
     }
-    let mut vertices: Vec<u32> = loops.iter().flat_map(|of| of.vertices.iter().copied()).collect();
+    let touching = loops.iter().flat_map(|of| of.touching.iter().copied());
+    let place = |v: u32| positions[v as usize].map(|c| (c + 0.0).to_bits());
+    let mut vertices: Vec<([u64; 3], u32)> = touching.map(|v| (place(v), v)).collect();
     vertices.sort_unstable();
-    vertices
-        .windows(2)
-        .find(|pair| pair[0] == pair[1])
-        .map(|pair| pair[0])
+    let pair = vertices.windows(2).find(|pair| pair[0].0 == pair[1].0);
+    pair.map(|pair| pair[0].1)
 }

@@ -43,6 +43,9 @@ pub struct RimReport {
     pub folded: usize,
     /// The distance of the mesh around from the surfaces fitted to it, root mean square.
     pub noise: f64,
+    /// The median of the square of that along the loops over its mean: about 1 where it is everywhere. Well below 1 it is
+    /// [likely](Self::is_even) that a feature of the surface was taken for noise.
+    pub evenness: f64,
     /// These look at what is nearer than this. 0: nothing could be fitted, and no vertex moved.
     pub radius: f64,
     /// Pairs of the mesh's triangles, not of the patch, that intersect since vertices moved, the smaller number first, ascending. Not looked
@@ -51,6 +54,11 @@ pub struct RimReport {
 }
 
 impl RimReport {
+    /// Whether the noise is everywhere along the loops, or nothing was fitted.
+    pub fn is_even(&self) -> bool {
+        self.radius == 0.0 || self.evenness > roughness::EVEN
+    }
+
     /// Whether nothing is amiss: no triangle is folded, and none intersects another.
     pub fn is_sound(&self) -> bool {
         self.folded == 0 && self.self_intersections.is_empty()

@@ -1,8 +1,8 @@
 //! Loops that make trouble: pinched ones, ones that something passes through, ones whose normals ask too much.
 
 use fairmesh::{
-    BoundaryLoop, Coincident, FillOptions, FillOutcome, LoopKind, Outcome, boundary_loops,
-    boundary_loops_joined, fill_holes, self_intersections,
+    BoundaryLoop, Coincident, FillOptions, FillOutcome, Join, LoopKind, Loops, OpenReason, Outcome,
+    boundary_loops, boundary_loops_joined, fill_holes, self_intersections,
 };
 
 use crate::fairing::vector;
@@ -63,6 +63,23 @@ fn holes_that_meet_in_two_copies_of_a_vertex_are_two() {
     let rest = boundary_loops(&filled.positions, &filled.triangles).unwrap();
     assert_eq!(holes(&rest).len(), 0);
     assert_eq!(rest.len(), 1);
+}
+
+#[test]
+fn loops_that_meet_in_two_copies_of_a_vertex_are_not_joined() {
+    let (x, t) = pinched();
+    let loops = boundary_loops(&x, &t).unwrap();
+    let both: Vec<usize> = (0..loops.len())
+        .filter(|&l| loops[l].kind == LoopKind::Hole)
+        .collect();
+    let options = FillOptions {
+        loops: Loops::Chosen(Vec::new()),
+        join: Join::Groups(vec![both]),
+        ..FillOptions::default()
+    };
+    let filled = fill_holes(&x, &t, &options).unwrap();
+    let reason = OpenReason::SharedVertex { vertex: 220 };
+    assert_eq!(filled.loops[0].outcome, FillOutcome::LeftOpen(reason));
 }
 
 /// A frame around a square whose corners lie at heights 0 and `h` by turns, and a small upright triangle in its middle at height `z`.

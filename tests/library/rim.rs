@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 
 use crate::fairing::{Bars, irregular, vector};
 use fairmesh::{
-    Error, FillOptions, FillOutcome, Filled, Join, Loops, Options, Outcome, Rim, boundary_loops, fill_holes,
+    Coincident, Error, FillOptions, FillOutcome, Filled, Join, Loops, Options, Outcome, Rim, boundary_loops,
+    fill_holes, rim_roughness,
 };
 use fairmesh_shapes::{sphere_with_hole, sphere_without_band};
 use nalgebra::Vector3;
@@ -495,4 +496,47 @@ fn a_bound_has_to_be_one() {
         let (name, range) = ("relax_within", "positive and finite");
         assert_eq!(error, Error::BadOption { name, value, range });
     }
+}
+
+/// Bumps of so many heights beside each other, along the boundary of a square hole in a sheet: in the whole of it, or at one side only.
+fn bumpy_sheet(is_everywhere: bool) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let at = |i: u32, j: u32| {
+        let is_bumpy = is_everywhere || (i < 28 && (20..28).contains(&j));
+        let height = 0.25 * f64::from((7 * i + 5 * j + i * j) % 5) - 0.5;
+        [f64::from(i), f64::from(j), if is_bumpy { height } else { 0.0 }]
+    };
+    let positions = (0..81 * 81).map(|v| at(v / 81, v % 81)).collect();
+    let squares = (0..80 * 80).map(|s| (s / 80, s % 80));
+    let triangles = squares
+        .filter(|&(i, j)| !(24..56).contains(&i) || !(24..56).contains(&j))
+        .map(|(i, j)| 81 * i + j)
+        .flat_map(|a| [[a, a + 81, a + 82], [a, a + 82, a + 1]])
+        .collect();
+    (positions, triangles)
+}
+
+#[test]
+fn a_feature_beside_a_hole_is_not_advised_to_be_smoothed() {
+    let rough = |is_everywhere: bool| {
+        let (x, t) = bumpy_sheet(is_everywhere);
+        let loops = boundary_loops(&x, &t).unwrap();
+        let hole = (0..loops.len()).min_by_key(|&l| loops[l].vertices.len()).unwrap();
+        let found = rim_roughness(&x, &t, Coincident::default()).unwrap()[hole].unwrap();
+        let asked = FillOptions {
+            rim: Rim {
+                relax: 3,
+                within: None,
+            },
+            ..FillOptions::default()
+        };
+        let report = fill_holes(&x, &t, &asked).unwrap().loops.swap_remove(hole);
+        (found, report.rim.unwrap())
+    };
+    let (noisy, report) = rough(true);
+    assert!(noisy.ratio() > 2.0 && noisy.advice.is_some());
+    assert!(report.is_even(), "{}", report.evenness);
+    let (feature, report) = rough(false);
+    assert!(feature.ratio() > 2.0, "{}", feature.ratio());
+    assert_eq!(feature.advice, None);
+    assert!(!report.is_even(), "{}", report.evenness);
 }

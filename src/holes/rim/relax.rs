@@ -87,6 +87,7 @@ pub(super) fn relaxed(
             folded: untangling.folded(),
             within,
             noise: width.noise,
+            evenness: width.evenness,
             radius: width.radius,
             ..RimReport::default()
         },

@@ -25,6 +25,9 @@ pub(super) struct Width {
     pub(super) radius: f64,
     /// Root mean square.
     pub(super) noise: f64,
+    /// The median of its square along the loops over the mean: about 1 where it is everywhere, near 0 where it is a feature of the
+    /// surface here or there.
+    pub(super) evenness: f64,
 }
 
 /// The width at which fits at the loops are expected to be nearest to the surface; none if nothing can be fitted.
@@ -48,7 +51,12 @@ pub(super) fn width(band: &Band, edge: f64) -> Option<Width> {
         }
         if risk < best.map_or(f64::INFINITY, |best| best.0) {
             let (radius, noise) = (tried.radius, tried.variance.sqrt());
-            best = Some((risk, Width { radius, noise }));
+            let width = Width {
+                radius,
+                noise,
+                evenness: tried.median / tried.variance.max(f64::MIN_POSITIVE),
+            };
+            best = Some((risk, width));
         }
     }
     best.map(|best| best.1)
@@ -61,6 +69,8 @@ struct Tried {
     curvature: f64,
     /// Of the points, and what that makes of the fits' heights.
     variance: f64,
+    /// The median of that.
+    median: f64,
     random: f64,
     /// The squared difference of polynomials of degree three and two, and what the variance makes of it.
     change: f64,
@@ -72,7 +82,10 @@ impl Tried {
     fn new(band: &Band, samples: &[usize], radius: f64) -> Option<Self> {
         let fits: Vec<Fit> = band.fits(samples, radius).into_iter().flatten().collect();
         let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
+        let mut variances: Vec<f64> = fits.iter().map(|fit| fit.variance).collect();
+        variances.sort_by(f64::total_cmp);
         let tried = Self {
+            median: variances.get(variances.len() / 2).copied().unwrap_or(0.0),
             radius,
             curvature: mean(|fit| fit.curvature.abs()),
             variance: mean(|fit| fit.variance),
