@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use fairmesh::{Carried, Coincident, Filled, carry_over, erase_and_clean, triangle_components};
+use fairmesh::{
+    Carried, Coincident, Filled, LoopKind, TrimLimits, boundary_loops_joined, carry_over, erase_and_clean,
+    triangle_components, trim_boundary,
+};
 
 use crate::explain;
 use crate::failure::Failure;
@@ -87,6 +90,32 @@ pub fn without_faces(
             .filter(|&t| !whole[geometry.polygon_of(t as usize)])
             .collect();
     }
+}
+
+/// The mesh without the triangles that spoil the boundaries of its holes, how many faces these are, and their area.
+pub fn trimmed(
+    name: &Path,
+    mesh: MeshFile,
+    limits: &TrimLimits,
+    coincident: Coincident,
+) -> Result<(MeshFile, usize, f64), Failure> {
+    let geometry = &mesh.geometry;
+    let (positions, triangles) = (&geometry.positions, &geometry.triangles);
+    let refused = |error| explain::refusal(name, &mesh, &error);
+    let loops = boundary_loops_joined(positions, triangles, coincident).map_err(refused)?;
+    let holes: Vec<usize> = (0..loops.len())
+        .filter(|&l| loops[l].kind == LoopKind::Hole)
+        .collect();
+    let trimmed = trim_boundary(positions, triangles, &holes, limits, coincident).map_err(refused)?;
+    if trimmed.kept.len() == triangles.len() {
+        return Ok((mesh, 0, 0.0));
+    }
+    let mut kept = vec![false; triangles.len()];
+    trimmed.kept.iter().for_each(|&t| kept[t as usize] = true);
+    let whole = polygons(&mesh, &kept);
+    let count = whole.iter().filter(|&&whole| !whole).count();
+    let (rest, _) = mesh.only(&name.display().to_string(), &whole)?;
+    Ok((rest, count, trimmed.area))
 }
 
 /// The polygons of which all triangles are kept, and those without triangles.

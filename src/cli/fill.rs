@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use fairmesh::{
     BoundaryCurvature, FillOptions, FillOutcome, Filled, FlatReason, Join, LoopReport, Loops, OpenReason,
-    Options, Outcome, OutputPrecision, Progress, fill_holes_with_progress,
+    Options, Outcome, OutputPrecision, Progress, TrimLimits, fill_holes_with_progress,
 };
 use serde_json::{Value, json};
 
@@ -65,6 +65,19 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     clean_boundary: usize,
+    /// Takes away up to so many faces at the boundaries of holes before these are filled:
+    /// slender ones, spikes and fins, and those that hang at the others by one edge
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        conflicts_with_all = ["boundary_curvature", "erase", "loops", "join", "which", "guides"],
+        verbatim_doc_comment
+    )]
+    trim: usize,
+    /// Takes no more area away than this, in the unit of the file squared
+    #[arg(long, value_name = "A", requires = "trim", verbatim_doc_comment)]
+    trim_area: Option<f64>,
     /// New vertices and faces take colours, quality, texture coordinates and the like
     /// from the nearest place of what was erased, not from the edge of the hole
     #[arg(long, requires = "erase", verbatim_doc_comment)]
@@ -135,6 +148,14 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         args.drop_components_below,
         args.mesh.coincident,
     )?;
+    let limits = TrimLimits {
+        triangles: args.trim,
+        area: args.trim_area,
+    };
+    let (mesh, trimmed, trimmed_area) = match args.trim {
+        0 => (mesh, 0, 0.0),
+        _ => components::trimmed(&args.input, mesh, &limits, args.mesh.coincident)?,
+    };
     let (mesh, erased) = match &args.erase {
         None => (mesh, None),
         Some(list) => {
@@ -180,6 +201,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         };
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
         json!({ "loops": loops, "dropped_components": dropped, "new_vertices": filled.parents.len(),
+            "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
             "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
             "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
@@ -187,7 +209,11 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     };
     answer.tell(&[&args.output], json, || {
         let more = erased.as_ref().map_or([0; 2], |of| [of.dropped, of.cleaned]);
-        readable(&filled, args, dropped, more)
+        let trimmed = match trimmed {
+            0 => String::new(),
+            _ => format!("{trimmed} faces at the holes were taken away, of area {trimmed_area:.3e}\n"),
+        };
+        trimmed + &readable(&filled, args, dropped, more)
     })?;
     Ok(filled.loops.iter().all(is_clean))
 }

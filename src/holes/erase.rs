@@ -95,6 +95,7 @@ pub fn erase_and_clean(
         vertices: positions.len(),
         triangles: &joined.triangles,
         is_gone: vec![false; count],
+        open: Vec::new(),
     };
     erased.iter().for_each(|&t| cut.is_gone[t as usize] = true);
     let named = cut.gone();
@@ -120,10 +121,12 @@ pub fn erase_and_clean(
 }
 
 /// A mesh of which some triangles are gone.
-struct Cut<'m> {
-    vertices: usize,
-    triangles: &'m [[u32; 3]],
-    is_gone: Vec<bool>,
+pub(super) struct Cut<'m> {
+    pub(super) vertices: usize,
+    pub(super) triangles: &'m [[u32; 3]],
+    pub(super) is_gone: Vec<bool>,
+    /// Directed edges that count as if a triangle were gone there.
+    pub(super) open: Vec<(u32, u32)>,
 }
 
 impl Cut<'_> {
@@ -131,7 +134,7 @@ impl Cut<'_> {
         self.is_gone.iter().filter(|&&gone| gone).count()
     }
 
-    fn kept(&self) -> Vec<u32> {
+    pub(super) fn kept(&self) -> Vec<u32> {
         let all = 0..self.triangles.len() as u32;
         all.filter(|&t| !self.is_gone[t as usize]).collect()
     }
@@ -144,7 +147,7 @@ impl Cut<'_> {
             .zip(&self.is_gone)
             .filter(|(_, gone)| **gone);
         let edges = gone.flat_map(|(t, _)| [0, 1, 2].map(|k| (t[k], t[(k + 1) % 3])));
-        let mut edges: Vec<(u32, u32)> = edges.collect();
+        let mut edges: Vec<(u32, u32)> = edges.chain(self.open.iter().copied()).collect();
         edges.sort_unstable();
         edges
     }
@@ -162,6 +165,15 @@ impl Cut<'_> {
 
     /// The slender triangles and the fins with an edge beside something that is gone, the worst first.
     fn spoiling(&self, positions: &[[f64; 3]]) -> Result<Vec<u32>, Error> {
+        self.spoiling_or_hanging(positions, false)
+    }
+
+    /// The same, and if asked triangles that hang at the others by one edge.
+    pub(super) fn spoiling_or_hanging(
+        &self,
+        positions: &[[f64; 3]],
+        hanging: bool,
+    ) -> Result<Vec<u32>, Error> {
         let kept = self.kept();
         let triangles: Vec<[u32; 3]> = kept.iter().map(|&t| self.triangles[t as usize]).collect();
         let links = Links::new(self.vertices, &triangles)?;
@@ -181,7 +193,8 @@ impl Cut<'_> {
             let beside = sides.iter().filter_map(|&h| links.across(h));
             let cosines = beside.map(|o| own.dot(&normal(&corners(o / 3))));
             let angle = smallest_angle(&corners(t));
-            if angle < SLENDER || cosines.fold(1.0, f64::min) < FIN {
+            let hangs = hanging && sides.iter().filter(|&&h| links.across(h).is_none()).count() > 1;
+            if hangs || angle < SLENDER || cosines.fold(1.0, f64::min) < FIN {
                 found.push((angle, kept[t as usize]));
             }
         }

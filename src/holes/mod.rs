@@ -37,6 +37,7 @@ mod shape;
 mod surroundings;
 mod thinned;
 mod triangulate;
+mod trim;
 mod units;
 
 pub use bridge::{BridgeOptions, Bridged, bridge, bridge_with_progress};
@@ -51,3 +52,4 @@ pub use parents::Parents;
 pub use refill::refill_region;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};
 pub use rim::{Rim, RimReport, Roughness, rim_roughness};
+pub use trim::{TrimLimits, Trimmed, trim_boundary};

@@ -448,7 +448,10 @@ fn tubes_are_joined_where_they_are_told_to_be_and_where_it_bends_less() {
     let directory = directory("join");
     fs::write(directory.join("in.obj"), two_tubes(false)).unwrap();
     let (out, _) = expect(&directory, &["holes", "in.obj", "--suggest"], 0);
-    assert!(out.contains("--join 1,2: together they bend by"), "{out}");
+    assert!(
+        out.contains("--join 1,2: a gap between parts; together they bend by"),
+        "{out}"
+    );
     for which in ["1,2", "auto"] {
         let args = [
             "fill", "in.obj", "-o", "out.obj", "--join", which, "--json", "r.json",
@@ -630,5 +633,65 @@ fn a_rough_rim_is_told_and_relaxed() {
     assert!(
         error.contains("--relax-within 0: it must be positive and finite"),
         "{error}"
+    );
+}
+
+#[test]
+fn teeth_at_a_hole_are_taken_away_before_it_is_filled() {
+    let directory = directory("trim");
+    let sphere = ["generate", "sphere-hole", "-o", "clean.off", "--vertices", "1500"];
+    expect(&directory, &sphere, 0);
+    let (mut vertices, mut faces) = read_off(&fs::read_to_string(directory.join("clean.off")).unwrap());
+    let (loops, _) = expect(&directory, &["holes", "clean.off", "--json", "-"], 0);
+    let loops: Value = serde_json::from_str(&loops).unwrap();
+    let at = |i: usize| loops[0]["vertices"][i].as_u64().unwrap() as usize;
+    let (a, b) = (at(0), at(1));
+    // Over an edge of the boundary, and out of the sphere.
+    let tooth: Vec<f64> = (0..3).map(|k| 0.6 * (vertices[a][k] + vertices[b][k])).collect();
+    vertices.push(tooth.clone());
+    faces.push(vec![a, b, vertices.len() - 1]);
+    let mut text = format!("OFF\n{} {} 0\n", vertices.len(), faces.len());
+    for p in &vertices {
+        writeln!(text, "{} {} {}", p[0], p[1], p[2]).unwrap();
+    }
+    for f in &faces {
+        writeln!(text, "3 {} {} {}", f[0], f[1], f[2]).unwrap();
+    }
+    fs::write(directory.join("in.off"), text).unwrap();
+    let fill = |more: &[&str]| {
+        let command = [
+            &["fill", "in.off", "-o", "out.off", "--json", "out.json"][..],
+            more,
+        ]
+        .concat();
+        expect(&directory, &command, 0);
+        let report: Value =
+            serde_json::from_str(&fs::read_to_string(directory.join("out.json")).unwrap()).unwrap();
+        let (filled, _) = read_off(&fs::read_to_string(directory.join("out.off")).unwrap());
+        (report["trimmed_faces"].as_u64().unwrap(), filled)
+    };
+    let (trimmed, filled) = fill(&["--trim", "8"]);
+    assert!((1..=8).contains(&trimmed));
+    assert!(!filled.contains(&tooth));
+    let off = |p: &Vec<f64>| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
+    assert!(filled.iter().all(|p| off(p) < 1e-8));
+    let small = ["fill", "in.off", "-o", "no.off", "--trim", "8", "--trim-area=-1"];
+    let (_, error) = expect(&directory, &small, 2);
+    assert!(error.contains("trim"), "{error}");
+}
+
+#[test]
+fn a_soup_is_named() {
+    let directory = directory("soup");
+    let mut text = "OFF\n36 12 0\n".to_owned();
+    for k in 0..12 {
+        writeln!(text, "{k} 0 0\n{k}.5 0 0\n{k} 1 0").unwrap();
+    }
+    (0..12).for_each(|k| writeln!(text, "3 {} {} {}", 3 * k, 3 * k + 1, 3 * k + 2).unwrap());
+    fs::write(directory.join("soup.off"), text).unwrap();
+    let (told, _) = expect(&directory, &["holes", "soup.off"], 0);
+    assert!(
+        told.contains("12 of 12 loops") && told.contains("--coincident"),
+        "{told}"
     );
 }
