@@ -134,7 +134,16 @@ def row(name, program, path, found, is_sphere):
         error = "%.1e" % np.abs(np.linalg.norm(positions[len(given) :], axis=1) - 1).max(initial=0.0)
     largest, mean = crease(positions, triangles, len(old))
     crossing = len(crossing_pairs(positions, triangles, new)) if len(new) else 0
-    cells = (name, program, len(positions) - len(given), error, "%.1f" % mean, "%.0f" % largest, crossing, "%.2f" % seconds)
+    cells = (
+        name,
+        program,
+        len(positions) - len(given),
+        error,
+        "%.1f" % mean,
+        "%.0f" % largest,
+        crossing,
+        "%.2f" % seconds,
+    )
     print("| " + " | ".join(map(str, cells)) + " |", flush=True)
 
 
@@ -145,7 +154,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         cap = sphere(folder, "cap", lambda z: z > 0.5)
         band = sphere(folder, "band", lambda z: np.abs(z) < 0.25)
-        cases = [("sphere without a cap", cap, [], False, True), ("sphere without a band", band, ["--join", "auto"], True, True)]
+        cases = [
+            ("sphere without a cap", cap, [], False, True),
+            ("sphere without a band", band, ["--join", "auto"], True, True),
+        ]
         for path in sys.argv[1:]:
             copy = str(Path(folder) / Path(path).name)
             write(copy, *read(path))

@@ -310,12 +310,13 @@ impl<'a> Links<'a> {
         if found.is_empty() {
             return Vec::new();
         }
-        let places = self.places(&found, positions, coincident);
+        let mut places = self.places(&found, positions, coincident);
         found = found
             .into_iter()
             .flat_map(|(run, bad)| match bad {
-                None => self
-                    .parted(run, &places, &mut place)
+                // A sheet that is rolled until its corners touch has one outer boundary still.
+                None if places.has_any() && self.turn(&run, positions) <= OUTER_TURN => self
+                    .parted(run, &mut places, &mut place)
                     .into_iter()
                     .map(|run| (run, None))
                     .collect(),
@@ -325,8 +326,8 @@ impl<'a> Links<'a> {
         found.sort_by_key(|(run, _)| run.iter().copied().min());
         let mut visits = vec![0u8; self.outgoing.len()];
         for &h in found.iter().flat_map(|(run, _)| run) {
-            let place = places.of(self.origin(next(h))) as usize;
-            visits[place] = visits[place].saturating_add(1);
+            let v = self.origin(next(h)) as usize;
+            visits[v] = visits[v].saturating_add(1);
         }
         let components = self.components();
         let mut sizes = vec![0; components.iter().max().map_or(0, |&last| last as usize + 1)];
@@ -398,7 +399,7 @@ impl<'a> Links<'a> {
         }
         let turn = self.turn(&run, positions);
         let mut touching = vertices.clone();
-        touching.retain(|&v| visits[places.of(v) as usize] > 1);
+        touching.retain(|&v| visits[v as usize] > 1 || places.is_pinch(v));
         BoundaryLoop {
             vertices,
             length,

@@ -15,9 +15,21 @@ pub(super) struct Places {
     vertices: Vec<u32>,
     /// Per vertex which of these is the first at its place; none where each has a place of its own.
     first: Option<Vec<u32>>,
+    /// The first vertices at places where loops were parted, ascending.
+    pinches: Vec<u32>,
 }
 
 impl Places {
+    /// Whether any vertices have a place in common.
+    pub(super) fn has_any(&self) -> bool {
+        self.first.is_some()
+    }
+
+    /// Whether loops were parted where a vertex is.
+    pub(super) fn is_pinch(&self, v: u32) -> bool {
+        self.pinches.binary_search(&self.of(v)).is_ok()
+    }
+
     /// The first vertex at the place of one.
     pub(super) fn of(&self, v: u32) -> u32 {
         let first = self.first.as_ref().zip(self.vertices.binary_search(&v).ok());
@@ -38,16 +50,15 @@ impl Links<'_> {
         Places {
             first: places(positions, &vertices, within),
             vertices,
+            pinches: Vec::new(),
         }
     }
 
     /// The simple loops of one that passes a place twice, by copies of a vertex that are not joined: gaps that meet there in a point.
     /// `last` is scratch.
-    pub(super) fn parted(&self, run: Vec<u32>, places: &Places, last: &mut [u32]) -> Vec<Vec<u32>> {
-        if places.first.is_none() {
-            return vec![run];
-        }
+    pub(super) fn parted(&self, run: Vec<u32>, places: &mut Places, last: &mut [u32]) -> Vec<Vec<u32>> {
         let (mut found, mut rest) = (Vec::new(), Vec::<u32>::new());
+        let mut pinches = Vec::new();
         let place = |&g: &u32| places.of(self.origin(next(g))) as usize;
         for h in run {
             let before = last[place(&h)] as usize;
@@ -56,12 +67,17 @@ impl Links<'_> {
                 let inner = rest.split_off(before);
                 inner.iter().for_each(|g| last[place(g)] = BOUNDARY);
                 found.push(inner);
+                pinches.push(place(&h) as u32);
             }
             last[place(&h)] = rest.len() as u32;
             rest.push(h);
         }
         rest.iter().for_each(|g| last[place(g)] = BOUNDARY);
         found.push(rest);
+        if !pinches.is_empty() {
+            places.pinches.extend(pinches);
+            places.pinches.sort_unstable();
+        }
         found
     }
 }

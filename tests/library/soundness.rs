@@ -321,7 +321,7 @@ fn a_patch_with_a_null_face_is_no_success() {
     let [report] = &filled.loops[..] else {
         panic!("{:?}", filled.loops)
     };
-    assert!(report.worst_angle < 1e-6, "{}", report.worst_angle);
+    assert!(report.worst_angle < 1e-4, "{}", report.worst_angle);
     let fairing = report.fairing.as_ref().map(|f| &f.outcome);
     let is_success = report.outcome == FillOutcome::Faired && fairing.is_some_and(Outcome::is_success);
     assert!(!is_success, "{report:?}");

@@ -110,8 +110,8 @@ class LoopReport:
         self.loop_index: int = struct.loop_index
         #: Why loops were joined, if that was left to ``join="auto"``.
         self.joined: Bends | None = None if math.isnan(struct.joint_bend) else bends_of(struct)
-        #: 1.0 where the boundary normals are those asked for. Less where no sound patch has them: so much of the way from
-        #: the normals of a membrane to the averages of the mesh's.
+        #: 1.0 where the boundary normals are those asked for. Less where no sound patch has them: so much of the way
+        #: from the normals of a membrane to the averages of the mesh's.
         self.normals_reached: float = struct.normals_reached
         #: What became of the vertices around the loop, if ``relax_rim`` let them move.
         self.moved: Moved | None = moved_of(struct) if struct.has_relaxed else None
@@ -272,8 +272,9 @@ def fill_holes(
 ) -> Filled:
     """Fills holes: triangulates, refines and fairs each, or several together.
 
-    Vertices and faces given keep their numbers and bits (but for ``relax_rim``); new ones follow. A loop that cannot be filled says so in its
-    `LoopReport` and does not affect the others. Outer boundaries of open surfaces are filled only if they are named.
+    Vertices and faces given keep their numbers and bits (but for ``relax_rim``); new ones follow. A loop that cannot
+    be filled says so in its `LoopReport` and does not affect the others. Outer boundaries of open
+    surfaces are filled only if they are named.
 
     Args:
         vertices, faces, coincident: As in `fair`. New faces name of each vertex the copy in the face beside them.
