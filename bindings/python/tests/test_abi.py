@@ -108,6 +108,7 @@ def test_default_options():
         "fair": True,
         "join": "none",
         "on_failure": "linear",
+        "relax_rim": 0,
         "max_edges": None,
         "except_longest": 0,
         "density": 2**0.5,
