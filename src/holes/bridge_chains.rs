@@ -104,10 +104,18 @@ impl Chains<'_> {
         let n = boundary.vertices.len();
         let at = |i: usize| Vector3::from(self.positions[boundary.vertices[i % n] as usize]);
         let length = |i: usize| (at(i + 1) - at(i)).norm();
-        let own: f64 = (start..start + edges).map(length).sum();
+        let middle = 0.5 * (start..start + edges).map(length).sum::<f64>();
+        let (mut nearest, mut way) = (start, 0.0);
+        for i in start..start + edges {
+            if (way + length(i) - middle).abs() < (way - middle).abs() {
+                (nearest, way) = (i + 1, way + length(i));
+            } else {
+                break;
+            }
+        }
         // How far from the middle a walk in either direction goes; it ends where it is nearest to half of the width.
-        let mut reach = [0.5 * own; 2];
-        let (mut first, mut last) = (start + n, start + n + edges);
+        let mut reach = [middle - way, way - middle];
+        let (mut first, mut last) = (nearest + n, nearest + n);
         let is_nearer = |now: f64, then: f64| (then - 0.5 * width).abs() < (now - 0.5 * width).abs();
         while last - first + 2 < n {
             let then = reach[0] + length(first - 1);

@@ -65,14 +65,21 @@ pub fn erase(
 ///
 /// ```
 /// use fairmesh::{Coincident, erase_and_clean};
-/// // Two squares, between them a narrow strip of two triangles.
-/// let positions = [
-///     [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.02, 0.0, 0.0], [1.02, 1.0, 0.0], [2.0, 0.0, 0.0],
-///     [2.0, 1.0, 0.0],
-/// ];
-/// let triangles = [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3], [4, 6, 7], [4, 7, 5]];
-/// let erased = erase_and_clean(&positions, &triangles, &[4, 5], Coincident::default(), 10)?;
-/// assert_eq!((erased.kept, erased.cleaned), (vec![0, 1], 2));
+/// // A sheet of 6 by 6 squares, each divided into two triangles, of which the third column is narrow.
+/// let number = |i: u32, j: u32| 7 * i + j;
+/// let grid = |n: u32| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+/// let x = [0.0, 1.0, 2.0, 2.02, 3.0, 4.0, 5.0];
+/// let positions: Vec<[f64; 3]> = grid(7).map(|(i, j)| [x[i as usize], f64::from(j), 0.0]).collect();
+/// let triangles: Vec<[u32; 3]> = grid(6)
+///     .flat_map(|(i, j)| {
+///         let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+///         [[a, b, c], [a, c, d]]
+///     })
+///     .collect();
+/// // Two squares beside it.
+/// let erased = erase_and_clean(&positions, &triangles, &[40, 41, 42, 43], Coincident::default(), 4)?;
+/// assert_eq!((erased.cleaned, erased.dropped), (4, 1)); // one hung loose then
+/// assert_eq!(erased.kept.len(), 72 - 4 - 4 - 1);
 /// # Ok::<(), fairmesh::Error>(())
 /// ```
 ///

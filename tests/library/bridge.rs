@@ -344,6 +344,11 @@ fn a_width_is_met_about_the_middle() {
             assert!(got == edges || width < 0.1 && got < 3, "{width}: {got} edges");
         }
         check("width", &mesh, &bridged);
+        // The same from a run that is longer, or shorter.
+        let longer: Vec<u32> = (84 + 3..=84 + 17).collect();
+        let other = run(&mesh, [&longer, &[b]], &options(Some(width), false));
+        assert_eq!(other.chains, bridged.chains);
+        assert_eq!(other.positions, bridged.positions);
     }
 }
 
