@@ -170,6 +170,11 @@ std::vector<openmesh_patch> openmesh_add(Mesh &mesh, const openmesh_open<Mesh> &
     filled.positions(points_out(positions.data(), count));
     const openmesh_parents parents{olds, filled.list(FAIRMESH_LIST_PARENTS), filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
     for (const auto face : open.erased) mesh.delete_face(face, true);
+    // Boundaries that were relaxed; others are as they were.
+    for (std::size_t v = 0; v < olds; v++) {
+        mesh.set_point(openmesh_vertex(static_cast<std::uint32_t>(v)),
+                       typename Mesh::Point(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
+    }
     for (std::size_t v = olds; v < count; v++) {
         const auto made = mesh.add_vertex(typename Mesh::Point(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
         mesh.copy_all_properties(openmesh_vertex(parents.main(v - olds)), made);
