@@ -173,6 +173,16 @@ pub(crate) fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
 }
 
+/// The unit vector a fraction `s` of the way from `a` to `b` along their great circle.
+pub(crate) fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, s: f64) -> Vector3<f64> {
+    let phi = angle(a, b);
+    if phi < 1e-9 || s >= 1.0 {
+        return *b;
+    }
+    let mixed = a * ((1.0 - s) * phi).sin() + b * (s * phi).sin();
+    mixed.try_normalize(1e-12).unwrap_or(*b)
+}
+
 fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     *values.select_nth_unstable_by(middle, f64::total_cmp).1

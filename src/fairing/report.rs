@@ -180,6 +180,14 @@ impl Outcome {
         )
     }
 
+    /// Tolerance met, but some triangles are poor, or will be once they are written.
+    pub(crate) fn has_poor_triangles(&self) -> bool {
+        matches!(
+            self,
+            Self::ConvergedPoorTriangles { .. } | Self::PoorWhenRounded { .. }
+        )
+    }
+
     /// What the outcome means: its text in the table, or that of its reason.
     pub fn text(&self) -> &'static str {
         self.most_telling().text()

@@ -37,7 +37,7 @@ pub(super) fn creases(
 }
 
 /// Per vertex, of the first `count`, the normalized sum of its triangles' cross products.
-fn normals(x: &[Vector3<f64>], triangles: &[[u32; 3]], count: usize) -> Vec<Option<Vector3<f64>>> {
+pub(super) fn normals(x: &[Vector3<f64>], triangles: &[[u32; 3]], count: usize) -> Vec<Option<Vector3<f64>>> {
     let mut sums = vec![Vector3::zeros(); count];
     for t in triangles {
         let [a, b, c] = t.map(|v| x[v as usize]);

@@ -297,7 +297,7 @@ pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]
 
 struct Run<'m, 'o> {
     positions: &'m [[f64; 3]],
-    rims: &'m Rims,
+    rims: &'m Rims<'m>,
     /// What patches may intersect; none if they are not checked.
     neighbours: Option<Neighbours<'m>>,
     workers: &'m Workers,

@@ -4,9 +4,10 @@
 
 use nalgebra::Vector3;
 
+use super::creases::normals;
 use super::patch::Patch;
 use super::piece::{Piece, Task};
-use crate::discrete::boundary_normals::angle;
+use crate::discrete::boundary_normals::slerp;
 use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, ProgressCallback};
 
 /// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
@@ -35,7 +36,10 @@ impl Task<'_> {
         judge: &impl Fn(Piece) -> Piece,
         tell: &mut ProgressCallback<'_>,
     ) -> Option<Piece> {
-        let gentle = self.gentle(coarse).filter(|_| self.fair)?;
+        if !self.fair {
+            return None;
+        }
+        let gentle = self.gentle(coarse)?;
         PARTS.into_iter().find_map(|part| {
             let piece = judge(self.with_part(&gentle, part, tell)?);
             piece.is_sound().then_some(piece)
@@ -51,8 +55,11 @@ impl Task<'_> {
         }
         relax(&mut patch);
         let around = self.surroundings;
-        let mesh = normals(&around.x, &around.triangles, patch.fixed, None);
-        let own = normals(&patch.x, &patch.triangles, patch.fixed, Some(&mesh));
+        let mesh = normals(&around.x, &around.triangles, patch.fixed);
+        let own = normals(&patch.x, &patch.triangles, patch.fixed);
+        // Where one of them has none, the other one serves for both.
+        let both = |(mesh, own): (Option<_>, Option<_>)| Some((mesh.or(own)?, own.or(mesh)?));
+        let (mesh, own) = mesh.into_iter().zip(own).map(both).collect::<Option<_>>()?;
         Some(Gentle {
             coarse,
             patch,
@@ -67,7 +74,7 @@ impl Task<'_> {
         let given = self.given_normals();
         let normal = |(v, (own, mesh)): (u32, (&Vector3<f64>, &Vector3<f64>))| {
             let given = given.binary_search_by_key(&v, |entry| entry.0).ok();
-            let drawn = || between(own, mesh, part).into();
+            let drawn = || if part > 0.0 { slerp(own, mesh, part) } else { *own }.into();
             (v, given.map_or_else(drawn, |at| self.given_normals()[at].1))
         };
         let turned = gentle.own.iter().zip(&gentle.mesh);
@@ -101,35 +108,4 @@ fn relax(patch: &mut Patch) {
             patch.x[v] = sum / ring.len() as f64;
         }
     }
-}
-
-/// The normalized sums of the triangles' cross products at the first `count` vertices; where there is none, the other one.
-fn normals(
-    x: &[Vector3<f64>],
-    triangles: &[[u32; 3]],
-    count: usize,
-    other: Option<&[Vector3<f64>]>,
-) -> Vec<Vector3<f64>> {
-    let mut sums = vec![Vector3::zeros(); count];
-    for t in triangles {
-        let [a, b, c] = t.map(|v| x[v as usize]);
-        let cross = (b - a).cross(&(c - a));
-        for v in t.iter().map(|&v| v as usize).filter(|&v| v < count) {
-            sums[v] += cross;
-        }
-    }
-    let unit = |(v, sum): (usize, &Vector3<f64>)| {
-        let instead = || other.map_or_else(Vector3::z, |other| other[v]);
-        sum.try_normalize(f64::MIN_POSITIVE).unwrap_or_else(instead)
-    };
-    sums.iter().enumerate().map(unit).collect()
-}
-
-fn between(a: &Vector3<f64>, b: &Vector3<f64>, part: f64) -> Vector3<f64> {
-    let phi = angle(a, b);
-    if phi < 1e-9 || part >= 1.0 {
-        return *b;
-    }
-    let mixed = a * ((1.0 - part) * phi).sin() + b * (part * phi).sin();
-    mixed.try_normalize(1e-12).unwrap_or(*a)
 }

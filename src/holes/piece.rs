@@ -96,13 +96,7 @@ impl Piece {
 
     /// Faired, with triangles that are sound and intersect nothing; or with nothing to be faired.
     pub(super) fn is_sound(&self) -> bool {
-        let is_poor = |report: &Report| {
-            let of = &report.outcome;
-            matches!(
-                of,
-                Outcome::ConvergedPoorTriangles { .. } | Outcome::PoorWhenRounded { .. }
-            )
-        };
+        let is_poor = |report: &Report| report.outcome.has_poor_triangles();
         self.is_fair() && self.crossings.is_empty() && !self.fairing.as_ref().is_some_and(is_poor)
     }
 

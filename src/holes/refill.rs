@@ -7,7 +7,7 @@ use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, LoopReport};
 use super::remesh::Remeshed;
 use crate::error::Error;
-use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, Outcome};
+use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, Report};
 use crate::mesh::{Joined, NONE, Region, Selection};
 
 /// Deletes a region, and fills the loops that are left, those of each component of the region with one patch. None where that
@@ -93,14 +93,8 @@ pub fn refill_region(
 
 /// Faired, with sound triangles, and intersecting nothing.
 fn is_fair(report: &LoopReport) -> bool {
-    let is_sound = |of: &Outcome| {
-        !matches!(
-            of,
-            Outcome::ConvergedPoorTriangles { .. } | Outcome::PoorWhenRounded { .. }
-        )
-    };
-    let fairing = report.fairing.as_ref();
-    report.outcome == FillOutcome::Faired && fairing.is_some_and(|of| is_sound(&of.outcome))
+    let is_sound = |of: &Report| !of.outcome.has_poor_triangles();
+    report.outcome == FillOutcome::Faired && report.fairing.as_ref().is_some_and(is_sound)
 }
 
 /// The mesh without the region.

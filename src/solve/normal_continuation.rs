@@ -9,7 +9,7 @@ use super::procedure::{Next, Run};
 use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
-use crate::discrete::boundary_normals::{angle, average};
+use crate::discrete::boundary_normals::{angle, average, slerp};
 
 /// The first step turns no normal further than this, 25 degrees.
 const FIRST_STEP: f64 = 25.0 * std::f64::consts::PI / 180.0;
@@ -133,14 +133,4 @@ fn membrane_normals(system: &mut System) -> Vec<Vector3<f64>> {
 
 fn angles(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> impl Iterator<Item = f64> {
     a.iter().zip(b).map(|(a, b)| angle(a, b))
-}
-
-/// The unit vector a fraction `s` of the way from `a` to `b` along their great circle.
-fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, s: f64) -> Vector3<f64> {
-    let phi = angle(a, b);
-    if phi < 1e-9 || s >= 1.0 {
-        return *b;
-    }
-    let mixed = a * ((1.0 - s) * phi).sin() + b * (s * phi).sin();
-    mixed.try_normalize(1e-12).unwrap_or(*b)
 }

@@ -137,8 +137,10 @@ fn is_fair(filled: &Filled) -> bool {
     report.outcome == FillOutcome::Faired && fairing.is_some_and(|f| f.outcome == Outcome::Converged)
 }
 
-fn check_noise(seeds: std::ops::Range<u64>, n: usize) {
+/// `most_told`: so many of those whose mesh noise of 0.3 edges in all directions has tangled may be told not to be sound.
+fn check_noise(seeds: std::ops::Range<u64>, n: usize, most_told: u32) {
     let mut bars = Bars::default();
+    let mut told = 0;
     for seed in seeds {
         let (mesh, edge) = sphere(n, seed);
         let own = crease(&fill(&mesh, Rim::default()));
@@ -153,15 +155,15 @@ fn check_noise(seeds: std::ops::Range<u64>, n: usize) {
                 let filled = fill(&rough, relaxed(3));
                 let what = format!("seed {seed}, {part} of an edge, {noise:?}");
                 let report = filled.loops[0].rim.as_ref().unwrap();
-                // What noise of 0.3 edges in all directions has tangled is not always mended: then the report says so.
-                let is_tangled = is_isotropic && part > 0.25;
-                let is_told = !is_fair(&filled) || !report.is_sound();
                 let rms = rms(&errors(&filled, Vector3::zeros(), 1.0));
                 bars.at_most(&what, rms, 0.6 * noise.deviation);
-                if !(is_tangled && is_told) {
+                let is_met = is_fair(&filled) && crease(&filled) <= 1.5 * own;
+                let is_told = !is_fair(&filled) || !report.is_sound();
+                if is_isotropic && part > 0.25 && !is_met && is_told {
+                    told += 1;
+                } else {
                     bars.check(&what, is_fair(&filled), format!("{:?}", filled.loops[0].outcome));
-                    let bar = if is_tangled { 2.0 * own } else { 1.5 * own };
-                    bars.at_most(format!("{what}: crease"), crease(&filled), bar);
+                    bars.at_most(format!("{what}: crease"), crease(&filled), 1.5 * own);
                 }
                 bars.at_most(
                     format!("{what}: largest"),
@@ -175,18 +177,19 @@ fn check_noise(seeds: std::ops::Range<u64>, n: usize) {
             }
         }
     }
+    bars.at_most("tangled", f64::from(told), f64::from(most_told));
     bars.finish();
 }
 
 #[test]
 fn a_noisy_rim_is_drawn_to_the_surface() {
-    check_noise(0..1, 1500);
+    check_noise(0..1, 1500, 0);
 }
 
 #[test]
 #[ignore = "full tier: 16 noises of 8 seeds"]
 fn noisy_rims_of_more_seeds_are_drawn_to_the_surface() {
-    check_noise(0..8, 3000);
+    check_noise(0..8, 3000, 2);
 }
 
 /// The cubes whose centres lie in a ball: their faces to the outside, as a raw staircase.
@@ -301,12 +304,12 @@ fn check_voxels(diameters: &[f64], seeds: std::ops::Range<u64>, most_told: u32) 
                 let filled = fill_holes(&whole.0, &t, &options).unwrap();
                 let what = format!("{kind}, {diameter} across, seed {seed}, {angle} degrees");
                 let errors = errors(&filled, centre, radius);
-                if !is_fair(&filled) {
-                    told += 1;
-                    continue;
+                told += u32::from(!is_fair(&filled));
+                // One that is told may have no new vertices.
+                if is_fair(&filled) || !errors.is_empty() {
+                    bars.at_most(&what, rms(&errors), 0.25);
+                    bars.at_most(&what, errors.iter().fold(0.0, |most, e| e.abs().max(most)), 0.5);
                 }
-                bars.at_most(&what, rms(&errors), 0.25);
-                bars.at_most(&what, errors.iter().fold(0.0, |most, e| e.abs().max(most)), 0.5);
             }
         }
     }
@@ -323,7 +326,7 @@ fn a_sphere_of_voxels_is_filled_to_half_a_voxel() {
 #[test]
 #[ignore = "full tier: spheres of up to 100 voxels"]
 fn spheres_of_voxels_are_filled_to_half_a_voxel() {
-    check_voxels(&[40.0, 55.0, 70.0, 100.0], 0..4, 5);
+    check_voxels(&[40.0, 55.0, 70.0, 100.0], 0..4, 4);
 }
 
 #[test]

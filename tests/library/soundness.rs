@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::fairing::*;
 use fairmesh::{
-    BoundaryNormals, Error, FillOptions, FillOutcome, InnerFairness, Loops, Options, Outcome,
-    OutputPrecision, Selection, Session, Solution, boundary_loops, fair, fill_holes,
+    BoundaryNormals, Error, FillOptions, FillOutcome, FlatReason, InnerFairness, Intersections, Loops,
+    Options, Outcome, OutputPrecision, Selection, Session, Solution, boundary_loops, fair, fill_holes,
 };
 use fairmesh_shapes::*;
 use nalgebra::Vector3;
@@ -290,7 +290,7 @@ fn a_fixed_triangle_has_no_part_in_the_figures() {
 /// no free vertex touches.
 #[test]
 fn a_patch_with_a_null_face_is_no_success() {
-    let n = 40;
+    let n = 40_u32;
     let at = |k: usize, radius: f64| {
         let a = std::f64::consts::TAU * k as f64 / f64::from(n);
         [radius * a.cos(), radius * a.sin(), 0.0]
@@ -309,22 +309,27 @@ fn a_patch_with_a_null_face_is_no_success() {
         .collect();
     let loops = boundary_loops(&positions, &triangles).unwrap();
     let inner = loops.iter().position(|l| l.vertices.contains(&0)).unwrap();
-    let filled = fill_holes(
-        &positions,
-        &triangles,
-        &FillOptions {
+    let fill = |intersections| {
+        let options = FillOptions {
             loops: Loops::Chosen(vec![inner]),
+            fairing: Options {
+                intersections,
+                ..Options::default()
+            },
             ..FillOptions::default()
-        },
-    )
-    .unwrap();
-    let [report] = &filled.loops[..] else {
-        panic!("{:?}", filled.loops)
+        };
+        let mut filled = fill_holes(&positions, &triangles, &options).unwrap();
+        assert_eq!(filled.loops.len(), 1);
+        filled.loops.remove(0)
     };
-    assert!(report.worst_angle < 1e-4, "{}", report.worst_angle);
+    let report = fill(Intersections::Skip);
+    assert!(report.worst_angle < 1e-6, "{}", report.worst_angle);
     let fairing = report.fairing.as_ref().map(|f| &f.outcome);
     let is_success = report.outcome == FillOutcome::Faired && fairing.is_some_and(Outcome::is_success);
     assert!(!is_success, "{report:?}");
+    // Where intersections are looked for, another triangulation has a narrow face in its place, no null one.
+    let reason = FlatReason::Intersecting;
+    assert_eq!(fill(Intersections::Check).outcome, FillOutcome::Flat { reason });
 }
 
 #[test]

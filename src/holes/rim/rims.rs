@@ -1,5 +1,7 @@
 //! The rims of all patches.
 
+use std::borrow::Cow;
+
 use nalgebra::Vector3;
 
 use super::RimReport;
@@ -16,19 +18,19 @@ use crate::mesh::coincident::Copies;
 const TURNED: f64 = 0.5;
 
 /// What became of the vertices around the loops of all patches.
-pub(in crate::holes) struct Rims {
+pub(in crate::holes) struct Rims<'m> {
     /// Where the vertices are now.
-    pub(in crate::holes) positions: Vec<[f64; 3]>,
+    pub(in crate::holes) positions: Cow<'m, [[f64; 3]]>,
     /// Which vertices moved, and for which patch; ascending.
     owners: Vec<(u32, usize)>,
     of: Vec<Option<Moved>>,
 }
 
-impl Rims {
+impl<'m> Rims<'m> {
     /// Nothing moves for so many patches.
-    pub(in crate::holes) fn none(patches: usize, positions: &[[f64; 3]]) -> Self {
+    pub(in crate::holes) fn none(patches: usize, positions: &'m [[f64; 3]]) -> Self {
         Self {
-            positions: positions.to_vec(),
+            positions: positions.into(),
             owners: Vec::new(),
             of: vec![None; patches],
         }
@@ -41,7 +43,7 @@ impl Rims {
         links: &Links<'_>,
         patches: impl Iterator<Item = (usize, Vec<&'l BoundaryLoop>)>,
     ) {
-        let given = self.positions.clone();
+        let given = self.positions.to_vec();
         let mut place = vec![NONE; given.len()];
         let mut wanted: Vec<(Place, usize)> = Vec::new();
         for (i, loops) in patches {
@@ -54,7 +56,7 @@ impl Rims {
         wanted.dedup_by_key(|(of, _)| of.vertex);
         for (of, i) in wanted {
             let v = of.vertex as usize;
-            self.positions[v] = options.fairing.output_precision.round(of.x.into());
+            self.positions.to_mut()[v] = options.fairing.output_precision.round(of.x.into());
             if self.positions[v] != given[v] {
                 self.owners.push((of.vertex, i));
             }
@@ -73,7 +75,7 @@ impl Rims {
     fn measure(&mut self, given: &[[f64; 3]]) {
         let mut squares = vec![0.0; self.of.len()];
         for &(v, i) in &self.owners {
-            let [a, b] = [given, &self.positions].map(|x| Vector3::from(x[v as usize]));
+            let [a, b] = [given, &self.positions[..]].map(|x| Vector3::from(x[v as usize]));
             let length = (b - a).norm();
             squares[i] += length * length;
             if let Some(moved) = &mut self.of[i] {
@@ -98,7 +100,10 @@ impl Rims {
             return;
         }
         let before = of_some(given, triangles, &asked, usize::MAX);
-        for pair in found.into_iter().filter(|pair| !before.contains(pair)) {
+        for pair in found
+            .into_iter()
+            .filter(|pair| before.binary_search(pair).is_err())
+        {
             let corners = pair.iter().flat_map(|&t| triangles[t as usize]);
             let mut owners: Vec<usize> = corners.filter_map(|v| self.owner(v)).collect();
             owners.sort_unstable();
