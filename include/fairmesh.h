@@ -2879,8 +2879,8 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
                                         struct fairmesh_error *error);
 
 /**
- * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits; new
- * ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+ * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
+ * vertices that `relax_rings` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
  * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
  * given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.
@@ -2937,7 +2937,7 @@ fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
  * Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
  * one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
  *
- * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups and guides are not looked at. `result` gets a handle, whose
+ * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rings` are not looked at. `result` gets a handle, whose
  * reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
  * `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
  */

@@ -15,7 +15,7 @@ use super::status::*;
 use super::types::*;
 use super::views::*;
 use fairmesh::{
-    BoundaryLoop, BridgeOptions, FillOptions, Join, Loops, Progress, boundary_loops_joined,
+    BoundaryLoop, BridgeOptions, FillOptions, Join, Loops, Progress, Rim, boundary_loops_joined,
     bridge_with_progress,
 };
 
@@ -45,7 +45,7 @@ pub(crate) fn default_bridge_options() -> fairmesh_bridge_options {
 /// Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
 /// one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
 ///
-/// `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups and guides are not looked at. `result` gets a handle, whose
+/// `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rings` are not looked at. `result` gets a handle, whose
 /// reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
 /// `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
 #[unsafe(no_mangle)]
@@ -87,6 +87,7 @@ pub extern "C" fn fairmesh_bridge(
             loops: Loops::Chosen(Vec::new()),
             join: Join::None,
             guides: Vec::new(),
+            rim: Rim::default(),
             ..fill.read(options)?
         };
         let callback = asked.callback.fresh();
@@ -101,7 +102,7 @@ pub extern "C" fn fairmesh_bridge(
             callback.memory()?;
             patch_sizes::sizes(&positions, &loops, &as_joined)?.limited(filling.max_new_vertices)
         };
-        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked);
+        let bytes = memory_bounds::of_filling(&mesh, &sizes, &asked, false);
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let bridge = BridgeOptions { filling, ..bridge };

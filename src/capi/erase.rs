@@ -6,7 +6,7 @@ use super::callback::HostCallback;
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn};
 use super::memory_bounds;
-use super::outputs::publish;
+use super::outputs::{of_whole_mesh, publish};
 use super::results::Content;
 use super::status::*;
 use super::types::*;
@@ -58,17 +58,10 @@ pub extern "C" fn fairmesh_components(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        check_slot(result, Argument(2), &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let of = triangle_components(&positions, &triangles, mesh.coincident)?;
-        let vertices = positions.len();
-        publish(Arc::new(Content::Components { of, vertices }), result, &callback)
+        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+            let vertices = positions.len();
+            let of = triangle_components(positions, triangles, coincident)?;
+            Ok(Content::Components { of, vertices })
+        })
     })
 }

@@ -28,22 +28,16 @@ pub extern "C" fn fairmesh_boundary_loops(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
-        let mut aliases = AliasCheck::new();
-        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        check_slot(result, Argument(2), &mut aliases)?;
-        aliases.error(error, Argument(3))?;
-        let positions = mesh.positions.read()?;
-        let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
-        let loops = boundary_loops_joined(&positions, &triangles, mesh.coincident)?;
-        publish(Arc::new(Content::Loops(loops)), result, &callback)
+        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+            Ok(Content::Loops(boundary_loops_joined(
+                positions, triangles, coincident,
+            )?))
+        })
     })
 }
 
-/// Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits; new
-/// ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+/// Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
+/// vertices that `relax_rings` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
 ///
 /// `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
 /// given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.
@@ -69,7 +63,12 @@ pub extern "C" fn fairmesh_fill_holes(
         let fill = fill.read(options)?;
         let callback = asked.callback.fresh();
         let sizes = sizes_of(&mesh, &positions, &triangles, &fill)?;
-        let bytes = memory_bounds::of_filling(&mesh, &sizes.limited(fill.max_new_vertices), &asked);
+        let bytes = memory_bounds::of_filling(
+            &mesh,
+            &sizes.limited(fill.max_new_vertices),
+            &asked,
+            fill.rim.relax > 0,
+        );
         let _reserve = memory_bounds::reserve(bytes)?;
         point();
         let mut tell = |progress: &Progress| callback.tell(progress);

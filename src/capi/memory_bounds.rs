@@ -24,6 +24,8 @@ const COMPONENT: usize = 32 << 10;
 const CONTINUED: usize = 3 << 10;
 /// Per edge of loops that are joined: what they are triangulated with.
 const EDGE: usize = 1 << 10;
+/// Per vertex of the mesh, where boundaries are relaxed: positions, rings, and fits to what is around.
+const RELAXED: usize = 1 << 10;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
@@ -120,10 +122,11 @@ pub(crate) fn of_whole_mesh(mesh: &MeshIn, asked_threads: usize) -> usize {
     sum(mesh, asked_threads) + mesh.triangles.count * TRIANGLE + mesh.vertices() * VERTEX
 }
 
-/// For patches of these sizes, at most.
-pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn) -> usize {
+/// For patches of these sizes, at most; of boundaries that are `relaxed` the mesh around is looked at once more.
+pub(crate) fn of_filling(mesh: &MeshIn, patches: &PatchSizes, asked: &OptionsIn, relaxed: bool) -> usize {
     let region = of_region(patches.vertices, 0, asked.asks_continuity());
-    of_whole_mesh(mesh, asked.threads()) + of_triangulation(patches) + region + patches.vertices * 2000
+    let rims = usize::from(relaxed) * (mesh.vertices() * RELAXED + of_whole_mesh(mesh, 1));
+    of_whole_mesh(mesh, asked.threads()) + of_triangulation(patches) + region + patches.vertices * 2000 + rims
 }
 
 /// For finding out which loops to join.

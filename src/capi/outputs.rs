@@ -3,11 +3,15 @@
 use std::sync::Arc;
 
 use super::callback::HostCallback;
+use super::guard::point;
 use super::handles;
+use super::input::MeshIn;
+use super::memory_bounds;
 use super::results::Content;
-use super::status::CallResult;
-use super::types::fairmesh_result;
-use super::views::{Argument, NumbersOut, write};
+use super::status::{CallResult, fairmesh_error};
+use super::types::{fairmesh_mesh, fairmesh_result};
+use super::views::{AliasCheck, Argument, NumbersOut, check_slot, write};
+use fairmesh::Coincident;
 
 /// Makes a result, unless memory has run out.
 pub(crate) fn publish(
@@ -22,6 +26,26 @@ pub(crate) fn publish(
     }
     write(result, handle);
     Ok(())
+}
+
+/// A result that is found by one look at a whole mesh, arguments 1 to 3 of a function.
+pub(crate) fn of_whole_mesh(
+    mesh: *const fairmesh_mesh,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+    find: impl FnOnce(&[[f64; 3]], &[[u32; 3]], Coincident) -> CallResult<Content>,
+) -> CallResult {
+    let mut aliases = AliasCheck::new();
+    let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+    check_slot(result, Argument(2), &mut aliases)?;
+    aliases.error(error, Argument(3))?;
+    let positions = mesh.positions.read()?;
+    let triangles = mesh.triangles.rows::<3>()?;
+    let _reserve = memory_bounds::reserve(memory_bounds::of_whole_mesh(&mesh, 1))?;
+    let callback = HostCallback::new(None, core::ptr::null_mut());
+    point();
+    let found = find(&positions, &triangles, mesh.coincident)?;
+    publish(Arc::new(found), result, &callback)
 }
 
 pub(crate) fn put_positions(out: &NumbersOut<3>, positions: &[[f64; 3]], argument: Argument) -> CallResult {

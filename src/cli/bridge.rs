@@ -6,19 +6,16 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BridgeOptions, Bridged, FillOptions, FillOutcome, OpenReason, Options, OutputPrecision, Progress,
-    bridge_with_progress,
+    BridgeOptions, Bridged, FillOutcome, OpenReason, OutputPrecision, Progress, bridge_with_progress,
 };
 use serde_json::{Value, json};
 
-use crate::answer::Answer;
 use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
-use crate::formats::{Added, Format, MeshFile};
-use crate::output::Output;
-use crate::surface::{IntersectionArgs, MeshArgs};
+use crate::formats::{Added, MeshFile};
+use crate::patches::{Files, PatchArgs, face_numbers};
 
 /// What `fairmesh bridge` is asked.
 #[derive(Debug, Args)]
@@ -48,48 +45,20 @@ pub struct BridgeArgs {
     /// Fills the holes beside the bridge, too, and fairs all that is new together
     #[arg(long)]
     fill: bool,
-    /// How dense the new vertices are: at 1.414 edges are as long as those
-    /// of the two runs, at twice that half as long
-    #[arg(long, value_name = "X", verbatim_doc_comment)]
-    density: Option<f64>,
-    /// At most this many new vertices [default: 200000]
-    #[arg(long, value_name = "N")]
-    max_new_vertices: Option<usize>,
-    /// Triangulates and refines, but does not fair
-    #[arg(long)]
-    no_fair: bool,
-    /// Stop when the vertices move less than this part of the patch's
-    /// diagonal, between 0 and 1 [default: 1e-8]
-    #[arg(long, value_name = "X", verbatim_doc_comment)]
-    tolerance: Option<f64>,
-    /// Worker threads, 0: as many as the machine has;
-    /// the result is the same to the last bit
-    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
-    threads: usize,
     #[command(flatten)]
-    mesh: MeshArgs,
-    #[command(flatten)]
-    intersections: IntersectionArgs,
-    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// No progress bar and no report; errors are still told
-    #[arg(short, long)]
-    quiet: bool,
+    patches: PatchArgs,
 }
 
 /// Makes the bridge; true if it is fair, and the rest, too, if that was asked for. Where none can be made nothing is written.
 pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     let start = Instant::now();
-    let format = Format::of(&args.output)?;
-    let mesh = MeshFile::read(&args.input)?;
-    let precision = match (mesh.format(), format) {
-        (Format::Ply, Format::Ply) => mesh.output_precision(),
-        _ => format.output_precision(),
-    };
-    mesh.check_writable(&args.input, format)?;
-    let output = Output::prepare(&args.output)?;
-    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let Files {
+        format,
+        mesh,
+        precision,
+        output,
+        answer,
+    } = Files::open(&args.input, &args.output, &args.patches)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
@@ -113,17 +82,12 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     output.write(&mesh.with_added(format, &added))?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
-        let first = mesh.first_added_face(format);
-        let geometry = &mesh.geometry;
-        let face = |t: u32| match (t as usize).checked_sub(geometry.triangles.len()) {
-            Some(added) => first + added,
-            None => geometry.polygon_of(t as usize),
-        };
+        let (first, face) = face_numbers(&mesh, format);
         let rest: Vec<Value> = bridged.rest.iter().map(|l| reported(l, first, face)).collect();
         json!({ "strip": reported(&bridged.strip, first, face), "chains": bridged.chains, "sides": bridged.sides,
             "twist": bridged.twist, "loops": rest,
             "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
-            "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - geometry.triangles.len(),
+            "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
     answer.tell(&[&args.output], json, || readable(&bridged))?;
@@ -135,26 +99,12 @@ fn solve(
     mesh: &MeshFile,
     output_precision: OutputPrecision,
 ) -> Result<Bridged, fairmesh::Error> {
-    let mut bar = Bar::new(args.quiet);
+    let mut bar = Bar::new(args.patches.quiet);
     let mut progress = |progress: &Progress| bar.show(progress);
-    let defaults = FillOptions::default();
     let options = BridgeOptions {
         width: args.width,
         fill: args.fill,
-        filling: FillOptions {
-            density: args.density.unwrap_or(defaults.density),
-            max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
-            fair: !args.no_fair,
-            fairing: Options {
-                tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
-                output_precision,
-                threads: args.threads,
-                intersections: args.intersections.intersections(),
-                coincident: args.mesh.coincident,
-                ..Options::default()
-            },
-            ..defaults
-        },
+        filling: args.patches.options(output_precision),
     };
     let geometry = &mesh.geometry;
     let chains = [&args.from[..], &args.to];

@@ -11,19 +11,17 @@ use fairmesh::{
 };
 use serde_json::{Value, json};
 
-use crate::answer::Answer;
 use crate::attempts;
 use crate::bar::Bar;
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::{Added, Format, MeshFile};
+use crate::formats::{Added, MeshFile};
 use crate::join;
-use crate::output::Output;
+use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::report::{creased, member_weight};
 use crate::rim::{self, RimArgs};
-use crate::surface::{IntersectionArgs, MeshArgs};
 use crate::which::WhichArgs;
 
 /// What `fairmesh fill` is asked.
@@ -89,37 +87,10 @@ pub struct FillArgs {
     guides: Vec<[u32; 2]>,
     #[command(flatten)]
     rim: RimArgs,
-    /// How dense the new vertices are: at 1.414 edges are as long as those
-    /// beside the hole, at twice that half as long
-    #[arg(long, value_name = "X", verbatim_doc_comment)]
-    density: Option<f64>,
-    /// At most this many new vertices; patches become coarser inside
-    /// [default: 200000]
-    #[arg(long, value_name = "N", verbatim_doc_comment)]
-    max_new_vertices: Option<usize>,
-    /// Triangulates and refines, but does not fair
-    #[arg(long)]
-    no_fair: bool,
-    /// Stop when the vertices move less than this part of the patch's
-    /// diagonal, between 0 and 1 [default: 1e-8]
-    #[arg(long, value_name = "X", verbatim_doc_comment)]
-    tolerance: Option<f64>,
-    /// Worker threads, 0: as many as the machine has;
-    /// the result is the same to the last bit
-    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
-    threads: usize,
     #[command(flatten)]
     continuity: ContinuityArgs,
     #[command(flatten)]
-    mesh: MeshArgs,
-    #[command(flatten)]
-    intersections: IntersectionArgs,
-    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// No progress bar and no report; errors are still told
-    #[arg(short, long)]
-    quiet: bool,
+    patches: PatchArgs,
     /// Lists in the report what was tried for each patch, and with what end
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
@@ -128,15 +99,13 @@ pub struct FillArgs {
 /// Fills holes; true if all that were asked for are filled and fair.
 pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
-    let format = Format::of(&args.output)?;
-    let mesh = MeshFile::read(&args.input)?;
-    let precision = match (mesh.format(), format) {
-        (Format::Ply, Format::Ply) => mesh.output_precision(),
-        _ => format.output_precision(),
-    };
-    mesh.check_writable(&args.input, format)?;
-    let output = Output::prepare(&args.output)?;
-    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let Files {
+        format,
+        mesh,
+        precision,
+        output,
+        answer,
+    } = Files::open(&args.input, &args.output, &args.patches)?;
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;
@@ -146,7 +115,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         &args.input,
         mesh,
         args.drop_components_below,
-        args.mesh.coincident,
+        args.patches.mesh.coincident,
     )?;
     let limits = TrimLimits {
         triangles: args.trim,
@@ -154,7 +123,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     };
     let (mesh, trimmed, trimmed_area) = match args.trim {
         0 => (mesh, 0, 0.0),
-        _ => components::trimmed(&args.input, mesh, &limits, args.mesh.coincident)?,
+        _ => components::trimmed(&args.input, mesh, &limits, args.patches.mesh.coincident)?,
     };
     let (mesh, erased) = match &args.erase {
         None => (mesh, None),
@@ -163,7 +132,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
                 &args.input,
                 mesh,
                 list,
-                (args.mesh.coincident, args.clean_boundary),
+                (args.patches.mesh.coincident, args.clean_boundary),
             )?;
             (rest, Some(erased))
         }
@@ -193,12 +162,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     output.write(&mesh.with_added(format, &added))?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
-        let first = mesh.first_added_face(format);
-        let geometry = &mesh.geometry;
-        let face = |t: u32| match (t as usize).checked_sub(geometry.triangles.len()) {
-            Some(added) => first + added,
-            None => geometry.polygon_of(t as usize),
-        };
+        let (first, face) = face_numbers(&mesh, format);
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
         json!({ "loops": loops, "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
@@ -258,29 +222,22 @@ fn solve(
     boundary_curvature: BoundaryCurvature,
     output_precision: OutputPrecision,
 ) -> Result<Filled, fairmesh::Error> {
-    let mut bar = Bar::new(args.quiet);
+    let mut bar = Bar::new(args.patches.quiet);
     let mut progress = |progress: &Progress| bar.show(progress);
-    let defaults = FillOptions::default();
+    let asked = args.patches.options(output_precision);
     let options = FillOptions {
         loops,
         join,
         guides: args.guides.clone(),
         on_failure: args.which.on_failure(),
-        density: args.density.unwrap_or(defaults.density),
-        max_new_vertices: args.max_new_vertices.unwrap_or(defaults.max_new_vertices),
         rim: args.rim.rim(),
-        fair: !args.no_fair,
         fairing: Options {
             continuity: args.continuity.continuity,
             loop_continuity: args.continuity.continuity_at.clone(),
             boundary_curvature,
-            tolerance: args.tolerance.unwrap_or(defaults.fairing.tolerance),
-            output_precision,
-            threads: args.threads,
-            intersections: args.intersections.intersections(),
-            coincident: args.mesh.coincident,
-            ..Options::default()
+            ..asked.fairing
         },
+        ..asked
     };
     let filled = fill_holes_with_progress(
         &mesh.geometry.positions,

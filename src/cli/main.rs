@@ -22,6 +22,7 @@ mod holes;
 mod join;
 mod normals;
 mod output;
+mod patches;
 mod picture;
 mod remesh;
 mod render;

@@ -12,6 +12,7 @@ use super::loops::{BoundaryLoop, Links, LoopKind, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, FlatReason, LoopReport};
 use super::parents::{Parents, compose};
+use super::rim::Rim;
 use crate::error::Error;
 use crate::fairing::{Outcome, Progress, ProgressCallback, Report, Selection, fair_with_progress};
 use crate::mesh::Joined;
@@ -29,8 +30,8 @@ pub struct BridgeOptions {
     /// Whether holes that the strip leaves beside it are filled, and all new vertices, the strip's included, faired together.
     /// Default: no.
     pub fill: bool,
-    /// The density, the number of new vertices, what becomes of failures, and the fairing. Its `loops`, `join` and `guides` are not
-    /// looked at.
+    /// The density, the number of new vertices, what becomes of failures, and the fairing. Its `loops`, `join`, `guides` and `rim` are
+    /// not looked at.
     pub filling: FillOptions,
 }
 
@@ -204,6 +205,7 @@ impl Bridged {
             guides: Vec::new(),
             max_new_vertices: filling.max_new_vertices.saturating_sub(self.parents.len()),
             fairing: strip.with_normals(&filling.fairing),
+            rim: Rim::default(),
             ..filling.clone()
         };
         let filled = {

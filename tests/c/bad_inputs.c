@@ -612,6 +612,12 @@ static Expected density(Call *c, int f, int k) {
     return argument(FAIRMESH_STATUS_BAD_OPTION, f != REMESH ? 2 : 3,
                     f != REMESH ? OFFSET(fairmesh_fill_options, density) : OFFSET(fairmesh_remesh_options, density));
 }
+static Expected relaxing(Call *c, int f, int k) {
+    static const double wrong[] = {-1.0, NAN, INFINITY, -INFINITY};
+    (void)f;
+    c->fill.relax_within = wrong[k];
+    return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET(fairmesh_fill_options, relax_within));
+}
 static Expected fill_enums(Call *c, int f, int k) {
     uint32_t n = numbers[k % 5];
     uint64_t at;
@@ -775,6 +781,7 @@ static const Row table[] = {
     {"option range", "paper", paper_ranges, FAIR | FILL, 16},
     {"option range", "paper in steps", paper_in_steps, SOLVER, 1},
     {"option range", "density", density, FILL | REMESH | SUGGEST, 8},
+    {"option range", "relaxing", relaxing, FILL | SUGGEST, 4},
     {"option range", "bounds of holes", fill_bounds, FILL | SUGGEST, 10},
     {"option range", "groups of loops", groups, FILL, 6},
     {"option range", "erased triangles", erased, ERASE, 3},

@@ -160,6 +160,18 @@ fn a_bridge_over_a_hole_of_a_sphere_lies_on_it_and_the_rest_is_filled() {
 }
 
 #[test]
+fn a_bridge_relaxes_no_boundary() {
+    let mesh = sphere_hole(3_000, 2, 40.0);
+    let [a, b] = across(&mesh);
+    let asked = options(Some(0.25), true);
+    let mut relaxing = asked.clone();
+    relaxing.filling.rim.relax = 3;
+    let [one, other] = [asked, relaxing].map(|options| run(&mesh, [&[a], &[b]], &options));
+    assert_eq!(other.positions, one.positions);
+    assert!(other.rest.iter().all(|report| report.rim.is_none()));
+}
+
+#[test]
 fn a_single_edge_of_a_jagged_boundary_leads_straight_across() {
     for seed in 1..6 {
         let mesh = sphere_hole(3_000, seed, 35.0);

@@ -1,0 +1,106 @@
+//! What `fill` and `bridge` have in common: the flags of patches, the files that they lead from and to, and the numbers of new faces.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use fairmesh::{FillOptions, Options, OutputPrecision};
+
+use crate::answer::Answer;
+use crate::failure::Failure;
+use crate::formats::{Format, MeshFile};
+use crate::output::Output;
+use crate::surface::{IntersectionArgs, MeshArgs};
+
+/// How patches are made and told.
+#[derive(Debug, Args)]
+pub struct PatchArgs {
+    /// How dense the new vertices are: at 1.414 edges are as long as those
+    /// beside the boundary, at twice that half as long
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    density: Option<f64>,
+    /// At most this many new vertices; patches become coarser inside
+    /// [default: 200000]
+    #[arg(long, value_name = "N", verbatim_doc_comment)]
+    max_new_vertices: Option<usize>,
+    /// Triangulates and refines, but does not fair
+    #[arg(long)]
+    no_fair: bool,
+    /// Stop when the vertices move less than this part of the patch's
+    /// diagonal, between 0 and 1 [default: 1e-8]
+    #[arg(long, value_name = "X", verbatim_doc_comment)]
+    tolerance: Option<f64>,
+    /// Worker threads, 0: as many as the machine has;
+    /// the result is the same to the last bit
+    #[arg(long, value_name = "N", default_value_t = 0, verbatim_doc_comment)]
+    threads: usize,
+    #[command(flatten)]
+    pub mesh: MeshArgs,
+    #[command(flatten)]
+    intersections: IntersectionArgs,
+    /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// No progress bar and no report; errors are still told
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+impl PatchArgs {
+    /// The library's options, where no other flag says more.
+    pub fn options(&self, output_precision: OutputPrecision) -> FillOptions {
+        let defaults = FillOptions::default();
+        FillOptions {
+            density: self.density.unwrap_or(defaults.density),
+            max_new_vertices: self.max_new_vertices.unwrap_or(defaults.max_new_vertices),
+            fair: !self.no_fair,
+            fairing: Options {
+                tolerance: self.tolerance.unwrap_or(defaults.fairing.tolerance),
+                output_precision,
+                threads: self.threads,
+                intersections: self.intersections.intersections(),
+                coincident: self.mesh.coincident,
+                ..Options::default()
+            },
+            ..defaults
+        }
+    }
+}
+
+/// The files, read and prepared.
+pub struct Files {
+    pub format: Format,
+    pub mesh: MeshFile,
+    pub precision: OutputPrecision,
+    pub output: Output,
+    pub answer: Answer,
+}
+
+impl Files {
+    pub fn open(input: &Path, output: &Path, args: &PatchArgs) -> Result<Self, Failure> {
+        let format = Format::of(output)?;
+        let mesh = MeshFile::read(input)?;
+        let precision = match (mesh.format(), format) {
+            (Format::Ply, Format::Ply) => mesh.output_precision(),
+            _ => format.output_precision(),
+        };
+        mesh.check_writable(input, format)?;
+        Ok(Self {
+            format,
+            mesh,
+            precision,
+            output: Output::prepare(output)?,
+            answer: Answer::prepare(args.json.as_deref(), args.quiet, &[output, input])?,
+        })
+    }
+}
+
+/// The number in a written file of the first face that was added to a mesh, and of a triangle's face.
+pub fn face_numbers(mesh: &MeshFile, format: Format) -> (usize, impl Fn(u32) -> usize + Copy) {
+    let first = mesh.first_added_face(format);
+    let geometry = &mesh.geometry;
+    let face = move |t: u32| match (t as usize).checked_sub(geometry.triangles.len()) {
+        Some(added) => first + added,
+        None => geometry.polygon_of(t as usize),
+    };
+    (first, face)
+}
