@@ -11,7 +11,7 @@ use crate::discrete::boundary_normals::slerp;
 use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, ProgressCallback};
 
 /// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
-const PARTS: [f64; 3] = [1.0, 0.5, 0.0];
+const PARTS: [f64; 2] = [0.5, 0.0];
 /// Iterations for each.
 const ITERATIONS: usize = 24;
 /// Sweeps that make the refined triangulation a membrane near its boundary.
