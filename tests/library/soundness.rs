@@ -302,7 +302,7 @@ fn a_patch_with_a_null_face_is_no_success() {
         ring
     };
     let positions = [ring(1.0), ring(1.2)].concat();
-    let count = n as u32 + 1;
+    let count = n + 1;
     let quads = (0..count).map(|i| (i, (i + 1) % count));
     let triangles: Vec<[u32; 3]> = quads
         .flat_map(|(i, j)| [[i, count + i, count + j], [i, count + j, j]])
