@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import fairmesh, filling, found, messages, snapshot
+from . import fairmesh, filling, found, menus, messages, snapshot
 from .job import Background
 
 
@@ -104,20 +104,8 @@ def _runs(mesh):
     return runs if len(seen) == len(beside) else []
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_bridge.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_bridge)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_bridge)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_bridge,
+    "VIEW3D_MT_edit_mesh_edges",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)

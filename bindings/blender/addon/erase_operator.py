@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import fairmesh, filling, found, messages, snapshot
+from . import fairmesh, filling, found, menus, messages, snapshot
 from .job import Background
 
 
@@ -94,25 +94,10 @@ def _erased(mesh):
     return filling.Holes(mesh, [(int(i), loops[i]) for i in left.loops], left.faces, np.flatnonzero(gone))
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_erase_and_fill.bl_idname)
-
-
-_MENUS = (
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_erase_and_fill,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_delete",
     "VIEW3D_MT_edit_mesh_faces",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_erase_and_fill)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_erase_and_fill)

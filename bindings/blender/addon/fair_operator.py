@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty
 
-from . import fairmesh, found, messages, region, snapshot, triangulation
+from . import fairmesh, found, menus, messages, region, snapshot, triangulation
 from .job import Background
 from .settings import FairingOptions
 
@@ -140,25 +140,10 @@ def _remember(part):
         found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} intersecting faces", faces=faces))
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_fair.bl_idname)
-
-
-_MENUS = (
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_fair,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_vertices",
     "VIEW3D_MT_edit_mesh_faces",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_fair)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_fair)

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from . import fairmesh, filling, found
+from . import fairmesh, filling, found, menus
 from .job import Background
 
 
@@ -146,20 +146,9 @@ def _selected(holes):
     return []
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_fill_holes.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_faces", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_fill_holes)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_fill_holes)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_fill_holes,
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty
 
-from . import fairmesh, filling, found, messages
+from . import fairmesh, filling, found, menus, messages
 from .job import Background
 
 
@@ -97,20 +97,9 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         return self.write(done) if done else {"CANCELLED"}
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_join_loops.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_join_loops)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_join_loops)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_join_loops,
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_edges",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)
