@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import fairmesh, filling, found, menus, messages, snapshot
+from . import fairmesh, filling, menus, messages, snapshot
 from .job import Background
 
 
@@ -26,18 +26,11 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
         default=False,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "fill_rest")
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         chosen = []
         for obj in context.objects_in_mode_unique_data:
             mesh = snapshot.read(obj)

@@ -49,18 +49,11 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         default="AUTO",
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "region")
         self.draw_fairing(layout)
 
     def prepare(self, context):
-        found.remember(None)
         regions = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
         regions = [r for r in regions if r.free.any()]
         if not regions:

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from . import fairmesh, filling, found, menus
+from . import fairmesh, filling, menus
 from .job import Background
 
 
@@ -61,13 +61,7 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         default=False,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "scope")
         if self.scope == "ALL":
             layout.prop(self, "max_edges")
@@ -78,7 +72,6 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         meshes = [self._holes(obj) for obj in context.objects_in_mode_unique_data]
         chosen = [holes for holes in meshes if holes.loops]
         if not chosen:

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty
 
-from . import fairmesh, filling, found, menus, messages
+from . import fairmesh, filling, menus, messages
 from .job import Background
 
 
@@ -34,18 +34,11 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         default="ONE",
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "groups")
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         meshes = [filling.read(obj) for obj in context.objects_in_mode_unique_data]
         for holes in meshes:
             self._choose(holes)
