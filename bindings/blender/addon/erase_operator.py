@@ -40,14 +40,15 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
         for mesh in meshes:
             with messages.about(mesh):
                 holes = _erased(mesh)
-            why = self._objection(holes)
+            why = self._no_hole(holes)
             if why is not None:
                 self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
                 return None
             chosen.append(holes)
         return self.work_on(chosen)
 
-    def _objection(self, holes):
+    def _no_hole(self, holes):
+        """Why nothing is tried; None: it is."""
         loops = [loop for _, loop in holes.loops]
         if not loops:
             return "nothing is left around the selected faces that a new surface could go on from"
@@ -60,15 +61,10 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
             return "a vertex around the selected faces is hidden"
         return None
 
-    def finish(self, context, chosen):
-        for holes in chosen:
-            still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
-            if still:
-                # The old faces are better than none.
-                text = messages.filled(still)[1]
-                self.report({"ERROR"}, f"{filling.name_before(chosen, holes)}{text}. The mesh is unchanged")
-                return {"CANCELLED"}
-        return self.write(chosen)
+    def objection(self, holes):
+        # The old faces are better than none.
+        still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
+        return messages.filled(still)[1] if still else None
 
 
 def _erased(mesh):

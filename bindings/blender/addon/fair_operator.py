@@ -8,7 +8,7 @@ import numpy as np
 from bpy.props import EnumProperty
 
 from . import fairmesh, found, menus, messages, region, snapshot, triangulation
-from .job import Background
+from .job import Background, for_each
 from .settings import FairingOptions
 
 #: The library's reports of the last run, one per object.
@@ -60,15 +60,11 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
             self.report({"ERROR"}, self._nothing(context))
             return None
 
-        def work(monitor):
-            for part in regions:
-                with messages.about(part.mesh):
-                    part.result = fairmesh.fair(
-                        part.mesh.seen(), part.mesh.triangles, free=part.free, cancel=monitor, **part.keywords
-                    )
-            return regions
+        def compute(part, monitor):
+            mesh = part.mesh
+            return fairmesh.fair(mesh.seen(), mesh.triangles, free=part.free, cancel=monitor, **part.keywords)
 
-        return work
+        return for_each(regions, compute)
 
     def _region(self, context, obj):
         mesh = snapshot.read(obj)
@@ -99,8 +95,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
             kind, text = messages.faired(part.result.report, self.continuity)
-            name = f"{part.mesh.object.name}: " if len(regions) > 1 else ""
-            self.report({kind}, name + text)
+            self.report({kind}, messages.name_before(regions, part) + text)
             _remember(part)
         return {"FINISHED"}
 

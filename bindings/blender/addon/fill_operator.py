@@ -84,7 +84,7 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         mesh = holes.mesh
         holes.join = "auto" if self.join else "none"
         if self.scope == "SELECTED":
-            holes.loops = _selected(holes)
+            holes.loops = filling.selected(holes)
         self._leave_out(holes, "a vertex is hidden", lambda loop: mesh.vertex_hidden[loop.vertices].any())
         if not self.outer:
             self._leave_out(
@@ -124,19 +124,6 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
                 "or use Fill All Holes in the sidebar"
             )
         return "The mesh has no hole"
-
-    def finish(self, context, chosen):
-        return self.write(chosen)
-
-
-def _selected(holes):
-    """Loops whose edges are all selected; else those with a selected edge; else those with a selected vertex."""
-    marks = filling.marks(holes)
-    for level in range(3):
-        chosen = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
-        if chosen:
-            return chosen
-    return []
 
 
 register, unregister = menus.registration(

@@ -57,6 +57,21 @@ class Job:
         return self._result
 
 
+def for_each(parts, compute):
+    """A function for a `Job`: sets the `result` of each of `parts` to `compute(part, monitor)`, and returns them.
+
+    A part has the `Snapshot` that it is of as `mesh`: errors are about that.
+    """
+
+    def work(monitor):
+        for part in parts:
+            with messages.about(part.mesh):
+                part.result = compute(part, monitor)
+        return parts
+
+    return work
+
+
 def stop_all():
     """Stops all threads and waits for them."""
     for job in list(_running):
