@@ -22,7 +22,7 @@ class Holes:
     #: The mesh that is filled, (m, 3), and the faces of the object that are not in it.
     triangles: np.ndarray
     erased: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
-    #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it.
+    #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it; of a bridge its two runs of vertices.
     join: object = "none"
     #: Loops that are left out although they are meant: [(how many, why)].
     skipped: list = field(default_factory=list)
