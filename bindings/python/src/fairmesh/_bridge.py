@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import call
-from ._handles import ResultHandle
+from ._handles import ResultHandle, result_of
 from ._holes import LoopReport, NewMesh, set_patches
 from ._library import load
 from ._options import Options, initial, real, with_options
@@ -112,9 +111,8 @@ def bridge(
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
-    address = ctypes.c_void_p()
     with relay:
-        call(
+        handle = result_of(
             library,
             "fairmesh_bridge",
             ctypes.byref(mesh.struct),
@@ -123,7 +121,5 @@ def bridge(
             ctypes.byref(how),
             ctypes.byref(filling),
             ctypes.byref(asked.struct),
-            ctypes.byref(address),
         )
-        handle = ResultHandle(library, address)
     return Bridged(handle, mesh)
