@@ -40,7 +40,8 @@ class Bridged(NewMesh):
         self.twist: float = told.twist
         #: What became of the strip.
         self.strip = LoopReport(handle, 0)
-        #: What became of the holes beside it, if they were to be filled.
+        #: What became of the holes beside it, if they were to be filled. Their numbers are those of the loops of the
+        #: mesh with the strip.
         self.rest: list[LoopReport] = [LoopReport(handle, 1 + index) for index in range(told.rest_count)]
         #: The fairing of all new vertices together, if holes were filled. Unless its outcome is "converged", the strip
         #: and the patches are left as they were made.

@@ -184,7 +184,10 @@ class NewMesh:
 
 
 class Filled(NewMesh):
-    """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow."""
+    """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow.
+
+    Vertices that ``relax_rim`` let move have other bits.
+    """
 
     @cached_property
     def loops(self) -> list[LoopReport]:
