@@ -13,7 +13,7 @@ bl_info = {
     "author": "fairmesh developers",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
-    "location": "Edit Mode: Mesh > Clean Up, Vertex, Face and context menus, Sidebar > Fairmesh",
+    "location": "Edit Mode: Mesh > Clean Up and Delete, Vertex, Edge, Face and context menus, Sidebar > Fairmesh",
     "category": "Mesh",
     "support": "COMMUNITY",
 }

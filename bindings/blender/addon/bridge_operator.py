@@ -5,8 +5,8 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import fairmesh, filling, found, messages, snapshot
-from .job import Background
+from . import fairmesh, filling, menus, messages, snapshot
+from .job import Background, for_each
 
 
 class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
@@ -26,18 +26,11 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
         default=False,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "fill_rest")
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         chosen = []
         for obj in context.objects_in_mode_unique_data:
             mesh = snapshot.read(obj)
@@ -50,30 +43,22 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
                 "Select two runs of boundary edges of one object, each without a gap, that do not touch each other",
             )
             return None
-        extents = [np.ptp(each.mesh.seen()[np.concatenate(each.join)], axis=0) for each in chosen]
-        options = self.patch_keywords(max(float(np.linalg.norm(extent)) for extent in extents))
+        # The thread reads no properties.
         fill_rest = self.fill_rest
+        keywords = self.patch_keywords(filling.largest_diagonal((each.mesh, np.concatenate(each.join)) for each in chosen))
 
-        def work(monitor):
-            for each in chosen:
-                mesh = each.mesh
-                with messages.about(mesh):
-                    each.result = fairmesh.bridge(
-                        mesh.seen(), mesh.triangles, *each.join, fill=fill_rest, cancel=monitor, **options
-                    )
-            return chosen
+        def compute(each, monitor):
+            mesh = each.mesh
+            return fairmesh.bridge(mesh.seen(), mesh.triangles, *each.join, fill=fill_rest, cancel=monitor, **keywords)
 
-        return work
+        return for_each(chosen, compute)
 
-    def finish(self, context, chosen):
-        for each in chosen:
-            if each.result.strip.outcome is fairmesh.FillOutcome.LEFT_OPEN:
-                why = each.result.strip.reason
-                name = filling.name_before(chosen, each)
-                advice = f" {messages.TURN}." if why is fairmesh.FillReason.OPPOSITE_SIDES else ""
-                self.report({"ERROR"}, f"{name}No bridge was made: {why.text}.{advice} The mesh is unchanged")
-                return {"CANCELLED"}
-        return self.write(chosen)
+    def objection(self, each):
+        strip = each.result.strip
+        if strip.outcome is not fairmesh.FillOutcome.LEFT_OPEN:
+            return None
+        advice = f". {messages.TURN}" if strip.reason is fairmesh.FillReason.OPPOSITE_SIDES else ""
+        return f"No bridge was made: {strip.reason.text}{advice}"
 
     def told(self, each):
         return messages.bridged(each.result, self.smooth)
@@ -104,20 +89,8 @@ def _runs(mesh):
     return runs if len(seen) == len(beside) else []
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_bridge.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_bridge)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_bridge)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_bridge,
+    "VIEW3D_MT_edit_mesh_edges",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from . import fairmesh, messages, native, snapshot
+from . import fairmesh, menus, messages, native, snapshot
 
 COLORS = "Mean Curvature"
 VALUES = "mean_curvature"
@@ -163,15 +163,7 @@ def _show(context):
             space.shading.type = "SOLID"
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_show_curvature.bl_idname)
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_show_curvature)
-    bpy.types.VIEW3D_MT_edit_mesh_clean.append(_menu)
-
-
-def unregister():
-    bpy.types.VIEW3D_MT_edit_mesh_clean.remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_show_curvature)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_show_curvature,
+    "VIEW3D_MT_edit_mesh_clean",
+)

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import fairmesh, filling, found, messages, snapshot
+from . import fairmesh, filling, menus, messages, snapshot
 from .job import Background
 
 
@@ -26,18 +26,11 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
         default=False,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "outer")
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         meshes = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
         meshes = [mesh for mesh in meshes if mesh.face_selected.any()]
         if not meshes:
@@ -47,14 +40,15 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
         for mesh in meshes:
             with messages.about(mesh):
                 holes = _erased(mesh)
-            why = self._objection(holes)
+            why = self._no_hole(holes)
             if why is not None:
                 self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
                 return None
             chosen.append(holes)
         return self.work_on(chosen)
 
-    def _objection(self, holes):
+    def _no_hole(self, holes):
+        """Why nothing is tried; None: it is."""
         loops = [loop for _, loop in holes.loops]
         if not loops:
             return "nothing is left around the selected faces that a new surface could go on from"
@@ -67,15 +61,10 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
             return "a vertex around the selected faces is hidden"
         return None
 
-    def finish(self, context, chosen):
-        for holes in chosen:
-            still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
-            if still:
-                # The old faces are better than none.
-                text = messages.filled(still)[1]
-                self.report({"ERROR"}, f"{filling.name_before(chosen, holes)}{text}. The mesh is unchanged")
-                return {"CANCELLED"}
-        return self.write(chosen)
+    def objection(self, holes):
+        # The old faces are better than none.
+        still = [loop for loop in holes.result.loops if loop.outcome is fairmesh.FillOutcome.LEFT_OPEN]
+        return messages.filled(still)[1] if still else None
 
 
 def _erased(mesh):
@@ -94,25 +83,10 @@ def _erased(mesh):
     return filling.Holes(mesh, [(int(i), loops[i]) for i in left.loops], left.faces, np.flatnonzero(gone))
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_erase_and_fill.bl_idname)
-
-
-_MENUS = (
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_erase_and_fill,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_delete",
     "VIEW3D_MT_edit_mesh_faces",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_erase_and_fill)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_erase_and_fill)

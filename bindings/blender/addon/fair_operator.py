@@ -7,8 +7,8 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty
 
-from . import fairmesh, found, messages, region, snapshot, triangulation
-from .job import Background
+from . import fairmesh, found, menus, messages, region, snapshot, triangulation
+from .job import Background, for_each
 from .settings import FairingOptions
 
 #: The library's reports of the last run, one per object.
@@ -49,33 +49,22 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         default="AUTO",
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "region")
         self.draw_fairing(layout)
 
     def prepare(self, context):
-        found.remember(None)
         regions = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
         regions = [r for r in regions if r.free.any()]
         if not regions:
             self.report({"ERROR"}, self._nothing(context))
             return None
 
-        def work(monitor):
-            for part in regions:
-                with messages.about(part.mesh):
-                    part.result = fairmesh.fair(
-                        part.mesh.seen(), part.mesh.triangles, free=part.free, cancel=monitor, **part.keywords
-                    )
-            return regions
+        def compute(part, monitor):
+            mesh = part.mesh
+            return fairmesh.fair(mesh.seen(), mesh.triangles, free=part.free, cancel=monitor, **part.keywords)
 
-        return work
+        return for_each(regions, compute)
 
     def _region(self, context, obj):
         mesh = snapshot.read(obj)
@@ -106,8 +95,7 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
         last_reports[:] = [part.result.report for part in regions]
         for part in regions:
             kind, text = messages.faired(part.result.report, self.continuity)
-            name = f"{part.mesh.object.name}: " if len(regions) > 1 else ""
-            self.report({kind}, name + text)
+            self.report({kind}, messages.name_before(regions, part) + text)
             _remember(part)
         return {"FINISHED"}
 
@@ -140,25 +128,10 @@ def _remember(part):
         found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} intersecting faces", faces=faces))
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_fair.bl_idname)
-
-
-_MENUS = (
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_fair,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_vertices",
     "VIEW3D_MT_edit_mesh_faces",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_fair)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_fair)

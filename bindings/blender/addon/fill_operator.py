@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from . import fairmesh, filling, found
+from . import fairmesh, filling, menus
 from .job import Background
 
 
@@ -61,13 +61,7 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         default=False,
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "scope")
         if self.scope == "ALL":
             layout.prop(self, "max_edges")
@@ -78,7 +72,6 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         meshes = [self._holes(obj) for obj in context.objects_in_mode_unique_data]
         chosen = [holes for holes in meshes if holes.loops]
         if not chosen:
@@ -91,7 +84,7 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         mesh = holes.mesh
         holes.join = "auto" if self.join else "none"
         if self.scope == "SELECTED":
-            holes.loops = _selected(holes)
+            holes.loops = filling.selected(holes)
         self._leave_out(holes, "a vertex is hidden", lambda loop: mesh.vertex_hidden[loop.vertices].any())
         if not self.outer:
             self._leave_out(
@@ -132,34 +125,10 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
             )
         return "The mesh has no hole"
 
-    def finish(self, context, chosen):
-        return self.write(chosen)
 
-
-def _selected(holes):
-    """Loops whose edges are all selected; else those with a selected edge; else those with a selected vertex."""
-    marks = filling.marks(holes)
-    for level in range(3):
-        chosen = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
-        if chosen:
-            return chosen
-    return []
-
-
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_fill_holes.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_faces", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_fill_holes)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_fill_holes)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_fill_holes,
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_faces",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)

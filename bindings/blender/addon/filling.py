@@ -8,6 +8,7 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from . import fairmesh, found, messages, patch, snapshot
+from .job import for_each
 from .settings import FairingOptions
 
 
@@ -21,7 +22,7 @@ class Holes:
     #: The mesh that is filled, (m, 3), and the faces of the object that are not in it.
     triangles: np.ndarray
     erased: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
-    #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it.
+    #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it; of a bridge its two runs of vertices.
     join: object = "none"
     #: Loops that are left out although they are meant: [(how many, why)].
     skipped: list = field(default_factory=list)
@@ -85,22 +86,29 @@ class Filling(FairingOptions):
     def work_on(self, chosen):
         """A function for the thread that fills all of `chosen`, a list of `Holes`."""
         # The thread reads no properties.
-        keywords = self.patch_keywords(_size(chosen))
+        keywords = self.patch_keywords(
+            largest_diagonal((holes.mesh, loop.vertices) for holes in chosen for _, loop in holes.loops)
+        )
 
-        def work(monitor):
-            for holes in chosen:
-                with messages.about(holes.mesh):
-                    holes.result = fairmesh.fill_holes(
-                        holes.mesh.seen(),
-                        holes.triangles,
-                        loops=holes.listed(),
-                        join=holes.join,
-                        cancel=monitor,
-                        **keywords,
-                    )
-            return chosen
+        def compute(holes, monitor):
+            return fairmesh.fill_holes(
+                holes.mesh.seen(), holes.triangles, loops=holes.listed(), join=holes.join, cancel=monitor, **keywords
+            )
 
-        return work
+        return for_each(chosen, compute)
+
+    def finish(self, context, chosen):
+        """Writes what was found, if there is no objection to any of it."""
+        for holes in chosen:
+            why = self.objection(holes)
+            if why is not None:
+                self.report({"ERROR"}, f"{messages.name_before(chosen, holes)}{why}. The mesh is unchanged")
+                return {"CANCELLED"}
+        return self.write(chosen)
+
+    def objection(self, holes):
+        """Why a result is not to be written; None: it is."""
+        return None
 
     def write(self, chosen):
         """Puts the patches into the meshes, and says how it went."""
@@ -115,7 +123,7 @@ class Filling(FairingOptions):
                 text += f"; {loose} more {'face was' if loose == 1 else 'faces were'} erased that hung loose"
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"
-            self.report({kind}, name_before(chosen, holes) + text)
+            self.report({kind}, messages.name_before(chosen, holes) + text)
         return {"FINISHED"}
 
 
@@ -127,12 +135,22 @@ def read(obj):
     return Holes(mesh, loops, mesh.triangles)
 
 
-def name_before(chosen, holes):
-    """The object's name, where there are several."""
-    return f"{holes.mesh.object.name}: " if len(chosen) > 1 else ""
+def largest_diagonal(rims):
+    """Of the bounding boxes as seen in the scene; `rims`: (mesh, its vertices around what is to be filled)."""
+    return max(float(np.linalg.norm(np.ptp(mesh.seen()[vertices], axis=0))) for mesh, vertices in rims)
 
 
-def marks(holes):
+def selected(holes, at_least=1):
+    """Loops whose edges are all selected; where these are fewer, those with a selected edge; then with a selected vertex."""
+    marks = _marks(holes)
+    for level in range(3):
+        chosen = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
+        if len(chosen) >= at_least:
+            break
+    return chosen
+
+
+def _marks(holes):
     """Per loop: whether all of its edges are selected; any edge; any vertex."""
     mesh = holes.mesh
     selected = _keys(snapshot.selected_edges(mesh.object), len(mesh.vertices))
@@ -162,9 +180,3 @@ def _keys(edges, count):
     """A number for each edge, the same for both directions."""
     edges = edges.astype(np.int64)
     return edges.min(axis=1) * count + edges.max(axis=1)
-
-
-def _size(chosen):
-    """The largest extent of the holes, for the constant of the target."""
-    extents = [np.ptp(holes.mesh.seen()[loop.vertices], axis=0) for holes in chosen for _, loop in holes.loops]
-    return max(float(np.linalg.norm(extent)) for extent in extents)

@@ -9,7 +9,7 @@ import threading
 
 import bpy
 
-from . import fairmesh, messages, native, snapshot
+from . import fairmesh, found, messages, native, snapshot
 
 # A run shorter than this shows no progress.
 AT_ONCE = 0.1
@@ -57,6 +57,21 @@ class Job:
         return self._result
 
 
+def for_each(parts, compute):
+    """A function for a `Job`: sets the `result` of each of `parts` to `compute(part, monitor)`, and returns them.
+
+    A part has the `Snapshot` that it is of as `mesh`: errors are about that.
+    """
+
+    def work(monitor):
+        for part in parts:
+            with messages.about(part.mesh):
+                part.result = compute(part, monitor)
+        return parts
+
+    return work
+
+
 def stop_all():
     """Stops all threads and waits for them."""
     for job in list(_running):
@@ -73,9 +88,19 @@ _modal = set()
 class Background:
     """Mixed into operators that compute: modal with progress and ESC from the interface, at once from scripts and F9.
 
-    An operator has `prepare(context)`, which reads and returns a function `work(monitor)`, or reports and returns None;
-    and `finish(context, result)`, which writes, reports and returns what an operator returns.
+    They are operators of Edit mode. Each has `prepare(context)`, which reads and returns a function `work(monitor)`, or
+    reports and returns None; `finish(context, result)`, which writes, reports and returns what an operator returns; and
+    `draw_options(layout)`.
     """
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "EDIT_MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        self.draw_options(layout)
 
     def execute(self, context):
         work = self._guarded(self._prepare, context)
@@ -128,6 +153,7 @@ class Background:
 
     def _prepare(self, context):
         native.load()
+        found.remember(None)
         return self.prepare(context)
 
     def _show(self):

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty
 
-from . import fairmesh, filling, found, messages
+from . import fairmesh, filling, menus, messages
 from .job import Background
 
 
@@ -34,18 +34,11 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         default="ONE",
     )
 
-    @classmethod
-    def poll(cls, context):
-        return context.mode == "EDIT_MESH"
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
+    def draw_options(self, layout):
         layout.prop(self, "groups")
         self.draw_filling(layout)
 
     def prepare(self, context):
-        found.remember(None)
         meshes = [filling.read(obj) for obj in context.objects_in_mode_unique_data]
         for holes in meshes:
             self._choose(holes)
@@ -57,18 +50,16 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
 
     def _choose(self, holes):
         """Sets which loops are joined; none: an empty list."""
-        marks = filling.marks(holes)
-        selected = holes.loops if self.groups == "AUTO" and not any(mark[2] for mark in marks) else []
-        # Whole loops if there are two, else those with a selected edge, else those with a selected vertex.
-        for level in range(3):
-            if len(selected) < 2:
-                selected = [loop for loop, mark in zip(holes.loops, marks) if mark[level]]
-        shown = [(index, loop) for index, loop in selected if not holes.mesh.vertex_hidden[loop.vertices].any()]
+        mesh = holes.mesh
+        selected = filling.selected(holes, at_least=2)
+        is_touched = any(mesh.vertex_selected[loop.vertices].any() for _, loop in holes.loops)
+        if self.groups == "AUTO" and not is_touched and len(holes.loops) > 1:
+            selected = holes.loops
+        shown = [(index, loop) for index, loop in selected if not mesh.vertex_hidden[loop.vertices].any()]
         if len(shown) < len(selected):
             holes.skipped.append((len(selected) - len(shown), "a vertex is hidden"))
         indices = [index for index, _ in shown]
         if self.groups == "AUTO" and len(indices) > 1:
-            mesh = holes.mesh
             with messages.about(mesh):
                 suggested = fairmesh.suggest_joins(mesh.seen(), mesh.triangles, loops=indices)
             holes.join = [each.loops.tolist() for each in suggested]
@@ -92,25 +83,14 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         for holes in chosen:
             if holes not in done:
                 text = messages.filled(holes.result.loops)[1]
-                self.report({"WARNING" if done else "ERROR"}, filling.name_before(chosen, holes) + text)
+                self.report({"WARNING" if done else "ERROR"}, messages.name_before(chosen, holes) + text)
             filling.remember_refused(holes)
         return self.write(done) if done else {"CANCELLED"}
 
 
-def _menu(self, context):
-    self.layout.operator(MESH_OT_fairmesh_join_loops.bl_idname)
-
-
-_MENUS = ("VIEW3D_MT_edit_mesh_clean", "VIEW3D_MT_edit_mesh_edges", "VIEW3D_MT_edit_mesh_context_menu")
-
-
-def register():
-    bpy.utils.register_class(MESH_OT_fairmesh_join_loops)
-    for menu in _MENUS:
-        getattr(bpy.types, menu).append(_menu)
-
-
-def unregister():
-    for menu in _MENUS:
-        getattr(bpy.types, menu).remove(_menu)
-    bpy.utils.unregister_class(MESH_OT_fairmesh_join_loops)
+register, unregister = menus.registration(
+    MESH_OT_fairmesh_join_loops,
+    "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_edges",
+    "VIEW3D_MT_edit_mesh_context_menu",
+)

@@ -43,6 +43,11 @@ def about(subject):
         raise
 
 
+def name_before(parts, part):
+    """The name of the object that a part is of, where there are several."""
+    return f"{part.mesh.object.name}: " if len(parts) > 1 else ""
+
+
 def refused(why, subject):
     """The text for a `fairmesh.FairmeshError`; what it names can be selected then. `subject`: the `Snapshot`."""
     where = ""

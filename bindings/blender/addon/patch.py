@@ -12,7 +12,7 @@ from . import snapshot
 
 
 def add(mesh, filled, erased=()):
-    """Adds what a `fairmesh.Filled` has more than the `Snapshot` it was made of, and selects it.
+    """Adds what a `fairmesh.Filled` or `fairmesh.Bridged` has more than the `Snapshot` it was made of, and selects it.
 
     `erased`: the numbers of faces that go, and of which nothing is left then.
     """
@@ -69,7 +69,7 @@ class _Patch:
         self.corner = {old: _corner(vertex) for old, vertex in self.old.items()}
 
     def remove(self):
-        """Takes everything back."""
+        """Takes back what was added; erased faces stay away."""
         bmesh.ops.delete(self.edit_mesh, geom=self.faces, context="FACES_ONLY")
         bmesh.ops.delete(self.edit_mesh, geom=self.new, context="VERTS")
 

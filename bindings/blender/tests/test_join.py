@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Join Loops and Fair, Erase and Fill, and which holes are filled, end to end."""
+"""Join Loops and Fair, Bridge Edges and Fair, Erase and Fill, and which holes are filled, end to end."""
 
 import sys
 from pathlib import Path
@@ -143,7 +143,7 @@ def test_attributes_are_carried_on_and_undo_takes_it_back():
 
 
 def bumpy(frequency=20):
-    """An irregular sphere whose cap z > 0.8 is noise, selected."""
+    """An irregular sphere whose cap z > 0.85 is noise; selected are the faces there."""
     obj = irregular_sphere(frequency)
     random = np.random.default_rng(3)
     positions = coordinates(obj)

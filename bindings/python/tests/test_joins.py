@@ -1,4 +1,4 @@
-"""Several loops with one patch, the choice of loops, erased faces, components: on spheres, which have one answer."""
+"""Several loops with one patch, bridges, which loops, erased faces, components: on spheres, which have one answer."""
 
 import math
 

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import call
-from ._handles import ResultHandle
+from ._handles import ResultHandle, result_of
 from ._holes import LoopReport, NewMesh, set_patches
 from ._library import load
 from ._options import Options, initial, real, with_options
@@ -41,7 +40,8 @@ class Bridged(NewMesh):
         self.twist: float = told.twist
         #: What became of the strip.
         self.strip = LoopReport(handle, 0)
-        #: What became of the holes beside it, if they were to be filled.
+        #: What became of the holes beside it, if they were to be filled. Their numbers are those of the loops of the
+        #: mesh with the strip.
         self.rest: list[LoopReport] = [LoopReport(handle, 1 + index) for index in range(told.rest_count)]
         #: The fairing of all new vertices together, if holes were filled. Unless its outcome is "converged", the strip
         #: and the patches are left as they were made.
@@ -112,9 +112,8 @@ def bridge(
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
-    address = ctypes.c_void_p()
     with relay:
-        call(
+        handle = result_of(
             library,
             "fairmesh_bridge",
             ctypes.byref(mesh.struct),
@@ -123,7 +122,5 @@ def bridge(
             ctypes.byref(how),
             ctypes.byref(filling),
             ctypes.byref(asked.struct),
-            ctypes.byref(address),
         )
-        handle = ResultHandle(library, address)
     return Bridged(handle, mesh)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
-from ._handles import ResultHandle
+from ._handles import ResultHandle, result_of
 from ._library import Library, load
 from ._options import (
     Curvature,
@@ -187,10 +187,9 @@ def fair(
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
-    address = ctypes.c_void_p()
     positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
     with relay:
-        call(
+        handle = result_of(
             library,
             "fairmesh_fair",
             ctypes.byref(mesh.struct),
@@ -198,9 +197,7 @@ def fair(
             ctypes.byref(asked.struct),
             ctypes.byref(_arrays.points_out(positions)),
             None,
-            ctypes.byref(address),
         )
-        handle = ResultHandle(library, address)
     return Result(handle, positions)
 
 

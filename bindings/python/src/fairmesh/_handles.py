@@ -82,3 +82,10 @@ class ResultHandle:
         if size.value:
             self.read("fairmesh_result_list", which, index, made.ctypes.data, size.value, ctypes.byref(size))
         return made.astype(np.intp)
+
+
+def result_of(library: Library, function: str, *arguments: Any) -> ResultHandle:
+    """Calls a function of the library that makes a result; without its last argument, which the result is put into."""
+    address = ctypes.c_void_p()
+    call(library, function, *arguments, ctypes.byref(address))
+    return ResultHandle(library, address)

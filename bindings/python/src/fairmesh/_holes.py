@@ -14,8 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._choice import Choice, Join, LoopChoice, OnFailure, Place, on_failure_number
 from ._enums import FillOutcome, FillReason, LoopKind, Status
-from ._errors import call
-from ._handles import ResultHandle
+from ._handles import ResultHandle, result_of
 from ._library import load
 from ._options import Options, initial, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
@@ -65,9 +64,7 @@ def boundary_loops(
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    address = ctypes.c_void_p()
-    call(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct), ctypes.byref(address))
-    handle = ResultHandle(library, address)
+    handle = result_of(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct))
     return [_loop(handle, index) for index in range(handle.info().loop_count)]
 
 
@@ -187,7 +184,10 @@ class NewMesh:
 
 
 class Filled(NewMesh):
-    """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow."""
+    """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow.
+
+    Vertices that ``relax_rim`` let move have other bits.
+    """
 
     @cached_property
     def loops(self) -> list[LoopReport]:
@@ -334,17 +334,10 @@ def fill_holes(
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
-    address = ctypes.c_void_p()
     with relay:
-        call(
-            library,
-            "fairmesh_fill_holes",
-            ctypes.byref(mesh.struct),
-            ctypes.byref(fill),
-            ctypes.byref(asked.struct),
-            ctypes.byref(address),
+        handle = result_of(
+            library, "fairmesh_fill_holes", ctypes.byref(mesh.struct), ctypes.byref(fill), ctypes.byref(asked.struct)
         )
-        handle = ResultHandle(library, address)
     return Filled(handle, mesh)
 
 
@@ -384,13 +377,5 @@ def remesh(
         asked.density = real(density, "density")
     if max_vertices is not None:
         asked.max_vertices = whole(max_vertices, "max_vertices")
-    address = ctypes.c_void_p()
-    call(
-        library,
-        "fairmesh_remesh",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(region.struct),
-        ctypes.byref(asked),
-        ctypes.byref(address),
-    )
-    return Remeshed(ResultHandle(library, address), mesh)
+    views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
+    return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._errors import call
-from ._handles import ResultHandle
+from ._handles import result_of
 from ._library import load
 
 
@@ -31,6 +30,5 @@ def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike |
     if among is not None:
         asked = _arrays.chosen_faces(among, "among", len(mesh.faces))
         listed = ctypes.byref(_arrays.indices_view(asked))
-    address = ctypes.c_void_p()
-    call(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed, ctypes.byref(address))
-    return ResultHandle(library, address).list(_abi.fairmesh_list.INTERSECTIONS).reshape(-1, 2)
+    handle = result_of(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed)
+    return handle.list(_abi.fairmesh_list.INTERSECTIONS).reshape(-1, 2)

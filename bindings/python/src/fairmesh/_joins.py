@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._choice import Choice, LoopChoice
-from ._errors import call
-from ._handles import ResultHandle
+from ._handles import ResultHandle, result_of
 from ._library import load
 from ._reports import Bends, bends_of, sized
 
@@ -64,15 +63,7 @@ def suggest_joins(
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
     choice = Choice(library, which)
-    address = ctypes.c_void_p()
-    call(
-        library,
-        "fairmesh_suggest_joins",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(choice.struct),
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
+    handle = result_of(library, "fairmesh_suggest_joins", ctypes.byref(mesh.struct), ctypes.byref(choice.struct))
     return [_suggestion(handle, index) for index in range(handle.info().loop_count)]
 
 
@@ -98,15 +89,7 @@ def erase(
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
     listed = _arrays.chosen_faces(erased, "erased", len(mesh.faces))
-    address = ctypes.c_void_p()
-    call(
-        library,
-        "fairmesh_erase",
-        ctypes.byref(mesh.struct),
-        ctypes.byref(_arrays.indices_view(listed)),
-        ctypes.byref(address),
-    )
-    handle = ResultHandle(library, address)
+    handle = result_of(library, "fairmesh_erase", ctypes.byref(mesh.struct), ctypes.byref(_arrays.indices_view(listed)))
     kept = handle.list(_lists.KEPT_TRIANGLES)
     left = mesh.faces[kept].astype(mesh.index_type, copy=False)
     return Erased(left, kept, handle.list(_lists.ERASED_LOOPS), handle.info().dropped_count)
@@ -122,6 +105,4 @@ def components(
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    address = ctypes.c_void_p()
-    call(library, "fairmesh_components", ctypes.byref(mesh.struct), ctypes.byref(address))
-    return ResultHandle(library, address).list(_lists.TRIANGLE_COMPONENTS)
+    return result_of(library, "fairmesh_components", ctypes.byref(mesh.struct)).list(_lists.TRIANGLE_COMPONENTS)
