@@ -171,6 +171,12 @@ pub enum Error {
         /// What is wrong there.
         why: &'static str,
     },
+    /// The curvature does not tell where a bump ends.
+    #[error("no bump is found there: {why}")]
+    NoBump {
+        /// What was missing.
+        why: &'static str,
+    },
     /// Two guides cross each other in the patch.
     #[error("guides ({}, {}) and ({}, {}) cross each other", first[0], first[1], second[0], second[1])]
     GuidesCross {
@@ -260,6 +266,8 @@ table!(Error {
     36 "guides_cross" Error::GuidesCross { .. } => "two guides cross each other", "leave one of them out";
     37 "bad_chain" Error::BadChain { .. } =>
         "a chain is no run of edges of one boundary loop", "name the vertices of a run of boundary edges, one after the other";
+    39 "no_bump" Error::NoBump { .. } =>
+        "the curvature does not tell where a bump ends", "say the region by its radius or by a list";
 });
 
 impl Error {
@@ -319,6 +327,7 @@ impl Error {
             | Self::BadGuide { .. }
             | Self::GuidesCross { .. }
             | Self::BadChain { .. }
+            | Self::NoBump { .. }
             | Self::TooLarge { .. }
             | Self::Threads { .. } => {}
         }

@@ -19,6 +19,7 @@ mod mesh;
 mod paper;
 mod profile;
 mod quality;
+mod regions;
 mod self_intersections;
 mod solve;
 mod table;
@@ -43,6 +44,7 @@ pub use paper::{Estimate, LevelReport, PaperOptions};
 #[cfg(feature = "profile")]
 pub use profile::take_profile;
 pub use quality::Quality;
+pub use regions::{Bump, Combine, Region, RegionStep, Seed, SelectedRegion, select_region};
 pub use self_intersections::self_intersections;
 pub use table::Entry;
 

@@ -9,9 +9,9 @@ use fairmesh::{
 
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::MeshFile;
 use crate::formats::carry::Carry;
-use crate::formats::{Kind, MeshFile};
-use crate::selection::{Selected, indices};
+use crate::selection::Selected;
 
 /// The mesh without the components of fewer than `least` triangles, and how many these are.
 pub fn without_small(
@@ -50,19 +50,15 @@ pub struct Without {
     kept: Vec<u32>,
 }
 
-/// The mesh without the faces that a file lists, and without what would hang loose then.
+/// The mesh without some faces, and without what would hang loose then.
 pub fn without_faces(
     name: &Path,
     mesh: MeshFile,
-    list: &Path,
+    erased: Selected,
     (coincident, clean): (Coincident, usize),
 ) -> Result<(MeshFile, Without), Failure> {
     let geometry = &mesh.geometry;
-    let listed = Selected {
-        kind: Kind::Face,
-        elements: indices(list, geometry.polygon_count, "faces")?,
-    };
-    let mut faces = listed.in_triangles(geometry).elements;
+    let mut faces = erased.in_triangles(geometry).elements;
     let named = faces.len();
     let mut cleaned = 0;
     loop {

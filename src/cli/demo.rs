@@ -15,6 +15,7 @@ use crate::formats::{self, Format, Geometry};
 use crate::generate::{free_list, normal_list};
 use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
+use crate::region::RegionReport;
 use crate::report::{Summary, Times};
 
 /// What `fairmesh demo` is asked.
@@ -83,6 +84,7 @@ pub fn run(args: &DemoArgs) -> Result<bool, Failure> {
     let summary = Summary {
         report: &solution.report,
         geometry: &Geometry::default(),
+        region: &RegionReport::default(),
         times: Times {
             read: 0.0,
             solve,

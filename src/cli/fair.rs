@@ -16,6 +16,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::{self, Format, Geometry, MeshFile, Written};
 use crate::output::Output;
+use crate::region::RegionReport;
 use crate::remesh;
 use crate::report::{Summary, Times};
 use crate::selection::{self, RegionArgs, Selected};
@@ -91,6 +92,8 @@ pub struct FairInput<'a> {
     pub boundary_normals: BoundaryNormals,
     pub boundary_curvature: BoundaryCurvature,
     pub loop_continuity: Vec<(u32, f64)>,
+    /// How the region was found, if by steps.
+    pub region: RegionReport,
 }
 
 /// Runs the command; true if the surface converged and is sound.
@@ -134,6 +137,7 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let summary = Summary {
         report: &solution.report,
         geometry: &input.geometry,
+        region: &input.region,
         times: Times {
             read,
             solve,
@@ -150,12 +154,13 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
 
 /// What the user chose in a file.
 fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
-    let selected = selection::find(mesh, &args.input, &args.region)?;
+    let found = selection::find(mesh, &args.input, &args.region, args.mesh.coincident)?;
     let geometry = &mesh.geometry;
     let vertex_count = geometry.positions.len();
     Ok(FairInput {
         geometry: Cow::Borrowed(geometry),
-        selected: selected.in_triangles(geometry),
+        selected: found.selected.in_triangles(geometry),
+        region: found.report,
         boundary_normals: selection::boundary_normals(&args.normals, vertex_count)?,
         boundary_curvature: args.continuity.boundary_curvature(vertex_count)?,
         loop_continuity: args.continuity.continuity_at.clone(),

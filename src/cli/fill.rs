@@ -20,8 +20,10 @@ use crate::failure::Failure;
 use crate::formats::{Added, MeshFile};
 use crate::join;
 use crate::patches::{Files, PatchArgs, face_numbers};
+use crate::region::{RegionReport, RegionSteps};
 use crate::report::{creased, member_weight};
 use crate::rim::{self, RimArgs};
+use crate::selection;
 use crate::which::WhichArgs;
 
 /// What `fairmesh fill` is asked.
@@ -44,15 +46,19 @@ pub struct FillArgs {
         verbatim_doc_comment
     )]
     drop_components_below: usize,
-    /// Deletes the faces that this text file lists, one number per line, from 0, and
-    /// what would hang loose then, and fills the holes that they leave, no others
+    /// Deletes faces, and what would hang loose then, and fills the holes that this
+    /// leaves, no others: those that a text file lists, one number per line, from 0, or
+    /// without a file, those that the flags of a region name
     #[arg(
         long,
         value_name = "FILE",
+        num_args = 0..=1,
         conflicts_with_all = ["boundary_curvature", "drop_components_below", "loops", "join", "which"],
         verbatim_doc_comment
     )]
-    erase: Option<PathBuf>,
+    erase: Option<Option<PathBuf>>,
+    #[command(flatten)]
+    region: RegionSteps,
     /// Drops up to so many faces more at the edge of what is erased: slender ones, with an
     /// angle below 5 degrees, and fins, turned by more than 100 against one beside them
     #[arg(
@@ -99,6 +105,12 @@ pub struct FillArgs {
 /// Fills holes; true if all that were asked for are filled and fair.
 pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let start = Instant::now();
+    if args.erase.is_none() && !args.region.is_empty() {
+        return Err(Failure::new(format!(
+            "{}: this names faces; give --erase, too, to have them made anew, or --within for the holes in a place",
+            args.region.told()
+        )));
+    }
     let Files {
         format,
         mesh,
@@ -125,15 +137,15 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         0 => (mesh, 0, 0.0),
         _ => components::trimmed(&args.input, mesh, &limits, args.patches.mesh.coincident)?,
     };
+    let coincident = args.patches.mesh.coincident;
+    let mut region = RegionReport::default();
     let (mesh, erased) = match &args.erase {
         None => (mesh, None),
         Some(list) => {
-            let (rest, erased) = components::without_faces(
-                &args.input,
-                mesh,
-                list,
-                (args.patches.mesh.coincident, args.clean_boundary),
-            )?;
+            let found = selection::to_erase(&mesh, &args.input, (list.as_deref(), &args.region), coincident)?;
+            region = found.report;
+            let cleaning = (coincident, args.clean_boundary);
+            let (rest, erased) = components::without_faces(&args.input, mesh, found.selected, cleaning)?;
             (rest, Some(erased))
         }
     };
@@ -164,7 +176,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let loops: Vec<Value> = filled.loops.iter().map(|l| reported(l, first, face)).collect();
-        json!({ "loops": loops, "dropped_components": dropped, "new_vertices": filled.parents.len(),
+        json!({ "loops": loops, "region": region.json(), "dropped_components": dropped, "new_vertices": filled.parents.len(),
             "trimmed_faces": trimmed, "trimmed_area": trimmed_area,
             "dropped_faces": erased.as_ref().map_or(0, |of| of.dropped),
             "cleaned_faces": erased.as_ref().map_or(0, |of| of.cleaned),
@@ -177,7 +189,8 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
             0 => String::new(),
             _ => format!("{trimmed} faces at the holes were taken away, of area {trimmed_area:.3e}\n"),
         };
-        trimmed + &readable(&filled, args, dropped, more)
+        let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
+        region + &trimmed + &readable(&filled, args, dropped, more)
     })?;
     Ok(filled.loops.iter().all(is_clean))
 }

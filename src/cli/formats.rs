@@ -1,6 +1,8 @@
 //! Mesh files: read once, written back with nothing changed but what had to.
 
 pub mod carry;
+mod colours;
+mod convert;
 pub mod obj;
 pub mod off;
 pub mod patches;

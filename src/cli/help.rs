@@ -4,6 +4,8 @@ macro_rules! examples {
     () => {
         "\
 Examples:
+  fairmesh fair scan.stl -o fair.stl --bump 12.5,3,40 the bump or dent at a point
+  fairmesh fair scan.stl -o fair.stl --ball 12.5,3,40,6
   fairmesh fair part.ply -o fair.ply                  the faces selected in MeshLab
   fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
   fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
@@ -27,8 +29,9 @@ pub const FAIR_ABOUT: &str = "\
 Fairs a region of a mesh file: the free vertices move until the surface has harmonic mean curvature,
 meets the fixed vertices and has the tangent planes of its surroundings there.
 
-Say which vertices may move by --free, --faces or --selection. Without any of these, the selection that
-MeshLab stores in a PLY file (property 'flags') is used, selected faces first.
+Say which vertices may move by places and shapes (--ball to --bump; 'fairmesh select' shows what they take), or by --free,
+--faces or --selection. Without any of these, the selection that MeshLab stores in a PLY file (property 'flags') is used,
+selected faces first. A vertex moves if all faces around it are selected.
 
 Input and output are PLY (ASCII or binary), OBJ, OFF (ASCII) or STL (ASCII or binary), told by their
 names. A file without a face is refused. If both have the same format, the output is the input with only the coordinates of the free
@@ -69,6 +72,15 @@ is (uncertainty), root mean squares in one over the unit of the file. Numbers th
 ",
     exit_codes!()
 );
+
+/// After the flags of `select`.
+pub const SELECT: &str = "\
+Examples:
+  fairmesh select scan.stl --ball 0,0,10,4 --picture ball.png
+  fairmesh select scan.stl --bump 12.5,3,40 --grow 2 -o faces.txt
+  fairmesh select part.obj --patch-at 0,0,5 --without --box -1,-1,4,1,1,6 -o patch.obj
+
+The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.";
 
 /// After the flags of `fill`.
 pub const FILL: &str = "\

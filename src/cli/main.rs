@@ -24,10 +24,12 @@ mod normals;
 mod output;
 mod patches;
 mod picture;
+mod region;
 mod remesh;
 mod render;
 mod report;
 mod rim;
+mod select;
 mod selection;
 mod solver;
 mod surface;
@@ -61,6 +63,9 @@ enum Command {
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
     Render(render::RenderArgs),
+    /// Selects faces of a mesh file by place and shape, and shows them
+    #[command(after_help = help::SELECT)]
+    Select(select::SelectArgs),
     /// Lists the boundary loops of a mesh file
     Holes(holes::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
@@ -101,6 +106,7 @@ fn run() -> Result<ExitCode, Failure> {
         Command::Fair(args) => fair::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
+        Command::Select(args) => select::run(&args),
         Command::Holes(args) => holes::run(&args),
         Command::Fill(args) => fill::run(&args),
         Command::Bridge(args) => bridge::run(&args),

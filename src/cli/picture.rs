@@ -20,6 +20,8 @@ type V3 = [f64; 3];
 pub enum Shading<'a> {
     /// Every triangle by its own normal.
     Flat,
+    /// The same, with some triangles in another colour.
+    Marked(&'a [bool]),
     /// The mirror image of rings of light around a far sphere, by interpolated vertex normals. A crease breaks the lines,
     /// a jump of curvature kinks them.
     ReflectionLines,

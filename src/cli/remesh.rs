@@ -68,6 +68,7 @@ pub fn remesh(
         boundary_normals,
         boundary_curvature,
         loop_continuity: loop_continuity.collect(),
+        region: input.region.clone(),
     })
 }
 

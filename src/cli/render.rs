@@ -130,22 +130,7 @@ const MOST_COLUMNS: usize = 4;
 
 fn options(args: &RenderArgs) -> Result<PictureOptions, Failure> {
     let wrong = |what: &str, text: &str, form: &str| Failure::new(format!("{what} {text}: give {form}"));
-    let direction = match args.view.as_str() {
-        "front" => [0.0, -1.0, 0.0],
-        "back" => [0.0, 1.0, 0.0],
-        "left" => [-1.0, 0.0, 0.0],
-        "right" => [1.0, 0.0, 0.0],
-        "top" => [0.0, 0.0, 1.0],
-        "bottom" => [0.0, 0.0, -1.0],
-        "corner" => [1.0, 0.7, 0.8],
-        text => numbers(text).and_then(unit).ok_or_else(|| {
-            wrong(
-                "--view",
-                text,
-                "x,y,z or front, back, left, right, top, bottom, corner",
-            )
-        })?,
-    };
+    let direction = direction(&args.view)?;
     let up = numbers(&args.up)
         .and_then(unit)
         .ok_or_else(|| wrong("--up", &args.up, "x,y,z"))?;
@@ -160,6 +145,24 @@ fn options(args: &RenderArgs) -> Result<PictureOptions, Failure> {
         direction,
         up,
         ..PictureOptions::default()
+    })
+}
+
+/// Where the eye is, by a name or x,y,z.
+pub fn direction(view: &str) -> Result<[f64; 3], Failure> {
+    Ok(match view {
+        "front" => [0.0, -1.0, 0.0],
+        "back" => [0.0, 1.0, 0.0],
+        "left" => [-1.0, 0.0, 0.0],
+        "right" => [1.0, 0.0, 0.0],
+        "top" => [0.0, 0.0, 1.0],
+        "bottom" => [0.0, 0.0, -1.0],
+        "corner" => [1.0, 0.7, 0.8],
+        text => numbers(text).and_then(unit).ok_or_else(|| {
+            Failure::new(format!(
+                "--view {text}: give x,y,z or front, back, left, right, top, bottom, corner"
+            ))
+        })?,
     })
 }
 

@@ -12,6 +12,7 @@ use crate::explain;
 use crate::figures::{FACES, PAIRS, VERTICES, listed, range, scientific, significant};
 
 use crate::formats::Geometry;
+use crate::region::RegionReport;
 use crate::surface::target_name;
 
 /// Seconds of the command; `solve` is the library's whole call, `setup` the part of it before any solving.
@@ -27,6 +28,7 @@ pub struct Times {
 pub struct Summary<'a> {
     pub report: &'a Report,
     pub geometry: &'a Geometry,
+    pub region: &'a RegionReport,
     pub times: Times,
     /// Vertices whose normals in the file could not be updated.
     pub stale_normals: usize,
@@ -83,6 +85,7 @@ impl Summary<'_> {
         if !advice.is_empty() {
             table.row("what to do", advice);
         }
+        table.rows("region", self.region.told.clone());
         self.tell_run(&mut table);
         self.tell_quality(&mut table);
         self.tell_remarks(&mut table);
@@ -235,6 +238,7 @@ impl Summary<'_> {
             "outcome": report.outcome.name(),
             "reason": reason,
             "advice": advice,
+            "region": self.region.json(),
             "target": target_name(report.target),
             "iterations": report.iterations,
             "levels": report.levels.iter().map(level).collect::<Vec<_>>(),
@@ -424,6 +428,7 @@ mod tests {
             let summary = Summary {
                 report,
                 geometry: &mesh.geometry,
+                region: &RegionReport::default(),
                 times: Times::default(),
                 stale_normals: 0,
                 is_verbose: false,
@@ -482,6 +487,7 @@ mod tests {
         let summary = Summary {
             report: &report,
             geometry: &mesh.geometry,
+            region: &RegionReport::default(),
             times,
             stale_normals: 2,
             is_verbose: false,
@@ -538,6 +544,7 @@ mod tests {
             let summary = Summary {
                 report: &report,
                 geometry: &mesh.geometry,
+                region: &RegionReport::default(),
                 times,
                 stale_normals: 0,
                 is_verbose: false,

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use fairmesh::{BoundaryNormals, Selection};
+use fairmesh::{BoundaryNormals, Coincident, Selection};
 
 use crate::failure::{Failure, Malformed};
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals;
+use crate::region::{Found, RegionReport, RegionSteps};
 use crate::text::{self, Words};
 
 /// What the user selected: vertices, or faces, which are the polygons of a file or the triangles of a mesh.
@@ -46,9 +47,18 @@ impl Selected {
 
 /// Flags of the region.
 #[derive(Debug, Args)]
+pub struct RegionArgs {
+    #[command(flatten)]
+    listed: ListArgs,
+    #[command(flatten)]
+    steps: RegionSteps,
+}
+
+/// Flags of a region that was chosen before.
+#[derive(Debug, Args)]
 #[command(next_help_heading = "Region")]
 #[group(multiple = false)]
-pub struct RegionArgs {
+struct ListArgs {
     /// Vertices that may move: a text file with one number per line, from 0
     #[arg(long, value_name = "FILE")]
     free: Option<PathBuf>,
@@ -62,8 +72,72 @@ pub struct RegionArgs {
     selection: Option<String>,
 }
 
-/// Finds the selection in the mesh of a file.
-pub fn find(mesh: &MeshFile, path: &Path, args: &RegionArgs) -> Result<Selected, Failure> {
+/// Finds the selection in the mesh of a file: what was chosen before, and what the steps make of it.
+pub fn find(
+    mesh: &MeshFile,
+    path: &Path,
+    args: &RegionArgs,
+    coincident: Coincident,
+) -> Result<Found, Failure> {
+    let RegionArgs { listed, steps } = args;
+    if steps.is_empty() {
+        return Ok(Found {
+            selected: before(mesh, path, listed)?,
+            report: RegionReport::default(),
+        });
+    }
+    let is_listed = listed.free.is_some() || listed.faces.is_some() || listed.selection.is_some();
+    let first = match is_listed || !steps.begins_with_a_region() {
+        true => Some(before(mesh, path, listed)?),
+        false => None,
+    };
+    steps.find(mesh, path, first, coincident)
+}
+
+/// The faces to be erased: those of a list or of the file, or what the steps make of them.
+pub fn to_erase(
+    mesh: &MeshFile,
+    path: &Path,
+    (list, steps): (Option<&Path>, &RegionSteps),
+    coincident: Coincident,
+) -> Result<Found, Failure> {
+    let count = mesh.geometry.polygon_count;
+    let faces = |list| {
+        let kind = Kind::Face;
+        indices(list, count, "faces").map(|elements| Selected { kind, elements })
+    };
+    let first = match list {
+        Some(list) => Some(faces(list)?),
+        None if steps.begins_with_a_region() => None,
+        None => Some(marked_faces(mesh, path)?),
+    };
+    match first {
+        Some(selected) if steps.is_empty() => Ok(Found {
+            selected,
+            report: RegionReport::default(),
+        }),
+        first => steps.find(mesh, path, first, coincident),
+    }
+}
+
+/// The faces that MeshLab has marked in a file.
+fn marked_faces(mesh: &MeshFile, path: &Path) -> Result<Selected, Failure> {
+    let elements = mesh.selected(Kind::Face, "flags").unwrap_or_default();
+    match elements.is_empty() {
+        false => Ok(Selected {
+            kind: Kind::Face,
+            elements,
+        }),
+        true => Err(Failure::new(format!(
+            "{}: nothing says which faces are to be erased; list them in a file, say a place (--ball, --geodesic, --bump, ...), or \
+             save a PLY with selected faces",
+            path.display()
+        ))),
+    }
+}
+
+/// What was chosen before.
+fn before(mesh: &MeshFile, path: &Path, args: &ListArgs) -> Result<Selected, Failure> {
     if let Some(path) = &args.free {
         let count = mesh.geometry.positions.len();
         let elements = indices(path, count, "vertices")?;
@@ -110,8 +184,8 @@ fn stored(mesh: &MeshFile) -> Result<Selected, &'static str> {
         (!elements.is_empty()).then_some(Selected { kind, elements })
     });
     found.ok_or(
-        "nothing says which vertices may move; give --free FILE (vertex numbers), --faces FILE (face numbers) or \
-         --selection NAME (a property of a PLY file), or save a PLY with selected faces",
+        "nothing says which vertices may move; say a place (--ball, --geodesic, --bump, ...), give --free FILE (vertex \
+         numbers), --faces FILE (face numbers) or --selection NAME (a property of a PLY file), or save a PLY with selected faces",
     )
 }
 

@@ -49,6 +49,7 @@ pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, t
 pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
+pub(crate) use parents::nearest_on;
 pub use refill::refill_region;
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};
 pub use rim::{Rim, RimReport, Roughness, rim_roughness};

@@ -65,11 +65,7 @@ impl LoopFilter {
             let value = bound.unwrap_or(0.0);
             Error::check_option(name, value, value >= 0.0, "not negative")?;
         }
-        if let Some(place) = &self.within {
-            let number = place.numbers().find(|number| number.is_nan());
-            Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")?;
-        }
-        Ok(())
+        self.within.as_ref().map_or(Ok(()), Place::validate)
     }
 }
 
@@ -79,6 +75,11 @@ table!(Place {
 });
 
 impl Place {
+    pub(crate) fn validate(&self) -> Result<(), Error> {
+        let number = self.numbers().find(|number| number.is_nan());
+        Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")
+    }
+
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let (points, radius) = match self {
             Self::Ball { centre, radius } => ([*centre, *centre], *radius),
@@ -87,7 +88,7 @@ impl Place {
         points.into_iter().flatten().chain([radius])
     }
 
-    pub(super) fn holds(&self, p: &[f64; 3]) -> bool {
+    pub(crate) fn holds(&self, p: &[f64; 3]) -> bool {
         match self {
             Self::Ball { centre, radius } => {
                 let square = (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>();

@@ -80,7 +80,7 @@ fn nearest(patch: &Patch, t: u32, p: &Vector3<f64>) -> (f64, [f64; 3]) {
 }
 
 /// Squared distance of a point to a triangle and the barycentric coordinates of the nearest point.
-pub(super) fn nearest_on(x: &[Vector3<f64>; 3], p: &Vector3<f64>) -> (f64, [f64; 3]) {
+pub(crate) fn nearest_on(x: &[Vector3<f64>; 3], p: &Vector3<f64>) -> (f64, [f64; 3]) {
     let cross = (x[1] - x[0]).cross(&(x[2] - x[0]));
     let square = cross.norm_squared();
     let part = |k: usize| {

@@ -10,3 +10,4 @@ mod erase;
 mod files;
 mod formats;
 mod holes;
+mod select;

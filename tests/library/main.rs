@@ -22,6 +22,7 @@ mod long;
 mod outcomes;
 mod paper;
 mod refill;
+mod regions;
 mod rim;
 mod search;
 mod session;

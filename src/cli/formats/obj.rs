@@ -13,6 +13,9 @@ use crate::text::{self, Words};
 pub use grow::grown;
 pub use only::{has_other_lines, only};
 
+/// A channel of a colour at its brightest, where that is 1 in a file.
+pub const FULL: f64 = 255.0;
+
 /// No partner.
 const NONE: u32 = u32::MAX;
 /// Several partners.
@@ -28,6 +31,20 @@ pub struct Obj {
     normal_of: Vec<u32>,
     /// The vertex of each normal, as far as it is used by one vertex only.
     vertex_of: Vec<u32>,
+}
+
+impl Obj {
+    /// The three numbers from 0 to 1 that some programs write behind the coordinates, if every vertex has them.
+    pub fn colours(&self, bytes: &[u8]) -> Option<Vec<[f64; 3]>> {
+        let of = |&at: &usize| {
+            let mut words = text::words(bytes, logical_line(bytes, at).0);
+            // "v" and the coordinates.
+            words.nth(3)?;
+            let colour = text::triple(bytes, &mut words, "colour").ok()?;
+            Some(colour.map(|channel| channel * FULL))
+        };
+        self.vertex_lines.iter().map(of).collect()
+    }
 }
 
 /// The bytes from `at` to the end of its line, joined with the next line after a backslash, and where the

@@ -244,35 +244,44 @@ impl Ply {
 
     /// The rows whose property `name` is nonzero; of `flags`, only the bit for "selected" counts.
     pub fn selected(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<Vec<u32>> {
+        let is_selected = |value: f64| match name {
+            "flags" => value as i64 & SELECTED != 0,
+            _ => value != 0.0,
+        };
+        let (values, _) = self.numbers(bytes, kind, name)?;
+        let numbered = (0..).zip(values);
+        Some(
+            numbered
+                .filter(|(_, value)| is_selected(*value))
+                .map(|(i, _)| i)
+                .collect(),
+        )
+    }
+
+    /// The property `name` of every row, and whether it is a floating-point number by its type.
+    pub fn numbers(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<(Vec<f64>, bool)> {
         let table = match kind {
             Kind::Vertex => &self.vertex,
             Kind::Face => &self.face,
         };
         let wanted = table.element.property(name)?;
-        if let PropertyKind::List { .. } = table.element.properties[wanted].kind {
+        let PropertyKind::Scalar(scalar) = table.element.properties[wanted].kind else {
             return None;
-        }
+        };
         let rows = self.rows(bytes, table);
-        let mut selected = Vec::new();
-        for (number, &row) in table.rows.iter().enumerate() {
+        let value_of = |&row: &usize| {
             let mut value = 0.0;
-            // The row was walked before; only a word that is no number can fail, and selects nothing.
+            // The row was walked before; only a word that is no number can fail, and is zero.
             let _ = rows.walk(row, &mut |property, field: Field| {
                 if property == wanted {
                     value = rows.scalar(property, &field)?;
                 }
                 Ok(())
             });
-            let is_selected = if name == "flags" {
-                value as i64 & SELECTED != 0
-            } else {
-                value != 0.0
-            };
-            if is_selected {
-                selected.push(number as u32);
-            }
-        }
-        Some(selected)
+            value
+        };
+        let is_float = matches!(scalar, Scalar::F32 | Scalar::F64);
+        Some((table.rows.iter().map(value_of).collect(), is_float))
     }
 
     /// Replaces coordinates of moved vertices, and normals; returns the number of normals left behind.

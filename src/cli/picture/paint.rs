@@ -7,6 +7,9 @@ use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
 /// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
 const LINES: f64 = 17.0;
 
+/// Linear light of what is marked.
+const MARK: [f32; 3] = [0.85, 0.25, 0.03];
+
 /// Light and material of one view.
 pub struct Painter<'a> {
     pub view: &'a View<'a>,
@@ -39,7 +42,7 @@ impl<'a> Painter<'a> {
         let flat = of_triangle([a, b, c]).unwrap_or(eye);
         let is_back = dot(flat, eye) < 0.0;
         let mut normal = match self.view.shading {
-            Shading::Flat => flat,
+            Shading::Flat | Shading::Marked(_) => flat,
             Shading::ReflectionLines | Shading::Values(..) => {
                 self.smooth_normal(corners, weights).unwrap_or(flat)
             }
@@ -49,6 +52,8 @@ impl<'a> Painter<'a> {
         }
         match self.view.shading {
             Shading::Flat => self.matte(normal, eye, is_back),
+            Shading::Marked(is_marked) if is_marked[t] => self.tinted(MARK, normal, is_back),
+            Shading::Marked(_) => self.matte(normal, eye, is_back),
             Shading::ReflectionLines => self.mirror(normal, eye, is_back),
             Shading::Values(values, range) => {
                 let value = (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum();

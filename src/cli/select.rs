@@ -1,0 +1,164 @@
+//! `fairmesh select`: what the flags of a region take, as a list, as a mesh, in a picture.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::json;
+
+use crate::answer::Answer;
+use crate::failure::Failure;
+use crate::formats::{Format, Geometry, Kind, MeshFile};
+use crate::normals;
+use crate::output::Output;
+use crate::picture::{self, Layout, PictureOptions, Shading, View};
+use crate::render;
+use crate::selection::{self, RegionArgs, Selected};
+use crate::surface::MeshArgs;
+
+/// What `fairmesh select` is asked.
+#[derive(Debug, Args)]
+pub struct SelectArgs {
+    /// The mesh: .ply, .obj, .off or .stl
+    input: PathBuf,
+    /// Where the faces go: as a list of their numbers for --faces (.txt), or as a mesh of
+    /// their own (.ply, .obj, .off or .stl)
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
+    output: Option<PathBuf>,
+    /// A picture (.png) with the faces in another colour
+    #[arg(long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+    /// From where the picture is taken, as of 'fairmesh render' [default: from above the
+    /// faces]
+    #[arg(long, value_name = "VIEW", allow_hyphen_values = true, verbatim_doc_comment)]
+    view: Option<String>,
+    /// Writes what was found as JSON, too; '-': to stdout, instead of the readable list
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    #[command(flatten)]
+    mesh: MeshArgs,
+    #[command(flatten)]
+    region: RegionArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
+    let mesh = MeshFile::read(&args.input)?;
+    let geometry = &mesh.geometry;
+    let prepared = |path: &Option<PathBuf>| path.as_deref().map(Output::prepare).transpose();
+    let (output, picture) = (prepared(&args.output)?, prepared(&args.picture)?);
+    let answer = Answer::prepare(args.json.as_deref(), false, &[&args.input])?;
+    let view = args.view.as_deref().map(render::direction).transpose()?;
+    let found = selection::find(&mesh, &args.input, &args.region, args.mesh.coincident)?;
+    let marked = marked(geometry, found.selected.in_triangles(geometry));
+    let polygons = whole(geometry, &marked);
+    let mut written = Vec::new();
+    if let (Some(output), Some(path)) = (output, &args.output) {
+        output.write(&list_or_mesh(path, &mesh, &polygons)?)?;
+        written.push(path.as_path());
+    }
+    if let (Some(output), Some(path)) = (picture, &args.picture) {
+        output.write(&shown(geometry, &marked, view)?)?;
+        written.push(path.as_path());
+    }
+    let faces: Vec<usize> = (0..polygons.len()).filter(|&p| polygons[p]).collect();
+    let moving = moving(geometry, &marked);
+    let json = || json!({ "region": found.report.json(), "faces": faces, "moving_vertices": moving });
+    let readable = || {
+        let mut text: String = found.report.told.iter().map(|line| format!("{line}\n")).collect();
+        let _ = writeln!(
+            text,
+            "selected: {} of {} faces; {moving} vertices have all their faces among them{}",
+            faces.len(),
+            geometry.polygon_count,
+            if moving == 0 {
+                ": nothing would move, --grow 1 takes more"
+            } else {
+                ""
+            }
+        );
+        if marked.iter().all(|&is_in| is_in) {
+            text += "this is the whole mesh: nothing would stay where it is\n";
+        }
+        text
+    };
+    answer.tell(&written, json, readable)?;
+    Ok(true)
+}
+
+/// Whether each triangle is selected; of vertices, those with all corners among them.
+fn marked(geometry: &Geometry, selected: Selected) -> Vec<bool> {
+    let (kind, list) = (selected.kind, selected.elements);
+    let count = match kind {
+        Kind::Vertex => geometry.positions.len(),
+        Kind::Face => geometry.triangles.len(),
+    };
+    let mut is_in = vec![false; count];
+    list.iter().for_each(|&i| is_in[i as usize] = true);
+    match kind {
+        Kind::Face => is_in,
+        Kind::Vertex => {
+            let triangles = geometry.triangles.iter();
+            triangles.map(|t| t.iter().all(|&v| is_in[v as usize])).collect()
+        }
+    }
+}
+
+/// The polygons with all triangles; those without any are none of these.
+fn whole(geometry: &Geometry, marked: &[bool]) -> Vec<bool> {
+    let mut has_marked = vec![false; geometry.polygon_count];
+    let mut has_other = vec![false; geometry.polygon_count];
+    for (t, &is_in) in marked.iter().enumerate() {
+        let of = if is_in { &mut has_marked } else { &mut has_other };
+        of[geometry.polygon_of(t)] = true;
+    }
+    (0..has_marked.len())
+        .map(|p| has_marked[p] && !has_other[p])
+        .collect()
+}
+
+/// How many vertices have all their triangles among the marked ones.
+fn moving(geometry: &Geometry, marked: &[bool]) -> usize {
+    let mut has = vec![[false; 2]; geometry.positions.len()];
+    for (t, &is_in) in geometry.triangles.iter().zip(marked) {
+        t.iter().for_each(|&v| has[v as usize][usize::from(is_in)] = true);
+    }
+    has.iter().filter(|&&of| of == [false, true]).count()
+}
+
+/// The faces as a list of numbers, or as a mesh, by the name of the file.
+fn list_or_mesh(path: &Path, mesh: &MeshFile, polygons: &[bool]) -> Result<Vec<u8>, Failure> {
+    if path.extension().is_some_and(|extension| extension == "txt") {
+        let numbers = (0..polygons.len()).filter(|&p| polygons[p]);
+        return Ok(numbers.map(|p| format!("{p}\n")).collect::<String>().into_bytes());
+    }
+    let format = Format::of(path).map_err(|failure| failure.and("a list of faces ends in .txt"))?;
+    let (part, _) = mesh.only(&path.display().to_string(), polygons)?;
+    Ok(part.in_format(format))
+}
+
+/// A picture of the whole mesh with the marked triangles in another colour.
+fn shown(geometry: &Geometry, marked: &[bool], view: Option<[f64; 3]>) -> Result<Vec<u8>, Failure> {
+    let options = PictureOptions {
+        direction: view.unwrap_or_else(|| above(geometry, marked)),
+        ..PictureOptions::default()
+    };
+    let view = View {
+        positions: &geometry.positions,
+        triangles: &geometry.triangles,
+        shading: Shading::Marked(marked),
+        focus: &[],
+    };
+    picture::render(&[view], &options, &Layout::default())
+}
+
+/// The mean normal of the marked triangles, or the usual direction where they have none.
+fn above(geometry: &Geometry, marked: &[bool]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (t, _) in geometry.triangles.iter().zip(marked).filter(|(_, is_in)| **is_in) {
+        let [a, b, c] = t.map(|v| geometry.positions[v as usize]);
+        let area = normals::cross(normals::sub(b, a), normals::sub(c, a));
+        (0..3).for_each(|k| sum[k] += area[k]);
+    }
+    normals::unit(sum).unwrap_or(PictureOptions::default().direction)
+}

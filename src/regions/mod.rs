@@ -1,0 +1,13 @@
+//! Regions of a mesh chosen by place, distance or shape: for hosts that have no brush.
+
+mod bump;
+mod geodesic;
+mod neighbours;
+mod robust;
+mod seed;
+mod spread;
+mod steps;
+
+pub use bump::Bump;
+pub use seed::Seed;
+pub use steps::{Combine, Region, RegionStep, SelectedRegion, select_region};

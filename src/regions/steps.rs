@@ -1,0 +1,225 @@
+//! A region made step by step: shapes and spreads, added, taken away, cut with each other.
+
+use super::bump::{self, Bump};
+use super::neighbours::Neighbours;
+use super::seed::Seed;
+use super::{geodesic, spread};
+use crate::error::Error;
+use crate::fairing::Workers;
+use crate::holes::Place;
+use crate::mesh::coincident::Coincident;
+use crate::mesh::{Joined, input};
+
+/// Triangles of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Region {
+    /// These triangles, by their numbers.
+    Triangles(Vec<u32>),
+    /// Those all of whose corners are among these vertices (or copies of them).
+    Vertices(Vec<u32>),
+    /// Those that lie in a ball or box with all corners.
+    Within(Place),
+    /// Those all of whose corners lie on the side of a plane that its normal points to, or on the plane.
+    HalfSpace {
+        /// A point of the plane.
+        point: [f64; 3],
+        /// Its normal, of any length but zero.
+        normal: [f64; 3],
+    },
+    /// Those all of whose corners are no further than `radius` from the seed, along the surface.
+    Geodesic {
+        /// The middle.
+        seed: Seed,
+        /// The largest distance.
+        radius: f64,
+    },
+    /// Those that hang together with the seed by edges.
+    Component(Seed),
+    /// Those around the seed, up to edges at which the surface bends by more than an angle.
+    Patch {
+        /// A place in it.
+        seed: Seed,
+        /// The angle between normals, in degrees, from 0 to 180.
+        angle: f64,
+    },
+    /// A bump or dent: where the mean curvature around the seed departs from that of the surroundings, see [`Bump`].
+    Bump(Seed),
+    /// The whole mesh.
+    All,
+}
+
+/// What a step does with the region so far.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum RegionStep {
+    /// Combines it with another one.
+    With(Combine, Region),
+    /// Adds the triangles that have a vertex in common with it, so often.
+    Grow(usize),
+    /// Takes the triangles away that have a vertex in common with the rest, so often.
+    Shrink(usize),
+    /// Takes the rest instead.
+    Invert,
+}
+
+/// How two regions become one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Combine {
+    /// What is in any of them.
+    #[default]
+    Add,
+    /// What is in the first and not in the second.
+    Remove,
+    /// What is in both.
+    Intersect,
+}
+
+/// What [`select_region`] returns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SelectedRegion {
+    /// The triangles, ascending.
+    pub triangles: Vec<u32>,
+    /// Per step how many triangles it named by itself; of [`RegionStep::Grow`], [`RegionStep::Shrink`] and [`RegionStep::Invert`] how many there were after it.
+    pub counts: Vec<usize>,
+    /// What was taken for each [`Region::Bump`], in their order.
+    pub bumps: Vec<Bump>,
+}
+
+/// Chooses triangles of a mesh step by step, beginning with none. `positions` is #V by 3, `triangles` #T by 3; the mesh need not be a
+/// manifold. Triangles hang together across `coincident` vertices.
+///
+/// ```
+/// use fairmesh::{Coincident, Combine, Place, Region, RegionStep, select_region};
+/// // A sheet of 4 by 4 squares, each divided into two triangles.
+/// let positions: Vec<[f64; 3]> = (0..25).map(|k| [(k / 5) as f64, (k % 5) as f64, 0.0]).collect();
+/// let triangles: Vec<[u32; 3]> = (0..16)
+///     .map(|k| 5 * (k / 4) + k % 4)
+///     .flat_map(|a| [[a, a + 5, a + 6], [a, a + 6, a + 1]])
+///     .collect();
+/// let left = Region::Within(Place::Box { low: [0.0; 3], high: [2.0, 4.0, 0.0] });
+/// let chosen = select_region(&positions, &triangles, &[RegionStep::With(Combine::Add, left), RegionStep::Shrink(1)], Coincident::default())?;
+/// assert_eq!(chosen.counts, [16, 8]);
+/// assert_eq!(chosen.triangles, [0, 1, 2, 3, 4, 5, 6, 7]);
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::TooLarge`], [`Error::IndexOutOfRange`], [`Error::NotFinite`], [`Error::SelectionOutOfRange`] for what does not exist,
+/// [`Error::BadOption`] for numbers out of range, [`Error::FreeVertexWithoutTriangle`] for a seed, [`Error::NoBump`].
+pub fn select_region(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    steps: &[RegionStep],
+    coincident: Coincident,
+) -> Result<SelectedRegion, Error> {
+    input::check(positions.len(), triangles)?;
+    input::check_finite(positions, triangles)?;
+    let joined = Joined::new(positions, triangles, coincident)?;
+    let mesh = Neighbours::new(positions, &joined.triangles);
+    let mut region = vec![false; triangles.len()];
+    let (mut counts, mut bumps) = (Vec::new(), Vec::new());
+    let count = |region: &[bool]| region.iter().filter(|&&is_in| is_in).count();
+    for step in steps {
+        match step {
+            RegionStep::With(how, named) => {
+                let named = find(&mesh, &joined, named, &mut bumps)?;
+                counts.push(count(&named));
+                combine(&mut region, *how, &named);
+                continue;
+            }
+            RegionStep::Grow(rings) => region = spread::grow(&mesh, region, *rings),
+            RegionStep::Shrink(rings) => region = spread::shrink(&mesh, region, *rings),
+            RegionStep::Invert => region = spread::not(region),
+        }
+        counts.push(count(&region));
+    }
+    let all = 0..triangles.len() as u32;
+    Ok(SelectedRegion {
+        triangles: all.filter(|&t| region[t as usize]).collect(),
+        counts,
+        bumps,
+    })
+}
+
+fn combine(region: &mut [bool], how: Combine, named: &[bool]) {
+    for (is_in, named) in region.iter_mut().zip(named) {
+        *is_in = match how {
+            Combine::Add => *is_in || *named,
+            Combine::Remove => *is_in && !named,
+            Combine::Intersect => *is_in && *named,
+        };
+    }
+}
+
+/// Whether each triangle is in a region.
+fn find(
+    mesh: &Neighbours<'_>,
+    joined: &Joined<'_>,
+    region: &Region,
+    bumps: &mut Vec<Bump>,
+) -> Result<Vec<bool>, Error> {
+    Ok(match region {
+        Region::Triangles(list) => listed(list.iter().copied(), mesh.triangles.len())?,
+        Region::Vertices(list) => {
+            let copies = &joined.copies;
+            listed(list.iter().copied(), mesh.positions.len())?;
+            let joined = list.iter().map(|&v| copies.smallest(v));
+            let is_in = listed(joined, mesh.positions.len())?;
+            spread::whole(mesh, |v| is_in[v as usize])
+        }
+        Region::Within(place) => {
+            place.validate()?;
+            spread::whole(mesh, |v| place.holds(&mesh.positions[v as usize]))
+        }
+        Region::HalfSpace { point, normal } => {
+            let length = normal.iter().map(|x| x * x).sum::<f64>();
+            Error::check_option(
+                "normal",
+                length.sqrt(),
+                length > 0.0 && length.is_finite(),
+                "a vector that is not zero",
+            )?;
+            for &x in point {
+                Error::check_option("point", x, x.is_finite(), "finite")?;
+            }
+            let height = |x: &[f64; 3]| (0..3).map(|k| (x[k] - point[k]) * normal[k]).sum::<f64>();
+            spread::whole(mesh, |v| height(&mesh.positions[v as usize]) >= 0.0)
+        }
+        Region::Geodesic { seed, radius } => {
+            Error::check_option("radius", *radius, *radius >= 0.0, "at least 0")?;
+            let distance = geodesic::distances(mesh, &seed.foot(mesh)?);
+            spread::whole(mesh, |v| distance[v as usize] <= *radius)
+        }
+        Region::Component(seed) => spread::connected(mesh, seed.foot(mesh)?.triangle, |_, _| true),
+        Region::Patch { seed, angle } => {
+            Error::check_option(
+                "angle",
+                *angle,
+                (0.0..=180.0).contains(angle),
+                "from 0 to 180 degrees",
+            )?;
+            spread::patch(mesh, seed.foot(mesh)?.triangle, *angle)
+        }
+        Region::Bump(seed) => {
+            let foot = seed.foot(mesh)?;
+            // Not on the global pool, whose threads would outlive a library that is unloaded.
+            let (found, region) = Workers::new(0)?.install(|| bump::find(mesh, &foot))?;
+            bumps.push(found);
+            region
+        }
+        Region::All => vec![true; mesh.triangles.len()],
+    })
+}
+
+/// Whether each of `count` elements is in a list.
+fn listed(list: impl Iterator<Item = u32>, count: usize) -> Result<Vec<bool>, Error> {
+    let mut is_in = vec![false; count];
+    for element in list {
+        let index = element as usize;
+        *is_in
+            .get_mut(index)
+            .ok_or(Error::SelectionOutOfRange { index, count })? = true;
+    }
+    Ok(is_in)
+}

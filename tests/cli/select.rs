@@ -1,0 +1,164 @@
+//! Regions that are said by place and shape: what is taken, in which order, and what is told where nothing is.
+
+use std::fs;
+
+use crate::common::{SIDE, cap, directory, expect, is_free, off_sphere, quads};
+use serde_json::Value;
+
+/// The cap as OBJ, its free vertices red.
+fn obj() -> String {
+    let colour = |v: usize| if is_free(v) { "1 0 0" } else { "0.2 0.2 0.2" };
+    let vertices = cap().into_iter().enumerate();
+    let vertices = vertices.map(|(v, [x, y, z])| format!("v {x} {y} {z} {}\n", colour(v)));
+    let faces = quads().into_iter();
+    let faces = faces.map(|[a, b, c, d]| format!("f {} {} {} {}\n", a + 1, b + 1, c + 1, d + 1));
+    vertices.chain(faces).collect()
+}
+
+/// The vertices of an OBJ file.
+fn vertices(text: &str) -> Vec<[f64; 3]> {
+    let lines = text.lines().filter_map(|line| line.strip_prefix("v "));
+    let numbers = |line: &str| -> Vec<f64> { line.split(' ').map(|word| word.parse().unwrap()).collect() };
+    lines.map(numbers).map(|v| [v[0], v[1], v[2]]).collect()
+}
+
+/// The first number in the line of the report that begins so.
+fn count(told: &str, begin: &str) -> usize {
+    let line = told.lines().find(|line| line.starts_with(begin)).unwrap();
+    let words = line[begin.len()..].split_whitespace();
+    words.filter_map(|word| word.parse().ok()).next().unwrap()
+}
+
+#[test]
+fn a_place_is_said_and_shown() {
+    let d = directory("a_place_is_said_and_shown");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    let ball = ["select", "cap.obj", "--ball", "0,0,1,0.45"];
+    let more = ["-o", "faces.txt", "--picture", "ball.png", "--json", "ball.json"];
+    let (told, _) = expect(&d, &[&ball[..], &more].concat(), 0);
+    let taken = count(&told, "selected:");
+    let list = fs::read_to_string(d.join("faces.txt")).unwrap();
+    assert_eq!(list.lines().count(), taken);
+    let near = |v: &u32| {
+        let [x, y, z] = cap()[*v as usize];
+        x * x + y * y + (z - 1.0) * (z - 1.0) <= 0.45 * 0.45
+    };
+    let whole = quads()
+        .into_iter()
+        .filter(|quad| quad.iter().all(|&v| near(&(v as u32))));
+    assert_eq!(whole.count(), taken);
+    let json: Value = serde_json::from_str(&fs::read_to_string(d.join("ball.json")).unwrap()).unwrap();
+    assert_eq!(json["faces"].as_array().unwrap().len(), taken);
+    assert_eq!(&fs::read(d.join("ball.png")).unwrap()[1..4], b"PNG");
+    // The same as a mesh of its own, in both formats.
+    for name in ["part.obj", "part.stl"] {
+        expect(&d, &[&ball[..], &["-o", name]].concat(), 0);
+        let (told, _) = expect(&d, &["select", name, "--ball", "0,0,0,9"], 0);
+        let faces = if name == "part.obj" { taken } else { 2 * taken };
+        assert_eq!(count(&told, "selected:"), faces);
+    }
+}
+
+/// The dent is found and taken away, by place, by colour and as a bump.
+#[test]
+fn what_is_selected_is_faired() {
+    let d = directory("what_is_selected_is_faired");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    for region in [
+        &["--ball", "0,0,1,0.45"][..],
+        &["--color", "255,0,0", "--grow", "2"],
+        &["--color", "#ff0000", "--grow", "2"],
+        &["--geodesic", "0,0,1,0.5"],
+        &["--box", "-0.4,-0.4,0,0.4,0.4,1"],
+        &["--bump", "0,0,0.9"],
+    ] {
+        let fair = ["fair", "cap.obj", "-o", "fair.obj"];
+        let (told, _) = expect(&d, &[&fair[..], region].concat(), 0);
+        assert!(told.contains(&region[..2].join(" ")), "{told}");
+        let off = off_sphere(&vertices(&fs::read_to_string(d.join("fair.obj")).unwrap()));
+        assert!(off < 1e-6, "{region:?}: {off}");
+    }
+    expect(
+        &d,
+        &[
+            "fill",
+            "cap.obj",
+            "-o",
+            "filled.obj",
+            "--erase",
+            "--ball",
+            "0,0,1,0.45",
+        ],
+        0,
+    );
+    // Without --erase this might be taken for a choice of holes.
+    let (_, told) = expect(
+        &d,
+        &["fill", "cap.obj", "-o", "no.obj", "--ball", "0,0,1,0.45"],
+        2,
+    );
+    assert!(
+        told.contains("--ball 0,0,1,0.45: this names faces; give --erase, too"),
+        "{told}"
+    );
+}
+
+#[test]
+fn the_order_of_the_flags_counts() {
+    let d = directory("the_order_of_the_flags_counts");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    let taken = |flags: &[&str]| {
+        let (told, _) = expect(&d, &[&["select", "cap.obj"], flags].concat(), 0);
+        count(&told, "selected:")
+    };
+    let all = (SIDE - 1) * (SIDE - 1);
+    let left = ["--halfspace", "0,0,0,-1,0,0"];
+    assert_eq!(taken(&left), all / 2);
+    let ball = ["--ball", "0,0,1,0.45"];
+    let [alone, half] = [taken(&ball), taken(&[&ball[..], &["--and"], &left].concat())];
+    assert_eq!(2 * half, alone);
+    assert_eq!(taken(&[&ball[..], &["--without"], &left].concat()), half);
+    assert_eq!(taken(&[&ball[..], &left].concat()), all / 2 + alone - half);
+    assert_eq!(taken(&[&ball[..], &["--invert"]].concat()), all - alone);
+    let grown = taken(&[&ball[..], &["--grow", "1"], &left].concat());
+    assert_ne!(grown, taken(&[&ball[..], &left, &["--grow", "1"]].concat()));
+    assert_eq!(taken(&["--component-at", "0"]), all);
+    assert_eq!(taken(&["--patch-at", "0,0,1,180"]), all);
+}
+
+#[test]
+fn where_nothing_is_taken_it_is_told_why() {
+    let d = directory("where_nothing_is_taken_it_is_told_why");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    for (flags, why) in [
+        (
+            &["--ball", "5,0,0,1"][..],
+            "no face lies in it with all corners; vertex ",
+        ),
+        (
+            &["--box", "5,0,0,6,1,1"],
+            "the mesh lies between -0.6000 -0.6000 ",
+        ),
+        (&["--color", "0,255,0"], "no face is that"),
+        (
+            &["--component-at", "900"],
+            "vertex 900 does not exist; cap.obj has 225 vertices, counted from 0",
+        ),
+        (&["--ball", "0,0,1"], "expected X,Y,Z,RADIUS"),
+        (
+            &["--ball", "0,0,1,2", "--without", "--ball", "0,0,1,2"],
+            "nothing is left selected",
+        ),
+        (
+            &["--ball", "0,0,1,2", "--and"],
+            "--and: a flag that names a region has to follow",
+        ),
+        (&["--grow", "1"], "nothing says which vertices may move"),
+        (&["--bump", "0.5,0.5,0.7"], "no bump is found there"),
+    ] {
+        let (_, told) = expect(&d, &[&["select", "cap.obj"], flags].concat(), 2);
+        assert!(told.contains(why), "{flags:?}: {told}");
+    }
+    let (told, _) = expect(&d, &["select", "cap.obj", "--ball", "0,0,1,2"], 0);
+    assert!(told.contains("this is the whole mesh"), "{told}");
+}

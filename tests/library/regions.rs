@@ -1,0 +1,284 @@
+//! Regions that are chosen by place, distance and shape: known answers, and bumps that are found and taken away.
+
+use std::f64::consts::PI;
+
+use crate::fairing::irregular;
+use fairmesh::{
+    Coincident, Combine, Error, Options, Outcome, Place, Region, RegionStep, Seed, SelectedRegion, Selection,
+    fair, select_region,
+};
+use fairmesh_shapes::{Sampling, Shape, plate, sphere_with_hole};
+
+fn select(shape: &Shape, steps: &[RegionStep]) -> SelectedRegion {
+    select_region(&shape.positions, &shape.triangles, steps, Coincident::default()).unwrap()
+}
+
+fn add(region: Region) -> RegionStep {
+    RegionStep::With(Combine::Add, region)
+}
+
+/// The unit sphere but for a small hole around the north pole.
+fn sphere(n: usize, sampling: Sampling) -> Shape {
+    sphere_with_hole(0.2, n, sampling, 0)
+}
+
+const EAST: Seed = Seed::Point([1.0, 0.0, 0.0]);
+
+/// Great circles on a sphere, straight lines on a plane.
+#[test]
+fn distances_along_the_surface_are_those_of_the_smooth_surface() {
+    let shape = sphere(8000, irregular(1));
+    for radius in [0.3, 1.0, 2.0] {
+        let chosen = select(&shape, &[add(Region::Geodesic { seed: EAST, radius })]);
+        let angle = |v: u32| shape.positions[v as usize][0].clamp(-1.0, 1.0).acos();
+        let mut is_in = vec![false; shape.triangles.len()];
+        chosen.triangles.iter().for_each(|&t| is_in[t as usize] = true);
+        for (t, corners) in shape.triangles.iter().enumerate() {
+            let farthest = corners.map(angle).into_iter().fold(0.0, f64::max);
+            let near = shape.mean_edge();
+            assert!(
+                !is_in[t] || farthest < radius + 0.5 * near,
+                "{radius}: {farthest}"
+            );
+            assert!(is_in[t] || farthest > radius - 0.5 * near, "{radius}: {farthest}");
+        }
+    }
+    let sheet = plate(3000, irregular(2));
+    let middle = sheet.positions[0];
+    let chosen = select(
+        &sheet,
+        &[add(Region::Geodesic {
+            seed: Seed::Point(middle),
+            radius: 0.2,
+        })],
+    );
+    for &t in &chosen.triangles {
+        for &v in &sheet.triangles[t as usize] {
+            let p = sheet.positions[v as usize];
+            let distance = (0..3).map(|k| (p[k] - middle[k]).powi(2)).sum::<f64>().sqrt();
+            assert!(distance < 0.2 + 1e-9, "{distance}");
+        }
+    }
+}
+
+/// A cube of so many squares along each edge, its corners and edges not rounded; every square of two triangles.
+fn cube(n: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    for side in 0..6 {
+        let first = positions.len() as u32;
+        for i in 0..=n {
+            for j in 0..=n {
+                let [a, b] = [i, j].map(|k| f64::from(k) / f64::from(n));
+                let (axis, at) = (side / 2, f64::from(side as u8 % 2));
+                let mut p = [0.0; 3];
+                (p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]) = (at, a, b);
+                positions.push(p);
+            }
+        }
+        for i in 0..n {
+            for j in 0..n {
+                let a = first + i * (n + 1) + j;
+                let [b, c, d] = [a + n + 1, a + n + 2, a + 1];
+                let quad = [[a, b, c], [a, c, d]];
+                triangles.extend(quad.map(|t| if side % 2 == 0 { [t[0], t[2], t[1]] } else { t }));
+            }
+        }
+    }
+    (positions, triangles)
+}
+
+/// The sides have vertices of their own: what lies at the same place is one vertex.
+#[test]
+fn a_patch_ends_at_sharp_edges_and_a_component_does_not() {
+    let (positions, triangles) = cube(4);
+    let of = |region| {
+        let chosen = select_region(&positions, &triangles, &[add(region)], Coincident::default());
+        chosen.unwrap().triangles
+    };
+    let seed = Seed::Point([0.3, 0.4, 1.2]);
+    let side = of(Region::Patch { seed, angle: 30.0 });
+    assert_eq!(side.len(), 32);
+    for &t in &side {
+        assert!(
+            triangles[t as usize]
+                .iter()
+                .all(|&v| positions[v as usize][2] == 1.0)
+        );
+    }
+    assert_eq!(of(Region::Patch { seed, angle: 95.0 }).len(), triangles.len());
+    assert_eq!(of(Region::Component(seed)).len(), triangles.len());
+    let apart = Coincident::Separate;
+    let alone = select_region(&positions, &triangles, &[add(Region::Component(seed))], apart);
+    assert_eq!(alone.unwrap().triangles, side);
+}
+
+#[test]
+fn steps_add_take_away_and_cut() {
+    let (positions, triangles) = cube(4);
+    let of =
+        |steps: &[RegionStep]| select_region(&positions, &triangles, steps, Coincident::default()).unwrap();
+    let patch = |point| Region::Patch {
+        seed: Seed::Point(point),
+        angle: 30.0,
+    };
+    let (top, front) = (patch([0.5, 0.5, 1.0]), patch([0.5, 0.0, 0.5]));
+    let half = Region::HalfSpace {
+        point: [0.5; 3],
+        normal: [1.0, 0.0, 0.0],
+    };
+    let both = of(&[add(top.clone()), add(front)]);
+    assert_eq!((both.triangles.len(), both.counts), (64, vec![32, 32]));
+    let cut = of(&[
+        add(top.clone()),
+        RegionStep::With(Combine::Intersect, half.clone()),
+    ]);
+    let rest = of(&[add(top.clone()), RegionStep::With(Combine::Remove, half)]);
+    assert_eq!((cut.triangles.len(), rest.triangles.len()), (16, 16));
+    // A ring more: the squares beside the side, and the other half of theirs at the corners.
+    let grown = of(&[add(top.clone()), RegionStep::Grow(1), RegionStep::Shrink(1)]);
+    assert_eq!(grown.counts[0], 32);
+    assert!(grown.counts[1] > 32 + 4 * 8 - 1, "{:?}", grown.counts);
+    assert_eq!(grown.triangles, of(&[add(top.clone())]).triangles);
+    let others = of(&[add(top.clone()), RegionStep::Invert]);
+    assert_eq!(others.triangles.len(), triangles.len() - 32);
+    // The same by vertices, of which any copy will do.
+    let top_vertices = (0..positions.len() as u32).filter(|&v| positions[v as usize][2] == 1.0);
+    let by_vertices = of(&[add(Region::Vertices(top_vertices.collect()))]);
+    assert_eq!(by_vertices.triangles, of(&[add(top)]).triangles);
+    assert_eq!(of(&[add(Region::All)]).triangles.len(), triangles.len());
+}
+
+#[test]
+fn what_cannot_be_chosen_is_refused_by_name() {
+    let (positions, triangles) = cube(2);
+    let refused = |region| {
+        let chosen = select_region(&positions, &triangles, &[add(region)], Coincident::default());
+        chosen.unwrap_err()
+    };
+    let count = positions.len();
+    assert_eq!(
+        refused(Region::Component(Seed::Vertex(count as u32))),
+        Error::SelectionOutOfRange { index: count, count }
+    );
+    let ball = Region::Within(Place::Ball {
+        centre: [f64::NAN, 0.0, 0.0],
+        radius: 1.0,
+    });
+    assert!(matches!(refused(ball), Error::BadOption { .. }));
+    let flat = Region::HalfSpace {
+        point: [0.0; 3],
+        normal: [0.0; 3],
+    };
+    let range = "a vector that is not zero";
+    let (name, value) = ("normal", 0.0);
+    assert_eq!(refused(flat), Error::BadOption { name, value, range });
+    assert!(matches!(refused(Region::Bump(EAST)), Error::NoBump { .. }));
+    let geodesic = Region::Geodesic {
+        seed: Seed::Point([0.0, f64::INFINITY, 0.0]),
+        radius: 1.0,
+    };
+    assert!(matches!(
+        refused(geodesic),
+        Error::BadOption { name: "point", .. }
+    ));
+}
+
+/// The sphere with a bump (or a dent) in the east, of this width and height over the width, and noise over the edge.
+fn spoiled(shape: &Shape, width: f64, height: f64, noise: f64, seed: u64) -> Vec<[f64; 3]> {
+    let mut x = shape.noise(seed, noise);
+    for p in &mut x {
+        let d = (p[0] - 1.0).hypot(p[1].hypot(p[2]));
+        let by = 1.0 + height * width * (-0.5 * (d / width).powi(2)).exp();
+        *p = p.map(|c| c * by);
+    }
+    x
+}
+
+/// The bump is found and faired: what is left of it, over its height, and how far it was found to reach, over its width.
+fn left(shape: &Shape, x: &[[f64; 3]], width: f64, height: f64) -> (f64, f64) {
+    let steps = [add(Region::Bump(EAST))];
+    let chosen = select_region(x, &shape.triangles, &steps, Coincident::default()).unwrap();
+    let options = Options {
+        threads: 1,
+        ..Options::default()
+    };
+    let solution = fair(x, &shape.triangles, Selection::Faces(&chosen.triangles), &options).unwrap();
+    assert_eq!(solution.report.outcome, Outcome::Converged);
+    let off = |p: &[f64; 3]| (p.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0).abs();
+    let near = |p: &&[f64; 3]| p[0] > (3.0 * width).cos();
+    let worst = solution
+        .positions
+        .iter()
+        .filter(near)
+        .map(off)
+        .fold(0.0, f64::max);
+    (worst / (height * width).abs(), chosen.bumps[0].radius / width)
+}
+
+/// Without noise nothing is left of bumps and dents of any width but what a fair surface over half the sphere is off by: the rings
+/// on a wide flank, on which the curvature does not change, are no ends.
+#[test]
+fn bumps_and_dents_are_found_whole() {
+    for (n, sampling) in [
+        (2000, irregular(1)),
+        (8000, irregular(2)),
+        (8000, Sampling::Regular),
+    ] {
+        let shape = sphere(n, sampling);
+        for width in [0.08, 0.15, 0.3] {
+            for height in [0.03, -0.1, 0.3] {
+                let x = spoiled(&shape, width, height, 0.0, 0);
+                let (left, reach) = left(&shape, &x, width, height);
+                let off = (left * height * width).abs();
+                assert!(
+                    left < 0.02 || off < 4e-3,
+                    "{n}, width {width}, height {height}: {left}"
+                );
+                assert!(
+                    reach * width < 0.75 * PI,
+                    "{n}, width {width}, height {height}: {reach}"
+                );
+            }
+        }
+    }
+}
+
+/// Noise hides the flanks, and more of a bump is left the more there is; but not all of it.
+#[test]
+fn bumps_are_found_among_noise() {
+    let shape = sphere(8000, irregular(3));
+    let cases = [
+        (1, 0.15, 0.5),
+        (2, 0.15, -0.5),
+        (3, 0.3, 0.5),
+        (4, 0.08, 0.5),
+        (5, 0.3, 0.1),
+    ];
+    for (seed, width, height) in cases {
+        for noise in [0.002, 0.01] {
+            let x = spoiled(&shape, width, height, noise, seed);
+            let (left, reach) = left(&shape, &x, width, height);
+            println!("width {width}, height {height}, noise {noise}: {left:.3} left, reach {reach:.2}");
+            assert!(
+                left < if noise < 0.005 { 0.5 } else { 0.75 },
+                "width {width}, height {height}, noise {noise}: {left}"
+            );
+        }
+    }
+}
+
+/// A sphere has none, with noise or without.
+#[test]
+fn where_no_bump_is_none_is_found() {
+    for (noise, seed) in [(0.0, 0), (0.02, 5), (0.1, 6)] {
+        let shape = sphere(4000, irregular(4));
+        let x = shape.noise(seed, noise);
+        let found = select_region(
+            &x,
+            &shape.triangles,
+            &[add(Region::Bump(EAST))],
+            Coincident::default(),
+        );
+        assert!(matches!(found, Err(Error::NoBump { .. })), "{noise}: {found:?}");
+    }
+}
