@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "filled.h"
-#include "patch.h"
 #include "report.h"
 #include "work.h"
 #include "write.h"
@@ -57,6 +56,20 @@ std::vector<std::uint32_t> chosen(const fairmesh::result &loops, const Mask &sel
     return close;
 }
 
+/** The guides that are named, and the pair that is selected. */
+void set_guides(const CMeshO &mesh, CloseParameters &asked) {
+    auto guides = asked.guides;
+    if (asked.guide_selected) {
+        std::vector<std::uint32_t> pair;
+        for (std::size_t i = 0; i < mesh.vert.size(); ++i)
+            if (!mesh.vert[i].IsD() && mesh.vert[i].IsS()) pair.push_back(static_cast<std::uint32_t>(i));
+        if (pair.size() != 2)
+            throw Failure(text("Edge between the two selected vertices: %zu %s selected.", pair.size(), pair.size() == 1 ? "is" : "are"));
+        guides.push_back({pair[0], pair[1]});
+    }
+    asked.fill.guide(guides);
+}
+
 } // namespace
 
 Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host) {
@@ -70,11 +83,12 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
                            close.empty() ? "is none" : "is one alone"));
     if (close.empty()) {
         host.warn("Warning, no hole was found that is to be closed.");
-        return {{"converged", true}, {"closed", 0},       {"left_open", 0}, {"not_fair", 0},
-                {"joined", 0},       {"new_vertices", 0}, {"new_faces", 0}, {"seconds_solve", 0.0}};
+        return {{"converged", true}, {"closed", 0},    {"left_open", 0},      {"not_fair", 0},        {"joined", 0},
+                {"new_vertices", 0}, {"new_faces", 0}, {"moved_vertices", 0}, {"moved_largest", 0.0}, {"seconds_solve", 0.0}};
     }
     asked.fill.only(close);
     if (asked.join == JoinLoops::Auto) asked.fill.join_auto();
+    set_guides(mesh, asked);
     if (all_at_selection) {
         asked.fill.only({});
         asked.fill.join_groups({close});
@@ -84,12 +98,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
     const auto filled = fairmesh::fill_holes(view.mesh(), asked.fill, asked.options);
     if (cancelled) throw Failure(CANCELLED);
 
-    const Patch patch = patch_of(filled, view.triangles().size(), mesh);
-    const Mask made = add(mesh, patch);
-    select_new(mesh, patch.triangles.size(), asked.selection);
-    // Adjacency that the mesh carries has to know the new faces.
-    model.updateDataMask(model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO));
-    update_normals(mesh, made, false);
+    write_patches(model, filled, view.triangles().size(), asked.selection);
     return told(filled, loops, asked.options.continuity > 0, host);
 }
 

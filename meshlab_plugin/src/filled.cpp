@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "filled.h"
 
+#include "patch.h"
 #include "report.h"
+#include "write.h"
 
 #include <algorithm>
 
@@ -31,11 +33,20 @@ std::string opposite(const fairmesh_fill_report &hole, const fairmesh::result &l
                 first_vertex(loops, hole.reason_element), first_vertex(loops, hole.reason_other));
 }
 
+/** What is wrong with the faces around a hole whose vertices moved; empty if nothing is. */
+std::string relaxed(const fairmesh_fill_report &hole) {
+    if (hole.moved_unsound == 0) return "";
+    return text(" %llu old faces beside it are folded or intersect since their vertices moved: let more of them move, or less far.",
+                static_cast<unsigned long long>(hole.moved_unsound));
+}
+
 } // namespace
 
 Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host) {
     const fairmesh_info info = filled.info();
     int open = 0, unfair = 0, joined = 0;
+    std::uint64_t moved = 0;
+    double moved_largest = 0;
     // Of the first hole that did not become fair.
     std::uint32_t outcome = FAIRMESH_FILL_OUTCOME_FAIRED, fairing = FAIRMESH_OUTCOME_CONVERGED;
     double defect = 0, solve = 0;
@@ -51,6 +62,12 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
             if (report.outcome != FAIRMESH_OUTCOME_CONVERGED && but.empty()) but = "closed; " + reservation(report);
             fair = fair && report.outcome == FAIRMESH_OUTCOME_CONVERGED;
             if (open + unfair == 0 && !fair) fairing = report.outcome;
+        }
+        if (hole.has_relaxed) {
+            moved += hole.moved_count;
+            moved_largest = std::max(moved_largest, hole.moved_largest);
+            but += relaxed(hole);
+            fair = fair && hole.moved_unsound == 0;
         }
         if (open + unfair == 0 && !fair) outcome = hole.outcome;
         solve += hole.seconds;
@@ -68,6 +85,9 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
     host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
                   static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count), open,
                   unfair));
+    if (moved > 0)
+        host.log(
+            text("Old vertices around the holes that moved: %llu, by %.4g at most", static_cast<unsigned long long>(moved), moved_largest));
     return {{"converged", open + unfair == 0},
             {"outcome", static_cast<int>(fairing)},
             {"fill_outcome", static_cast<int>(outcome)},
@@ -77,9 +97,21 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
             {"joined", joined},
             {"new_vertices", static_cast<int>(info.new_vertex_count)},
             {"new_faces", static_cast<int>(info.new_triangle_count)},
+            {"moved_vertices", static_cast<int>(moved)},
+            {"moved_largest", moved_largest},
             {"defect", defect},
             {"iterations", static_cast<int>(iterations)},
             {"seconds_solve", solve}};
+}
+
+void write_patches(MeshModel &model, const fairmesh::result &filled, std::size_t old_triangles, SelectionAfter wish) {
+    CMeshO &mesh = model.cm;
+    const Patch patch = patch_of(filled, old_triangles, mesh);
+    const Mask changed = add(mesh, patch);
+    select_new(mesh, patch.triangles.size(), wish);
+    // Adjacency that the mesh carries has to know the new faces.
+    model.updateDataMask(model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO));
+    update_normals(mesh, changed, false);
 }
 
 void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish) {

@@ -16,6 +16,10 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
 /** Selects as the user wishes. The last `count` faces are new. */
 void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish);
 
+/** Puts the patches of holes or of a bridge into a mesh of so many triangles. Throws Failure, before anything has changed, if a number
+ *  exceeds the host's range. */
+void write_patches(MeshModel &model, const fairmesh::result &filled, std::size_t old_triangles, SelectionAfter wish);
+
 } // namespace fairmesh_meshlab
 
 #endif

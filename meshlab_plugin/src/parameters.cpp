@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "parameters.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <climits>
 #include <type_traits>
@@ -88,6 +90,37 @@ void add_patch_parameters(RichParameterList &list) {
                  "best surface that was found. Flat: the triangulation, refined. Nothing: it stays as it is. The log says so."));
 }
 
+/** What filling has that bridging has not. */
+void add_rim_parameters(RichParameterList &list) {
+    list.addParam(RichInt("relax_rim", 0, "Rough boundary: rings that may move",
+                          "For the ragged boundaries of scans: so many rings of old vertices around a hole, those of its boundary "
+                          "counted, may move onto the surface that the mesh has there on average. 3 is a good number. 0: none."));
+    list.addParam(RichFloat("relax_within", 0, "Rough boundary: no further than",
+                            "No old vertex moves further than this. 0: the mean length of the edges there."));
+}
+
+void read_rim_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
+    fill.relax_rings = at_least(list, "relax_rim", 0);
+    fill.relax_within = list.getFloat("relax_within");
+}
+
+/** Pairs of numbers, "12 57; 80 3". */
+std::vector<std::array<std::uint32_t, 2>> read_guides(const QString &text) {
+    std::vector<std::array<std::uint32_t, 2>> guides;
+    for (const QString &part : text.split(';', Qt::SkipEmptyParts)) {
+        if (part.trimmed().isEmpty()) continue;
+        const QStringList numbers = part.split(QRegularExpression("[,\\s]+"), Qt::SkipEmptyParts);
+        bool good = numbers.size() == 2;
+        std::array<std::uint32_t, 2> pair{};
+        for (int k = 0; good && k < 2; ++k) pair[k] = numbers[k].toUInt(&good);
+        if (!good)
+            throw Failure("Parameter guides: '" + part.trimmed().toStdString() +
+                          "' is no pair of vertices. Write pairs of numbers as in 12 57; 80 3.");
+        guides.push_back(pair);
+    }
+    return guides;
+}
+
 void read_patch_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
     fill.density = list.getFloat("density");
     fill.max_new_vertices = at_least(list, "max_new_vertices", 0);
@@ -130,6 +163,12 @@ void add_close_parameters(RichParameterList &list) {
                  "bends less than patches of their own would, as the two sides of a gap or the ends of tubes that face each other. "
                  "All loops at the selection: one patch for all loops with a vertex of a selected face, or a selected vertex, "
                  "outer boundaries included, and nothing else."));
+    list.addParam(RichBool("guide_selected", false, "Edge between the two selected vertices",
+                           "The triangulation starts with an edge between the two vertices that are selected, both on the boundary: "
+                           "across a long tear, it says which points of its two sides belong together. The surface has no edge there."));
+    list.addParam(RichString("guides", "", "Edges between vertices",
+                             "The same for any pairs of boundary vertices, by their numbers, as in: 12 57; 80 3. None is in two pairs."));
+    add_rim_parameters(list);
     add_patch_parameters(list);
     list.addParam(RichEnum("selection_after", static_cast<int>(SelectionAfter::OldAndNew), {"Old and new faces", "New faces", "As before"},
                            "Selected afterwards", "Which faces are selected when holes have been closed."));
@@ -139,6 +178,17 @@ void add_close_parameters(RichParameterList &list) {
 void add_erase_parameters(RichParameterList &list) {
     list.addParam(RichBool("outer_boundaries", false, "Outer boundaries of open surfaces, too",
                            "Also where the selected faces lie at the outer boundary of an open sheet, which is closed then."));
+    add_rim_parameters(list);
+    add_patch_parameters(list);
+    add_solver_parameters(list);
+}
+
+void add_bridge_parameters(RichParameterList &list) {
+    list.addParam(RichFloat("width", 0, "Width",
+                            "How long the two ends of the bridge shall be along the boundary: the selected stretches are made longer "
+                            "or shorter about their middles; one vertex each is enough then. 0: as they are selected."));
+    list.addParam(RichBool("fill_rest", false, "Fill the rest",
+                           "Also closes the holes that the bridge leaves beside it; all that is new becomes one smooth surface."));
     add_patch_parameters(list);
     add_solver_parameters(list);
 }
@@ -159,6 +209,9 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
     asked.touching_selection = list.getBool("touching_selection");
     asked.outer_boundaries = list.getBool("outer_boundaries");
     asked.join = static_cast<JoinLoops>(in_list(list, "join", 3));
+    asked.guide_selected = list.getBool("guide_selected");
+    asked.guides = read_guides(list.getString("guides"));
+    read_rim_parameters(list, asked.fill);
     asked.max_length = list.getFloat("max_length");
     if (!(asked.max_length >= 0)) throw Failure("Parameter max_length is negative.");
     asked.except_longest = at_least(list, "except_longest", 0);
@@ -171,7 +224,18 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
 
 CloseParameters read_erase_parameters(const RichParameterList &list) {
     CloseParameters asked;
+    read_rim_parameters(list, asked.fill);
     asked.outer_boundaries = list.getBool("outer_boundaries");
+    read_patch_parameters(list, asked.fill);
+    asked.join_distance = list.getFloat("join_distance");
+    read_solver_parameters(list, asked.options);
+    return asked;
+}
+
+BridgeParameters read_bridge_parameters(const RichParameterList &list) {
+    BridgeParameters asked;
+    asked.how.width = list.getFloat("width");
+    asked.how.fill = list.getBool("fill_rest");
     read_patch_parameters(list, asked.fill);
     asked.join_distance = list.getFloat("join_distance");
     read_solver_parameters(list, asked.options);

@@ -38,6 +38,11 @@ const char ERASE[] =
     "noise and tangles whose old shape is of no use. Faces that would hang loose at the rest go, too. Where the hole would stay open, "
     "nothing is changed.<br>";
 
+const char BRIDGE[] =
+    "Connects two selected stretches of boundary by a strip of new triangles that goes on smoothly from both: across a hole, which it "
+    "divides, or between two parts. Select the vertices or the faces there. Its two free sides are curves, unless the rest is filled, "
+    "too.<br>";
+
 const char CURVATURE[] =
     "Writes the mean curvature H of every vertex to its quality, in 1 / length. It is fitted to the normal curvatures towards the "
     "neighbours "
@@ -53,6 +58,7 @@ QString name(int filter) {
     case FairSelection: return "Fair selection (G1, intrinsic)";
     case CloseHoles: return "Close holes and fair (G1)";
     case EraseAndFill: return "Erase selected faces and fill (G1)";
+    case BridgeBoundaries: return "Bridge Boundaries Smoothly";
     case MeanCurvature: return "Mean curvature (Moreton-Sequin) to quality";
     default: return "";
     }
@@ -63,6 +69,7 @@ QString python_name(int filter) {
     case FairSelection: return "apply_coord_fairing_to_selection";
     case CloseHoles: return "meshing_close_holes_and_fair";
     case EraseAndFill: return "meshing_erase_and_fill_selection";
+    case BridgeBoundaries: return "meshing_bridge_boundaries";
     case MeanCurvature: return "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex";
     default: return "";
     }
@@ -73,6 +80,7 @@ QString help(int filter) {
     case FairSelection: return QString::fromUtf8(FAIR) + PAPER;
     case CloseHoles: return QString::fromUtf8(CLOSE) + PAPER;
     case EraseAndFill: return QString::fromUtf8(ERASE) + PAPER;
+    case BridgeBoundaries: return QString::fromUtf8(BRIDGE) + PAPER;
     case MeanCurvature: return QString::fromUtf8(CURVATURE) + PAPER;
     default: return "";
     }

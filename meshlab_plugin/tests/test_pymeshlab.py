@@ -15,6 +15,7 @@ import pymeshlab
 FAIR = "apply_coord_fairing_to_selection"
 CLOSE = "meshing_close_holes_and_fair"
 ERASE = "meshing_erase_and_fill_selection"
+BRIDGE = "meshing_bridge_boundaries"
 CURVATURE = "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex"
 PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
 
@@ -480,6 +481,163 @@ class Erase(Case):
             with self.assertRaisesRegex(pymeshlab.PyMeshLabException, message):
                 ms.apply_filter(ERASE)
             self.same(before, state(ms.current_mesh()))
+
+
+class Bridge(Case):
+    def two_rims(self, condition, half=0.25):
+        """A sphere without a band; selected is a stretch of both rims, by vertices or by faces."""
+        ms = mesh_set(*meshes.band_missing())
+        mesh = ms.current_mesh()
+        ms.set_selection_none()
+        rim = meshes.on_boundary(mesh.vertex_number(), mesh.face_matrix())
+        self.assertGreater(rim.sum(), 40)
+        if condition == "vertices":
+            ms.compute_selection_by_condition_per_vertex(condselect=f"x > 0 && abs(y) < {half} && abs(z) < 0.5")
+        else:
+            ms.compute_selection_by_condition_per_face(condselect=f"x0 > 0 && abs(y0+y1+y2) < {3 * half} && abs(z0+z1+z2) < 1.4")
+        return ms
+
+    def test_between_two_rims(self):
+        for condition in ("vertices", "faces"):
+            ms = self.two_rims(condition)
+            before = state(ms.current_mesh())
+            old_vertices, old_faces = ms.current_mesh().vertex_number(), ms.current_mesh().face_number()
+            values = ms.apply_filter(BRIDGE)
+            mesh = ms.current_mesh()
+            self.assertEqual((values["converged"], values["outcome"], values["fill_outcome"]), (True, 0, 0))
+            self.assertLess(abs(values["twist"]), 1)
+            self.assertEqual(mesh.vertex_number(), old_vertices + values["new_vertices"])
+            self.assertEqual(mesh.face_number(), old_faces + values["new_faces"])
+            self.assertEqual(mesh.selected_face_number(), values["new_faces"])
+            self.assertEqual(mesh.vertex_matrix()[:old_vertices].tobytes(), before["vertices"].tobytes())
+            # One boundary is left, of a sheet that goes around it: a tube with a hole in its side, closed at both ends.
+            boundary = meshes.on_boundary(mesh.vertex_number(), mesh.face_matrix())
+            self.assertTrue(boundary.any())
+            self.assertLess(np.abs(np.linalg.norm(mesh.vertex_matrix(), axis=1) - 1).max(), 0.01)
+
+    def test_and_what_is_left_is_filled(self):
+        for parameters, half in (({}, 0.25), ({"width": 0.5}, 0.04)):
+            ms = self.two_rims("vertices", half)
+            values = ms.apply_filter(BRIDGE, fill_rest=True, **parameters)
+            self.assertEqual((values["converged"], values["closed"], values["left_open"]), (True, 1, 0))
+            Join.whole_sphere(self, ms)
+
+    def test_attributes_are_interpolated(self):
+        vertices, faces = meshes.band_missing()
+        height = (vertices[:, 2] + 1) / 2
+        ms = mesh_set(vertices, faces, v_scalar_array=height)
+        ms.compute_selection_by_condition_per_vertex(condselect="x > 0 && abs(y) < 0.25 && abs(z) < 0.5")
+        ms.apply_filter(BRIDGE)
+        after = ms.current_mesh()
+        quality, positions = after.vertex_scalar_array(), after.vertex_matrix()
+        self.assertEqual(quality[: len(height)].tobytes(), height.tobytes())
+        self.assertLess(np.abs(quality - (positions[:, 2] + 1) / 2).max(), 0.1)
+
+    def test_what_is_no_pair_of_stretches(self):
+        ms = self.two_rims("vertices")
+        ms.set_selection_none()
+        self.refused(ms, BRIDGE, "Select two stretches of boundary", "0 are selected")
+        ms.compute_selection_by_condition_per_vertex(condselect="x > 0 && abs(y) < 0.25 && z > 0 && z < 0.5")
+        self.refused(ms, BRIDGE, "1 is selected")
+        ms.set_selection_all()
+        self.refused(ms, BRIDGE, "All of the boundary at vertex", "Join loops")
+        vertices, faces = meshes.band_missing()
+        below = vertices[faces[:, 0], 2] < 0
+        ms = mesh_set(vertices, np.where(below[:, None], faces[:, ::-1], faces))
+        ms.compute_selection_by_condition_per_vertex(condselect="x > 0 && abs(y) < 0.25 && abs(z) < 0.5")
+        self.refused(ms, BRIDGE, "No bridge was made", "Invert Faces Orientation")
+
+
+class Guides(Case):
+    def slit(self):
+        """The unit sphere without a narrow strip along the equator's front."""
+        vertices, faces = meshes.icosphere(4)
+        inside = (np.abs(vertices[faces][:, :, 2]) < 0.1).all(axis=1) & (vertices[faces][:, :, 0] > 0.3).all(axis=1)
+        return meshes.without(vertices, faces, inside)
+
+    def ends(self, vertices, faces):
+        """Two vertices that face each other across the slit."""
+        rim = np.flatnonzero(meshes.on_boundary(len(vertices), faces))
+        front = vertices[rim] @ [1, 0.2, 0]
+        return [int(rim[np.argmax(np.where(side * vertices[rim, 2] > 0, front, -1))]) for side in (1, -1)]
+
+    def test_named_and_selected(self):
+        vertices, faces = self.slit()
+        a, b = self.ends(vertices, faces)
+        for parameters in ({"guides": f"{a} {b}"}, {"guides": f" {b},{a}; "}, {"guide_selected": True}):
+            ms = mesh_set(vertices, faces)
+            ms.compute_selection_by_condition_per_vertex(condselect=f"vi == {a} || vi == {b}")
+            self.assertTrue(ms.apply_filter(CLOSE, **parameters)["converged"])
+            Join.whole_sphere(self, ms)
+
+    def test_reach_the_library(self):
+        vertices, faces = self.slit()
+        a, b = self.ends(vertices, faces)
+        rim = np.flatnonzero(meshes.on_boundary(len(vertices), faces))
+        far = [int(rim[np.argmax(side * vertices[rim, 1])]) for side in (1, -1)]
+        inner = int(np.argmin(vertices[:, 0]))
+        refuse = self.refused
+        refuse(mesh_set(vertices, faces), CLOSE, "12 13 14", "is no pair of vertices", guides="12 13 14")
+        refuse(mesh_set(vertices, faces), CLOSE, "is no pair of vertices", guides="a b")
+        refuse(mesh_set(vertices, faces), CLOSE, str(inner), guides=f"{a} {inner}")
+        refuse(mesh_set(vertices, faces), CLOSE, "cross", guides=f"{a} {b}; {far[0]} {far[1]}")
+        refuse(mesh_set(vertices, faces), CLOSE, "0 are selected", guide_selected=True)
+
+
+class RoughRims(Case):
+    def noisy(self):
+        """A sphere without a cap, whose rim is noise of a fifth of an edge."""
+        vertices, faces = meshes.open_sphere(4)
+        noise = np.random.default_rng(2).normal(0, 0.2 * 0.07, len(vertices))
+        return vertices * (1 + noise * (vertices[:, 2] > 0.55))[:, None], faces
+
+    def test_old_vertices_are_written_back(self):
+        vertices, faces = self.noisy()
+        random = np.random.default_rng(4)
+        colors, height = random.random((len(vertices), 4)), random.random(len(vertices))
+
+        def filled(**parameters):
+            ms = mesh_set(vertices, faces, v_color_matrix=colors, v_scalar_array=height)
+            before = state(ms.current_mesh())
+            values = ms.apply_filter(CLOSE, **parameters)
+            return ms, before, values
+
+        ms, before, values = filled()
+        self.assertEqual((values["moved_vertices"], values["moved_largest"]), (0, 0))
+        stiff = np.linalg.norm(ms.current_mesh().vertex_matrix()[len(vertices) :], axis=1) - 1
+        ms, before, values = filled(relax_rim=4)
+        self.assertEqual((values["closed"], values["left_open"]), (1, 0))
+        after = state(ms.current_mesh())
+        moved = (after["vertices"][: len(vertices)] != vertices).any(axis=1)
+        self.assertEqual(values["moved_vertices"], moved.sum())
+        self.assertGreater(moved.sum(), 100)
+        self.assertGreater(vertices[moved, 2].min(), 0.4)
+        how_far = np.linalg.norm(after["vertices"][: len(vertices)] - vertices, axis=1)
+        self.assertAlmostEqual(values["moved_largest"], how_far.max(), 9)
+        soft = np.linalg.norm(after["vertices"][len(vertices) :], axis=1) - 1
+        self.assertLess(np.sqrt((soft**2).mean()), 0.5 * np.sqrt((stiff**2).mean()))
+        # What they carry stays, and their normals are those of the surface as it is now.
+        for name in ("vertex colours", "vertex quality"):
+            self.assertEqual(before[name].tobytes(), after[name][: len(vertices)].tobytes(), name)
+        a, b, c = after["vertices"][after["faces"]].transpose(1, 0, 2)
+        normals = np.cross(b - a, c - a)
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        self.assertLess(np.abs(after["face normals"] - normals).max(), 1e-6)
+        # No further than asked.
+        _, _, values = filled(relax_rim=4, relax_within=0.002)
+        self.assertAlmostEqual(values["moved_largest"], 0.002, 9)
+
+    def test_erase(self):
+        vertices, faces = self.noisy()
+        ms = mesh_set(vertices, faces)
+        ms.apply_filter(CLOSE, selection_after="New faces")
+        values = ms.apply_filter(ERASE, relax_rim=3)
+        self.assertGreater(values["moved_vertices"], 50)
+
+    def test_wrong_numbers(self):
+        vertices, faces = self.noisy()
+        self.refused(mesh_set(vertices, faces), CLOSE, "relax_rim is -1", relax_rim=-1)
+        self.refused(mesh_set(vertices, faces), CLOSE, "relax_within", relax_rim=2, relax_within=-1.0)
 
 
 class Refused(Case):
