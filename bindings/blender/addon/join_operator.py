@@ -2,13 +2,13 @@
 """Edge > Join Loops and Fair."""
 
 import bpy
-from bpy.props import EnumProperty
 
 from . import fairmesh, filling, menus, messages
 from .job import Background
+from .patch_options import GuideOptions, JoinOptions, RimOptions
 
 
-class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operator):
+class MESH_OT_fairmesh_join_loops(Background, filling.Filling, RimOptions, GuideOptions, JoinOptions, bpy.types.Operator):
     """Joins boundary loops of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_join_loops"
@@ -19,23 +19,10 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    groups: EnumProperty(
-        name="Patches",
-        description="Which loops get one patch together",
-        items=(
-            ("ONE", "One for All", "All selected loops of an object get one patch"),
-            (
-                "AUTO",
-                "Where It Bends Less",
-                "Loops whose common patch bends less than patches of their own would; the others are left open. "
-                "Without a selection: of all loops",
-            ),
-        ),
-        default="ONE",
-    )
-
     def draw_options(self, layout):
-        layout.prop(self, "groups")
+        self.draw_groups(layout)
+        self.draw_guides(layout)
+        self.draw_rim(layout)
         self.draw_filling(layout)
 
     def prepare(self, context):
@@ -45,6 +32,8 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         chosen = [holes for holes in meshes if holes.join]
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
+            return None
+        if self.guides and not filling.guide(self, chosen):
             return None
         return self.work_on(chosen)
 
@@ -72,9 +61,11 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
                 return f"Nothing was joined, {count} left out: {why}"
         if self.groups == "AUTO":
             return "No two loops have a common patch that bends less than patches of their own: select those to be joined"
-        return (
-            "Select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
-            "Parts in several objects: join the objects first (Ctrl-J)"
+        return messages.not_selected(
+            (holes.mesh for holes in meshes),
+            "One loop alone is selected, or none",
+            "select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
+            "Parts in several objects: join the objects first (Ctrl-J)",
         )
 
     def finish(self, context, chosen):
@@ -92,5 +83,5 @@ register, unregister = menus.registration(
     MESH_OT_fairmesh_join_loops,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_edges",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("EDGE",),
 )
