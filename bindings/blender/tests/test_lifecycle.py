@@ -10,6 +10,7 @@ import threading
 import time
 import unittest.mock
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.path.insert(0, str(Path(__file__).parent))
 import bpy  # isort: skip
@@ -130,6 +131,21 @@ def test_the_menus_are_left_as_they_were():
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
         wanted = {"clean": 6, "vertices": 2, "edges": 4, "faces": 3, "delete": 1, "menu": 5}
         assert len(ours) == wanted[menu.rpartition("_")[2]], ours
+
+
+def test_the_right_click_menu_has_what_the_select_mode_is_for():
+    def entries(*mode):
+        found = []
+        layout = SimpleNamespace(operator=found.append)
+        context = SimpleNamespace(tool_settings=SimpleNamespace(mesh_select_mode=mode))
+        for draw in bpy.types.VIEW3D_MT_edit_mesh_context_menu.draw._draw_funcs:
+            if draw.__module__.startswith(common.NAME):
+                draw(SimpleNamespace(layout=layout), context)
+        return {name.partition("fairmesh_")[2] for name in found}
+
+    assert entries(True, False, False) == {"fair", "fill_holes"}
+    assert entries(False, True, False) == {"fair", "fill_holes", "join_loops", "bridge"}
+    assert entries(False, False, True) == {"fair", "erase_and_fill"}
 
 
 def test_tooltips_are_short_enough_for_blender():
