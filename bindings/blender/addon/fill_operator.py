@@ -76,10 +76,18 @@ class MESH_OT_fairmesh_fill_holes(
         self._leave_out(holes, "it is one of the largest", lambda loop: id(loop) in longest)
         if self.max_edges:
             self._leave_out(holes, "it has more edges than Most Edges", lambda loop: len(loop.vertices) > self.max_edges)
+        # Lengths and areas as seen in the scene, up to the object's size.
+        size = holes.mesh.size
         if self.max_length:
-            # Lengths as seen in the scene, up to the object's size.
-            bound = self.max_length / holes.mesh.size
-            self._leave_out(holes, "it is longer than Longest", lambda loop: loop.length > bound)
+            self._leave_out(holes, "it is longer than Longest", lambda loop: size * loop.length > self.max_length)
+        if self.max_diagonal:
+            self._leave_out(
+                holes,
+                "it is wider than Widest",
+                lambda loop: size * filling.largest_diagonal([(holes.mesh, loop.vertices)]) > self.max_diagonal,
+            )
+        if self.max_area:
+            self._leave_out(holes, "it is larger than Largest Area", lambda loop: size**2 * loop.area > self.max_area)
 
     def _leave_out(self, holes, why, applies):
         left = [(index, loop) for index, loop in holes.loops if not applies(loop)]

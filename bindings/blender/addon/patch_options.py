@@ -113,6 +113,20 @@ class HoleOptions:
         min=0.0,
         subtype="DISTANCE",
     )
+    max_diagonal: FloatProperty(
+        name="Widest",
+        description="Fill All Holes: those with a longer diagonal of the bounding box stay open. 0: of any width are filled",
+        default=0.0,
+        min=0.0,
+        subtype="DISTANCE",
+    )
+    max_area: FloatProperty(
+        name="Largest Area",
+        description="Fill All Holes: those that span a larger area stay open. 0: of any area are filled",
+        default=0.0,
+        min=0.0,
+        precision=4,
+    )
     except_longest: IntProperty(
         name="But the Largest",
         description="Fill All Holes: so many stay open, those with the longest boundaries of each object",
@@ -131,6 +145,8 @@ class HoleOptions:
     def draw_limits(self, layout):
         layout.prop(self, "max_edges")
         layout.prop(self, "max_length")
+        layout.prop(self, "max_diagonal")
+        layout.prop(self, "max_area")
         layout.prop(self, "except_longest")
 
 

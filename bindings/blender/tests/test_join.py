@@ -453,6 +453,9 @@ def test_which_holes_of_all():
     assert left(except_longest=1) == {True}
     # The lower one is about 2 pi 2 0.25 long, the upper one 2 pi 2 0.6.
     assert left(max_length=5.0) == {True}
+    # 2 2 0.25 and 2 2 0.6 wide; of areas pi 0.5^2 and pi 1.2^2.
+    assert left(max_diagonal=2.0) == {True} and left(max_diagonal=5.0) == set()
+    assert left(max_area=2.0) == {True} and left(max_area=6.0) == set()
 
 
 def test_what_is_not_fair_stays_open_on_demand():
