@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "filled.h"
-#include "patch.h"
 #include "report.h"
 #include "work.h"
 #include "write.h"
@@ -121,7 +120,7 @@ Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameter
         throw Failure(text("No bridge was made: %s.%s", fairmesh_fill_reason_text(strip.reason),
                            turned ? " Select the faces of one of the two parts and apply 'Invert Faces Orientation'." : ""));
     }
-    write_patches(model, bridged, view.triangles().size(), SelectionAfter::NewOnly);
+    write_patches(model, view, bridged, SelectionAfter::NewOnly);
     return told(bridged, host);
 }
 

@@ -5,11 +5,16 @@
 #include "report.h"
 #include "write.h"
 
+#include <vcg/complex/allocate.h>
+
 #include <algorithm>
+#include <numeric>
 
 namespace fairmesh_meshlab {
 
 namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
 
 std::uint32_t first_vertex(const fairmesh::result &loops, std::uint64_t loop) {
     return loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop).front();
@@ -31,6 +36,23 @@ std::string opposite(const fairmesh_fill_report &hole, const fairmesh::result &l
     return text(" These are the loops at vertices %u and %u: select the faces of one of the two parts and apply 'Invert Faces "
                 "Orientation'.",
                 first_vertex(loops, hole.reason_element), first_vertex(loops, hole.reason_other));
+}
+
+/** Deletes the faces that are not kept; their vertices that no face has any more, too, but not yet. */
+Mask delete_faces(CMeshO &mesh, const MeshView &view, const std::vector<std::uint32_t> &kept) {
+    Mask loose(mesh.vert.size(), 0);
+    auto next = kept.begin();
+    for (std::uint32_t t = 0; t < view.triangles().size(); ++t) {
+        if (next != kept.end() && *next == t) {
+            ++next;
+            continue;
+        }
+        Allocator::DeleteFace(mesh, mesh.face[view.face(t)]);
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 1;
+    }
+    for (std::uint32_t t : kept)
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 0;
+    return loose;
 }
 
 /** What is wrong with the faces around a hole whose vertices moved; empty if nothing is. */
@@ -104,14 +126,42 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
             {"seconds_solve", solve}};
 }
 
-void write_patches(MeshModel &model, const fairmesh::result &filled, std::size_t old_triangles, SelectionAfter wish) {
+Triangles some_of(const MeshView &view, const std::vector<std::uint32_t> &kept) {
+    Triangles triangles;
+    triangles.reserve(kept.size());
+    for (std::uint32_t t : kept) triangles.push_back(view.triangles()[t]);
+    return triangles;
+}
+
+fairmesh_mesh with_triangles(const MeshView &view, const Triangles &triangles) {
+    fairmesh_mesh mesh = view.mesh();
+    mesh.triangles = fairmesh::indices(triangles.empty() ? nullptr : triangles.front().data(), triangles.size());
+    return mesh;
+}
+
+void write_patches(MeshModel &model, const MeshView &view, const std::vector<std::uint32_t> &kept, const fairmesh::result &filled,
+                   SelectionAfter wish) {
     CMeshO &mesh = model.cm;
-    const Patch patch = patch_of(filled, old_triangles, mesh);
+    const Patch patch = patch_of(filled, kept.size(), mesh);
+    const bool deletes = kept.size() < view.triangles().size();
+    const int topology = model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+    if (deletes) model.clearDataMask(topology);
+    const Mask loose = deletes ? delete_faces(mesh, view, kept) : Mask();
     const Mask changed = add(mesh, patch);
     select_new(mesh, patch.triangles.size(), wish);
-    // Adjacency that the mesh carries has to know the new faces.
-    model.updateDataMask(model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO));
     update_normals(mesh, changed, false);
+    for (std::size_t v = 0; v < loose.size(); ++v)
+        if (loose[v] && !mesh.vert[v].IsD()) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+    // As the host's own filters that delete: its scripts read compact meshes only.
+    if (deletes) Allocator::CompactEveryVector(mesh);
+    // Adjacency that the mesh carries has to know the new faces.
+    model.updateDataMask(topology);
+}
+
+void write_patches(MeshModel &model, const MeshView &view, const fairmesh::result &filled, SelectionAfter wish) {
+    std::vector<std::uint32_t> all(view.triangles().size());
+    std::iota(all.begin(), all.end(), 0);
+    write_patches(model, view, all, filled, wish);
 }
 
 void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish) {

@@ -37,11 +37,14 @@ struct CloseParameters {
     bool touching_selection = false;
     bool outer_boundaries = false;
     JoinLoops join = JoinLoops::None;
-    /** 0: of any length. */
-    double max_length = 0;
+    /** 0: of any length, width, area. */
+    double max_length = 0, max_diagonal = 0, max_area = 0;
     std::size_t except_longest = 0;
     double join_distance = 0;
     SelectionAfter selection = SelectionAfter::OldAndNew;
+    /** How much may be taken away at the holes before they are closed, and beside erased faces. */
+    fairmesh::trim_limits trim = {0, 0.0};
+    std::uint64_t clean = 0;
     /** Pairs of vertices that the patch shall have an edge between before it is refined, and whether the selected two are one. */
     std::vector<std::array<std::uint32_t, 2>> guides;
     bool guide_selected = false;

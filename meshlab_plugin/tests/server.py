@@ -9,11 +9,11 @@ import subprocess
 
 WORK = pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"
 
-FAIR = "Fair selection (G1, intrinsic)"
-CLOSE = "Close holes and fair (G1)"
-ERASE = "Erase selected faces and fill (G1)"
+FAIR = "Fair Selected Region"
+CLOSE = "Close Holes Smoothly"
+ERASE = "Erase and Fill Smoothly"
 BRIDGE = "Bridge Boundaries Smoothly"
-CURVATURE = "Mean curvature (Moreton-Sequin) to quality"
+CURVATURE = "Mean Curvature (smooth)"
 
 SOLVER = {
     "join_distance": ("RichFloat", 0),
@@ -41,18 +41,22 @@ PARAMETERS = {
     CLOSE: {
         "max_edges": ("RichInt", 0),
         "max_length": ("RichFloat", 0),
+        "max_diagonal": ("RichFloat", 0),
+        "max_area": ("RichFloat", 0),
         "except_longest": ("RichInt", 0),
         "touching_selection": ("RichBool", "false"),
         "outer_boundaries": ("RichBool", "false"),
         "join": ("RichEnum", 0, 3),
         "guide_selected": ("RichBool", "false"),
         "guides": ("RichString", ""),
+        "trim": ("RichInt", 0),
+        "trim_area": ("RichFloat", 0),
         **RIM,
         **PATCH,
         "selection_after": ("RichEnum", 0, 3),
         **SOLVER,
     },
-    ERASE: {"outer_boundaries": ("RichBool", "false"), **RIM, **PATCH, **SOLVER},
+    ERASE: {"outer_boundaries": ("RichBool", "false"), "clean_boundary": ("RichInt", 0), **RIM, **PATCH, **SOLVER},
     BRIDGE: {"width": ("RichFloat", 0), "fill_rest": ("RichBool", "false"), **PATCH, **SOLVER},
     CURVATURE: {},
     "Close Holes": {

@@ -76,14 +76,15 @@ class Sphere(Case):
         self.assertIn("Fairing converged", text)
         faces = mesh["face"]["vertex_indices"].astype(int)
         heights = meshes.points(mesh)[faces].mean(axis=1)[:, 2]
-        self.on_sphere(reordered(mesh, heights < 0.75), int((heights < 0.75).sum()), "Close Holes, Isotropic Remeshing, Fair selection")
+        old_faces = int((heights < 0.75).sum())
+        self.on_sphere(reordered(mesh, heights < 0.75), old_faces, "Close Holes, Isotropic Remeshing, Fair Selected Region")
 
     def test_own_filling(self):
         mesh, text = self.applied(self.file, (CLOSE, {}))
         self.assertIn("Holes closed: 1", text)
         old = meshes.points(mesh)[: len(self.vertices)]
         self.assertEqual(np.abs(old - self.vertices.astype(np.float32)).max(), 0)
-        self.on_sphere(mesh, len(self.faces), "Close holes and fair")
+        self.on_sphere(mesh, len(self.faces), "Close Holes Smoothly")
 
 
 class Join(Case):

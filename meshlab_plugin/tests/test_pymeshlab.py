@@ -16,7 +16,7 @@ FAIR = "apply_coord_fairing_to_selection"
 CLOSE = "meshing_close_holes_and_fair"
 ERASE = "meshing_erase_and_fill_selection"
 BRIDGE = "meshing_bridge_boundaries"
-CURVATURE = "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex"
+CURVATURE = "compute_scalar_by_smooth_mean_curvature_per_vertex"
 PLUGIN = str(pathlib.Path(sys.argv.pop(1)).resolve()) if len(sys.argv) > 1 else ""
 
 
@@ -113,7 +113,7 @@ class Sphere(Case):
         self.assertTrue(values["converged"])
         self.assertEqual(values["outcome"], 0)
         self.assertEqual(values["free_vertices"], ms.current_mesh().vertex_number() - old)
-        self.on_sphere(ms, 1e-6, "Close Holes, then Fair selection")
+        self.on_sphere(ms, 1e-6, "Close Holes, then Fair Selected Region")
 
     def test_a_seam_across_the_dent(self):
         ms, _ = dented_sphere()
@@ -143,7 +143,7 @@ class Sphere(Case):
         self.assertEqual((values["converged"], values["outcome"], values["fill_outcome"]), (True, 0, 0))
         self.assertGreater(values["new_vertices"], 500)
         self.assertEqual(ms.current_mesh().selected_face_number(), values["new_faces"])
-        self.on_sphere(ms, 1e-6, "Close holes and fair")
+        self.on_sphere(ms, 1e-6, "Close Holes Smoothly")
 
     def test_repeats_to_the_last_bit(self):
         results = []
@@ -226,6 +226,7 @@ class Curvature(Case):
         quality = ms.current_mesh().vertex_scalar_array()
         self.assertLess(np.abs(quality + 0.5).max(), 1e-6)
         self.assertAlmostEqual(values["curvature_mean"], -0.5, 6)
+        self.assertEqual(values["vertices"], len(vertices))
         self.same(before, state(ms.current_mesh()), but=["vertex quality"])
 
     def test_of_a_faired_region(self):
@@ -428,6 +429,8 @@ class Join(Case):
         # The small one is below.
         self.assertLess(closed(except_longest=1), -0.99)
         self.assertLess(closed(max_length=2.8), -0.99)
+        self.assertLess(closed(max_diagonal=1.05), -0.99)
+        self.assertLess(closed(max_area=0.45), -0.99)
 
     def test_what_becomes_of_a_hole_without_a_fair_patch(self):
         for choice, closed, outcome in (("Best there is", 1, 1), ("Flat", 1, 2), ("Nothing", 0, 3)):
@@ -640,6 +643,86 @@ class RoughRims(Case):
         self.refused(mesh_set(vertices, faces), CLOSE, "relax_within", relax_rim=2, relax_within=-1.0)
 
 
+class Trim(Case):
+    def ragged(self):
+        """A sphere with two holes; at the upper one hangs a fin, at the lower one another."""
+        vertices, faces = meshes.icosphere(4)
+        height = vertices[faces].mean(axis=1)[:, 2]
+        vertices, faces = meshes.without(vertices, faces, (height > 0.9) | (height < -0.95))
+        edges = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+        unique, count = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
+        rim = {tuple(edge) for edge in unique[count == 1].tolist()}
+        added, fins = list(vertices), []
+        for side in (1, -1):
+            a, b = next((a, b) for a, b in edges.tolist() if tuple(sorted((a, b))) in rim and side * vertices[a, 2] > 0)
+            added.append((vertices[a] + vertices[b]) / 2 * 1.3)
+            fins.append([b, a, len(added) - 1])
+        return np.array(added), np.vstack([faces, fins])
+
+    def test_at_the_holes_that_are_closed(self):
+        vertices, faces = self.ragged()
+        ms = mesh_set(vertices, faces)
+        ms.compute_selection_by_condition_per_face(condselect="z0 > 0.8 && z0 < 1.05 && z1 < 1.05 && z2 < 1.05")
+        values = ms.apply_filter(CLOSE, trim=10, touching_selection=True)
+        self.assertEqual((values["converged"], values["closed"]), (True, 1))
+        self.assertTrue(1 <= values["trimmed_faces"] <= 10)
+        self.assertGreater(values["trimmed_area"], 0)
+        mesh = ms.current_mesh()
+        self.assertEqual(mesh.face_number(), len(faces) - values["trimmed_faces"] + values["new_faces"])
+        # The other one keeps its fin.
+        outside = np.linalg.norm(mesh.vertex_matrix(), axis=1) > 1.1
+        self.assertEqual((outside.sum(), mesh.vertex_matrix()[outside, 2].max() < 0), (1, True))
+        values = ms.apply_filter(CLOSE, trim=10)
+        self.assertEqual((values["converged"], values["closed"]), (True, 1))
+        Join.whole_sphere(self, ms)
+
+    def test_not_unless_asked(self):
+        ms = mesh_set(*self.ragged())
+        values = ms.apply_filter(CLOSE)
+        self.assertEqual((values["closed"], values["trimmed_faces"]), (2, 0))
+        self.refused(mesh_set(*self.ragged()), CLOSE, "trim is -1", trim=-1)
+        self.refused(mesh_set(*self.ragged()), CLOSE, "area", trim=3, trim_area=-1.0)
+
+    def test_beside_erased_faces(self):
+        vertices, faces = self.ragged()
+        ms = mesh_set(vertices, faces)
+        ms.compute_selection_by_condition_per_face(condselect="x0 > 0.8")
+        values = ms.apply_filter(ERASE, clean_boundary=5)
+        self.assertTrue(values["converged"])
+        self.assertLessEqual(values["cleaned_faces"], 5)
+
+
+class Words(Case):
+    def test_names_for_python(self):
+        # Filters of plugins that are loaded are no methods: PyMeshLab makes these when it is imported.
+        for name in (FAIR, CLOSE, ERASE, BRIDGE, CURVATURE):
+            self.assertTrue(name in pymeshlab.filter_list(), name)
+            self.assertFalse(hasattr(pymeshlab.MeshSet(verbose=False), name))
+
+    def test_defaults_are_within_reason(self):
+        ms, _ = dented_sphere(2)
+        for name in (FAIR, CLOSE, ERASE, BRIDGE):
+            numbers = {k: v for k, v in ms.filter_parameter_values(name).items() if type(v) in (int, float)}
+            self.assertGreater(len(numbers), 4)
+            for parameter, value in numbers.items():
+                self.assertLess(abs(value), 1e6, (name, parameter))
+
+    def test_every_filter_tells_its_outcome_and_counts(self):
+        ms, _ = dented_sphere(3)
+        told = {FAIR: ms.apply_filter(FAIR), ERASE: ms.apply_filter(ERASE), CURVATURE: ms.apply_filter(CURVATURE)}
+        ms = mesh_set(*meshes.open_sphere(3))
+        told[CLOSE] = ms.apply_filter(CLOSE)
+        self.assertEqual(ms.apply_filter(CLOSE)["closed"], 0)
+        told[BRIDGE] = Bridge.two_rims(self, "vertices").apply_filter(BRIDGE)
+        wanted = {"converged", "outcome", "iterations", "seconds"}
+        made = {"new_vertices", "new_faces", "fill_outcome", "left_open", "closed"}
+        self.assertLessEqual(wanted | {"free_vertices", "intersections", "components"}, told[FAIR].keys())
+        self.assertLessEqual(wanted | made | {"not_fair", "joined", "moved_vertices", "trimmed_faces"}, told[CLOSE].keys())
+        self.assertLessEqual(wanted | made | {"erased_faces", "cleaned_faces", "moved_vertices"}, told[ERASE].keys())
+        self.assertLessEqual(wanted | made | {"twist"}, told[BRIDGE].keys())
+        self.assertLessEqual({"vertices", "curvature_min", "curvature_max", "curvature_mean", "seconds"}, told[CURVATURE].keys())
+
+
 class Refused(Case):
     def test_no_selection(self):
         ms, _ = dented_sphere()
@@ -726,7 +809,7 @@ class Refused(Case):
         self.refused(ms, FAIR, "Option continuity is", continuity=float("nan"))
         self.refused(ms, FAIR, "max_iterations is 0", "at least 1", max_iterations=0)
         self.refused(ms, FAIR, "max_iterations is -5", max_iterations=-5)
-        self.refused(ms, FAIR, "Option target is", target="Constant", target_constant=float("inf"))
+        self.refused(ms, FAIR, "Option target is", target="Bulged", target_constant=float("inf"))
         self.refused(ms, FAIR, "its name is not given", boundary_normals="Attribute")
         self.refused(ms, FAIR, "no per-vertex attribute 'there'", boundary_normals="Attribute", normal_attribute="there")
         ms = mesh_set(*meshes.open_sphere(3))
@@ -826,12 +909,12 @@ class Outcomes(Case):
             return ms.current_mesh().vertex_matrix()[inside]
 
         plain = radius()
-        for parameters in ({"inner_fairness": "Conformal"}, {"inner_fairness": "Convex"}, {"target": "Minimal energy"}):
+        for parameters in ({"inner_fairness": "Keep shapes"}, {"inner_fairness": "Keep shapes, robust"}, {"target": "Elastic sheet"}):
             other = radius(**parameters)
             self.assertLess(np.abs(np.linalg.norm(other, axis=1) - 1).max(), 1e-5, parameters)
             if "inner_fairness" in parameters:
                 self.assertGreater(np.abs(other - plain).max(), 1e-4, parameters)
-        pushed = radius(target="Constant", target_constant=5.0)
+        pushed = radius(target="Bulged", target_constant=5.0)
         self.assertGreater(np.linalg.norm(pushed, axis=1).mean(), 1.01)
 
 
@@ -841,7 +924,7 @@ class Loading(Case):
             pymeshlab.load_plugin(PLUGIN)
         self.assertIn("already loaded", str(caught.exception))
         for name in (FAIR, CLOSE, CURVATURE):
-            self.assertIn(name, pymeshlab.filter_list())
+            self.assertTrue(name in pymeshlab.filter_list(), name)
 
     def test_unloads(self):
         # A copy, because the host keeps its own one.
