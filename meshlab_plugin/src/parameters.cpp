@@ -11,6 +11,15 @@ namespace fairmesh_meshlab {
 
 namespace {
 
+// Dialogs of MeshLab 2020.09 have no scroll bars, and would not fit a screen with all parameters. Later ones hide those that are advanced.
+#ifdef FAIRMESH_MESHLAB_2020
+constexpr bool SCROLLS = false;
+#define ADVANCED
+#else
+constexpr bool SCROLLS = true;
+#define ADVANCED , true
+#endif
+
 int in_list(const RichParameterList &list, const char *name, int count) {
     const int choice = list.getEnum(name);
     if (choice < 0 || choice >= count)
@@ -28,6 +37,7 @@ std::uint64_t at_least(const RichParameterList &list, const char *name, int leas
 }
 
 double not_negative(const RichParameterList &list, const char *name) {
+    if (!list.hasParameter(name)) return 0;
     const double number = list.getFloat(name);
     if (!(number >= 0)) throw Failure(std::string("Parameter ") + name + " is negative.");
     return number;
@@ -54,19 +64,19 @@ void add_solver_parameters(RichParameterList &list) {
         "inner_fairness", static_cast<int>(standard.inner_fairness), {"Even", "Keep shapes", "Keep shapes, robust"}, "Vertex distribution",
         "How vertices are spread within the surface; the surface hardly depends on it. Even: evenly (uniform weights). Keep "
         "shapes: with the least distortion of the present triangles (conformal). Keep shapes, robust: nearly so, and safe for "
-        "any triangles (convex)."));
+        "any triangles (convex)." ADVANCED));
     list.addParam(RichFloat("tolerance", static_cast<Scalar>(standard.tolerance), "Accuracy",
                             "Stop when vertices move by less than this, over the diagonal of the region's bounding box. Greater than 0, "
-                            "less than 1; 1e-6 is enough to look at."));
+                            "less than 1; 1e-6 is enough to look at." ADVANCED));
     list.addParam(RichBool("check_intersections", standard.intersections == FAIRMESH_INTERSECTIONS_CHECK, "Check for self-intersections",
                            "Whether the result is searched for triangles that intersect each other or the rest of the mesh; the log says "
-                           "how many pairs there are."));
+                           "how many pairs there are." ADVANCED));
     list.addParam(RichInt("max_iterations", as_int(standard.max_iterations), "Iterations, at most",
-                          "Most regions need 10 to 20. If they run out, the best surface so far is kept, and the log says so."));
+                          "Most regions need 10 to 20. If they run out, the best surface so far is kept, and the log says so." ADVANCED));
     list.addParam(
         RichFloat("join_distance", 0, "Join vertices within",
                   "Vertices as far apart as this are one vertex of the surface, as along texture seams: its copies move alike, and "
-                  "none is removed. 0: where their coordinates are equal. Negative: none are joined."));
+                  "none is removed. 0: where their coordinates are equal. Negative: none are joined." ADVANCED));
 }
 
 void read_solver_parameters(const RichParameterList &list, fairmesh::options &options) {
@@ -137,7 +147,7 @@ void read_patch_parameters(const RichParameterList &list, fairmesh::fill_options
 void add_fair_parameters(RichParameterList &list) {
     list.addParam(
         RichEnum("boundary_normals", static_cast<int>(BoundaryNormals::Fitted), {"Fitted", "Averaged", "Vertex normals", "Attribute"},
-                 "Directions at the boundary",
+                 "Boundary normals",
                  "In which directions the surface leaves the unselected faces. Fitted: as these are curved, the most accurate. Averaged: "
                  "for noisy ones. Vertex normals: those that the mesh has, for instance from its file. Attribute: the custom per-vertex "
                  "attribute named below. Where a given normal is 0 0 0, it is fitted."));
@@ -156,10 +166,14 @@ void add_close_parameters(RichParameterList &list) {
     list.addParam(RichInt("max_edges", 0, "Edges of a hole, at most", "Holes of more edges stay open. 0: holes of any size are closed."));
     list.addParam(RichFloat("max_length", 0, "Length of a boundary, at most",
                             "Holes with a longer boundary stay open. 0: holes of any length are closed."));
-    list.addParam(RichFloat("max_diagonal", 0, "Width of a hole, at most",
-                            "Holes with a longer diagonal of the bounding box stay open. 0: holes of any width are closed."));
-    list.addParam(
-        RichFloat("max_area", 0, "Area of a hole, at most", "Holes that span a larger area stay open. 0: holes of any area are closed."));
+    if (SCROLLS) {
+        list.addParam(RichFloat("max_diagonal", 0, "Width of a hole, at most",
+                                "Holes with a longer diagonal of the bounding box stay open. 0: holes of any width are closed." ADVANCED));
+    }
+    if (SCROLLS) {
+        list.addParam(RichFloat("max_area", 0, "Area of a hole, at most",
+                                "Holes that span a larger area stay open. 0: holes of any area are closed." ADVANCED));
+    }
     list.addParam(
         RichInt("except_longest", 0, "All but the longest", "So many holes of the mesh stay open: those with the longest boundaries."));
     list.addParam(RichBool("touching_selection", false, "Only holes at the selection",
@@ -175,12 +189,18 @@ void add_close_parameters(RichParameterList &list) {
     list.addParam(RichBool("guide_selected", false, "Edge between the two selected vertices",
                            "The triangulation starts with an edge between the two vertices that are selected, both on the boundary: "
                            "across a long tear, it says which points of its two sides belong together. The surface has no edge there."));
-    list.addParam(RichString("guides", "", "Edges between vertices",
-                             "The same for any pairs of boundary vertices, by their numbers, as in: 12 57; 80 3. None is in two pairs."));
+    if (SCROLLS) {
+        list.addParam(RichString(
+            "guides", "", "Edges between vertices",
+            "The same for any pairs of boundary vertices, by their numbers, as in: 12 57; 80 3. None is in two pairs." ADVANCED));
+    }
     list.addParam(RichInt("trim", 0, "Trim: faces, at most",
                           "Before a hole is closed, up to so many faces at it are taken away that would spoil the result: slivers, "
                           "spikes and fins, the worst first. 0: none."));
-    list.addParam(RichFloat("trim_area", 0, "Trim: area, at most", "Of all faces together that are trimmed away. 0: of any area."));
+    if (SCROLLS) {
+        list.addParam(
+            RichFloat("trim_area", 0, "Trim: area, at most", "Of all faces together that are trimmed away. 0: of any area." ADVANCED));
+    }
     add_rim_parameters(list);
     add_patch_parameters(list);
     list.addParam(RichEnum("selection_after", static_cast<int>(SelectionAfter::OldAndNew), {"Old and new faces", "New faces", "As before"},
@@ -225,9 +245,9 @@ CloseParameters read_close_parameters(const RichParameterList &list) {
     asked.outer_boundaries = list.getBool("outer_boundaries");
     asked.join = static_cast<JoinLoops>(in_list(list, "join", 3));
     asked.trim.triangles = at_least(list, "trim", 0);
-    asked.trim.area = list.getFloat("trim_area");
+    if (list.hasParameter("trim_area")) asked.trim.area = list.getFloat("trim_area");
     asked.guide_selected = list.getBool("guide_selected");
-    asked.guides = read_guides(list.getString("guides"));
+    if (list.hasParameter("guides")) asked.guides = read_guides(list.getString("guides"));
     read_rim_parameters(list, asked.fill);
     asked.max_length = not_negative(list, "max_length");
     asked.max_diagonal = not_negative(list, "max_diagonal");

@@ -11,11 +11,11 @@ const char PAPER[] = "<br>The method: <i>Robert Schneider and Leif Kobbelt</i>, 
                      "Computer Aided Geometric Design, volume 18, issue 4, 2001, pages 359-379.<br>";
 
 const char FAIR[] =
-    "<b>Replaces the selected faces' shape by a smooth surface that goes on from the faces around them.</b> Select the faces of a bump, a "
-    "dent or noise with some good ones around, and apply.<br><br>"
-    "What was inside is forgotten: the shape follows from the faces around alone. Parts of spheres and cylinders come back exactly.<br><br>"
-    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. Faces, colours, texture coordinates and the "
-    "selection stay. To close a hole apply 'Close Holes Smoothly'; where the old faces are tangled, 'Erase and Fill Smoothly'.<br><br>"
+    "<b>Makes the selected faces a smooth surface that goes on from those around them.</b> Select the faces of a bump, a dent or noise, "
+    "with "
+    "some good ones around, and apply. What was inside is forgotten; parts of spheres and cylinders come back exactly.<br><br>"
+    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. To close a hole apply 'Close Holes Smoothly'; "
+    "where the old faces are tangled, 'Erase and Fill Smoothly'.<br><br>"
     "The mean curvature H of the new surface is a harmonic function on it (&Delta;<sub>B</sub>H = 0), and it has the tangent planes of its "
     "surroundings (G<sup>1</sup>), or given normals.<br>";
 
@@ -72,9 +72,9 @@ QString python_name(int filter) {
 QString help(int filter) {
     switch (filter) {
     case FairSelection: return QString::fromUtf8(FAIR) + PAPER;
-    case CloseHoles: return QString::fromUtf8(CLOSE) + PAPER;
-    case EraseAndFill: return QString::fromUtf8(ERASE) + PAPER;
-    case BridgeBoundaries: return QString::fromUtf8(BRIDGE) + PAPER;
+    case CloseHoles: return QString::fromUtf8(CLOSE);
+    case EraseAndFill: return QString::fromUtf8(ERASE);
+    case BridgeBoundaries: return QString::fromUtf8(BRIDGE);
     case MeanCurvature: return QString::fromUtf8(CURVATURE);
     default: return "";
     }

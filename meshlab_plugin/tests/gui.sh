@@ -96,7 +96,7 @@ logged 2 'Fairing converged'
 logged 1 'Applied filter Fair Selected Region'
 shot applied
 
-click 338 130 # the number of iterations
+click 338 161 # the number of iterations
 xdotool key ctrl+a type 0
 click 401 22 # Apply
 window 'Filter Failure'
