@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
+from ._carry import Change
 from ._choice import Choice, LoopChoice
 from ._handles import ResultHandle, result_of
+from ._hosts import Arrays, M, MeshLike
 from ._library import load
 from ._reports import Bends, bends_of, sized
 
@@ -32,7 +36,7 @@ class JoinSuggestion:
 
 
 @dataclass(frozen=True)
-class Erased:
+class Erased(Generic[M]):
     """A mesh without some of its triangles. Its vertices are those given, used or not."""
 
     #: The faces that are left, in the type given.
@@ -43,20 +47,44 @@ class Erased:
     loops: NDArray[np.intp]
     #: How many faces were dropped besides those named: they hung at the mesh by one edge or by a vertex.
     dropped_count: int
+    _given: _arrays.Mesh = field(repr=False, compare=False)
+
+    @cached_property
+    def mesh(self) -> M:
+        """What is left, of the kind given, with what belonged to it. Of two arrays, a pair of arrays."""
+        given = self._given
+        every = np.arange(len(given.vertices))
+        none = np.empty((0, 3))
+        faces = given.faces.astype(np.intp)
+        change = Change(given.vertices, self.faces, faces, every, self.kept_faces, none.astype(np.intp), none)
+        made: M = given.host.same(lambda: given.host.rebuilt(change))
+        return made
 
 
-@_arrays.of_arrays
+@overload
+def suggest_joins(
+    mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ..., **which: Unpack[LoopChoice]
+) -> list[JoinSuggestion]: ...
+@overload
 def suggest_joins(
     vertices: ArrayLike,
     faces: ArrayLike,
     *,
-    coincident: _arrays.Coincident | None = None,
+    coincident: _arrays.Coincident | None = ...,
+    **which: Unpack[LoopChoice],
+) -> list[JoinSuggestion]: ...
+@of_mesh(LoopChoice, {"except_longest": 0})
+def suggest_joins(
+    vertices: Any,
+    faces: Any = None,
+    *,
+    coincident: _arrays.Coincident | None = "join",
     **which: Unpack[LoopChoice],
 ) -> list[JoinSuggestion]:
     """The loops that ``fill_holes(..., join="auto")`` would give one patch, and why.
 
     Args:
-        vertices, faces, coincident: As in `fair`.
+        mesh, coincident: As in `fair`.
         **which: Among which loops: ``loops`` and the bounds of `fill_holes`. Default: all.
 
     """
@@ -73,32 +101,42 @@ def _suggestion(handle: ResultHandle, index: int) -> JoinSuggestion:
     return JoinSuggestion(handle.list(_lists.JOINED_LOOPS, index), bends_of(made))
 
 
-@_arrays.of_arrays
+@overload
+def erase(mesh: M, /, erased: ArrayLike | str, *, coincident: _arrays.Coincident | None = ...) -> Erased[M]: ...
+@overload
 def erase(
-    vertices: ArrayLike, faces: ArrayLike, erased: ArrayLike, *, coincident: _arrays.Coincident | None = None
-) -> Erased:
+    vertices: ArrayLike, faces: ArrayLike, erased: ArrayLike, *, coincident: _arrays.Coincident | None = ...
+) -> Erased[Arrays]: ...
+@of_mesh()
+def erase(
+    vertices: Any, faces: Any, erased: ArrayLike | str, *, coincident: _arrays.Coincident | None = "join"
+) -> Erased[Any]:
     """Deletes faces, and what would hang loose where they were, so that new patches can take their place:
 
-    ``left = erase(v, f, faces); fill_holes(v, left.faces, loops=left.loops)``.
+    ``left = erase(mesh, faces); fill_holes(left.mesh, loops=left.loops)``.
 
     Args:
-        vertices, faces, coincident: As in `fair`.
-        erased: A bool mask (m,) or indices of faces.
+        mesh, coincident: As in `fair`.
+        erased: A mask (m,) or indices of faces, or the name of a mask that the mesh has at its faces.
 
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    listed = _arrays.chosen_faces(erased, "erased", len(mesh.faces))
+    listed = _arrays.chosen_faces(mesh, erased, "erased")
     handle = result_of(library, "fairmesh_erase", ctypes.byref(mesh.struct), ctypes.byref(_arrays.indices_view(listed)))
     kept = handle.list(_lists.KEPT_TRIANGLES)
     left = mesh.faces[kept].astype(mesh.index_type, copy=False)
-    return Erased(left, kept, handle.list(_lists.ERASED_LOOPS), handle.info().dropped_count)
+    return Erased(left, kept, handle.list(_lists.ERASED_LOOPS), handle.info().dropped_count, mesh)
 
 
-@_arrays.of_arrays
+@overload
+def components(mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ...) -> NDArray[np.intp]: ...
+@overload
 def components(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
-) -> NDArray[np.intp]:
+    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = ...
+) -> NDArray[np.intp]: ...
+@of_mesh()
+def components(vertices: Any, faces: Any = None, *, coincident: _arrays.Coincident | None = "join") -> NDArray[np.intp]:
     """Per face the number of its component, (m,): faces that hang together by edges.
 
     Components count in the order of their first faces. Arguments as in `fair`.
