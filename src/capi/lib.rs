@@ -16,6 +16,7 @@
 mod about;
 mod bridge;
 mod callback;
+mod carry_over;
 mod erase;
 mod fair;
 mod fill;
@@ -35,6 +36,7 @@ mod outputs;
 mod patch_sizes;
 mod reading;
 mod records;
+mod refill;
 mod report;
 mod results;
 mod solvers;
@@ -50,10 +52,12 @@ mod views;
 
 pub use about::*;
 pub use bridge::fairmesh_bridge;
+pub use carry_over::fairmesh_carry_over;
 pub use erase::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;
+pub use refill::fairmesh_refill;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
 pub use texts::*;

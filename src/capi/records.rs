@@ -242,6 +242,23 @@ pub struct fairmesh_loop {
     pub component: u64,
     /// How many triangles that has.
     pub component_triangle_count: u64,
+    /// Not 0: how rough the rim is was asked for (`fairmesh_rim_roughness`) and could be told, as the next seven say; otherwise these are 0.
+    /// Where the mesh around the loop is too small, it cannot be told.
+    pub has_roughness: u32,
+    /// Not 0: the rim is noise, and the two advised options below draw it to the surface that the mesh has there on average.
+    pub is_rough: u32,
+    /// `rim_angle` over `rim_angle_expected`, or over a degree or so, if that is more: about 1 where the mesh is clean.
+    pub roughness: f64,
+    /// The angle between the normals of the triangles at consecutive edges of the loop, in degrees, root mean square.
+    pub rim_angle: f64,
+    /// The angle that is expected there, by the surface fitted to what is around.
+    pub rim_angle_expected: f64,
+    /// The distance of the mesh around from that surface, root mean square.
+    pub rim_noise: f64,
+    /// What is advised for `relax_rings` of the fill options; 0: nothing.
+    pub advised_relax_rings: u64,
+    /// What is advised for `relax_within`; 0 where nothing is.
+    pub advised_relax_within: f64,
 }
 
 /// Loops whose joint patch bends less than patches of their own would. Bends are sums over all edges of triangulations without new
@@ -377,6 +394,10 @@ pub enum fairmesh_result_kind {
     Components = 7,
     /// A mesh with a bridge.
     Bridged = 8,
+    /// A mesh without the triangles that spoil the boundaries of holes.
+    Trimmed = 9,
+    /// Points on the triangles of a mesh.
+    Carried = 10,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -391,7 +412,7 @@ pub struct fairmesh_info {
     pub vertex_count: u64,
     /// Triangles of the mesh; 0 for loops and groups of them, and where they are those given.
     pub triangle_count: u64,
-    /// The last so many of the vertices are new.
+    /// The last so many of the vertices are new. Of carried points how many there are.
     pub new_vertex_count: u64,
     /// The last so many of the triangles are new.
     pub new_triangle_count: u64,
@@ -400,10 +421,15 @@ pub struct fairmesh_info {
     pub loop_count: u64,
     /// Boundary vertices with their normals, see FAIRMESH_VECTORS_BOUNDARY_NORMALS.
     pub boundary_vertex_count: u64,
-    /// Of an erased mesh the triangles that were dropped besides those named.
+    /// Of an erased mesh the triangles that were dropped besides those named, because they hung loose; of a trimmed one all that were
+    /// taken away.
     pub dropped_count: u64,
     /// Of components how many there are.
     pub component_count: u64,
+    /// Of an erased mesh the triangles that were dropped because they would spoil the boundary of a patch.
+    pub cleaned_count: u64,
+    /// Of a trimmed mesh the area of what was taken away.
+    pub dropped_area: f64,
 }
 
 /// Lists of indices in a result. The first block is of faired meshes, and of loops of filled ones.
@@ -432,7 +458,8 @@ pub enum fairmesh_list {
     LoopTouching = 33,
     /// Filled meshes: new vertices of the loop far outside its bounding box.
     OutsideVertices = 48,
-    /// Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+    /// Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
+    /// point the corners of the triangle that it is on.
     Parents = 49,
     /// Filled meshes: the loops that the patch is for, ascending. Joins: the loops of the group with this index, ascending.
     JoinedLoops = 50,
@@ -440,7 +467,7 @@ pub enum fairmesh_list {
     FreeVertices = 64,
     /// Remeshed meshes: per vertex that is left its number before.
     KeptVertices = 65,
-    /// Remeshed and erased meshes: per triangle that is left its number before.
+    /// Remeshed, erased and trimmed meshes: per triangle that is left its number before.
     KeptTriangles = 66,
     /// Erased meshes: the loops that the deleted triangles leave, as `fairmesh_boundary_loops` numbers those of the mesh that is left.
     ErasedLoops = 80,
@@ -451,6 +478,8 @@ pub enum fairmesh_list {
     BridgeChain = 112,
     /// Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
     BridgeSide = 113,
+    /// Carried points: per point the triangle that it is on.
+    CarriedTriangles = 128,
 }
 
 /// Vectors in a result.
@@ -459,7 +488,7 @@ pub enum fairmesh_list {
 pub enum fairmesh_vectors {
     /// Faired meshes: the unit normals that were used at the boundary, in the order of the list BOUNDARY_VERTICES.
     BoundaryNormals = 0,
-    /// Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+    /// Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
     ParentWeights = 1,
 }
 

@@ -49,7 +49,7 @@ pub use loops::{BoundaryLoop, LoopKind, boundary_loops, boundary_loops_joined, t
 pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
-pub use refill::refill_region;
+pub use refill::{refill_region, refill_region_with_progress};
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};
 pub use rim::{Rim, RimReport, Roughness, rim_roughness};
 pub use trim::{TrimLimits, Trimmed, trim_boundary};

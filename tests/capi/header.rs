@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 16] = [
+pub(crate) const SOURCES: [&str; 18] = [
     "numbers",
     "texts",
     "status",
@@ -17,7 +17,9 @@ pub(crate) const SOURCES: [&str; 16] = [
     "fair",
     "steps",
     "fill",
+    "refill",
     "erase",
+    "carry_over",
     "bridge",
     "reading",
 ];
