@@ -54,11 +54,14 @@ def of_names(given: Any, name: str, known: Iterable[str]) -> str:
     return f"{name}: {given!r} is none of {', '.join(map(repr, names))}{hint}"
 
 
-class _Shown(str):
-    """An annotation as ``help`` shall print it: without quotes."""
+class Shown:
+    """An annotation as ``help`` shall print it: no string, which would be shown in quotes and evaluated."""
 
-    __slots__ = ()
-    __repr__ = str.__str__
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def __repr__(self) -> str:
+        return self._text
 
 
 def of_mesh(
@@ -93,11 +96,11 @@ def of_mesh(
                 raise TypeError(f"unknown option {unknown[0]!r}{did_you_mean(unknown[0], names)}")
             return function(*_with_host(list(given), named, first), **named)
 
-        mesh = shown[first].replace(name="mesh", annotation=_Shown("MeshLike | (vertices, faces)"))
+        mesh = shown[first].replace(name="mesh", annotation=Shown("MeshLike | (vertices, faces)"))
         returned = signature.return_annotation
         taking.__signature__ = signature.replace(  # type: ignore[attr-defined]
             parameters=[*shown[:first], mesh, *shown[first + 2 :]],
-            return_annotation=_Shown(returned) if isinstance(returned, str) else returned,
+            return_annotation=Shown(returned) if isinstance(returned, str) else returned,
         )
         return taking
 
@@ -116,7 +119,7 @@ def _shown(parameter: inspect.Parameter, where: Mapping[str, Any]) -> inspect.Pa
     alias = where.get(text)
     if get_origin(alias) is Literal:
         text = f"Literal{list(get_args(alias))}"
-    return parameter.replace(annotation=_Shown(text))
+    return parameter.replace(annotation=Shown(text))
 
 
 def _with_host(given: list[Any], named: dict[str, Any], first: int) -> list[Any]:

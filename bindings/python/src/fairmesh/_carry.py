@@ -37,19 +37,26 @@ class Change:
         kept = values[self.kept_vertices]
         if len(self.parents) == 0:
             return kept
-        is_colour = values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4)
-        if values.dtype.kind not in "fc" and not is_colour:
+        if not _is_blended(values):
             return np.concatenate([kept, values[self._nearest]])
-        weights = self.weights.reshape(*self.weights.shape, *(1,) * (values.ndim - 1))
-        # A parent without weight counts for nothing, also where its value is not a number.
-        blended = np.where(weights == 0.0, 0.0, values[self.parents] * weights).sum(axis=1)
-        if is_colour:
-            blended = np.clip(np.rint(blended), 0, 255)
-        return np.concatenate([kept, blended.astype(values.dtype)])
+        return np.concatenate([kept, _blended(values, self.parents, self.weights)])
 
     def of_faces(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Values of the faces before, (m, ...), to values of those now: new ones have those of a face near them."""
-        return values[self._faces_from]
+        """Values of the faces before, (m, ...), to values of those now.
+
+        New faces get real numbers and colours of the faces around their vertices' parents, by weights; of anything else
+        the value that weighs most there.
+        """
+        kept = values[self.kept_faces]
+        if len(self.faces) == len(self.kept_faces):
+            return kept
+        near, weights = self._faces_near
+        if not _is_blended(values):
+            _, label = np.unique(values, axis=0, return_inverse=True)
+            labels = label.reshape(-1)[near]
+            votes = (weights[:, None, :] * (labels[:, :, None] == labels[:, None, :])).sum(axis=2)
+            return np.concatenate([kept, values[near[np.arange(len(near)), votes.argmax(axis=1)]]])
+        return np.concatenate([kept, _blended(values, near, weights)])
 
     def of_corners(self, values: NDArray[Any]) -> NDArray[Any]:
         """Values at the corners of the faces before, (m, 3, ...), to values at those now.
@@ -84,16 +91,37 @@ class Change:
         return heaviest
 
     @cached_property
-    def _faces_from(self) -> NDArray[np.intp]:
-        """Per face the one before that it has its values from: of new faces, the first one at a parent of a corner."""
-        before = np.concatenate([self.kept_vertices, self._nearest])
+    def _faces_near(self) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Per new face nine faces before, the first one at each parent of each corner, and their weights."""
+        every = np.zeros((len(self.kept_vertices), 3))
+        every[:, 0] = 1.0
+        parents = np.concatenate([np.repeat(self.kept_vertices[:, None], 3, axis=1), self.parents])
+        weights = np.concatenate([every, self.weights])
         first = np.full(self._vertex_count, -1)
         first[self.faces_before[::-1].ravel()] = np.repeat(np.arange(len(self.faces_before))[::-1], 3)
-        near = first[before[self.faces[len(self.kept_faces) :]]]
-        found = near[:, 2]
-        for corner in (1, 0):
-            found = np.where(near[:, corner] >= 0, near[:, corner], found)
-        return np.concatenate([self.kept_faces, np.maximum(found, 0)])
+        corners = self.faces[len(self.kept_faces) :]
+        near = first[parents[corners]].reshape(-1, 9)
+        weight = np.where(near < 0, 0.0, weights[corners].reshape(-1, 9))
+        total = weight.sum(axis=1, keepdims=True)
+        return np.maximum(near, 0), weight / np.where(total == 0.0, 1.0, total)
+
+
+def _is_blended(values: NDArray[Any]) -> bool:
+    """Real numbers, and colours of 8 bits."""
+    is_colour = values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4)
+    return values.dtype.kind in "fc" or is_colour
+
+
+def _blended(values: NDArray[Any], near: NDArray[np.intp], weights: NDArray[np.float64]) -> NDArray[Any]:
+    """Per row the weighted mean of the values near."""
+    by = weights.reshape(*weights.shape, *(1,) * (values.ndim - 1))
+    # What has no weight counts for nothing, also where its value is not a number.
+    with np.errstate(invalid="ignore"):
+        mean = np.where(by == 0.0, 0.0, values[near] * by).sum(axis=1)
+    if values.dtype == np.uint8:
+        mean = np.clip(np.rint(mean), 0, 255)
+    made: NDArray[Any] = mean.astype(values.dtype)
+    return made
 
 
 def _inverse(kept: NDArray[np.intp], count: int) -> NDArray[np.intp]:
