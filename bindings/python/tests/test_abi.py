@@ -153,6 +153,7 @@ def test_keywords_for_type_checkers_are_those_of_the_functions():
         fairmesh.fill_holes: _keywords.FillKeywords,
         fairmesh.bridge: _keywords.BridgeKeywords,
         fairmesh.remesh: _keywords.RemeshKeywords,
+        fairmesh.refill: _keywords.RefillKeywords,
         fairmesh.Solver.__init__: _keywords.FairKeywords,
     }
     for function, keywords in pairs.items():

@@ -365,17 +365,36 @@ def test_nearly_equal_copies_need_a_distance(unwelded):
     assert np.abs(made.vertices - WHOLE.vertices[FACES].reshape(-1, 3)).max() < 1e-5
 
 
-def test_a_seam_of_a_textured_mesh_is_kept():
-    """Vertices along the seam are there twice, with texture coordinates of their own."""
-    columns = np.arange(441) % 21
-    seam = np.flatnonzero(columns == 10)
+def test_a_seam_whose_copies_nearly_meet_is_no_silent_boundary():
+    """Faces were selected: the vertices along the seam are on the boundary of the mesh, and would stay in the dent."""
+    vertices, faces, seam = seamed(1e-8)
+    with pytest.warns(
+        fairmesh.SeamWarning, match="apart and are not one: as a boundary of the mesh they stayed"
+    ) as told:
+        fairmesh.fair(vertices, faces, free_faces=FREE[FACES].any(axis=1))
+    assert len(told) == 1 and told[0].filename == __file__
+    advice = float(str(told[0].message).split("coincident=")[1].split()[0])
+    made = fairmesh.fair(vertices, faces, free_faces=FREE[FACES].any(axis=1), coincident=advice)
+    assert np.abs(made.vertices[:441] - WHOLE.vertices).max() < 1e-6
+    assert np.abs(made.vertices[441:] - WHOLE.vertices[seam]).max() < 1e-6
+
+
+def seamed(apart):
+    """The dented sphere with the vertices of its middle column there twice, so far apart; and which these are."""
+    seam = np.flatnonzero(np.arange(441) % 21 == 10)
     copies = np.arange(441)
     copies[seam] = 441 + np.arange(len(seam))
     beyond = (FACES % 21).sum(axis=1) > 30
     faces = np.where(beyond[:, None], copies[FACES], FACES)
+    return np.concatenate([VERTICES, VERTICES[seam] + apart]), faces, seam
+
+
+def test_a_seam_of_a_textured_mesh_is_kept():
+    """Vertices along the seam are there twice, with texture coordinates of their own."""
+    vertices, faces, seam = seamed(0.0)
     uv = np.concatenate([VERTICES[:, :2], VERTICES[seam, :2] + 5])
     visual = trimesh.visual.TextureVisuals(uv=uv)
-    mesh = trimesh.Trimesh(np.concatenate([VERTICES, VERTICES[seam]]), faces, process=False, visual=visual)
+    mesh = trimesh.Trimesh(vertices, faces, process=False, visual=visual)
     made = fairmesh.fair(mesh, free_faces=FREE[FACES].any(axis=1)).mesh
     assert np.array_equal(made.vertices[:441], WHOLE.vertices) and np.array_equal(made.visual.uv, uv)
     assert np.array_equal(made.vertices[441:], WHOLE.vertices[seam])

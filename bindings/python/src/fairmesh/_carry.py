@@ -37,9 +37,7 @@ class Change:
         kept = values[self.kept_vertices]
         if len(self.parents) == 0:
             return kept
-        if not _is_blended(values):
-            return np.concatenate([kept, values[self._nearest]])
-        return np.concatenate([kept, _blended(values, self.parents, self.weights)])
+        return np.concatenate([kept, blended(values, self.parents, self.weights)])
 
     def of_faces(self, values: NDArray[Any]) -> NDArray[Any]:
         """Values of the faces before, (m, ...), to values of those now.
@@ -56,7 +54,7 @@ class Change:
             labels = label.reshape(-1)[near]
             votes = (weights[:, None, :] * (labels[:, :, None] == labels[:, None, :])).sum(axis=2)
             return np.concatenate([kept, values[near[np.arange(len(near)), votes.argmax(axis=1)]]])
-        return np.concatenate([kept, _blended(values, near, weights)])
+        return np.concatenate([kept, blended(values, near, weights)])
 
     def of_corners(self, values: NDArray[Any]) -> NDArray[Any]:
         """Values at the corners of the faces before, (m, 3, ...), to values at those now.
@@ -112,8 +110,11 @@ def _is_blended(values: NDArray[Any]) -> bool:
     return values.dtype.kind in "fc" or is_colour
 
 
-def _blended(values: NDArray[Any], near: NDArray[np.intp], weights: NDArray[np.float64]) -> NDArray[Any]:
-    """Per row the weighted mean of the values near."""
+def blended(values: NDArray[Any], near: NDArray[np.intp], weights: NDArray[np.float64]) -> NDArray[Any]:
+    """Per row the weighted mean of the values near; of what has no mean, the value with the largest weight."""
+    if not _is_blended(values):
+        heaviest: NDArray[Any] = values[near[np.arange(len(near)), weights.argmax(axis=1)]]
+        return heaviest
     by = weights.reshape(*weights.shape, *(1,) * (values.ndim - 1))
     # What has no weight counts for nothing, also where its value is not a number.
     with np.errstate(invalid="ignore"):

@@ -34,7 +34,7 @@ from ._options import (
 )
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Report, report_of, sized
-from ._seams import seams_told
+from ._seams import seams_told, warn_of_seams
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -221,7 +221,10 @@ def fair(
             ctypes.byref(_arrays.points_out(positions)),
             None,
         )
-    return Result(handle, positions, mesh)
+    made: Result[Any] = Result(handle, positions, mesh)
+    if free is None:
+        warn_of_seams(mesh, made.boundary_vertices)
+    return made
 
 
 def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:

@@ -19,15 +19,14 @@ from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
 from ._library import load
-from ._options import Options, initial, real, whole, with_options
+from ._options import Options, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
-from ._seams import seams_told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import FillKeywords, RemeshKeywords
+    from ._keywords import FillKeywords
     from ._options import FairingOptions
 
 _lists = _abi.fairmesh_list
@@ -36,6 +35,25 @@ _lists = _abi.fairmesh_list
 DENSITY = 2**0.5
 #: New vertices.
 MOST = 200000
+
+
+@dataclass(frozen=True)
+class Roughness:
+    """How rough the mesh is along a boundary loop. Angles are in degrees, root mean square."""
+
+    #: The angle over the expected one: about 1 where the mesh is clean.
+    ratio: float
+    #: Between the normals of the faces at consecutive edges of the loop.
+    angle: float
+    #: The same by the surface fitted to what is around.
+    expected_angle: float
+    #: The distance of the mesh around from that surface, root mean square.
+    noise: float
+    #: The loop is noise, and what is advised draws it to the surface that the mesh has there on average.
+    is_rough: bool
+    #: Advice for ``relax_rim`` and ``relax_within`` of `fill_holes`; 0: nothing.
+    advised_relax_rim: int
+    advised_relax_within: float
 
 
 @dataclass(frozen=True)
@@ -60,25 +78,33 @@ class Loop:
     component: int
     #: How many faces that has.
     component_faces: int
+    #: How rough the mesh is around it, if `boundary_loops` was asked for that and the mesh around tells.
+    roughness: Roughness | None
 
 
-@overload
-def boundary_loops(mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ...) -> list[Loop]: ...
 @overload
 def boundary_loops(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = ...
+    mesh: MeshLike, /, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
+) -> list[Loop]: ...
+@overload
+def boundary_loops(
+    vertices: ArrayLike, faces: ArrayLike, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
 ) -> list[Loop]: ...
 @of_mesh()
-def boundary_loops(vertices: Any, faces: Any = None, *, coincident: _arrays.Coincident | None = "join") -> list[Loop]:
+def boundary_loops(
+    vertices: Any, faces: Any = None, *, roughness: bool = False, coincident: _arrays.Coincident | None = "join"
+) -> list[Loop]:
     """The boundary loops of a mesh: holes and outer boundaries. Arguments as in `fair`.
 
     Of a vertex with several copies a loop names the one in the triangle at its edge.
 
-    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
+    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter. With ``roughness`` each
+    loop tells how rough the mesh is along it, and what `fill_holes` can do about it; that takes longer.
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    handle = result_of(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct))
+    function = "fairmesh_rim_roughness" if roughness else "fairmesh_boundary_loops"
+    handle = result_of(library, function, ctypes.byref(mesh.struct))
     return [_loop(handle, index) for index in range(handle.info().loop_count)]
 
 
@@ -96,6 +122,19 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
         (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
         loop.component,
         loop.component_triangle_count,
+        _roughness(loop) if loop.has_roughness else None,
+    )
+
+
+def _roughness(loop: _abi.fairmesh_loop) -> Roughness:
+    return Roughness(
+        loop.roughness,
+        loop.rim_angle,
+        loop.rim_angle_expected,
+        loop.rim_noise,
+        bool(loop.is_rough),
+        loop.advised_relax_rings,
+        loop.advised_relax_within,
     )
 
 
@@ -244,31 +283,6 @@ class Filled(NewMesh[M]):
         return f"<fairmesh.Filled: {len(self.loops)} loops, {self.new_vertex_count} new vertices>"
 
 
-class Remeshed(NewMesh[M]):
-    """A mesh with a new triangulation of a region."""
-
-    @cached_property
-    def free_vertices(self) -> NDArray[np.intp]:
-        """The free vertices of the new mesh: give them to `fair` as ``free``."""
-        return self._handle.list(_lists.FREE_VERTICES)
-
-    @cached_property
-    def kept_vertices(self) -> NDArray[np.intp]:
-        """Per vertex that is left its number before."""
-        return self._handle.list(_lists.KEPT_VERTICES)
-
-    @cached_property
-    def kept_faces(self) -> NDArray[np.intp]:
-        """Per triangle that is left its number before."""
-        return self._handle.list(_lists.KEPT_TRIANGLES)
-
-    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        return self.kept_vertices, self.kept_faces
-
-    def __repr__(self) -> str:
-        return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
-
-
 def set_patches(
     fill: _abi.fairmesh_fill_options,
     density: float | None,
@@ -386,50 +400,3 @@ def fill_holes(
             library, "fairmesh_fill_holes", ctypes.byref(mesh.struct), ctypes.byref(fill), ctypes.byref(asked.struct)
         )
     return Filled(handle, mesh)
-
-
-@overload
-def remesh(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]) -> Remeshed[M]: ...
-@overload
-def remesh(
-    vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]
-) -> Remeshed[Arrays]: ...
-@of_mesh()
-def remesh(
-    vertices: Any,
-    faces: Any = None,
-    free: _arrays.Selection = None,
-    *,
-    fixed: _arrays.Selection = None,
-    free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = "join",
-    density: float | None = DENSITY,
-    max_vertices: int | None = MOST,
-) -> Remeshed[Any]:
-    """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
-
-    To fair the new mesh: ``fair(new.mesh, new.free_vertices)``.
-
-    Args:
-        mesh, free, fixed, free_faces, coincident: As in `fair`.
-        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
-        max_vertices: At most this many vertices inside the region. Default 200000.
-
-    Returns:
-        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
-
-    Raises:
-        InputError and the others of `fair`.
-
-    """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    region = _arrays.Region(mesh, free, fixed, free_faces)
-    asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
-    if density is not None:
-        asked.density = real(density, "density")
-    if max_vertices is not None:
-        asked.max_vertices = whole(max_vertices, "max_vertices")
-    views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
-    with seams_told(library, mesh):
-        return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)

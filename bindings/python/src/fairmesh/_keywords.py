@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 class _Region(TypedDict, total=False):
     fixed: Selection
     free_faces: Selection
-    coincident: Coincident | None
 
 
 class _Run(FairingOptions, total=False):
+    coincident: Coincident | None
     progress: ProgressCallback | None
     cancel: Event | None
 
@@ -30,7 +30,6 @@ class _Patches(_Run, total=False):
     density: float | None
     max_new_vertices: int | None
     fair: bool | None
-    coincident: Coincident | None
 
 
 class FairKeywords(_Region, _Run, total=False):
@@ -56,5 +55,10 @@ class BridgeKeywords(_Patches, total=False):
 class RemeshKeywords(_Region, total=False):
     """Those of `remesh`."""
 
+    coincident: Coincident | None
     density: float | None
     max_vertices: int | None
+
+
+class RefillKeywords(_Region, _Patches, total=False):
+    """Those of `refill`."""
