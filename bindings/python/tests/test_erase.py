@@ -62,7 +62,7 @@ def test_what_is_slender_beside_erased_faces_goes_with_them():
     plain = fairmesh.erase(vertices, FACES, TOP)
     assert plain.cleaned_count == 0 and face in plain.kept_faces
     left = fairmesh.erase(vertices, FACES, TOP, clean=10)
-    assert 1 <= left.cleaned_count <= 10 and face not in left.kept_faces and left.dropped_count == plain.dropped_count
+    assert 1 <= left.cleaned_count <= 10 and face not in left.kept_faces
 
 
 def test_a_region_is_refilled():
