@@ -354,6 +354,18 @@ def test_unwelded_triangles_are_welded_for_the_solve_and_written_back(unwelded):
     assert len(made.vertices) == len(VERTICES), "copies of a vertex have stayed together, to the last bit"
 
 
+def test_a_hole_in_unwelded_triangles_is_filled():
+    corners = HOLE[0][HOLE[1]].reshape(-1, 3)
+    mesh = of_trimesh(corners, np.arange(len(corners)).reshape(-1, 3))
+    mesh.vertex_attributes["height"] = corners[:, 2]
+    filled = fairmesh.fill_holes(mesh)
+    assert filled.outcomes == ["faired"] and off_sphere(filled.vertices) < 1e-6
+    assert np.ptp(filled.mesh.vertex_attributes["height"][filled.new_vertices]) < 0.1
+    whole = filled.mesh
+    whole.merge_vertices()
+    assert whole.is_watertight and not mesh.is_watertight
+
+
 def test_nearly_equal_copies_need_a_distance(unwelded):
     inner = FREE[FACES].any(axis=1)
     shaken = unwelded.copy()
