@@ -6,10 +6,12 @@ import numpy as np
 
 from . import fairmesh, filling, menus, messages, snapshot
 from .job import Background
-from .patch_options import OuterOptions, RimOptions
+from .patch_options import CleanOptions, OuterOptions, RimOptions
 
 
-class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, RimOptions, OuterOptions, bpy.types.Operator):
+class MESH_OT_fairmesh_erase_and_fill(
+    Background, filling.Filling, RimOptions, CleanOptions, OuterOptions, bpy.types.Operator
+):
     """Replaces the selected faces of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_erase_and_fill"
@@ -22,6 +24,7 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, RimOptions, O
 
     def draw_options(self, layout):
         self.draw_outer(layout)
+        self.draw_clean(layout)
         self.draw_rim(layout)
         self.draw_filling(layout)
 
@@ -35,7 +38,7 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, RimOptions, O
         chosen = []
         for mesh in meshes:
             with messages.about(mesh):
-                holes = _erased(mesh)
+                holes = _erased(mesh, self.clean_boundary)
             why = self._no_hole(holes)
             if why is not None:
                 self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
@@ -63,11 +66,15 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, RimOptions, O
         return messages.filled(still)[1] if still else None
 
 
-def _erased(mesh):
-    """The mesh without its selected faces, and what would hang loose there; faces go as a whole."""
+def _erased(mesh, clean):
+    """The mesh without its selected faces, what would hang loose there, and `clean` more at most that would spoil the patch.
+
+    Faces go as a whole.
+    """
     gone = mesh.face_selected.copy()
     while True:
-        left = fairmesh.erase(mesh.seen(), mesh.triangles, gone[mesh.face_of])
+        left = fairmesh.erase(mesh.seen(), mesh.triangles, gone[mesh.face_of], clean=clean)
+        clean = 0
         kept = np.zeros(len(mesh.triangles), bool)
         kept[left.kept_faces] = True
         cut = np.zeros(len(gone), bool)

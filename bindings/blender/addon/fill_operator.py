@@ -6,11 +6,11 @@ from bpy.props import EnumProperty
 
 from . import fairmesh, filling, menus, messages
 from .job import Background
-from .patch_options import GuideOptions, HoleOptions, OuterOptions, RimOptions
+from .patch_options import GuideOptions, HoleOptions, OuterOptions, RimOptions, TrimOptions
 
 
 class MESH_OT_fairmesh_fill_holes(
-    Background, filling.Filling, RimOptions, GuideOptions, OuterOptions, HoleOptions, bpy.types.Operator
+    Background, filling.Filling, RimOptions, TrimOptions, GuideOptions, OuterOptions, HoleOptions, bpy.types.Operator
 ):
     """Fills holes of each object in Edit mode."""
 
@@ -39,6 +39,7 @@ class MESH_OT_fairmesh_fill_holes(
         self.draw_outer(layout)
         layout.prop(self, "join")
         self.draw_guides(layout)
+        self.draw_trim(layout)
         self.draw_rim(layout)
         self.draw_filling(layout)
 
@@ -67,6 +68,8 @@ class MESH_OT_fairmesh_fill_holes(
             )
         if self.scope == "ALL":
             self._bound(holes)
+        if self.trim and holes.loops:
+            _, holes.loops = filling.trimmed(holes, holes.loops, self.trim, self.trim_area)
         return holes
 
     def _bound(self, holes):

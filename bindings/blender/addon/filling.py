@@ -24,6 +24,8 @@ class Holes:
     #: The mesh that is filled, (m, 3), and the faces of the object that are not in it.
     triangles: np.ndarray
     erased: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+    #: How many of these were trimmed away.
+    trimmed: int = 0
     #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it; of a bridge its two runs of vertices.
     join: object = "none"
     #: Pairs of vertices that the patch is to begin with an edge between.
@@ -104,6 +106,8 @@ class Filling(FairingOptions, PatchOptions):
 
     def objection(self, holes):
         """Why a result is not to be written; None: it is."""
+        if holes.trimmed and not holes.result.new_face_count:
+            return messages.filled(holes.result.loops)[1]
         return None
 
     def write(self, chosen):
@@ -117,9 +121,11 @@ class Filling(FairingOptions, PatchOptions):
         for holes in chosen:
             patch.add(holes.mesh, holes.result, holes.erased, holes.moved())
             kind, text = self.told(holes)
-            loose = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
-            if loose:
-                text += f"; {loose} more {'face was' if loose == 1 else 'faces were'} erased that hung loose"
+            more = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
+            if holes.trimmed:
+                text += f"; {messages.faces(holes.trimmed)} trimmed away"
+            elif more:
+                text += f"; {messages.faces(more)} erased besides: they hung loose or would have spoilt the rim"
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"
             self.report({kind}, messages.name_before(chosen, holes) + text)
@@ -132,6 +138,34 @@ def read(obj):
     with messages.about(mesh):
         loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
     return Holes(mesh, loops, mesh.triangles)
+
+
+def trimmed(holes, chosen, most, area):
+    """Takes faces away at the loops `chosen` that would spoil their patches: `most` triangles, of this area in the scene; 0: any.
+
+    Returns all loops of what is left, and what became of those chosen. Faces go as a whole.
+    """
+    mesh = holes.mesh
+    with messages.about(mesh):
+        left = fairmesh.trim_boundary(
+            mesh.seen(),
+            holes.triangles,
+            most,
+            loops=[index for index, _ in chosen],
+            max_area=area / mesh.size**2 if area > 0 else None,
+        )
+        gone = np.ones(len(holes.triangles), bool)
+        gone[left.kept_faces] = False
+        holes.erased = np.unique(mesh.face_of[gone])
+        gone = np.isin(mesh.face_of, holes.erased)
+        holes.triangles = mesh.triangles[~gone]
+        loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), holes.triangles)))
+    holes.trimmed = len(holes.erased)
+    near = np.zeros(len(mesh.vertices), bool)
+    near[mesh.triangles[gone]] = True
+    for _, loop in chosen:
+        near[loop.vertices] = True
+    return loops, [(index, loop) for index, loop in loops if near[loop.vertices].all()]
 
 
 def guide(operator, chosen):

@@ -5,10 +5,12 @@ import bpy
 
 from . import fairmesh, filling, menus, messages
 from .job import Background
-from .patch_options import GuideOptions, JoinOptions, RimOptions
+from .patch_options import GuideOptions, JoinOptions, RimOptions, TrimOptions
 
 
-class MESH_OT_fairmesh_join_loops(Background, filling.Filling, RimOptions, GuideOptions, JoinOptions, bpy.types.Operator):
+class MESH_OT_fairmesh_join_loops(
+    Background, filling.Filling, RimOptions, TrimOptions, GuideOptions, JoinOptions, bpy.types.Operator
+):
     """Joins boundary loops of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_join_loops"
@@ -22,6 +24,7 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, RimOptions, Guide
     def draw_options(self, layout):
         self.draw_groups(layout)
         self.draw_guides(layout)
+        self.draw_trim(layout)
         self.draw_rim(layout)
         self.draw_filling(layout)
 
@@ -47,10 +50,12 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, RimOptions, Guide
         shown = [(index, loop) for index, loop in selected if not mesh.vertex_hidden[loop.vertices].any()]
         if len(shown) < len(selected):
             holes.skipped.append((len(selected) - len(shown), "a vertex is hidden"))
+        if self.trim and len(shown) > 1:
+            holes.loops, shown = filling.trimmed(holes, shown, self.trim, self.trim_area)
         indices = [index for index, _ in shown]
         if self.groups == "AUTO" and len(indices) > 1:
             with messages.about(mesh):
-                suggested = fairmesh.suggest_joins(mesh.seen(), mesh.triangles, loops=indices)
+                suggested = fairmesh.suggest_joins(mesh.seen(), holes.triangles, loops=indices)
             holes.join = [each.loops.tolist() for each in suggested]
         else:
             holes.join = [indices] if len(indices) > 1 else []

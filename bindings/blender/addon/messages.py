@@ -151,6 +151,11 @@ def bridged(result, is_faired):
     return "WARNING", text + (f", not fair: {_reason(rough[0])}" if rough else "")
 
 
+def faces(count):
+    """The subject of a sentence."""
+    return f"{count} {'face was' if count == 1 else 'faces were'}"
+
+
 def _count(closed):
     """How many holes were filled, and how many loops joined."""
     joined = [loop for loop in closed if len(loop.loop_indices) > 1]

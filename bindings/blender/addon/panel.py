@@ -81,6 +81,8 @@ class VIEW3D_PT_fairmesh_patches(_Options, bpy.types.Panel):
         settings.draw_patch(layout)
         settings.draw_outer(layout)
         settings.draw_guides(layout)
+        settings.draw_trim(layout)
+        settings.draw_clean(layout)
         settings.draw_rim(layout)
 
 

@@ -68,6 +68,48 @@ class RimOptions:
             layout.prop(self, "relax_within")
 
 
+class TrimOptions:
+    """What may be taken away at a hole before it is filled."""
+
+    trim: IntProperty(
+        name="Trim Faces",
+        description=(
+            "Before a hole is filled, up to so many faces at it are taken away that would spoil the patch: slivers, spikes "
+            "and fins, the worst first. 0: none"
+        ),
+        default=0,
+        min=0,
+        soft_max=100,
+    )
+    trim_area: FloatProperty(
+        name="Trim Area",
+        description="No more area than this is trimmed away, of all such faces of an object together. 0: any",
+        default=0.0,
+        min=0.0,
+        precision=4,
+    )
+
+    def draw_trim(self, layout):
+        layout.prop(self, "trim")
+        if self.trim:
+            layout.prop(self, "trim_area")
+
+
+class CleanOptions:
+    """What may go beside faces that are erased."""
+
+    clean_boundary: IntProperty(
+        name="Clean Rim",
+        description="Erase and Fill: up to so many faces more beside the selected ones go, slivers and fins. 0: none",
+        default=0,
+        min=0,
+        soft_max=100,
+    )
+
+    def draw_clean(self, layout):
+        layout.prop(self, "clean_boundary")
+
+
 class GuideOptions:
     """Which vertices across a hole belong together."""
 

@@ -11,6 +11,8 @@ _OPTIONS = (
     fairing_options.FairingOptions,
     patch_options.PatchOptions,
     patch_options.RimOptions,
+    patch_options.TrimOptions,
+    patch_options.CleanOptions,
     patch_options.GuideOptions,
     patch_options.OuterOptions,
     patch_options.HoleOptions,

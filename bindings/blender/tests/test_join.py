@@ -411,6 +411,77 @@ def test_hidden_vertices_of_a_rim_stay():
     assert np.array_equal(coordinates(obj), start)
 
 
+def ragged():
+    """An irregular sphere with two holes, and a fin of one face at each, in the mode of edges."""
+    obj = irregular_sphere(20)
+    delete_faces(obj, lambda f: abs(f.calc_center_median().z) > 0.9)
+    mesh = bmesh.from_edit_mesh(obj.data)
+    for side in (1, -1):
+        edge = next(e for e in boundary_edges(obj) if e.verts[0].co.z * side > 0)
+        tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
+        mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
+    bmesh.update_edit_mesh(obj.data)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    edit(obj, "EDGE")
+    return obj
+
+
+def test_what_spoils_the_boundary_is_trimmed_at_the_holes_that_are_filled():
+    obj = ragged()
+    select_boundary(obj, lambda e: e.verts[0].co.z > 0)
+    assert fill(trim=20) == {"FINISHED"}
+    outside = [v.co.z for v in bmesh.from_edit_mesh(obj.data).verts if v.co.length > 1.1]
+    assert len(outside) == 1 and outside[0] < 0
+    assert boundary_edges(obj) and all(e.verts[0].co.z < 0 for e in boundary_edges(obj))
+    assert fill(scope="ALL", trim=20) == {"FINISHED"}
+    check_whole_sphere(obj)
+    normals_are_right(obj)
+
+
+def test_trimming_before_loops_are_joined_and_undone_in_one_step():
+    obj = band_missing()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    edge = boundary_edges(obj)[0]
+    tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
+    mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
+    bmesh.update_edit_mesh(obj.data)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    edit(obj, "EDGE")
+    name, before = obj.name, coordinates(obj)
+    select_boundary(obj)
+    bpy.ops.ed.undo_push(message="before")
+    assert join("EXEC_DEFAULT", True, trim=20) == {"FINISHED"}
+    check_whole_sphere(obj)
+    bpy.ops.ed.undo()
+    assert np.array_equal(coordinates(bpy.data.objects[name]), before)
+
+
+def test_slivers_beside_erased_faces_go():
+    obj = irregular_sphere(20)
+    edit(obj)
+    select_faces(obj, lambda f: f.calc_center_median().z > 0.85)
+    mesh = bmesh.from_edit_mesh(obj.data)
+    # A vertex next to the selection is drawn onto an edge of it: slivers.
+    rim = [e for e in mesh.edges if len([f for f in e.link_faces if f.select]) == 1]
+    face = next(f for f in rim[0].link_faces if not f.select)
+    tip = next(v for v in face.verts if v not in rim[0].verts)
+    tip.co = tip.co * 0.03 + (rim[0].verts[0].co + rim[0].verts[1].co) * 0.485
+    bmesh.update_edit_mesh(obj.data)
+    count = len([f for f in mesh.faces if not f.select])
+    assert erase(clean_boundary=5) == {"FINISHED"}
+    mesh = bmesh.from_edit_mesh(obj.data)
+    assert len([f for f in mesh.faces if not f.select]) < count
+    assert not boundary_edges(obj) and all(e.is_manifold for e in mesh.edges)
+
+
+def test_a_trimmed_hole_that_stays_open_keeps_its_faces():
+    obj = ragged()
+    before = coordinates(obj)
+    select_boundary(obj, lambda e: e.verts[0].co.z > 0)
+    runner.raises(lambda: fill(trim=20, max_iterations=1, on_failure="OPEN"), "no fair patch was found", "unchanged")
+    assert np.array_equal(coordinates(obj), before)
+
+
 def normals_are_right(obj):
     """Those that the edit mesh has are those of its faces and vertices as they are."""
     mesh = bmesh.from_edit_mesh(obj.data)
