@@ -12,8 +12,7 @@ HERE = Path(__file__).resolve().parent
 # What is for users of the command line and for developers stays out, as do the measurements.
 LEFT_OUT = ("Beside Fair Tangency", "Licence", "Development")
 STYLE = """body { font: 16px/1.5 sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
-img { max-width: 100% } table { border-collapse: collapse }
-td, th { border: 1px solid #bbb; padding: .3rem .6rem; text-align: left }
+img { max-width: 100% } td, th { background: #f2f2f2; padding: .3rem .6rem; text-align: left; vertical-align: top }
 code, pre { background: #eee } pre { padding: .6rem; overflow: auto }"""
 
 

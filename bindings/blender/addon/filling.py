@@ -141,9 +141,10 @@ def read(obj):
 
 
 def trimmed(holes, chosen, most, area):
-    """Takes faces away at the loops `chosen` that would spoil their patches: `most` triangles, of this area in the scene; 0: any.
+    """Takes faces away at the loops `chosen` that would spoil their patches.
 
-    Returns all loops of what is left, and what became of those chosen. Faces go as a whole.
+    `most`: so many triangles; `area`: of so much area, as seen in the scene, 0: of any. Faces go as a whole. Returns all
+    loops of what is left, and what became of those chosen.
     """
     mesh = holes.mesh
     with messages.about(mesh):
