@@ -11,13 +11,13 @@ use crate::command::run;
 
 /// Functions that C++ programs call as they are.
 const TEXTS: [&str; 3] = ["_name", "_text", "_remedy"];
-const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
+pub(crate) const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn work() -> PathBuf {
+pub(crate) fn work() -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("capi");
     fs::create_dir_all(&path).unwrap();
     path
@@ -42,7 +42,7 @@ fn target() -> PathBuf {
 }
 
 /// Where `make install` has put everything.
-fn prefix() -> &'static Path {
+pub(crate) fn prefix() -> &'static Path {
     static PREFIX: OnceLock<PathBuf> = OnceLock::new();
     PREFIX.get_or_init(|| {
         let prefix = work().join("prefix");
@@ -87,7 +87,7 @@ fn hooks() -> &'static Path {
     })
 }
 
-fn pkg_config(arguments: &[&str]) -> Vec<String> {
+pub(crate) fn pkg_config(arguments: &[&str]) -> Vec<String> {
     let said = run(Command::new("pkg-config")
         .args(arguments)
         .arg("fairmesh")
