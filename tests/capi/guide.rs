@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use crate::command::run;
-use crate::programs::{STRICT, pkg_config, prefix, root, work};
+use crate::programs::{STRICT, functions_of_header, needs, pkg_config, prefix, root, work};
 
 /// The pieces of code in this language.
 fn blocks(language: &str) -> Vec<String> {
@@ -88,6 +88,22 @@ fn pieces_of_the_guide_go_on_from_its_first_program() {
     let said = run(&mut Command::new(&program));
     assert!(said.contains("option tolerance is 2"), "{said}");
     assert!(said.contains("796 triangles and 1 loops are left"), "{said}");
+}
+
+/// Doxygen stops at the first comment that it cannot make sense of, and every function has its place on the page.
+#[test]
+fn the_reference_is_made_without_warnings() {
+    needs("doxygen", "doxygen");
+    let out = work().join("reference");
+    fs::create_dir_all(&out).unwrap();
+    let told = fs::read_to_string(root().join("packaging/Doxyfile")).unwrap();
+    let config = out.join("Doxyfile");
+    fs::write(&config, told.replace("target/doxygen", &out.display().to_string())).unwrap();
+    run(Command::new("doxygen").current_dir(root()).arg(&config));
+    let page = fs::read_to_string(out.join("html/fairmesh_8h.html")).unwrap();
+    for function in functions_of_header() {
+        assert!(page.contains(&function), "{function} is not in the reference");
+    }
 }
 
 #[test]

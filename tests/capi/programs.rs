@@ -24,7 +24,7 @@ pub(crate) fn work() -> PathBuf {
 }
 
 /// A tool that is not there is an error, and says where it comes from.
-fn needs(tool: &str, package: &str) {
+pub(crate) fn needs(tool: &str, package: &str) {
     let found = Command::new(tool).arg("--version").output();
     let works = found.is_ok_and(|o| o.status.success());
     assert!(
@@ -145,7 +145,7 @@ fn compile(compiler: &str, standard: &str, source: &str, linked: Linked) -> Path
     program
 }
 
-fn functions_of_header() -> BTreeSet<String> {
+pub(crate) fn functions_of_header() -> BTreeSet<String> {
     let header = fs::read_to_string(root().join("include/fairmesh.h")).unwrap();
     let flat = header.replace("FAIRMESH_API\n", "FAIRMESH_API ");
     let lines = flat.lines().filter(|line| line.starts_with("FAIRMESH_API "));
