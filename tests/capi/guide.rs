@@ -98,7 +98,11 @@ fn the_reference_is_made_without_warnings() {
     fs::create_dir_all(&out).unwrap();
     let told = fs::read_to_string(root().join("packaging/Doxyfile")).unwrap();
     let config = out.join("Doxyfile");
-    fs::write(&config, told.replace("target/doxygen", &out.display().to_string())).unwrap();
+    fs::write(
+        &config,
+        told.replace("target/doxygen", &out.display().to_string()),
+    )
+    .unwrap();
     run(Command::new("doxygen").current_dir(root()).arg(&config));
     let page = fs::read_to_string(out.join("html/fairmesh_8h.html")).unwrap();
     for function in functions_of_header() {
