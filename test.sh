@@ -48,6 +48,7 @@ install_c_tools() {
     command -v pkg-config >/dev/null || missing+=(pkg-config)
     command -v valgrind >/dev/null || missing+=(valgrind)
     command -v abidw >/dev/null || missing+=(abigail-tools)
+    command -v doxygen >/dev/null || missing+=(doxygen)
     command -v c++ >/dev/null || missing+=(g++)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)

@@ -477,6 +477,12 @@ struct fill_options : fairmesh_fill_options {
         guides_given_ = true;
     }
 
+    /** One more such pair. */
+    void add_guide(const std::array<std::uint32_t, 2> &pair) {
+        guides_.insert(guides_.end(), pair.begin(), pair.end());
+        guides_given_ = true;
+    }
+
     /** In place of `filter.components` of the C struct: holes of these components of the mesh. */
     void only_of_components(std::vector<std::uint32_t> components) {
         components_ = std::move(components);

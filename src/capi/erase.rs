@@ -113,7 +113,7 @@ pub extern "C" fn fairmesh_trim_boundary(
         let mut aliases = AliasCheck::new();
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
         let listed = IndicesIn::optional(loops, Argument(2), &mut aliases)?;
-        if !(most_area >= 0.0) {
+        if most_area.is_nan() || most_area < 0.0 {
             let why = format_args!("most_area is {most_area}: it must be not negative");
             return Err(Argument(4).itself().refuse(fairmesh_status::BadOption, why));
         }

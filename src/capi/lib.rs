@@ -23,6 +23,7 @@ mod fill;
 mod fill_options;
 mod guard;
 mod handles;
+mod hole_records;
 #[cfg(feature = "hooks")]
 mod hooks;
 mod input;

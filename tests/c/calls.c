@@ -1001,6 +1001,12 @@ static void roughness(void) {
         OK(fairmesh_result_fill_report(filled, 1, &what, &error));
         CHECK(what.has_relaxed && what.moved_count > 16 && what.moved_within == of.advised_relax_within);
         OK(fairmesh_result_free(filled));
+        /* More rings than any mesh has. */
+        fill.relax_rings = UINT64_MAX;
+        OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
+        OK(fairmesh_result_fill_report(filled, 1, &what, &error));
+        CHECK(what.has_relaxed && what.moved_count == SHEET_VERTICES - 1 - 9);
+        OK(fairmesh_result_free(filled));
     }
     free(sheet);
 }

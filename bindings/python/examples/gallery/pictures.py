@@ -21,18 +21,17 @@ def picture(
     name: str, *shown: tuple[str, pyvista.PolyData, dict[str, Any]], view: Any = "xy", zoom: float = 1.3
 ) -> Any:
     """Meshes side by side; written to the folder that FAIRMESH_PICTURES names, and returned for notebooks."""
-    plotter = pyvista.Plotter(shape=(1, len(shown)), off_screen=True, window_size=[480 * len(shown), 480], border=False)
-    for column, (title, mesh, how) in enumerate(shown):
-        plotter.subplot(0, column)
+    columns = []
+    for title, mesh, how in shown:
+        plotter = pyvista.Plotter(off_screen=True, window_size=[480, 480])
         plotter.add_text(title, font_size=10, color="black")
         plotter.add_mesh(mesh, **{"color": "lightgray", "show_scalar_bar": False, **how})
         plotter.camera_position = view
         plotter.camera.zoom(zoom)
-    plotter.link_views()
-    plotter.background_color = pyvista.Color("white")
-    pixels = plotter.screenshot(return_img=True)
-    plotter.close()
-    assert pixels is not None
+        plotter.background_color = pyvista.Color("white")
+        columns.append(np.asarray(plotter.screenshot(return_img=True)))
+        plotter.close()
+    pixels = np.hstack(columns)
     folder = os.environ.get("FAIRMESH_PICTURES")
     if folder:
         from PIL import Image

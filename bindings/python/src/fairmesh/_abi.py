@@ -520,6 +520,23 @@ class fairmesh_level(Structure):
     )
 
 
+class fairmesh_info(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("vertex_count", c_uint64),
+        ("triangle_count", c_uint64),
+        ("new_vertex_count", c_uint64),
+        ("new_triangle_count", c_uint64),
+        ("loop_count", c_uint64),
+        ("boundary_vertex_count", c_uint64),
+        ("dropped_count", c_uint64),
+        ("component_count", c_uint64),
+        ("cleaned_count", c_uint64),
+        ("dropped_area", c_double),
+    )
+
+
 class fairmesh_loop(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -600,23 +617,6 @@ class fairmesh_bridge_report(Structure):
         ("reserved", c_uint32),
         ("twist", c_double),
         ("rest_count", c_uint64),
-    )
-
-
-class fairmesh_info(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("kind", c_uint32),
-        ("vertex_count", c_uint64),
-        ("triangle_count", c_uint64),
-        ("new_vertex_count", c_uint64),
-        ("new_triangle_count", c_uint64),
-        ("loop_count", c_uint64),
-        ("boundary_vertex_count", c_uint64),
-        ("dropped_count", c_uint64),
-        ("component_count", c_uint64),
-        ("cleaned_count", c_uint64),
-        ("dropped_area", c_double),
     )
 
 
