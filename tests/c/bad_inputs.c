@@ -825,6 +825,39 @@ static void complain(const char *class_name, const char *name, int function, int
     failures++;
 }
 
+/* The fields of the options that may be out of their range: the message names them. */
+typedef struct {
+    uint64_t offset;
+    const char *name;
+} Field;
+#define FIELD(type, a) {offsetof(type, a), #a}
+static const Field of_options[] = {
+    FIELD(fairmesh_options, tolerance),         FIELD(fairmesh_options, max_iterations),
+    FIELD(fairmesh_options, threads),           FIELD(fairmesh_options, continuity),
+    FIELD(fairmesh_options, paper_damping),     FIELD(fairmesh_options, paper_estimate_iterations),
+    FIELD(fairmesh_options, paper_defect),      FIELD(fairmesh_options, paper_laplacian),
+    FIELD(fairmesh_options, paper_max_updates), {0, NULL},
+};
+static const Field of_filling[] = {
+    FIELD(fairmesh_fill_options, density),
+    FIELD(fairmesh_fill_options, relax_within),
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_length), "max_length"},
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_area), "max_area"},
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_diagonal), "max_diagonal"},
+    {0, NULL},
+};
+
+static int names_the_field(int function, const fairmesh_error *error) {
+    const Field *field = of_options;
+    if (error->status != FAIRMESH_STATUS_BAD_OPTION || !(function & (FAIR | SOLVER | FILL | REFILL))) return 1;
+    if (error->element == fill_argument(function) && function & (FILL | REFILL)) field = of_filling;
+    else if (error->element != options_argument(function)) return 1;
+    for (; field->name; field++) {
+        if (field->offset == error->other) return strstr(error->message, field->name) != NULL;
+    }
+    return 1;
+}
+
 /* One case: status, element, and every byte that the library could reach is as before. */
 static void check_case(const Row *row, int function, int variant) {
     Call call, before;
@@ -865,6 +898,7 @@ static void check_case(const Row *row, int function, int variant) {
         if (strlen(error.message) < 5 || strlen(error.message) >= sizeof error.message) {
             complain(row->class_name, row->name, function, variant, "no message");
         }
+        if (!names_the_field(function, &error)) complain(row->class_name, row->name, function, variant, error.message);
     }
     if (memcmp(&before, &call, sizeof call) != 0 || memcmp(positions, call.cap.positions, bytes) != 0 ||
         memcmp(outputs, call.outputs, bytes) != 0 || memcmp(corners, call.cap.corners, 12 * call.cap.triangles) != 0 ||
