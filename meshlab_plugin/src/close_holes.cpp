@@ -166,6 +166,7 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
 
     write_patches(model, view, open.kept, filled, asked.selection);
     Values values = told(filled, open.loops, asked.options.continuity > 0, host);
+    if (open.kept.size() < view.triangles().size() && !values["converged"].toBool()) host.log(OLD_NUMBERS);
     values["trimmed_faces"] = static_cast<int>(view.triangles().size() - open.kept.size());
     values["trimmed_area"] = open.area;
     return values;

@@ -45,6 +45,7 @@ Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters as
                   static_cast<unsigned long long>(left.dropped)));
     if (left.cleaned > 0)
         host.log(text("Faces beside them that would have spoilt the boundary: %llu", static_cast<unsigned long long>(left.cleaned)));
+    if (!values["converged"].toBool()) host.log(OLD_NUMBERS);
     values["erased_faces"] = static_cast<int>(erased);
     values["cleaned_faces"] = static_cast<int>(left.cleaned);
     return values;
