@@ -32,7 +32,7 @@ all:
 install: all
 	install -d '$(DESTDIR)$(LIBDIR)/pkgconfig' '$(DESTDIR)$(LIBDIR)/cmake/fairmesh' '$(DESTDIR)$(INCLUDEDIR)'
 	install -m 644 include/fairmesh.h include/fairmesh.hpp include/fairmesh_openmesh.hpp \
-		include/fairmesh_openmesh_fill.hpp '$(DESTDIR)$(INCLUDEDIR)'
+		include/fairmesh_openmesh_fill.hpp include/fairmesh_openmesh_bridge.hpp include/fairmesh_openmesh_rim.hpp '$(DESTDIR)$(INCLUDEDIR)'
 	install -m 755 $(OUT)/libfairmesh.so '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
 	objcopy --strip-debug '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(VERSION)'
 	ln -sf libfairmesh.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libfairmesh.so.$(MAJOR)'
@@ -51,7 +51,8 @@ install: all
 
 uninstall:
 	rm -f '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.h '$(DESTDIR)$(INCLUDEDIR)'/fairmesh.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh.hpp \
-		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_fill.hpp
+		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_fill.hpp '$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_bridge.hpp \
+		'$(DESTDIR)$(INCLUDEDIR)'/fairmesh_openmesh_rim.hpp
 	rm -f '$(DESTDIR)$(LIBDIR)'/libfairmesh.a '$(DESTDIR)$(LIBDIR)'/libfairmesh.so*
 	rm -f '$(DESTDIR)$(LIBDIR)'/pkgconfig/fairmesh.pc
 	rm -rf '$(DESTDIR)$(LIBDIR)'/cmake/fairmesh

@@ -48,6 +48,7 @@ install_c_tools() {
     command -v pkg-config >/dev/null || missing+=(pkg-config)
     command -v valgrind >/dev/null || missing+=(valgrind)
     command -v abidw >/dev/null || missing+=(abigail-tools)
+    command -v doxygen >/dev/null || missing+=(doxygen)
     command -v c++ >/dev/null || missing+=(g++)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
@@ -112,6 +113,7 @@ full() {
 }
 
 long() {
+    step gallery bindings/python/test.sh long
     step long cargo test --release --locked --test library -- --ignored long::
     step torture tests/torture/run.sh --json target/test/torture.json
     step long_fuzzing env FUZZ_SEED=0 fuzz/run.sh "${FUZZ_SECONDS:-600}"

@@ -4,6 +4,50 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What concerns holes, with lists that are the bytes of the head and of the mask. */
+static fairmesh_status holes(const uint8_t *head, const uint8_t *bytes, const fairmesh_mesh *mesh, const fairmesh_selection *selection,
+                             const fairmesh_options *options, fairmesh_result **result, fairmesh_error *error) {
+    fairmesh_fill_options fill;
+    fairmesh_bridge_options how;
+    fairmesh_indices list;
+    double number;
+    uint64_t most;
+    memcpy(&number, head + 48, 8);
+    memcpy(&most, head + 56, 8);
+    list.data = (const uint32_t *)(const void *)(bytes + (head[25] & 1 ? head[26] % 8 : 0));
+    list.stride = head[27] % 16;
+    list.count = head[28] % 40;
+    fairmesh_fill_options_init(&fill, sizeof fill);
+    fill.max_new_vertices = 100;
+    fill.fair = head[29] & 1;
+    fill.on_failure = head[29] / 2u % 4u;
+    if (head[30] & 1) fill.loops = list;
+    if (head[30] & 2) fill.join.loops = list;
+    if (head[30] & 4) fill.join.starts = list;
+    if (head[30] & 8) fill.guides = list, fill.guides.count = list.count / 2;
+    if (head[30] & 16) fill.filter.components = list;
+    if (head[30] & 32) fill.relax_rings = most, fill.relax_within = number;
+    if (head[30] & 64) fill.density = number;
+    if (head[30] & 128) fill.max_edges = most, fill.filter.max_length = fill.filter.max_area = fill.filter.within.radius = number;
+    fill.join.kind = head[31] % 4u;
+    fill.filter.within.kind = head[31] / 4u % 4u;
+    fairmesh_bridge_options_init(&how, sizeof how);
+    how.width = head[31] & 128 ? number : 0.0;
+    how.fill = head[31] & 64;
+    switch (head[24] % 10u) {
+    case 0: return fairmesh_fill_holes(mesh, &fill, options, result, error);
+    case 1: return fairmesh_suggest_joins(mesh, &fill, result, error);
+    case 2: return fairmesh_erase(mesh, &list, result, error);
+    case 3: return fairmesh_erase_and_clean(mesh, &list, most, result, error);
+    case 4: return fairmesh_trim_boundary(mesh, head[31] & 32 ? NULL : &list, most, number, result, error);
+    case 5: return fairmesh_bridge(mesh, &list, &list, &how, &fill, options, result, error);
+    case 6: return fairmesh_refill(mesh, selection, &fill, options, result, error);
+    case 7: return fairmesh_carry_over(mesh, head[31] & 32 ? NULL : &list, &mesh->positions, result, error);
+    case 8: return fairmesh_rim_roughness(mesh, result, error);
+    default: return fairmesh_components(mesh, result, error);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -79,6 +123,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.discretization = head[19] % 3;
     options.threads = 1;
     options.max_iterations = head[20] % 8;
+    if (head[0] & 32) {
+        fairmesh_result *result = NULL;
+        status = holes(head, mask.bytes, &sized.mesh, head[21] & 1 ? NULL : &selection, &options, &result, &error);
+        if (status == FAIRMESH_STATUS_INTERNAL || error.status != (int32_t)status) abort();
+        if (fairmesh_result_free(result) != FAIRMESH_STATUS_OK) abort();
+        return 0;
+    }
     status = fairmesh_fair(&sized.mesh, head[21] & 1 ? NULL : &selection, &options, &to, NULL, NULL, &error);
     if (status == FAIRMESH_STATUS_INTERNAL) abort();
     if (error.status != (int32_t)status) abort();

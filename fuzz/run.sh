@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes fairmesh_fair through the C interface: structured meshes and raw bytes, with AddressSanitizer and coverage.
+# Fuzzes what fairs and what concerns holes through the C interface: structured meshes and raw bytes, with AddressSanitizer and coverage.
 #   fuzz/run.sh [seconds for each target, default 60] [structured|raw]     new inputs go to target/fuzz/
 # FUZZ_SEED=0 draws another sequence every time; the default is one that can be repeated.
 set -euo pipefail

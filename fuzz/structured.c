@@ -17,6 +17,117 @@ static uint8_t next(Bytes *bytes) {
 
 static double unit(Bytes *bytes) { return (next(bytes) - 128) / 128.0; }
 
+/* Lists of small numbers, some of them wrong. */
+enum { LISTED = 12 };
+typedef struct {
+    uint32_t numbers[LISTED];
+} List;
+
+static fairmesh_indices list(Bytes *bytes, List *room, uint32_t below, size_t most, size_t width) {
+    fairmesh_indices made;
+    size_t k;
+    memset(&made, 0, sizeof made);
+    made.count = next(bytes) % (most + 1);
+    made.data = room->numbers;
+    for (k = 0; k < LISTED; k++) room->numbers[k] = k < made.count * width ? next(bytes) % (below + 1) : 0;
+    return made;
+}
+
+/* What is asked about holes. */
+typedef struct {
+    fairmesh_fill_options fill;
+    List loops, joined, starts, guides, components;
+} Asked;
+
+static void ask(Bytes *bytes, Asked *asked, uint32_t vertices) {
+    fairmesh_fill_options *fill = &asked->fill;
+    uint8_t flags = next(bytes), more = next(bytes);
+    fairmesh_fill_options_init(fill, sizeof *fill);
+    fill->max_new_vertices = 200;
+    fill->fair = !(more & 1);
+    fill->on_failure = more / 2u % 3u;
+    if (flags & 1) fill->loops = list(bytes, &asked->loops, 4, 3, 1);
+    fill->only_listed = flags / 2u % 2u;
+    if (flags & 4) {
+        fill->join.kind = FAIRMESH_JOIN_KIND_GROUPS;
+        fill->join.loops = list(bytes, &asked->joined, 4, 5, 1);
+        fill->join.starts = list(bytes, &asked->starts, 3, 3, 1);
+        if (more & 8) fill->join.starts.count = 0;
+    } else if (flags & 8) {
+        fill->join.kind = FAIRMESH_JOIN_KIND_AUTO;
+    }
+    if (flags & 16) fill->guides = list(bytes, &asked->guides, vertices, 4, 2);
+    if (flags & 32) {
+        fill->relax_rings = next(bytes) % 5u;
+        fill->relax_within = more & 16 ? 0.2 * unit(bytes) : 0.0;
+    }
+    if (flags & 64) {
+        fill->max_edges = next(bytes);
+        fill->filter.max_length = more & 32 ? 3.0 + 3.0 * unit(bytes) : 0.0;
+        fill->filter.max_area = more & 64 ? 0.5 + 0.5 * unit(bytes) : 0.0;
+        fill->filter.except_longest = next(bytes) % 3u;
+        fill->filter.components = list(bytes, &asked->components, 2, 2, 1);
+        fill->filter.within.kind = next(bytes) % 3u;
+        fill->filter.within.radius = unit(bytes);
+        fill->filter.within.low[0] = unit(bytes);
+        fill->filter.within.high[0] = fill->filter.within.high[1] = fill->filter.within.high[2] = unit(bytes);
+    }
+    if (flags & 128) fill->density = 1.5 + 1.4 * unit(bytes);
+}
+
+/* What concerns holes, and needs no fairing of a region. */
+static fairmesh_status holes(Bytes *bytes, int task, const fairmesh_mesh *mesh, const fairmesh_selection *selection, const fairmesh_options *options,
+                             fairmesh_result **result, fairmesh_error *error) {
+    uint32_t vertices = (uint32_t)mesh->positions.count, triangles = (uint32_t)mesh->triangles.count;
+    Asked asked;
+    List first, second;
+    fairmesh_indices from, to;
+    fairmesh_bridge_options how;
+    uint8_t flags;
+    memset(&asked, 0, sizeof asked);
+    ask(bytes, &asked, vertices);
+    from = list(bytes, &first, task == 3 || task == 6 ? triangles : task == 5 ? 3 : vertices, 6, 1);
+    flags = next(bytes);
+    switch (task) {
+    case 1: return fairmesh_fill_holes(mesh, &asked.fill, options, result, error);
+    case 2: return fairmesh_suggest_joins(mesh, &asked.fill, result, error);
+    case 3: return flags & 1 ? fairmesh_erase(mesh, &from, result, error) : fairmesh_erase_and_clean(mesh, &from, flags / 2u, result, error);
+    case 4:
+        fairmesh_bridge_options_init(&how, sizeof how);
+        how.fill = flags & 1;
+        if (flags & 2) how.width = 0.3 + unit(bytes);
+        to = list(bytes, &second, vertices, 6, 1);
+        return fairmesh_bridge(mesh, &from, &to, &how, &asked.fill, options, result, error);
+    case 5: return fairmesh_trim_boundary(mesh, flags & 1 ? NULL : &from, flags / 4u, flags & 2 ? unit(bytes) : 0.0, result, error);
+    case 6: return fairmesh_carry_over(mesh, flags & 1 ? NULL : &from, &mesh->positions, result, error);
+    case 7: return fairmesh_refill(mesh, flags & 1 ? NULL : selection, &asked.fill, options, result, error);
+    case 8: return fairmesh_rim_roughness(mesh, result, error);
+    default: return fairmesh_components(mesh, result, error);
+    }
+}
+
+/* Reads all that a result has. */
+static void read_all(const fairmesh_result *result) {
+    static uint32_t indices[1 << 16];
+    fairmesh_info info;
+    fairmesh_fill_report filled;
+    fairmesh_loop boundary;
+    uint64_t k;
+    uint32_t which;
+    size_t count;
+    info.struct_size = sizeof info;
+    filled.struct_size = sizeof filled;
+    boundary.struct_size = sizeof boundary;
+    if (fairmesh_result_info(result, &info, NULL) != FAIRMESH_STATUS_OK) abort();
+    for (k = 0; k <= info.loop_count; k++) {
+        if (fairmesh_result_fill_report(result, k, &filled, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
+        if (fairmesh_result_loop(result, k, &boundary, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
+        for (which = 0; which <= FAIRMESH_LIST_CARRIED_TRIANGLES; which++) {
+            if (fairmesh_result_list(result, which, k, indices, 1 << 16, &count, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
+        }
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -28,9 +139,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     size_t side = 3 + next(&bytes) % (MOST - 2), vertices = side * side, count = 0, v, edits;
     double bend = unit(&bytes), bump = unit(&bytes);
     fairmesh_options options;
-    fairmesh_fill_options fill;
     fairmesh_mesh mesh;
     fairmesh_selection selection;
+    int task;
     fairmesh_points_out to;
     fairmesh_report report;
     fairmesh_error error;
@@ -64,7 +175,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 3: memcpy(positions[at % vertices], positions[next(&bytes) % vertices], 24); break;
         case 4: positions[at % vertices][next(&bytes) % 3] = at % 2 ? NAN : 1e300 * unit(&bytes); break;
         case 5: mask[at % vertices] ^= 1; break;
-        case 6: count = count > 2 ? count - 1 : count; break;
+        case 6:
+            /* A hole. */
+            if (count > 2) memcpy(triangles[at % count], triangles[count - 1], 12), count--;
+            break;
         default: positions[at % vertices][next(&bytes) % 3] *= 1e-200; break;
         }
     }
@@ -105,15 +219,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     to.count = vertices;
     to.scalar = FAIRMESH_SCALAR_FLOAT64;
     report.struct_size = sizeof report;
-    if (what & 64) {
-        fairmesh_fill_options_init(&fill, sizeof fill);
-        fill.max_new_vertices = 200;
-        status = fairmesh_fill_holes(&mesh, &fill, &options, &result, &error);
+    /* 0 where the bytes have run out. */
+    task = next(&bytes) % 16;
+    if (task > 0 || what & 64) {
+        status = holes(&bytes, task > 9 || task == 0 ? 1 : task, &mesh, &selection, &options, &result, &error);
     } else {
         status = fairmesh_fair(&mesh, what & 32 ? NULL : &selection, &options, &to, &report, &result, &error);
     }
     if (status == FAIRMESH_STATUS_INTERNAL || error.status != (int32_t)status) abort();
     if (memcmp(before, positions, sizeof(double) * 3 * vertices) != 0) abort();
+    if (status == FAIRMESH_STATUS_OK) read_all(result);
     if (fairmesh_result_free(result) != FAIRMESH_STATUS_OK) abort();
     return 0;
 }

@@ -206,6 +206,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_BAD_CHAIN = 37,
     /**
+     * Deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped.
+     */
+    FAIRMESH_STATUS_NO_FAIR_PATCH = 38,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -1025,6 +1029,14 @@ enum fairmesh_result_kind
      * A mesh with a bridge.
      */
     FAIRMESH_RESULT_KIND_BRIDGED = 8,
+    /**
+     * A mesh without the triangles that spoil the boundaries of holes.
+     */
+    FAIRMESH_RESULT_KIND_TRIMMED = 9,
+    /**
+     * Points on the triangles of a mesh.
+     */
+    FAIRMESH_RESULT_KIND_CARRIED = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1087,7 +1099,8 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_OUTSIDE_VERTICES = 48,
     /**
-     * Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from.
+     * Filled, bridged and remeshed meshes: per new vertex three vertices of the mesh given that it comes from. Carried points: per
+     * point the corners of the triangle that it is on.
      */
     FAIRMESH_LIST_PARENTS = 49,
     /**
@@ -1103,7 +1116,7 @@ enum fairmesh_list
      */
     FAIRMESH_LIST_KEPT_VERTICES = 65,
     /**
-     * Remeshed and erased meshes: per triangle that is left its number before.
+     * Remeshed, erased and trimmed meshes: per triangle that is left its number before.
      */
     FAIRMESH_LIST_KEPT_TRIANGLES = 66,
     /**
@@ -1123,6 +1136,10 @@ enum fairmesh_list
      * Bridged meshes: the new vertices on one side of the strip (0: from the first chain to the second; 1: back).
      */
     FAIRMESH_LIST_BRIDGE_SIDE = 113,
+    /**
+     * Carried points: per point the triangle that it is on.
+     */
+    FAIRMESH_LIST_CARRIED_TRIANGLES = 128,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1145,7 +1162,7 @@ enum fairmesh_vectors
      */
     FAIRMESH_VECTORS_BOUNDARY_NORMALS = 0,
     /**
-     * Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1.
+     * Filled, bridged and remeshed meshes: per new vertex the weights of its three parents; their sum is 1. Carried points: per point.
      */
     FAIRMESH_VECTORS_PARENT_WEIGHTS = 1,
 };
@@ -2230,7 +2247,7 @@ typedef struct fairmesh_info {
      */
     uint64_t triangle_count;
     /**
-     * The last so many of the vertices are new.
+     * The last so many of the vertices are new. Of carried points how many there are.
      */
     uint64_t new_vertex_count;
     /**
@@ -2247,13 +2264,22 @@ typedef struct fairmesh_info {
      */
     uint64_t boundary_vertex_count;
     /**
-     * Of an erased mesh the triangles that were dropped besides those named.
+     * Of an erased mesh the triangles that were dropped besides those named, because they hung loose; of a trimmed one all that were
+     * taken away.
      */
     uint64_t dropped_count;
     /**
      * Of components how many there are.
      */
     uint64_t component_count;
+    /**
+     * Of an erased mesh the triangles that were dropped because they would spoil the boundary of a patch.
+     */
+    uint64_t cleaned_count;
+    /**
+     * Of a trimmed mesh the area of what was taken away.
+     */
+    double dropped_area;
 } fairmesh_info;
 
 /**
@@ -2335,6 +2361,39 @@ typedef struct fairmesh_loop {
      * How many triangles that has.
      */
     uint64_t component_triangle_count;
+    /**
+     * Not 0: how rough the rim is was asked for (`fairmesh_rim_roughness`) and could be told, as the next seven say; otherwise these are 0.
+     * Where the mesh around the loop is too small, it cannot be told.
+     */
+    uint32_t has_roughness;
+    /**
+     * Not 0: the rim is noise, and the two advised options below draw it to the surface that the mesh has there on average.
+     */
+    uint32_t is_rough;
+    /**
+     * `rim_angle` over `rim_angle_expected`, or over a degree or so, if that is more: about 1 where the mesh is clean.
+     */
+    double roughness;
+    /**
+     * The angle between the normals of the triangles at consecutive edges of the loop, in degrees, root mean square.
+     */
+    double rim_angle;
+    /**
+     * The angle that is expected there, by the surface fitted to what is around.
+     */
+    double rim_angle_expected;
+    /**
+     * The distance of the mesh around from that surface, root mean square.
+     */
+    double rim_noise;
+    /**
+     * What is advised for `relax_rings` of the fill options; 0: nothing.
+     */
+    uint64_t advised_relax_rings;
+    /**
+     * What is advised for `relax_within`; 0 where nothing is.
+     */
+    double advised_relax_within;
 } fairmesh_loop;
 
 /**
@@ -2879,6 +2938,16 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
                                         struct fairmesh_error *error);
 
 /**
+ * Finds the boundary loops of a mesh as `fairmesh_boundary_loops` does, and how rough their rims are, which takes longer: each
+ * `fairmesh_loop` of the result has it, with what is advised for `relax_rings` and `relax_within` of the fill options. `result` gets a handle;
+ * free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_rim_roughness(const struct fairmesh_mesh *mesh,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
  * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
  * vertices that `relax_rings` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
@@ -2914,6 +2983,24 @@ fairmesh_status fairmesh_remesh(const struct fairmesh_mesh *mesh,
                                 struct fairmesh_error *error);
 
 /**
+ * Deletes a region, and fills the loops that are left, those of each component of the region with one patch: where the shape that it has is of no
+ * use, such as an ear of many vertices behind a short boundary. The result is read like that of `fairmesh_remesh`; its new vertices are fair
+ * already.
+ *
+ * NO_FAIR_PATCH where that leads to no fair patch that intersects nothing, where a vertex would be lost that is fixed (inside the region, or
+ * without another triangle), where the region lies at a boundary of the mesh, and where the run was stopped.
+ *
+ * `selection`, `fill` and `options` may be NULL; of `fill` the loops, groups and guides are not looked at. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_refill(const struct fairmesh_mesh *mesh,
+                                const struct fairmesh_selection *selection,
+                                const struct fairmesh_fill_options *fill,
+                                const struct fairmesh_options *options,
+                                struct fairmesh_result **result,
+                                struct fairmesh_error *error);
+
+/**
  * Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
  * the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
  * there, or joined. `triangles` are the triangles to be deleted. `result` gets a handle; free it.
@@ -2925,11 +3012,54 @@ fairmesh_status fairmesh_erase(const struct fairmesh_mesh *mesh,
                                struct fairmesh_error *error);
 
 /**
+ * `fairmesh_erase`, which drops up to `most` triangles more beside what is erased, those that would spoil the boundary of a patch: with an
+ * angle below 5 degrees, or turned by more than 100 degrees against a triangle beside them. `cleaned_count` of the info says how many.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_erase_and_clean(const struct fairmesh_mesh *mesh,
+                                         const struct fairmesh_indices *triangles,
+                                         uint64_t most,
+                                         struct fairmesh_result **result,
+                                         struct fairmesh_error *error);
+
+/**
+ * Takes away triangles at boundary loops that would spoil a patch: slender ones, with an angle below 5 degrees, spikes and fins, turned by more than
+ * 100 degrees against one beside them, and single triangles that hang at the others by one edge; the worst first, then those that this lays
+ * bare, in no more than eight passes. No more than `most` triangles, and of no more area than `most_area` together; 0: of any area.
+ *
+ * `loops` are the loops, as `fairmesh_boundary_loops` numbers them; it may be NULL: all holes, not the outer boundaries. The list KEPT_TRIANGLES
+ * of the result is the mesh that is left, its vertices being those given, used or not; loops count anew there. `dropped_count` and
+ * `dropped_area` of the info say what was taken away. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_trim_boundary(const struct fairmesh_mesh *mesh,
+                                       const struct fairmesh_indices *loops,
+                                       uint64_t most,
+                                       double most_area,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
  * Finds the components of a mesh: triangles that hang together by edges. They count in the order of their first triangles; the list
  * TRIANGLE_COMPONENTS of the result says of each triangle which one it is of. `result` gets a handle; free it.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_components(const struct fairmesh_mesh *mesh,
+                                    struct fairmesh_result **result,
+                                    struct fairmesh_error *error);
+
+/**
+ * Finds per point the nearest one of some triangles of a mesh: to carry colours and the like over from triangles that were erased to the
+ * vertices that took their place. The list CARRIED_TRIANGLES of the result has the triangles, the list PARENTS their corners, and the vectors
+ * PARENT_WEIGHTS the weights of these; for a point that is not finite, and where no triangle is, UINT32_MAX, and weights of 0.
+ *
+ * `among` are the triangles, by their numbers; it may be NULL: all of them. `result` gets a handle, whose `new_vertex_count` is the number of points;
+ * free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_carry_over(const struct fairmesh_mesh *mesh,
+                                    const struct fairmesh_indices *among,
+                                    const struct fairmesh_points *points,
                                     struct fairmesh_result **result,
                                     struct fairmesh_error *error);
 

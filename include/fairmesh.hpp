@@ -428,6 +428,13 @@ inline result boundary_loops(const fairmesh_mesh &mesh) {
     return result(handle);
 }
 
+/** The same, and how rough their rims are: `loop` of the result tells; see fairmesh_rim_roughness. */
+inline result rim_roughness(const fairmesh_mesh &mesh) {
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_rim_roughness, &mesh, &handle);
+    return result(handle);
+}
+
 /** Loops that get one patch together, by their numbers. */
 using loop_groups = std::vector<std::vector<std::uint32_t>>;
 
@@ -467,6 +474,12 @@ struct fill_options : fairmesh_fill_options {
     void guide(const std::vector<std::array<std::uint32_t, 2>> &pairs) {
         guides_.clear();
         for (const auto &pair : pairs) guides_.insert(guides_.end(), pair.begin(), pair.end());
+        guides_given_ = true;
+    }
+
+    /** One more such pair. */
+    void add_guide(const std::array<std::uint32_t, 2> &pair) {
+        guides_.insert(guides_.end(), pair.begin(), pair.end());
         guides_given_ = true;
     }
 
@@ -571,15 +584,61 @@ struct erased_triangles {
     std::vector<std::uint32_t> loops;
     /** How many were dropped besides those named: they hung loose. */
     std::uint64_t dropped = 0;
+    /** How many were dropped because they would spoil the boundary of a patch. */
+    std::uint64_t cleaned = 0;
 };
 
-/** Deletes triangles; see fairmesh_erase. */
-inline erased_triangles erase(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &triangles) {
+/** Deletes triangles, and up to `clean` more beside them that would spoil the boundary of a patch; see fairmesh_erase and
+ *  fairmesh_erase_and_clean. */
+inline erased_triangles erase(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &triangles, std::uint64_t clean = 0) {
     const auto list = indices(triangles.data(), triangles.size());
     fairmesh_result *handle = nullptr;
-    detail::call(fairmesh_erase, &mesh, &list, &handle);
+    if (clean == 0) detail::call(fairmesh_erase, &mesh, &list, &handle);
+    else detail::call(fairmesh_erase_and_clean, &mesh, &list, clean, &handle);
     const result left(handle);
-    return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), left.list(FAIRMESH_LIST_ERASED_LOOPS), left.info().dropped_count};
+    const auto info = left.info();
+    return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), left.list(FAIRMESH_LIST_ERASED_LOOPS), info.dropped_count, info.cleaned_count};
+}
+
+/** How much may be taken away at the boundaries of holes. */
+struct trim_limits {
+    std::uint64_t triangles = UINT64_MAX;
+    /** All of them together; 0: of any area. */
+    double area = 0.0;
+};
+
+/** What is left of a mesh whose boundary was trimmed. */
+struct trimmed_triangles {
+    /** The numbers of the triangles that are left, ascending. */
+    std::vector<std::uint32_t> kept;
+    /** How many are gone. */
+    std::uint64_t dropped = 0;
+    /** Their area. */
+    double area = 0.0;
+};
+
+namespace detail {
+
+inline trimmed_triangles trim_boundary(const fairmesh_mesh &mesh, const fairmesh_indices *loops, const trim_limits &limits) {
+    fairmesh_result *handle = nullptr;
+    call(fairmesh_trim_boundary, &mesh, loops, limits.triangles, limits.area, &handle);
+    const result left(handle);
+    const auto info = left.info();
+    return {left.list(FAIRMESH_LIST_KEPT_TRIANGLES), info.dropped_count, info.dropped_area};
+}
+
+} // namespace detail
+
+/** Takes away what would spoil patches at all holes; see fairmesh_trim_boundary. */
+inline trimmed_triangles trim_boundary(const fairmesh_mesh &mesh, const trim_limits &limits = trim_limits()) {
+    return detail::trim_boundary(mesh, nullptr, limits);
+}
+
+/** The same at these loops. */
+inline trimmed_triangles trim_boundary(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &loops,
+                                       const trim_limits &limits = trim_limits()) {
+    const auto list = indices(loops.data(), loops.size());
+    return detail::trim_boundary(mesh, &list, limits);
 }
 
 /** Per triangle the number of its component; see fairmesh_components. */
@@ -603,6 +662,41 @@ inline result remesh(const fairmesh_mesh &mesh, const fairmesh_selection &select
     fairmesh_result *handle = nullptr;
     detail::call(fairmesh_remesh, &mesh, &selection, static_cast<const fairmesh_remesh_options *>(&asked), &handle);
     return result(handle);
+}
+
+/** Deletes a region and fills it; see fairmesh_refill. */
+inline result refill(const fairmesh_mesh &mesh, const fairmesh_selection &selection, const fill_options &fill = fill_options(),
+                     const options &asked = options()) {
+    detail::relay relay;
+    auto plain = detail::with(asked, relay);
+    const auto how = fill.plain();
+    fairmesh_error why = detail::no_error();
+    fairmesh_result *handle = nullptr;
+    const auto status = fairmesh_refill(&mesh, &selection, &how, &plain, &handle, &why);
+    // Where the callback has thrown, the library says that there is no patch.
+    result made(handle);
+    relay.rethrow();
+    detail::check(status, why);
+    return made;
+}
+
+/** Per point its place on a mesh. */
+struct carried_points {
+    /** The triangle; UINT32_MAX where there is none. */
+    std::vector<std::uint32_t> triangles;
+    /** Its corners, three for each point, and their weights. */
+    std::vector<std::uint32_t> corners;
+    std::vector<std::array<double, 3>> weights;
+};
+
+/** The places of the points on these triangles of a mesh; see fairmesh_carry_over. */
+inline carried_points carry_over(const fairmesh_mesh &mesh, const std::vector<std::uint32_t> &among, const fairmesh_points &points) {
+    const auto list = indices(among.data(), among.size());
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_carry_over, &mesh, &list, &points, &handle);
+    const result found(handle);
+    return {found.list(FAIRMESH_LIST_CARRIED_TRIANGLES), found.list(FAIRMESH_LIST_PARENTS),
+            found.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
 }
 
 /** The version of the library that runs, such as "0.1.0". */

@@ -25,6 +25,12 @@ struct openmesh_fill_options : openmesh_options {
      *  fair patch. */
     fill_options patches;
     openmesh_loops loops = openmesh_loops::as_asked;
+    /** Pairs of boundary vertices that the triangulation shall have an edge between, beside those that `patches` names. */
+    std::vector<std::array<OpenMesh::VertexHandle, 2>> guides;
+    /** erase_and_fill drops up to so many faces more that would spoil the boundary of the patch: slender ones, and fins. */
+    std::uint64_t clean = 0;
+    /** erase_and_fill takes the properties of what is new from the nearest place of what was erased, not from the edge of the hole. */
+    bool carry_over = false;
 };
 
 /** A boundary loop. */
@@ -47,6 +53,8 @@ struct openmesh_filled {
     std::vector<openmesh_patch> patches;
     /** Faces that were erased besides the selected ones: they would have hung loose. */
     std::uint64_t dropped = 0;
+    /** Faces that were erased besides because they would have spoilt the boundary of the patch. */
+    std::uint64_t cleaned = 0;
 };
 
 namespace detail {
@@ -64,7 +72,7 @@ template <class Number, int Size> struct openmesh_mixable<OpenMesh::VectorT<Numb
 
 /** Where the new vertices of a patch come from: three parents each, with weights. */
 struct openmesh_parents {
-    std::size_t first;
+    std::size_t first = 0;
     std::vector<std::uint32_t> vertices;
     std::vector<std::array<double, 3>> weights;
 
@@ -85,7 +93,9 @@ struct openmesh_parents {
                 for (std::size_t i = 0; i < 3; i++) {
                     sum += weights[k][i] * mixable::at((*typed)[static_cast<int>(vertices[3 * k + i])], c);
                 }
-                mixable::at(mixed, c) = static_cast<typename mixable::number>(sum);
+                using number = typename mixable::number;
+                // Colours are numbers of eight bits.
+                mixable::at(mixed, c) = static_cast<number>(std::is_integral_v<number> ? sum + 0.5 : sum);
             }
             (*typed)[static_cast<int>(first + k)] = mixed;
         }
@@ -102,23 +112,44 @@ template <class Mesh> struct openmesh_open {
     openmesh_view<Mesh> view;
     std::vector<OpenMesh::FaceHandle> erased;
     std::vector<std::uint32_t> loops;
-    std::uint64_t dropped = 0;
+    std::uint64_t dropped = 0, cleaned = 0;
+    /** The mesh with what is erased, and the triangles that are, if properties are taken from there. */
+    std::unique_ptr<const openmesh_view<Mesh>> was;
+    std::vector<std::uint32_t> gone;
 
     openmesh_open(const Mesh &mesh, const openmesh_options &asked) : view(mesh, asked) {}
 
     /** Leaves the selected faces out. */
-    void erase_selected(const Mesh &mesh) {
+    void erase_selected(const Mesh &mesh, std::uint64_t clean, bool carry_over) {
         std::vector<std::uint32_t> selected;
         const auto &faces = view.faces();
         for (std::size_t t = 0; t < faces.size(); t++) {
             if (mesh.status(faces[t]).selected()) selected.push_back(static_cast<std::uint32_t>(t));
         }
-        const auto left = fairmesh::erase(view.mesh(), selected);
+        const auto left = fairmesh::erase(view.mesh(), selected, clean);
         dropped = left.dropped;
+        cleaned = left.cleaned;
         loops = left.loops;
+        if (carry_over) {
+            was = std::make_unique<const openmesh_view<Mesh>>(view);
+            auto next = left.kept.begin();
+            for (std::uint32_t t = 0; t < faces.size(); t++) {
+                if (next != left.kept.end() && *next == t) ++next;
+                else gone.push_back(t);
+            }
+        }
         erased = view.keep(left.kept);
     }
+
+    /** The places of points on what is erased. */
+    template <class Scalar> carried_points carried(const Scalar *x, std::size_t count) const {
+        return carry_over(was->mesh(), gone, points(x, count));
+    }
 };
+
+inline std::uint32_t openmesh_index(OpenMesh::VertexHandle vertex) {
+    return static_cast<std::uint32_t>(vertex.idx());
+}
 
 /** The number of each loop whose vertices are all selected. */
 template <class Mesh> std::vector<std::uint32_t> openmesh_selected_loops(const Mesh &mesh, const openmesh_view<Mesh> &view) {
@@ -133,6 +164,26 @@ template <class Mesh> std::vector<std::uint32_t> openmesh_selected_loops(const M
     return selected;
 }
 
+/** Gives a face the properties of another one, and its colour. */
+template <class Mesh> void openmesh_copy(Mesh &mesh, OpenMesh::FaceHandle from, OpenMesh::FaceHandle to) {
+    mesh.copy_all_properties(from, to);
+    if (mesh.has_face_colors()) mesh.set_color(to, mesh.color(from));
+}
+
+/** Gives new faces the properties of those that were nearest to their middles. */
+template <class Mesh>
+void openmesh_carry(Mesh &mesh, const openmesh_open<Mesh> &open, const std::vector<OpenMesh::FaceHandle> &made) {
+    std::vector<double> middles;
+    for (const auto face : made) {
+        const auto middle = mesh.calc_face_centroid(face);
+        for (std::size_t k = 0; k < 3; k++) middles.push_back(static_cast<double>(middle[k]));
+    }
+    const auto found = open.carried(middles.data(), made.size()).triangles;
+    for (std::size_t k = 0; k < made.size(); k++) {
+        if (found[k] < open.was->faces().size()) openmesh_copy(mesh, open.was->faces()[found[k]], made[k]);
+    }
+}
+
 /** Gives new faces, which are the last ones, the properties of old faces near them. */
 template <class Mesh> void openmesh_spread(Mesh &mesh, const std::vector<OpenMesh::FaceHandle> &made) {
     if (made.empty()) return;
@@ -140,7 +191,7 @@ template <class Mesh> void openmesh_spread(Mesh &mesh, const std::vector<OpenMes
     std::vector<char> done(made.size());
     std::vector<OpenMesh::FaceHandle> front;
     const auto copy = [&](OpenMesh::FaceHandle from, OpenMesh::FaceHandle to) {
-        mesh.copy_all_properties(from, to);
+        openmesh_copy(mesh, from, to);
         done[static_cast<std::size_t>(to.idx() - first)] = 1;
         front.push_back(to);
     };
@@ -168,7 +219,15 @@ std::vector<openmesh_patch> openmesh_add(Mesh &mesh, const openmesh_open<Mesh> &
     const std::size_t olds = mesh.n_vertices(), count = static_cast<std::size_t>(info.vertex_count);
     std::vector<scalar> positions(3 * count);
     filled.positions(points_out(positions.data(), count));
-    const openmesh_parents parents{olds, filled.list(FAIRMESH_LIST_PARENTS), filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
+    openmesh_parents parents{olds, filled.list(FAIRMESH_LIST_PARENTS), filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS)};
+    if (open.was) {
+        const auto carried = open.carried(positions.data() + 3 * olds, count - olds);
+        for (std::size_t k = 0; k < carried.triangles.size(); k++) {
+            if (carried.triangles[k] == UINT32_MAX) continue;
+            std::copy_n(carried.corners.begin() + static_cast<std::ptrdiff_t>(3 * k), 3, parents.vertices.begin() + static_cast<std::ptrdiff_t>(3 * k));
+            parents.weights[k] = carried.weights[k];
+        }
+    }
     for (const auto face : open.erased) mesh.delete_face(face, true);
     // Boundaries that were relaxed; others are as they were.
     for (std::size_t v = 0; v < olds; v++) {
@@ -184,7 +243,7 @@ std::vector<openmesh_patch> openmesh_add(Mesh &mesh, const openmesh_open<Mesh> &
         if (!*property || (*property)->name() == "v:points") continue;
         using OpenMesh::VectorT;
         parents.mix_first_of<float, double, VectorT<float, 2>, VectorT<double, 2>, VectorT<float, 3>, VectorT<double, 3>,
-                             VectorT<float, 4>, VectorT<double, 4>>(*property);
+                             VectorT<float, 4>, VectorT<double, 4>, VectorT<unsigned char, 3>, VectorT<unsigned char, 4>>(*property);
     }
     const auto triangles = filled.triangles();
     const std::size_t old_triangles = triangles.size() - static_cast<std::size_t>(info.new_triangle_count);
@@ -199,6 +258,7 @@ std::vector<openmesh_patch> openmesh_add(Mesh &mesh, const openmesh_open<Mesh> &
         faces.push_back(made);
     }
     openmesh_spread(mesh, faces);
+    if (open.was) openmesh_carry(mesh, open, faces);
     std::vector<openmesh_patch> patches(static_cast<std::size_t>(info.loop_count));
     for (std::size_t k = 0; k < patches.size(); k++) {
         auto &patch = patches[k];
@@ -212,22 +272,46 @@ std::vector<openmesh_patch> openmesh_add(Mesh &mesh, const openmesh_open<Mesh> &
     return patches;
 }
 
-template <class Mesh>
-openmesh_filled openmesh_fill(Mesh &mesh, const openmesh_open<Mesh> &open, const fill_options &patches, const options &asked) {
+/** Adds what `run`, given the options, makes of a mesh. */
+template <class Mesh, class Run>
+std::vector<openmesh_patch> openmesh_run(Mesh &mesh, const openmesh_open<Mesh> &open, const options &asked, Run run) {
     options plain = asked;
     if (std::is_same_v<typename openmesh_view<Mesh>::scalar, float>) plain.output_precision = FAIRMESH_OUTPUT_PRECISION_SINGLE;
-    openmesh_filled done;
     try {
-        const auto filled = fill_holes(open.view.mesh(), patches, plain);
+        const result filled = run(plain);
         // Faces that were added cannot be taken back without a trace.
         Mesh changed(mesh);
-        done.patches = openmesh_add(changed, open, filled);
+        auto patches = openmesh_add(changed, open, filled);
         mesh = changed;
+        return patches;
     } catch (const error &caught) {
         openmesh_rethrow(open.view, caught);
     }
+}
+
+template <class Mesh>
+openmesh_filled openmesh_fill(Mesh &mesh, const openmesh_open<Mesh> &open, fill_options patches, const openmesh_fill_options &asked) {
+    for (const auto &pair : asked.guides) patches.add_guide({openmesh_index(pair[0]), openmesh_index(pair[1])});
+    openmesh_filled done;
+    done.patches = openmesh_run(mesh, open, asked, [&](const options &plain) { return fill_holes(open.view.mesh(), patches, plain); });
     done.dropped = open.dropped;
+    done.cleaned = open.cleaned;
     return done;
+}
+
+inline std::vector<openmesh_loop> openmesh_loops_of(const result &found) {
+    std::vector<openmesh_loop> loops(static_cast<std::size_t>(found.info().loop_count));
+    for (std::size_t k = 0; k < loops.size(); k++) {
+        static_cast<fairmesh_loop &>(loops[k]) = found.loop(k);
+        loops[k].vertices = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_LOOP_VERTICES, k));
+    }
+    return loops;
+}
+
+/** Without the status of all elements nothing can be deleted. */
+template <class Mesh> void openmesh_check_deletable(const Mesh &mesh) {
+    if (mesh.has_vertex_status() && mesh.has_edge_status() && mesh.has_halfedge_status() && mesh.has_face_status()) return;
+    throw std::invalid_argument("nothing can be deleted: see request_vertex_status(), also of edges, halfedges and faces");
 }
 
 } // namespace detail
@@ -237,18 +321,12 @@ template <class Mesh, class = std::enable_if_t<detail::is_openmesh<Mesh>>>
 std::vector<openmesh_loop> boundary_loops(const Mesh &mesh, const openmesh_options &asked = openmesh_options()) {
     detail::openmesh_check<std::remove_const_t<Mesh>>();
     const detail::openmesh_view<Mesh> view(mesh, asked);
-    const auto found = boundary_loops(view.mesh());
-    std::vector<openmesh_loop> loops(static_cast<std::size_t>(found.info().loop_count));
-    for (std::size_t k = 0; k < loops.size(); k++) {
-        static_cast<fairmesh_loop &>(loops[k]) = found.loop(k);
-        loops[k].vertices = detail::openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_LOOP_VERTICES, k));
-    }
-    return loops;
+    return detail::openmesh_loops_of(boundary_loops(view.mesh()));
 }
 
 /** Fills holes, each or several together; see fairmesh_fill_holes. Vertices and faces keep their numbers, new ones follow. New
- *  vertices get properties of floats, doubles and vectors of them interpolated, others from the nearest old vertex, new faces those
- *  of a face beside them; properties of edges and half-edges keep their defaults. Update normals afterwards.
+ *  vertices get properties of floats, doubles and vectors of them interpolated, and colours, others from the nearest old vertex, new faces
+ *  those of a face beside them; properties of edges and half-edges keep their defaults. Update normals afterwards.
  *
  *  Errors as those of fair(mesh); std::runtime_error where OpenMesh refuses a face. The mesh is as it was then: the patches are
  *  made in a copy of it. */
@@ -266,18 +344,16 @@ openmesh_filled fill(Mesh &mesh, const openmesh_fill_options &asked = openmesh_f
     return detail::openmesh_fill(mesh, open, patches, asked);
 }
 
-/** Deletes the selected faces, and what would hang loose there, and fills the holes that they leave; see fairmesh_erase. Of `patches` the
- *  loops are not read. The mesh needs the status of vertices, edges, half-edges and faces; what is deleted stays until
+/** Deletes the selected faces, and what would hang loose there or, up to `clean`, spoil the patch, and fills the holes that they leave; see
+ *  fairmesh_erase_and_clean. Of `patches` the loops are not read. The mesh needs the status of vertices, edges, half-edges and faces; what is deleted stays until
  *  garbage_collection(). Otherwise as fill(mesh). */
 template <class Mesh, class = std::enable_if_t<detail::is_openmesh<Mesh>>>
 openmesh_filled erase_and_fill(Mesh &mesh, const openmesh_fill_options &asked = openmesh_fill_options()) {
     detail::openmesh_check<Mesh>();
-    if (!mesh.has_vertex_status() || !mesh.has_edge_status() || !mesh.has_halfedge_status() || !mesh.has_face_status()) {
-        throw std::invalid_argument("nothing can be deleted: see request_vertex_status(), also of edges, halfedges and faces");
-    }
+    detail::openmesh_check_deletable(mesh);
     detail::openmesh_open<Mesh> open(mesh, asked);
     try {
-        open.erase_selected(mesh);
+        open.erase_selected(mesh, asked.clean, asked.carry_over);
     } catch (const error &caught) {
         detail::openmesh_rethrow(open.view, caught);
     }

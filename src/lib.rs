@@ -37,8 +37,8 @@ pub use holes::{
     GapKind, Join, JoinReason, JoinSuggestion, LoopFilter, LoopKind, LoopReport, Loops, OnFailure,
     OpenReason, Parents, Place, RemeshOptions, Remeshed, Rim, RimReport, Roughness, TrimLimits, Trimmed,
     boundary_loops, boundary_loops_joined, bridge, bridge_with_progress, carry_over, erase, erase_and_clean,
-    fill_holes, fill_holes_with_progress, refill_region, remesh_region, rim_roughness, suggest_joins,
-    triangle_components, trim_boundary,
+    fill_holes, fill_holes_with_progress, refill_region, refill_region_with_progress, remesh_region,
+    rim_roughness, suggest_joins, triangle_components, trim_boundary,
 };
 pub use paper::{Estimate, LevelReport, PaperOptions};
 #[cfg(feature = "profile")]

@@ -22,6 +22,9 @@ cp bindings/blender/addon/*.py bindings/blender/addon/blender_manifest.toml bind
 cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
 python3 bindings/blender/third_party.py >"$top/lib/THIRD-PARTY.txt"
 cp "$library" "$top/lib/linux-x64/libfairmesh.so"
+. bindings/blender/tools.sh
+venv manual markdown==3.7
+"$out/manual/bin/python" bindings/blender/manual_page.py "$top/manual"
 
 zip=$out/fairmesh_blender-$version.zip
 rm -f "$zip"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests the Python package: builds the wheel, installs it into virtual environments under target/python, and runs the tests
-# there with numpy 2 and numpy 1. Installs what it needs (Debian, Ubuntu).
+# there with numpy 2 and numpy 1. Installs what it needs (Debian, Ubuntu). `test.sh long` executes the notebooks of the
+# gallery as well.
 set -euo pipefail
 cd "$(dirname "$0")"
 root=$(cd ../.. && pwd)
@@ -21,6 +22,11 @@ install_tools() {
     python3 -c 'import ensurepip, venv' 2>/dev/null || missing+=(python3-venv)
     command -v objdump >/dev/null || missing+=(binutils)
     command -v cc >/dev/null || missing+=(build-essential)
+    # What Open3D loads.
+    local library
+    for library in libGL.so.1:libgl1 libEGL.so.1:libegl1 libX11.so.6:libx11-6 libusb-1.0.so.0:libusb-1.0-0; do
+        ldconfig -p | grep -q "${library%:*} " || missing+=("${library#*:}")
+    done
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -48,6 +54,8 @@ bin=$target/python/test/bin
 "$bin/ruff" format --check .
 "$bin/ruff" check .
 "$bin/mypy" src
+MYPYPATH=src "$bin/mypy" tests/typed.py
+MYPYPATH=src:examples/gallery "$bin/mypy" examples/*.py examples/gallery/*.py
 
 hooks=$(python3 build_library.py --portable --hooks)
 wheel=$(./build_wheel.sh)
@@ -56,6 +64,7 @@ for python in "$bin/python" "$target/python/numpy1/bin/python"; do
     "$python" -m pip --disable-pip-version-check install -q --force-reinstall --no-deps "$wheel"
 done
 
+[ "${1:-}" != long ] || export FAIRMESH_TEST_LONG=1
 export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh FAIRMESH_TEST_HOOKS=$hooks
 "$bin/python" -m pytest
 # What depends on numpy.

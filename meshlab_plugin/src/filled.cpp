@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #include "filled.h"
 
+#include "patch.h"
 #include "report.h"
+#include "write.h"
+
+#include <vcg/complex/allocate.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace fairmesh_meshlab {
 
 namespace {
+
+using Allocator = vcg::tri::Allocator<CMeshO>;
 
 std::uint32_t first_vertex(const fairmesh::result &loops, std::uint64_t loop) {
     return loops.list(FAIRMESH_LIST_LOOP_VERTICES, loop).front();
@@ -31,11 +38,37 @@ std::string opposite(const fairmesh_fill_report &hole, const fairmesh::result &l
                 first_vertex(loops, hole.reason_element), first_vertex(loops, hole.reason_other));
 }
 
+/** Deletes the faces that are not kept; their vertices that no face has any more, too, but not yet. */
+Mask delete_faces(CMeshO &mesh, const MeshView &view, const std::vector<std::uint32_t> &kept) {
+    Mask loose(mesh.vert.size(), 0);
+    auto next = kept.begin();
+    for (std::uint32_t t = 0; t < view.triangles().size(); ++t) {
+        if (next != kept.end() && *next == t) {
+            ++next;
+            continue;
+        }
+        Allocator::DeleteFace(mesh, mesh.face[view.face(t)]);
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 1;
+    }
+    for (std::uint32_t t : kept)
+        for (std::uint32_t v : view.triangles()[t]) loose[v] = 0;
+    return loose;
+}
+
+/** What is wrong with the faces around a hole whose vertices moved; empty if nothing is. */
+std::string relaxed(const fairmesh_fill_report &hole) {
+    if (hole.moved_unsound == 0) return "";
+    return text(" %llu old faces beside it are folded or intersect since their vertices moved: let more of them move, or less far.",
+                static_cast<unsigned long long>(hole.moved_unsound));
+}
+
 } // namespace
 
 Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool continues_curvature, const Host &host) {
     const fairmesh_info info = filled.info();
     int open = 0, unfair = 0, joined = 0;
+    std::uint64_t moved = 0;
+    double moved_largest = 0;
     // Of the first hole that did not become fair.
     std::uint32_t outcome = FAIRMESH_FILL_OUTCOME_FAIRED, fairing = FAIRMESH_OUTCOME_CONVERGED;
     double defect = 0, solve = 0;
@@ -51,6 +84,12 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
             if (report.outcome != FAIRMESH_OUTCOME_CONVERGED && but.empty()) but = "closed; " + reservation(report);
             fair = fair && report.outcome == FAIRMESH_OUTCOME_CONVERGED;
             if (open + unfair == 0 && !fair) fairing = report.outcome;
+        }
+        if (hole.has_relaxed) {
+            moved += hole.moved_count;
+            moved_largest = std::max(moved_largest, hole.moved_largest);
+            but += relaxed(hole);
+            fair = fair && hole.moved_unsound == 0;
         }
         if (open + unfair == 0 && !fair) outcome = hole.outcome;
         solve += hole.seconds;
@@ -68,6 +107,9 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
     host.log(text("Holes closed: %d, with %llu new vertices and %llu new faces; left open: %d; not fair: %d", closed,
                   static_cast<unsigned long long>(info.new_vertex_count), static_cast<unsigned long long>(info.new_triangle_count), open,
                   unfair));
+    if (moved > 0)
+        host.log(
+            text("Old vertices around the holes that moved: %llu, by %.4g at most", static_cast<unsigned long long>(moved), moved_largest));
     return {{"converged", open + unfair == 0},
             {"outcome", static_cast<int>(fairing)},
             {"fill_outcome", static_cast<int>(outcome)},
@@ -77,9 +119,49 @@ Values told(const fairmesh::result &filled, const fairmesh::result &loops, bool 
             {"joined", joined},
             {"new_vertices", static_cast<int>(info.new_vertex_count)},
             {"new_faces", static_cast<int>(info.new_triangle_count)},
+            {"moved_vertices", static_cast<int>(moved)},
+            {"moved_largest", moved_largest},
             {"defect", defect},
             {"iterations", static_cast<int>(iterations)},
             {"seconds_solve", solve}};
+}
+
+Triangles some_of(const MeshView &view, const std::vector<std::uint32_t> &kept) {
+    Triangles triangles;
+    triangles.reserve(kept.size());
+    for (std::uint32_t t : kept) triangles.push_back(view.triangles()[t]);
+    return triangles;
+}
+
+fairmesh_mesh with_triangles(const MeshView &view, const Triangles &triangles) {
+    fairmesh_mesh mesh = view.mesh();
+    mesh.triangles = fairmesh::indices(triangles.empty() ? nullptr : triangles.front().data(), triangles.size());
+    return mesh;
+}
+
+void write_patches(MeshModel &model, const MeshView &view, const std::vector<std::uint32_t> &kept, const fairmesh::result &filled,
+                   SelectionAfter wish) {
+    CMeshO &mesh = model.cm;
+    const Patch patch = patch_of(filled, kept.size(), mesh);
+    const bool deletes = kept.size() < view.triangles().size();
+    const int topology = model.dataMask() & (MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+    if (deletes) model.clearDataMask(topology);
+    const Mask loose = deletes ? delete_faces(mesh, view, kept) : Mask();
+    const Mask changed = add(mesh, patch);
+    select_new(mesh, patch.triangles.size(), wish);
+    update_normals(mesh, changed, false);
+    for (std::size_t v = 0; v < loose.size(); ++v)
+        if (loose[v] && !mesh.vert[v].IsD()) Allocator::DeleteVertex(mesh, mesh.vert[v]);
+    // As the host's own filters that delete: its scripts read compact meshes only.
+    if (deletes) Allocator::CompactEveryVector(mesh);
+    // Adjacency that the mesh carries has to know the new faces.
+    model.updateDataMask(topology);
+}
+
+void write_patches(MeshModel &model, const MeshView &view, const fairmesh::result &filled, SelectionAfter wish) {
+    std::vector<std::uint32_t> all(view.triangles().size());
+    std::iota(all.begin(), all.end(), 0);
+    write_patches(model, view, all, filled, wish);
 }
 
 void select_new(CMeshO &mesh, std::size_t count, SelectionAfter wish) {

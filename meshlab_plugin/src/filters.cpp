@@ -36,6 +36,11 @@ Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParamete
         view.join(parameters.join_distance);
         return erase_and_fill(model, view, std::move(parameters), host);
     }
+    case BridgeBoundaries: {
+        BridgeParameters parameters = read_bridge_parameters(asked);
+        view.join(parameters.join_distance);
+        return bridge_boundaries(model, view, std::move(parameters), host);
+    }
     case MeanCurvature: return mean_curvature(model, view, host);
     default: throw Failure("There is no such filter.");
     }
@@ -46,7 +51,8 @@ Values dispatch(int filter, MeshModel &model, MeshView &view, const RichParamete
 int menus(int filter) {
     switch (filter) {
     case CloseHoles:
-    case EraseAndFill: return Menus::Smoothing | Menus::Remeshing;
+    case EraseAndFill:
+    case BridgeBoundaries: return Menus::Smoothing | Menus::Remeshing;
     case MeanCurvature: return Menus::Smoothing | Menus::Quality;
     default: return Menus::Smoothing;
     }
@@ -58,7 +64,8 @@ int changes(int filter) {
     switch (filter) {
     case FairSelection: return MeshModel::MM_VERTCOORD | MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL | MeshModel::MM_VERTQUALITY;
     case CloseHoles:
-    case EraseAndFill: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
+    case EraseAndFill:
+    case BridgeBoundaries: return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE | MeshModel::MM_FACEFLAGSELECT;
     default: return MeshModel::MM_VERTQUALITY;
     }
 }
@@ -68,6 +75,7 @@ RichParameterList parameters(int filter) {
     if (filter == FairSelection) add_fair_parameters(list);
     if (filter == CloseHoles) add_close_parameters(list);
     if (filter == EraseAndFill) add_erase_parameters(list);
+    if (filter == BridgeBoundaries) add_bridge_parameters(list);
     return list;
 }
 

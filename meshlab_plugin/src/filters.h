@@ -9,8 +9,8 @@
 namespace fairmesh_meshlab {
 
 /** The filters' numbers in the plugin. */
-enum Filter { FairSelection, CloseHoles, MeanCurvature, EraseAndFill };
-constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature, EraseAndFill};
+enum Filter { FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries };
+constexpr Filter FILTERS[] = {FairSelection, CloseHoles, MeanCurvature, EraseAndFill, BridgeBoundaries};
 
 /** Name in menus and scripts of MeshLab. */
 QString name(int filter);

@@ -26,7 +26,7 @@ Values mean_curvature(MeshModel &model, const MeshView &view, const Host &host) 
     const double mean = known > 0 ? sum / static_cast<double>(known) : 0;
     write_quality(model, curvature);
     host.log(text("Mean curvature %.6g to %.6g, on average %.6g, of %zu vertices", least, most, mean, known));
-    return {{"curvature_min", least}, {"curvature_max", most}, {"curvature_mean", mean}};
+    return {{"curvature_min", least}, {"curvature_max", most}, {"curvature_mean", mean}, {"vertices", static_cast<int>(known)}};
 }
 
 } // namespace fairmesh_meshlab

@@ -7,7 +7,10 @@
 
 #include <fairmesh.hpp>
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace fairmesh_meshlab {
 
@@ -34,21 +37,36 @@ struct CloseParameters {
     bool touching_selection = false;
     bool outer_boundaries = false;
     JoinLoops join = JoinLoops::None;
-    /** 0: of any length. */
-    double max_length = 0;
+    /** 0: of any length, width, area. */
+    double max_length = 0, max_diagonal = 0, max_area = 0;
     std::size_t except_longest = 0;
     double join_distance = 0;
     SelectionAfter selection = SelectionAfter::OldAndNew;
+    /** How much may be taken away at the holes before they are closed, and beside erased faces. */
+    fairmesh::trim_limits trim = {0, 0.0};
+    std::uint64_t clean = 0;
+    /** Pairs of vertices that the patch shall have an edge between before it is refined, and whether the selected two are one. */
+    std::vector<std::array<std::uint32_t, 2>> guides;
+    bool guide_selected = false;
+};
+
+struct BridgeParameters {
+    fairmesh::options options;
+    fairmesh::fill_options fill;
+    fairmesh::bridge_options how;
+    double join_distance = 0;
 };
 
 void add_fair_parameters(RichParameterList &list);
 void add_close_parameters(RichParameterList &list);
 void add_erase_parameters(RichParameterList &list);
+void add_bridge_parameters(RichParameterList &list);
 
 /** Throw Failure for numbers that the library's types cannot hold. It refuses other wrong ones itself. */
 FairParameters read_fair_parameters(const RichParameterList &list);
 CloseParameters read_close_parameters(const RichParameterList &list);
 CloseParameters read_erase_parameters(const RichParameterList &list);
+BridgeParameters read_bridge_parameters(const RichParameterList &list);
 
 } // namespace fairmesh_meshlab
 

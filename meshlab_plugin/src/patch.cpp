@@ -124,6 +124,7 @@ Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const 
     const auto triangles = filled.triangles();
     const auto parents = filled.list(FAIRMESH_LIST_PARENTS);
     Patch patch;
+    patch.old_positions = rounded(mesh, positions);
     patch.weights = filled.vectors(FAIRMESH_VECTORS_PARENT_WEIGHTS);
     for (std::size_t i = 0; i < info.new_vertex_count; ++i) {
         const auto &p = positions[mesh.vert.size() + i];
@@ -139,7 +140,8 @@ Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const 
 Mask add(CMeshO &mesh, const Patch &patch) {
     const std::vector<std::uint32_t> faces = first_faces(mesh);
     const std::size_t first_vertex = mesh.vert.size(), first_face = mesh.face.size();
-    Mask made(first_vertex + patch.positions.size(), 0);
+    Mask made = write_positions(mesh, patch.old_positions);
+    made.resize(first_vertex + patch.positions.size(), 1);
     if (!patch.positions.empty()) Allocator::AddVertices(mesh, patch.positions.size());
     if (!patch.triangles.empty()) Allocator::AddFaces(mesh, patch.triangles.size());
     for (std::size_t i = 0; i < patch.positions.size(); ++i) set_vertex(mesh, patch, first_vertex, i);
@@ -149,7 +151,6 @@ Mask add(CMeshO &mesh, const Patch &patch) {
     mix_attributes<vcg::Point3<float>, float>(mesh, patch, first_vertex);
     mix_attributes<vcg::Point3<double>, double>(mesh, patch, first_vertex);
     for (std::size_t i = 0; i < patch.triangles.size(); ++i) set_face(mesh, patch, faces, first_face, i);
-    std::fill(made.begin() + static_cast<std::ptrdiff_t>(first_vertex), made.end(), 1);
     return made;
 }
 

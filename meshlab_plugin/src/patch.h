@@ -13,8 +13,9 @@
 
 namespace fairmesh_meshlab {
 
-/** What is to be added. Vertices are numbered on from those of the host. */
+/** What is to be added, and where the old vertices are then. New ones are numbered on from those of the host. */
 struct Patch {
+    std::vector<Point> old_positions;
     std::vector<Point> positions;
     /** Per new vertex three old ones, and their weights, whose sum is 1. */
     std::vector<std::array<std::uint32_t, 3>> parents;
@@ -26,7 +27,7 @@ struct Patch {
 Patch patch_of(const fairmesh::result &filled, std::size_t old_triangles, const CMeshO &mesh);
 
 /** Adds it. Colours, quality, texture coordinates, normals and attributes of numbers and points are interpolated; everything else comes
- * from the nearest parent, or the old face there. Returns the vertices of the patch that are new. */
+ * from the nearest parent, or the old face there. Returns the vertices that are new or have moved. */
 Mask add(CMeshO &mesh, const Patch &patch);
 
 } // namespace fairmesh_meshlab

@@ -1,59 +1,59 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-/** Names and help texts. */
+/** Names and help texts. The first sentence of a help text is what it is for: some dialogs show no more. */
 #include "filters.h"
 
 namespace fairmesh_meshlab {
 
 namespace {
 
-const char PAPER[] = "<br>See:<br><i>Robert Schneider and Leif Kobbelt</i><br>"
-                     "<b>\"Geometric fairing of irregular meshes for free-form surface design\"</b><br>"
+const char PAPER[] = "<br>The method: <i>Robert Schneider and Leif Kobbelt</i>, "
+                     "<b>\"Geometric fairing of irregular meshes for free-form surface design\"</b>, "
                      "Computer Aided Geometric Design, volume 18, issue 4, 2001, pages 359-379.<br>";
 
 const char FAIR[] =
-    "Moves the vertices inside the selected faces until the surface between the unselected ones solves &Delta;<sub>B</sub>H = 0: the mean "
-    "curvature H is a harmonic function on the surface. It passes through the boundary of the selection with the tangent planes of the "
-    "surroundings (G<sup>1</sup>), or with given normals. Spheres, cylinders and all surfaces of constant mean curvature are solutions.<br>"
-    "The equation is intrinsic: the shape follows from the boundary alone, not from what was inside the selection, and hardly from the "
-    "triangulation.<br><br>"
-    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. Connectivity, colours, texture "
-    "coordinates and the selection stay. To fill a hole smoothly, apply 'Close Holes' first, which leaves the new faces selected, or use "
-    "'Close "
-    "holes and fair (G1)', which makes better triangles, too.<br>";
+    "<b>Makes the selected faces a smooth surface that goes on from those around them.</b> Select the faces of a bump, a dent or noise, "
+    "with "
+    "some good ones around, and apply. What was inside is forgotten; parts of spheres and cylinders come back exactly.<br><br>"
+    "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. To close a hole apply 'Close Holes Smoothly'; "
+    "where the old faces are tangled, 'Erase and Fill Smoothly'.<br><br>"
+    "The mean curvature H of the new surface is a harmonic function on it (&Delta;<sub>B</sub>H = 0), and it has the tangent planes of its "
+    "surroundings (G<sup>1</sup>), or given normals.<br>";
 
 const char CLOSE[] =
-    "Closes holes with new triangles as large as those beside the boundary, whose vertices lie on a fair surface: the mean curvature is "
-    "harmonic "
-    "(&Delta;<sub>B</sub>H = 0) and the tangent planes at the boundary are those of the surroundings (G<sup>1</sup>). A piece that was cut "
-    "out "
-    "of a "
-    "sphere is put back.<br><br>"
-    "New vertices get colours, quality, texture coordinates and attributes interpolated from the boundary. Old vertices and faces stay as "
-    "they are.<br><br>"
-    "Several loops can get one patch ('Join loops'): the two sides of a gap, ends of tubes, a hole and the island in it. All parts have to "
-    "face the same way.<br>";
+    "<b>Closes holes with a smooth surface that goes on from the faces around them.</b> A piece that was cut out of a sphere is put back. "
+    "All holes are closed, or those of a size or at the selection.<br><br>"
+    "New triangles are as large as those beside the hole. New vertices get colours, quality, texture coordinates and attributes "
+    "interpolated from the boundary. Old vertices and faces stay as they are, unless a rough boundary may move or is trimmed.<br><br>"
+    "Several holes or boundaries can get one surface ('Join loops'): the two sides of a gap, ends of tubes, a hole and the island in it. "
+    "All parts have to face the same way.<br>";
 
 const char ERASE[] =
-    "Deletes the selected faces and closes the hole with new triangles on a fair surface, as 'Close holes and fair (G1)' does: for bumps, "
-    "noise and tangles whose old shape is of no use. Faces that would hang loose at the rest go, too. Where the hole would stay open, "
-    "nothing is changed.<br>";
+    "<b>Deletes the selected faces and closes the hole with a smooth surface.</b> For bumps, noise and tangles whose old faces are of no "
+    "use.<br><br>"
+    "Faces that would hang loose at the rest go, too. Where the hole would stay open, nothing is changed.<br>";
+
+const char BRIDGE[] =
+    "<b>Connects two selected stretches of boundary by a smooth strip.</b> Select the vertices or the faces there: on two sides of a hole, "
+    "which it divides, or on two parts.<br><br>"
+    "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
 
 const char CURVATURE[] =
-    "Writes the mean curvature H of every vertex to its quality, in 1 / length. It is fitted to the normal curvatures towards the "
-    "neighbours "
-    "(Moreton and S&eacute;quin's method). H is negative on a sphere with outward normals. Vertices without faces get 0. To see it, apply "
-    "'Colorize by vertex quality'.<br>"
-    "<br>See:<br><i>Henry P. Moreton and Carlo H. S&eacute;quin</i><br><b>\"Functional optimization for fair surface design\"</b><br>"
+    "<b>Writes how much the surface is curved at every vertex to its quality.</b> To see it, apply 'Colorize by vertex quality'.<br><br>"
+    "It is the mean curvature, in 1 / length: negative where a closed surface bulges out (on a sphere of radius r it is -1/r), positive in "
+    "hollows. It is fitted to the normal curvatures towards the neighbours, so that it is smooth on irregular meshes, too. Vertices "
+    "without faces get 0.<br>"
+    "<br>The method: <i>Henry P. Moreton and Carlo H. S&eacute;quin</i>, <b>\"Functional optimization for fair surface design\"</b>, "
     "SIGGRAPH 1992, pages 167-176.<br>";
 
 } // namespace
 
 QString name(int filter) {
     switch (filter) {
-    case FairSelection: return "Fair selection (G1, intrinsic)";
-    case CloseHoles: return "Close holes and fair (G1)";
-    case EraseAndFill: return "Erase selected faces and fill (G1)";
-    case MeanCurvature: return "Mean curvature (Moreton-Sequin) to quality";
+    case FairSelection: return "Fair Selected Region";
+    case CloseHoles: return "Close Holes Smoothly";
+    case EraseAndFill: return "Erase and Fill Smoothly";
+    case BridgeBoundaries: return "Bridge Boundaries Smoothly";
+    case MeanCurvature: return "Mean Curvature (smooth)";
     default: return "";
     }
 }
@@ -63,7 +63,8 @@ QString python_name(int filter) {
     case FairSelection: return "apply_coord_fairing_to_selection";
     case CloseHoles: return "meshing_close_holes_and_fair";
     case EraseAndFill: return "meshing_erase_and_fill_selection";
-    case MeanCurvature: return "compute_scalar_by_moreton_sequin_mean_curvature_per_vertex";
+    case BridgeBoundaries: return "meshing_bridge_boundaries";
+    case MeanCurvature: return "compute_scalar_by_smooth_mean_curvature_per_vertex";
     default: return "";
     }
 }
@@ -71,9 +72,10 @@ QString python_name(int filter) {
 QString help(int filter) {
     switch (filter) {
     case FairSelection: return QString::fromUtf8(FAIR) + PAPER;
-    case CloseHoles: return QString::fromUtf8(CLOSE) + PAPER;
-    case EraseAndFill: return QString::fromUtf8(ERASE) + PAPER;
-    case MeanCurvature: return QString::fromUtf8(CURVATURE) + PAPER;
+    case CloseHoles: return QString::fromUtf8(CLOSE);
+    case EraseAndFill: return QString::fromUtf8(ERASE);
+    case BridgeBoundaries: return QString::fromUtf8(BRIDGE);
+    case MeanCurvature: return QString::fromUtf8(CURVATURE);
     default: return "";
     }
 }

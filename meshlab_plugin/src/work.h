@@ -18,6 +18,9 @@ Values close_holes(MeshModel &model, const MeshView &view, CloseParameters asked
 /** Deletes the selected faces and fills the holes that they leave. */
 Values erase_and_fill(MeshModel &model, const MeshView &view, CloseParameters asked, const Host &host);
 
+/** Connects two selected stretches of boundary by a strip. */
+Values bridge_boundaries(MeshModel &model, const MeshView &view, BridgeParameters asked, const Host &host);
+
 /** Writes the mean curvature of all vertices to their quality; 0 to those without faces. */
 Values mean_curvature(MeshModel &model, const MeshView &view, const Host &host);
 

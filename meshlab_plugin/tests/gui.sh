@@ -82,7 +82,7 @@ xdotool mousemove 240 236 click 1
 shot menu
 xdotool key Escape Escape Escape
 
-open 'fair selection' 'Fair selection'
+open 'fair selected' 'Fair Selected Region'
 dialog=$window
 xdotool windowmove "$dialog" 660 40
 shot dialog
@@ -93,10 +93,10 @@ click 17 83 # off again: the dent is back
 shot preview_off
 click 401 22 # Apply
 logged 2 'Fairing converged'
-logged 1 'Applied filter Fair selection'
+logged 1 'Applied filter Fair Selected Region'
 shot applied
 
-click 338 130 # the number of iterations
+click 338 161 # the number of iterations
 xdotool key ctrl+a type 0
 click 401 22 # Apply
 window 'Filter Failure'

@@ -9,10 +9,11 @@ import subprocess
 
 WORK = pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"
 
-FAIR = "Fair selection (G1, intrinsic)"
-CLOSE = "Close holes and fair (G1)"
-ERASE = "Erase selected faces and fill (G1)"
-CURVATURE = "Mean curvature (Moreton-Sequin) to quality"
+FAIR = "Fair Selected Region"
+CLOSE = "Close Holes Smoothly"
+ERASE = "Erase and Fill Smoothly"
+BRIDGE = "Bridge Boundaries Smoothly"
+CURVATURE = "Mean Curvature (smooth)"
 
 SOLVER = {
     "join_distance": ("RichFloat", 0),
@@ -29,6 +30,7 @@ PATCH = {
     "max_new_vertices": ("RichInt", 200000),
     "on_failure": ("RichEnum", 0, 3),
 }
+RIM = {"relax_rim": ("RichInt", 0), "relax_within": ("RichFloat", 0)}
 PARAMETERS = {
     FAIR: {
         "boundary_normals": ("RichEnum", 0, 4),
@@ -43,11 +45,15 @@ PARAMETERS = {
         "touching_selection": ("RichBool", "false"),
         "outer_boundaries": ("RichBool", "false"),
         "join": ("RichEnum", 0, 3),
+        "guide_selected": ("RichBool", "false"),
+        "trim": ("RichInt", 0),
+        **RIM,
         **PATCH,
         "selection_after": ("RichEnum", 0, 3),
         **SOLVER,
     },
-    ERASE: {"outer_boundaries": ("RichBool", "false"), **PATCH, **SOLVER},
+    ERASE: {"outer_boundaries": ("RichBool", "false"), "clean_boundary": ("RichInt", 0), **RIM, **PATCH, **SOLVER},
+    BRIDGE: {"width": ("RichFloat", 0), "fill_rest": ("RichBool", "false"), **PATCH, **SOLVER},
     CURVATURE: {},
     "Close Holes": {
         "MaxHoleSize": ("RichInt", 10000),

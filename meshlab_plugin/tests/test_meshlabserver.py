@@ -10,7 +10,7 @@ import unittest
 
 import meshes
 import numpy as np
-from server import CLOSE, CURVATURE, ERASE, FAIR, Server
+from server import BRIDGE, CLOSE, CURVATURE, ERASE, FAIR, Server
 
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 FLOAT = 1.2e-7  # half a unit in the last place of 1, rounded up for sums
@@ -76,14 +76,15 @@ class Sphere(Case):
         self.assertIn("Fairing converged", text)
         faces = mesh["face"]["vertex_indices"].astype(int)
         heights = meshes.points(mesh)[faces].mean(axis=1)[:, 2]
-        self.on_sphere(reordered(mesh, heights < 0.75), int((heights < 0.75).sum()), "Close Holes, Isotropic Remeshing, Fair selection")
+        old_faces = int((heights < 0.75).sum())
+        self.on_sphere(reordered(mesh, heights < 0.75), old_faces, "Close Holes, Isotropic Remeshing, Fair Selected Region")
 
     def test_own_filling(self):
         mesh, text = self.applied(self.file, (CLOSE, {}))
         self.assertIn("Holes closed: 1", text)
         old = meshes.points(mesh)[: len(self.vertices)]
         self.assertEqual(np.abs(old - self.vertices.astype(np.float32)).max(), 0)
-        self.on_sphere(mesh, len(self.faces), "Close holes and fair")
+        self.on_sphere(mesh, len(self.faces), "Close Holes Smoothly")
 
 
 class Join(Case):
@@ -111,6 +112,26 @@ class Join(Case):
         self.assertEqual(len(mesh["face"]["vertex_indices"]), len(faces))
         self.assertRegex(text, r"Warning, 2 loops of \d+ edges at vertices \d+, \d+: left open")
         self.assertRegex(text, r"the loops at vertices \d+ and \d+: select the faces of one of the two parts")
+
+    def test_a_bridge_and_the_rest(self):
+        vertices, faces = meshes.band_missing()
+        height = vertices[faces].mean(axis=1)
+        near = (height[:, 0] > 0) & (np.abs(height[:, 1]) < 0.25) & (np.abs(height[:, 2]) < 0.45)
+        file = FOLDER / "band.ply"
+        meshes.write_ply(file, vertices, faces, face=flags(near))
+        mesh, text = self.applied(file, (BRIDGE, {"fill_rest": "true"}))
+        self.assertRegex(text, r"Bridge from \d+ vertices to \d+, twisted by -?0\.\d degrees: .*holes closed beside it: 1; left open: 0")
+        self.whole_sphere(mesh)
+
+    def test_rough_rims_are_relaxed(self):
+        vertices, faces = meshes.open_sphere(4)
+        noise = np.random.default_rng(2).normal(0, 0.015, len(vertices)) * (vertices[:, 2] > 0.55)
+        file = FOLDER / "rough.ply"
+        meshes.write_ply(file, vertices * (1 + noise)[:, None], faces)
+        mesh, text = self.applied(file, (CLOSE, {"relax_rim": 4}))
+        self.assertRegex(text, r"Old vertices around the holes that moved: \d+, by 0\.\d+ at most")
+        new = np.linalg.norm(meshes.points(mesh)[len(vertices) :], axis=1) - 1
+        self.assertLess(np.sqrt((new**2).mean()), 0.01)
 
     def test_a_dent_is_erased(self):
         vertices, faces, selected, _ = dented_sphere()

@@ -1,4 +1,4 @@
-//! Triangles deleted, and components of a mesh.
+//! Triangles deleted or trimmed off, and components of a mesh.
 
 use std::sync::Arc;
 
@@ -6,12 +6,16 @@ use super::callback::HostCallback;
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn};
 use super::memory_bounds;
+use super::options::count;
 use super::outputs::{of_whole_mesh, publish};
 use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Error, erase, triangle_components};
+use fairmesh::{
+    BoundaryLoop, Error, LoopKind, TrimLimits, boundary_loops_joined, erase_and_clean, triangle_components,
+    trim_boundary,
+};
 
 /// Deletes triangles, and what would hang loose where they were, so that new patches can take their place. The list KEPT_TRIANGLES of
 /// the result is the mesh that is left, its vertices being those given, used or not; the list ERASED_LOOPS has the loops to be filled
@@ -24,29 +28,125 @@ pub extern "C" fn fairmesh_erase(
     error: *mut fairmesh_error,
 ) -> fairmesh_status {
     guarded(error, || {
+        let mut asked = ErasedIn::new(mesh, triangles)?;
+        check_slot(result, Argument(3), &mut asked.aliases)?;
+        asked.aliases.error(error, Argument(4))?;
+        asked.erase(0, result)
+    })
+}
+
+/// `fairmesh_erase`, which drops up to `most` triangles more beside what is erased, those that would spoil the boundary of a patch: with an
+/// angle below 5 degrees, or turned by more than 100 degrees against a triangle beside them. `cleaned_count` of the info says how many.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_erase_and_clean(
+    mesh: *const fairmesh_mesh,
+    triangles: *const fairmesh_indices,
+    most: u64,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut asked = ErasedIn::new(mesh, triangles)?;
+        check_slot(result, Argument(4), &mut asked.aliases)?;
+        asked.aliases.error(error, Argument(5))?;
+        asked.erase(count(most), result)
+    })
+}
+
+/// The first two arguments of what erases, checked.
+struct ErasedIn {
+    mesh: MeshIn,
+    list: Option<IndicesIn>,
+    aliases: AliasCheck,
+}
+
+impl ErasedIn {
+    fn new(mesh: *const fairmesh_mesh, list: *const fairmesh_indices) -> CallResult<Self> {
         let mut aliases = AliasCheck::new();
         let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
-        check_pointer(triangles, Argument(2))?;
-        let erased = IndicesIn::optional(triangles, Argument(2), &mut aliases)?;
-        check_slot(result, Argument(3), &mut aliases)?;
-        aliases.error(error, Argument(4))?;
+        check_pointer(list, Argument(2))?;
+        let list = IndicesIn::optional(list, Argument(2), &mut aliases)?;
+        Ok(Self { mesh, list, aliases })
+    }
+
+    fn erase(&self, most: usize, result: *mut *mut fairmesh_result) -> CallResult {
+        let mesh = &self.mesh;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let erased = erased.map(|list| list.read()).transpose()?;
+        let erased = self.list.as_ref().map(|list| list.read()).transpose()?;
         let erased = erased.as_deref().map_or(&[][..], <[[u32; 1]]>::as_flattened);
+        let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(mesh))?;
+        let callback = HostCallback::new(None, core::ptr::null_mut());
+        point();
+        let left = erase_and_clean(&positions, &triangles, erased, mesh.coincident, most);
+        let erased = left.map_err(|error| missing(error, fairmesh_element::Triangle))?;
+        let vertices = positions.len();
+        publish(Arc::new(Content::Erased { erased, vertices }), result, &callback)
+    }
+}
+
+/// What the library refuses, where a selection is of triangles or of loops.
+pub(crate) fn missing(error: Error, element: fairmesh_element) -> Failure {
+    match error {
+        Error::SelectionOutOfRange { index, .. } => Failure::from(error).at(element, index),
+        other => other.into(),
+    }
+}
+
+/// Takes away triangles at boundary loops that would spoil a patch: slender ones, with an angle below 5 degrees, spikes and fins, turned by more than
+/// 100 degrees against one beside them, and single triangles that hang at the others by one edge; the worst first, then those that this lays
+/// bare, in no more than eight passes. No more than `most` triangles, and of no more area than `most_area` together; 0: of any area.
+///
+/// `loops` are the loops, as `fairmesh_boundary_loops` numbers them; it may be NULL: all holes, not the outer boundaries. The list KEPT_TRIANGLES
+/// of the result is the mesh that is left, its vertices being those given, used or not; loops count anew there. `dropped_count` and
+/// `dropped_area` of the info say what was taken away. `result` gets a handle; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_trim_boundary(
+    mesh: *const fairmesh_mesh,
+    loops: *const fairmesh_indices,
+    most: u64,
+    most_area: f64,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let listed = IndicesIn::optional(loops, Argument(2), &mut aliases)?;
+        if most_area.is_nan() || most_area < 0.0 {
+            let why = format_args!("most_area is {most_area}: it must be not negative");
+            return Err(Argument(4).itself().refuse(fairmesh_status::BadOption, why));
+        }
+        check_slot(result, Argument(5), &mut aliases)?;
+        aliases.error(error, Argument(6))?;
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
         let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(&mesh))?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
-        let left = erase(&positions, &triangles, erased, mesh.coincident);
-        let erased = left.map_err(|error| match error {
-            Error::SelectionOutOfRange { index, .. } => {
-                Failure::from(error).at(fairmesh_element::Triangle, index)
-            }
-            other => other.into(),
-        })?;
-        let vertices = positions.len();
-        publish(Arc::new(Content::Erased { erased, vertices }), result, &callback)
+        let loops = match listed {
+            Some(list) => list.read()?.iter().map(|[l]| *l as usize).collect(),
+            None => holes(&boundary_loops_joined(&positions, &triangles, mesh.coincident)?),
+        };
+        let limits = TrimLimits {
+            triangles: count(most),
+            area: (most_area > 0.0).then_some(most_area),
+        };
+        let trimmed = trim_boundary(&positions, &triangles, &loops, &limits, mesh.coincident)
+            .map_err(|error| missing(error, fairmesh_element::Loop))?;
+        let content = Content::Trimmed {
+            trimmed,
+            vertices: positions.len(),
+            triangles: triangles.len(),
+        };
+        publish(Arc::new(content), result, &callback)
     })
+}
+
+/// All loops but outer boundaries, and those that are never filled.
+fn holes(loops: &[BoundaryLoop]) -> Vec<usize> {
+    let is_hole = |l: &usize| loops[*l].kind == LoopKind::Hole;
+    (0..loops.len()).filter(is_hole).collect()
 }
 
 /// Finds the components of a mesh: triangles that hang together by edges. They count in the order of their first triangles; the list

@@ -17,7 +17,7 @@ use super::views::*;
 use fairmesh::Progress;
 use fairmesh::{
     FillOptions, Join, Options, RemeshOptions, boundary_loops_joined, fill_holes_with_progress,
-    remesh_region, suggest_joins,
+    remesh_region, rim_roughness, suggest_joins,
 };
 
 /// Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.
@@ -29,9 +29,31 @@ pub extern "C" fn fairmesh_boundary_loops(
 ) -> fairmesh_status {
     guarded(error, || {
         of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
-            Ok(Content::Loops(boundary_loops_joined(
-                positions, triangles, coincident,
-            )?))
+            Ok(Content::Loops {
+                loops: boundary_loops_joined(positions, triangles, coincident)?,
+                roughness: Vec::new(),
+            })
+        })
+    })
+}
+
+/// Finds the boundary loops of a mesh as `fairmesh_boundary_loops` does, and how rough their rims are, which takes longer: each
+/// `fairmesh_loop` of the result has it, with what is advised for `relax_rings` and `relax_within` of the fill options. `result` gets a handle;
+/// free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_rim_roughness(
+    mesh: *const fairmesh_mesh,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        of_whole_mesh(mesh, result, error, |positions, triangles, coincident| {
+            let bytes = memory_bounds::of_rims(positions.len(), triangles.len());
+            let _reserve = memory_bounds::reserve(bytes)?;
+            Ok(Content::Loops {
+                loops: boundary_loops_joined(positions, triangles, coincident)?,
+                roughness: rim_roughness(positions, triangles, coincident)?,
+            })
         })
     })
 }

@@ -16,12 +16,14 @@
 mod about;
 mod bridge;
 mod callback;
+mod carry_over;
 mod erase;
 mod fair;
 mod fill;
 mod fill_options;
 mod guard;
 mod handles;
+mod hole_records;
 #[cfg(feature = "hooks")]
 mod hooks;
 mod input;
@@ -35,6 +37,7 @@ mod outputs;
 mod patch_sizes;
 mod reading;
 mod records;
+mod refill;
 mod report;
 mod results;
 mod solvers;
@@ -50,10 +53,12 @@ mod views;
 
 pub use about::*;
 pub use bridge::fairmesh_bridge;
+pub use carry_over::fairmesh_carry_over;
 pub use erase::*;
 pub use fair::*;
 pub use fill::*;
 pub use reading::*;
+pub use refill::fairmesh_refill;
 pub use status::{FAIRMESH_NO_ELEMENT, fairmesh_error};
 pub use steps::*;
 pub use texts::*;

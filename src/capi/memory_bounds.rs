@@ -26,6 +26,8 @@ const CONTINUED: usize = 3 << 10;
 const EDGE: usize = 1 << 10;
 /// Per vertex of the mesh, where boundaries are relaxed: positions, rings, and fits to what is around.
 const RELAXED: usize = 1 << 10;
+/// Per point whose place on a mesh is looked for.
+const CARRIED: usize = 160;
 /// Per entry of the two-ring pattern.
 const PATTERN: usize = 96;
 /// What a solver holds between its calls.
@@ -141,9 +143,19 @@ fn of_triangulation(patches: &PatchSizes) -> usize {
     joining.saturating_add(table + patches.longest * EDGE * usize::from(patches.joined > 1))
 }
 
+/// For telling how rough boundaries are, besides what one look at the mesh takes.
+pub(crate) fn of_rims(vertices: usize, triangles: usize) -> usize {
+    threads(0) * THREAD + vertices * (RELAXED + 2 * VERTEX) + triangles * 2 * TRIANGLE
+}
+
 /// For deleting triangles.
 pub(crate) fn of_erasing(mesh: &MeshIn) -> usize {
     2 * of_whole_mesh(mesh, 1)
+}
+
+/// For finding the nearest triangles of so many points.
+pub(crate) fn of_carrying(mesh: &MeshIn, points: usize) -> usize {
+    of_whole_mesh(mesh, 1).saturating_add(points.saturating_mul(CARRIED))
 }
 
 /// For remeshing a region.

@@ -81,6 +81,8 @@ pub enum fairmesh_status {
     GuidesCross = 36,
     /// A chain is no run of edges of one boundary loop.
     BadChain = 37,
+    /// Deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped.
+    NoFairPatch = 38,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -435,6 +437,7 @@ impl fairmesh_status {
             35 => Self::BadGuide,
             36 => Self::GuidesCross,
             37 => Self::BadChain,
+            38 => Self::NoFairPatch,
             99 => Self::Internal,
             _ => Self::Internal,
         }

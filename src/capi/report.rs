@@ -5,7 +5,7 @@ use super::types::*;
 use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
 use fairmesh::{Bridged, JoinReason, JoinSuggestion};
-use fairmesh::{Outcome, Report};
+use fairmesh::{Outcome, Report, Rim, Roughness};
 
 /// The report of a fairing.
 pub(crate) fn report(of: &Report) -> fairmesh_report {
@@ -177,7 +177,10 @@ pub(crate) fn level(of: &LevelReport) -> fairmesh_level {
     }
 }
 
-pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
+/// A loop, and how rough its rim is, where that is known.
+pub(crate) fn boundary_loop(of: &BoundaryLoop, rough: Option<&Roughness>) -> fairmesh_loop {
+    let told = |value: fn(&Roughness) -> f64| rough.map_or(0.0, value);
+    let advice = rough.and_then(|rough| rough.advice).unwrap_or_default();
     let (edge_a, edge_b) = match of.kind {
         LoopKind::NonManifold { a, b } => (a, b),
         _ => (u32::MAX, u32::MAX),
@@ -194,6 +197,14 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop) -> fairmesh_loop {
         edge_b,
         component: of.component as u64,
         component_triangle_count: of.component_triangles as u64,
+        has_roughness: u32::from(rough.is_some()),
+        is_rough: u32::from(advice != Rim::default()),
+        roughness: told(Roughness::ratio),
+        rim_angle: told(|rough| rough.angle),
+        rim_angle_expected: told(|rough| rough.expected),
+        rim_noise: told(|rough| rough.noise),
+        advised_relax_rings: advice.relax as u64,
+        advised_relax_within: advice.within.unwrap_or(0.0),
     }
 }
 

@@ -3,8 +3,8 @@
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
-use fairmesh::{BoundaryLoop, Bridged, Erased, Filled, JoinSuggestion, Parents, Remeshed};
-use fairmesh::{LoopReport, Report, Solution};
+use fairmesh::{BoundaryLoop, Bridged, Carried, Erased, Filled, JoinSuggestion, Parents, Remeshed};
+use fairmesh::{LoopReport, Report, Roughness, Solution, Trimmed};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
@@ -13,7 +13,11 @@ type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
 #[allow(clippy::large_enum_variant, reason = "one per handle")]
 pub(crate) enum Content {
     Faired(Solution),
-    Loops(Vec<BoundaryLoop>),
+    Loops {
+        loops: Vec<BoundaryLoop>,
+        /// Per loop, where it was asked for; otherwise empty.
+        roughness: Vec<Option<Roughness>>,
+    },
     Filled {
         filled: Filled,
         vertices: usize,
@@ -32,6 +36,13 @@ pub(crate) enum Content {
         erased: Erased,
         vertices: usize,
     },
+    Trimmed {
+        trimmed: Trimmed,
+        vertices: usize,
+        triangles: usize,
+    },
+    /// Per point its place on a triangle.
+    Carried(Vec<Option<Carried>>),
     /// Per triangle the number of its component.
     Components {
         of: Vec<u32>,
@@ -84,13 +95,15 @@ impl Content {
             boundary_vertex_count: 0,
             dropped_count: 0,
             component_count: 0,
+            cleaned_count: 0,
+            dropped_area: 0.0,
         };
         match self {
             Self::Faired(solution) => {
                 info.vertex_count = solution.positions.len() as u64;
                 info.boundary_vertex_count = solution.boundary_normals.len() as u64;
             }
-            Self::Loops(loops) => {
+            Self::Loops { loops, .. } => {
                 info.kind = fairmesh_result_kind::Loops as u32;
                 info.loop_count = loops.len() as u64;
             }
@@ -129,6 +142,22 @@ impl Content {
                 info.triangle_count = erased.kept.len() as u64;
                 info.loop_count = erased.loops.len() as u64;
                 info.dropped_count = erased.dropped as u64;
+                info.cleaned_count = erased.cleaned as u64;
+            }
+            Self::Trimmed {
+                trimmed,
+                vertices,
+                triangles,
+            } => {
+                info.kind = fairmesh_result_kind::Trimmed as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = trimmed.kept.len() as u64;
+                info.dropped_count = (triangles - trimmed.kept.len()) as u64;
+                info.dropped_area = trimmed.area;
+            }
+            Self::Carried(points) => {
+                info.kind = fairmesh_result_kind::Carried as u32;
+                info.new_vertex_count = points.len() as u64;
             }
             Self::Components { of, vertices } => {
                 info.kind = fairmesh_result_kind::Components as u32;
@@ -187,7 +216,11 @@ impl Content {
 
     pub(crate) fn boundary_loop(&self, index: u64) -> CallResult<fairmesh_loop> {
         match self {
-            Self::Loops(loops) => entry(loops, index, "loop").map(report::boundary_loop),
+            Self::Loops { loops, roughness } => {
+                let of = entry(loops, index, "loop")?;
+                let rough = roughness.get(index as usize).copied().flatten();
+                Ok(report::boundary_loop(of, rough.as_ref()))
+            }
             _ => Err(not_available("boundary loops")),
         }
     }
@@ -272,6 +305,13 @@ impl Content {
                 _ => Err(not_available("boundary normals")),
             },
             1 => {
+                if let Self::Carried(points) = self {
+                    let weights = |of: Carried| of.parents.weights;
+                    return Ok((
+                        points.len(),
+                        Box::new(move |k| points[k].map_or([0.0; 3], weights)),
+                    ));
+                }
                 let parents = self.parents()?;
                 Ok((parents.len(), Box::new(|k| parents[k].weights)))
             }
@@ -306,9 +346,14 @@ impl Content {
                 let normals = &solution.boundary_normals;
                 Ok((normals.len(), Box::new(|k| normals[k].0)))
             }
-            (32, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.vertices)),
-            (33, Self::Loops(loops)) => entry(loops, index, "loop").map(|l| of(&l.touching)),
+            (32, Self::Loops { loops, .. }) => entry(loops, index, "loop").map(|l| of(&l.vertices)),
+            (33, Self::Loops { loops, .. }) => entry(loops, index, "loop").map(|l| of(&l.touching)),
             (48, Self::Filled { .. } | Self::Bridged { .. }) => self.patch(index).map(|l| of(&l.outside)),
+            (49, Self::Carried(points)) => {
+                let corner = |of: Carried, k: usize| of.parents.vertices[k];
+                let parent = move |k: usize| points[k / 3].map_or(u32::MAX, |of| corner(of, k % 3));
+                Ok((3 * points.len(), Box::new(parent)))
+            }
             (49, _) => {
                 let parents = self.parents()?;
                 Ok((3 * parents.len(), Box::new(|k| parents[k / 3].vertices[k % 3])))
@@ -321,11 +366,18 @@ impl Content {
             (65, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_vertices)),
             (66, Self::Remeshed(mesh)) => Ok(of(&mesh.kept_triangles)),
             (66, Self::Erased { erased, .. }) => Ok(of(&erased.kept)),
+            (66, Self::Trimmed { trimmed, .. }) => Ok(of(&trimmed.kept)),
             (80, Self::Erased { erased, .. }) => Ok(of_numbers(&erased.loops)),
             (112, Self::Bridged { bridged, .. }) => entry(&bridged.chains, index, "chain").map(|c| of(c)),
             (113, Self::Bridged { bridged, .. }) => entry(&bridged.sides, index, "side").map(|s| of(s)),
+            (128, Self::Carried(points)) => Ok((
+                points.len(),
+                Box::new(|k| points[k].map_or(u32::MAX, |of| of.triangle)),
+            )),
             (96, Self::Components { of: list, .. }) => Ok(of(list)),
-            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113, _) => Err(not_available("such list")),
+            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113 | 128, _) => {
+                Err(not_available("such list"))
+            }
             _ => Err(unknown(which, "fairmesh_list")),
         }
     }

@@ -74,6 +74,12 @@ pub(crate) const STATUSES: &[Entry] = &[
         ""
     ),
     table_entry!(
+        38,
+        "no_fair_patch",
+        "deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped",
+        "remesh the region, or fair it as it is; or erase it, and fill the holes with what there is"
+    ),
+    table_entry!(
         99,
         "internal",
         "a bug of fairmesh, caught; the handle, if there was one, answers so from now on",

@@ -5,6 +5,7 @@ use libc::c_void;
 pub use super::bridge::fairmesh_bridge_options;
 pub use super::callback::{fairmesh_progress, fairmesh_progress_fn};
 pub use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
+pub use super::hole_records::*;
 pub use super::loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use super::numbers::*;
 pub use super::options::fairmesh_options;

@@ -50,7 +50,7 @@ pub use options::{FillOptions, Join, LoopFilter, Loops, OnFailure, Place};
 pub use outcome::{FillOutcome, FlatReason, LoopReport, OpenReason};
 pub use parents::Parents;
 pub(crate) use parents::nearest_on;
-pub use refill::refill_region;
+pub use refill::{refill_region, refill_region_with_progress};
 pub use remesh::{RemeshOptions, Remeshed, remesh_region};
 pub use rim::{Rim, RimReport, Roughness, rim_roughness};
 pub use trim::{TrimLimits, Trimmed, trim_boundary};

@@ -19,32 +19,47 @@ pub struct Parents {
 pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents> {
     (patch.fixed..patch.x.len())
         .map(|v| {
-            let p = patch.source[v];
-            let mut t = patch.hint[v];
-            let (mut best, mut weights) = nearest(coarse, t, &p);
-            loop {
-                let mut next = t;
-                for k in 0..3 {
-                    let o = coarse.across(3 * t + k);
-                    if o == crate::mesh::NONE {
-                        continue;
-                    }
-                    let (distance, w) = nearest(coarse, o / 3, &p);
-                    if distance < best {
-                        (best, weights, next) = (distance, w, o / 3);
-                    }
-                }
-                if next == t {
-                    break;
-                }
-                t = next;
-            }
+            let (t, weights) = walk(coarse, patch.hint[v], &patch.source[v]);
             Parents {
                 vertices: coarse.triangles[t as usize].map(|c| ids[c as usize]),
                 weights,
             }
         })
         .collect()
+}
+
+/// Distances that differ by less are equal: relative, of their squares.
+const EQUAL: f64 = 1e-9;
+
+/// From triangle to triangle as long as the point comes nearer; where the nearest place is a corner, through all triangles around
+/// that are as near: the way on may begin behind them.
+fn walk(coarse: &Patch, start: u32, p: &Vector3<f64>) -> (u32, [f64; 3]) {
+    let (mut best, mut weights) = nearest(coarse, start, p);
+    let mut found = start;
+    let mut seen = vec![start];
+    let mut next = 0;
+    while next < seen.len() {
+        let t = seen[next];
+        next += 1;
+        for k in 0..3 {
+            let o = coarse.across(3 * t + k);
+            if o == crate::mesh::NONE || seen.contains(&(o / 3)) {
+                continue;
+            }
+            let (distance, w) = nearest(coarse, o / 3, p);
+            if distance < best * (1.0 - EQUAL) {
+                (best, weights, found) = (distance, w, o / 3);
+                seen.clear();
+                seen.push(found);
+                next = 0;
+                break;
+            }
+            if distance <= best * (1.0 + EQUAL) {
+                seen.push(o / 3);
+            }
+        }
+    }
+    (found, weights)
 }
 
 /// Turns parents that are new vertices themselves into theirs: those from `first` on, of vertices behind the mesh's `old` ones, name only

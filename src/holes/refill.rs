@@ -1,13 +1,13 @@
 //! A region deleted and its boundary filled: where the shape that it has is of no use to what it shall become, such as an ear of
 //! many vertices behind a short boundary.
 
-use super::fill::fill_holes;
+use super::fill::{fill_holes, fill_holes_with_progress};
 use super::loops::{BoundaryLoop, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, LoopReport};
 use super::remesh::Remeshed;
 use crate::error::Error;
-use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, Report};
+use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, ProgressCallback, Report};
 use crate::mesh::{Joined, NONE, Region, Selection};
 
 /// Deletes a region, and fills the loops that are left, those of each component of the region with one patch. None where that
@@ -45,6 +45,50 @@ pub fn refill_region(
     selection: Selection<'_>,
     options: &FillOptions,
 ) -> Result<Option<Remeshed>, Error> {
+    refill(positions, triangles, selection, options, None)
+}
+
+/// [`refill_region`], which calls `progress` as [`fill_holes_with_progress`] does. `Break` stops the run: then there is no patch.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use fairmesh::{FillOptions, Selection, refill_region_with_progress};
+/// # let number = |i: u32, j: u32| 9 * i + j;
+/// # let grid = |n: u32| (0..n).flat_map(move |i| (0..n).map(move |j| (i, j)));
+/// # let positions: Vec<[f64; 3]> = grid(9).map(|(i, j)| [f64::from(i), f64::from(j), 0.0]).collect();
+/// # let triangles: Vec<[u32; 3]> = grid(8)
+/// #     .flat_map(|(i, j)| {
+/// #         let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+/// #         [[a, b, c], [a, c, d]]
+/// #     })
+/// #     .collect();
+/// # let free: Vec<u32> = grid(3).map(|(i, j)| number(i + 3, j + 3)).collect();
+/// let mut stop = |_: &fairmesh::Progress| ControlFlow::Break(());
+/// let (selection, options) = (Selection::Vertices(&free), FillOptions::default());
+/// let refilled = refill_region_with_progress(&positions, &triangles, selection, &options, &mut stop)?;
+/// assert!(refilled.is_none());
+/// # Ok::<(), fairmesh::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`refill_region`].
+pub fn refill_region_with_progress(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &FillOptions,
+    progress: &mut ProgressCallback<'_>,
+) -> Result<Option<Remeshed>, Error> {
+    refill(positions, triangles, selection, options, Some(progress))
+}
+
+fn refill(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &FillOptions,
+    progress: Option<&mut ProgressCallback<'_>>,
+) -> Result<Option<Remeshed>, Error> {
     options.validate()?;
     let coincident = options.fairing.coincident;
     let joined = Joined::new(positions, triangles, coincident)?;
@@ -73,7 +117,10 @@ pub fn refill_region(
         fairing: rest.renumbered(&options.fairing),
         ..options.clone()
     };
-    let filled = fill_holes(&rest.positions, &rest.triangles, &asked)?;
+    let filled = match progress {
+        Some(progress) => fill_holes_with_progress(&rest.positions, &rest.triangles, &asked, progress)?,
+        None => fill_holes(&rest.positions, &rest.triangles, &asked)?,
+    };
     if filled.loops.is_empty() || !filled.loops.iter().all(is_fair) {
         return Ok(None);
     }

@@ -2,8 +2,9 @@
 #include "common.h"
 
 enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32, SUGGEST = 64, ERASE = 128, COMPONENTS = 256 };
-#define REGION (FAIR | SOLVER | REMESH)
-#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS)
+enum { ROUGHNESS = 512, CLEAN = 1024, TRIM = 2048, REFILL = 4096, CARRY = 8192, LAST = CARRY };
+#define REGION (FAIR | SOLVER | REMESH | REFILL)
+#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS | ROUGHNESS | CLEAN | TRIM | CARRY)
 #define SIDE 9
 #define NONE FAIRMESH_NO_ELEMENT
 
@@ -16,6 +17,8 @@ typedef struct {
     fairmesh_fill_options fill;
     fairmesh_remesh_options remesh;
     fairmesh_indices erased;
+    double area;
+    fairmesh_points points;
     fairmesh_points_out out;
     fairmesh_scalars_out numbers;
     double *outputs;
@@ -31,6 +34,7 @@ typedef struct {
     const fairmesh_fill_options *p_fill;
     const fairmesh_remesh_options *p_remesh;
     const fairmesh_points_out *p_out;
+    const fairmesh_points *p_points;
     const fairmesh_scalars_out *p_numbers;
     fairmesh_report *p_report;
     fairmesh_result **p_result;
@@ -63,10 +67,9 @@ static uint64_t selection_argument(int function) {
     return 2;
 }
 
-static uint64_t options_argument(int function) {
-    (void)function;
-    return 3;
-}
+static uint64_t options_argument(int function) { return function == REFILL ? 4 : 3; }
+
+static uint64_t fill_argument(int function) { return function == REFILL ? 3 : 2; }
 
 #define OFFSET(type, a) ((uint64_t)offsetof(type, a))
 #define OFFSET2(type, a, inner, b) ((uint64_t)(offsetof(type, a) + offsetof(inner, b)))
@@ -94,6 +97,8 @@ static void call_init(Call *call) {
     call->p_fill = &call->fill;
     call->p_remesh = &call->remesh;
     call->p_out = &call->out;
+    call->points = points_of(call->normals, 2);
+    call->p_points = &call->points;
     call->p_numbers = &call->numbers;
     call->p_report = &call->report;
     call->p_result = &call->result;
@@ -115,6 +120,11 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case LOOPS: return fairmesh_boundary_loops(c->p_mesh, c->p_result, error);
     case SUGGEST: return fairmesh_suggest_joins(c->p_mesh, c->p_fill, c->p_result, error);
     case ERASE: return fairmesh_erase(c->p_mesh, &c->erased, c->p_result, error);
+    case ROUGHNESS: return fairmesh_rim_roughness(c->p_mesh, c->p_result, error);
+    case CLEAN: return fairmesh_erase_and_clean(c->p_mesh, &c->erased, 3, c->p_result, error);
+    case TRIM: return fairmesh_trim_boundary(c->p_mesh, &c->erased, 3, c->area, c->p_result, error);
+    case REFILL: return fairmesh_refill(c->p_mesh, c->p_selection, c->p_fill, c->p_options, c->p_result, error);
+    case CARRY: return fairmesh_carry_over(c->p_mesh, &c->erased, c->p_points, c->p_result, error);
     case COMPONENTS: return fairmesh_components(c->p_mesh, c->p_result, error);
     default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
     }
@@ -141,7 +151,7 @@ static Expected null_result(Call *c, int f, int k) {
     (void)k;
     c->p_result = NULL;
     c->p_solver = NULL;
-    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS ? 2 : 4, NONE);
+    return argument(FAIRMESH_STATUS_NULL_POINTER, f == LOOPS || f == ROUGHNESS ? 2 : f == ERASE ? 3 : f == TRIM || f == REFILL ? 5 : 4, NONE);
 }
 static Expected null_selection_data(Call *c, int f, int k) {
     c->selection.kind = (uint32_t)(k + 1);
@@ -609,14 +619,14 @@ static Expected paper_in_steps(Call *c, int f, int k) {
 static Expected density(Call *c, int f, int k) {
     static const double wrong[] = {0.0, -1.0, 0.09, 10.1, NAN, INFINITY, -INFINITY, 1e-300};
     c->fill.density = c->remesh.density = wrong[k];
-    return argument(FAIRMESH_STATUS_BAD_OPTION, f != REMESH ? 2 : 3,
+    return argument(FAIRMESH_STATUS_BAD_OPTION, f != REMESH ? fill_argument(f) : 3,
                     f != REMESH ? OFFSET(fairmesh_fill_options, density) : OFFSET(fairmesh_remesh_options, density));
 }
 static Expected relaxing(Call *c, int f, int k) {
     static const double wrong[] = {-1.0, NAN, INFINITY, -INFINITY};
     (void)f;
     c->fill.relax_within = wrong[k];
-    return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET(fairmesh_fill_options, relax_within));
+    return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET(fairmesh_fill_options, relax_within));
 }
 static Expected fill_enums(Call *c, int f, int k) {
     uint32_t n = numbers[k % 5];
@@ -629,7 +639,7 @@ static Expected fill_enums(Call *c, int f, int k) {
         c->fill.filter.within.kind = n;
         at = OFFSET2(fairmesh_fill_options, filter, fairmesh_loop_filter, within);
     }
-    return argument(FAIRMESH_STATUS_BAD_ENUM, 2, at);
+    return argument(FAIRMESH_STATUS_BAD_ENUM, fill_argument(f), at);
 }
 static Expected fill_bounds(Call *c, int f, int k) {
     static const double wrong[] = {-1.0, NAN, -INFINITY};
@@ -644,7 +654,7 @@ static Expected fill_bounds(Call *c, int f, int k) {
         c->fill.filter.within.radius = NAN;
         at = offsetof(fairmesh_loop_filter, within);
     }
-    return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET(fairmesh_fill_options, filter) + at);
+    return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET(fairmesh_fill_options, filter) + at);
 }
 /* Groups: their beginnings, and a loop that is in two of them. */
 static Expected groups(Call *c, int f, int k) {
@@ -656,9 +666,9 @@ static Expected groups(Call *c, int f, int k) {
     if (k < 3) {
         c->fill.join.starts.data = starts[k];
         c->fill.join.starts.count = 2;
-        return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, starts));
+        return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET2(fairmesh_fill_options, join, fairmesh_join, starts));
     }
-    if (k == 3) return argument(FAIRMESH_STATUS_BAD_OPTION, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
+    if (k == 3) return argument(FAIRMESH_STATUS_BAD_OPTION, fill_argument(f), OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
     if (k == 4) {
         c->fill.join.loops.data = NULL;
         return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET2(fairmesh_fill_options, join, fairmesh_join, loops));
@@ -667,7 +677,6 @@ static Expected groups(Call *c, int f, int k) {
     return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_LOOP, 1, NONE);
 }
 static Expected erased(Call *c, int f, int k) {
-    (void)f;
     c->erased.count = 2;
     if (k == 0) return argument(FAIRMESH_STATUS_NULL_POINTER, 2, OFFSET(fairmesh_indices, data));
     c->erased.data = c->list;
@@ -676,7 +685,24 @@ static Expected erased(Call *c, int f, int k) {
         return argument(FAIRMESH_STATUS_BAD_STRIDE, 2, OFFSET(fairmesh_indices, stride));
     }
     c->list[1] = (uint32_t)c->cap.triangles;
-    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_TRIANGLE, c->cap.triangles, NONE);
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, f == TRIM ? FAIRMESH_ELEMENT_LOOP : FAIRMESH_ELEMENT_TRIANGLE,
+                  c->cap.triangles, NONE);
+}
+static Expected areas(Call *c, int f, int k) {
+    static const double wrong[] = {-1.0, NAN, -INFINITY, -1e-300};
+    (void)f;
+    c->area = wrong[k];
+    return argument(FAIRMESH_STATUS_BAD_OPTION, 4, NONE);
+}
+
+static Expected carried(Call *c, int f, int k) {
+    (void)f;
+    switch (k) {
+    case 0: c->p_points = NULL; return argument(FAIRMESH_STATUS_NULL_POINTER, 3, NONE);
+    case 1: c->points.data = NULL; return argument(FAIRMESH_STATUS_NULL_POINTER, 3, OFFSET(fairmesh_points, data));
+    case 2: c->points.scalar = 7; return argument(FAIRMESH_STATUS_BAD_ENUM, 3, OFFSET(fairmesh_points, scalar));
+    default: c->points.stride = 12; return argument(FAIRMESH_STATUS_BAD_STRIDE, 3, OFFSET(fairmesh_points, stride));
+    }
 }
 
 static Expected aliasing(Call *c, int f, int k) {
@@ -725,7 +751,7 @@ typedef struct {
 static const Row table[] = {
     {"null", "mesh", null_mesh, ALL, 1},
     {"null", "mesh data", null_data, ALL, 2},
-    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS, 1},
+    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS | ROUGHNESS | ERASE | CLEAN | TRIM | REFILL | CARRY, 1},
     {"null", "selection data", null_selection_data, REGION, 4},
     {"null", "output data", null_output, FAIR | CURVATURE, 1},
     {"null", "output view", null_numbers, CURVATURE, 1},
@@ -771,7 +797,7 @@ static const Row table[] = {
     {"struct size", "later fields", future_fields, ALL, 7},
     {"enum", "options", option_enums, FAIR | FILL, 45},
     {"enum", "options", option_enums, SOLVER, 40},
-    {"enum", "fill options", fill_enums, FILL | SUGGEST, 15},
+    {"enum", "fill options", fill_enums, FILL | SUGGEST | REFILL, 15},
     {"enum", "scalar", scalar_enum, ALL, 4},
     {"enum", "selection", selection_enum, REGION, 5},
     {"enum", "output", output_enum, FAIR | CURVATURE, 4},
@@ -780,11 +806,13 @@ static const Row table[] = {
     {"option range", "options", option_ranges, FAIR | SOLVER | FILL, 20},
     {"option range", "paper", paper_ranges, FAIR | FILL, 16},
     {"option range", "paper in steps", paper_in_steps, SOLVER, 1},
-    {"option range", "density", density, FILL | REMESH | SUGGEST, 8},
-    {"option range", "relaxing", relaxing, FILL | SUGGEST, 4},
-    {"option range", "bounds of holes", fill_bounds, FILL | SUGGEST, 10},
+    {"option range", "density", density, FILL | REMESH | SUGGEST | REFILL, 8},
+    {"option range", "relaxing", relaxing, FILL | SUGGEST | REFILL, 4},
+    {"option range", "bounds of holes", fill_bounds, FILL | SUGGEST | REFILL, 10},
     {"option range", "groups of loops", groups, FILL, 6},
-    {"option range", "erased triangles", erased, ERASE, 3},
+    {"option range", "erased triangles", erased, ERASE | CLEAN | TRIM | CARRY, 3},
+    {"option range", "trimmed area", areas, TRIM, 4},
+    {"option range", "points", carried, CARRY, 4},
     {"aliasing", "positions", aliasing, FAIR, 8},
     {"aliasing", "outputs", aliased_outputs, FAIR, 4},
     {"aliasing", "numbers", aliased_numbers, CURVATURE, 2},
@@ -795,6 +823,39 @@ static size_t failures, cases;
 static void complain(const char *class_name, const char *name, int function, int variant, const char *what) {
     fprintf(stderr, "%s, %s, function %d, variant %d: %s\n", class_name, name, function, variant, what);
     failures++;
+}
+
+/* The fields of the options that may be out of their range: the message names them. */
+typedef struct {
+    uint64_t offset;
+    const char *name;
+} Field;
+#define FIELD(type, a) {offsetof(type, a), #a}
+static const Field of_options[] = {
+    FIELD(fairmesh_options, tolerance),         FIELD(fairmesh_options, max_iterations),
+    FIELD(fairmesh_options, threads),           FIELD(fairmesh_options, continuity),
+    FIELD(fairmesh_options, paper_damping),     FIELD(fairmesh_options, paper_estimate_iterations),
+    FIELD(fairmesh_options, paper_defect),      FIELD(fairmesh_options, paper_laplacian),
+    FIELD(fairmesh_options, paper_max_updates), {0, NULL},
+};
+static const Field of_filling[] = {
+    FIELD(fairmesh_fill_options, density),
+    FIELD(fairmesh_fill_options, relax_within),
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_length), "max_length"},
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_area), "max_area"},
+    {offsetof(fairmesh_fill_options, filter) + offsetof(fairmesh_loop_filter, max_diagonal), "max_diagonal"},
+    {0, NULL},
+};
+
+static int names_the_field(int function, const fairmesh_error *error) {
+    const Field *field = of_options;
+    if (error->status != FAIRMESH_STATUS_BAD_OPTION || !(function & (FAIR | SOLVER | FILL | REFILL))) return 1;
+    if (error->element == fill_argument(function) && function & (FILL | REFILL)) field = of_filling;
+    else if (error->element != options_argument(function)) return 1;
+    for (; field->name; field++) {
+        if (field->offset == error->other) return strstr(error->message, field->name) != NULL;
+    }
+    return 1;
 }
 
 /* One case: status, element, and every byte that the library could reach is as before. */
@@ -837,6 +898,7 @@ static void check_case(const Row *row, int function, int variant) {
         if (strlen(error.message) < 5 || strlen(error.message) >= sizeof error.message) {
             complain(row->class_name, row->name, function, variant, "no message");
         }
+        if (!names_the_field(function, &error)) complain(row->class_name, row->name, function, variant, error.message);
     }
     if (memcmp(&before, &call, sizeof call) != 0 || memcmp(positions, call.cap.positions, bytes) != 0 ||
         memcmp(outputs, call.outputs, bytes) != 0 || memcmp(corners, call.cap.corners, 12 * call.cap.triangles) != 0 ||
@@ -1022,7 +1084,7 @@ int main(void) {
     size_t k, classes = 2;
     for (k = 0; k < sizeof table / sizeof *table; k++) {
         int function, variant;
-        for (function = 1; function <= COMPONENTS; function *= 2) {
+        for (function = 1; function <= LAST; function *= 2) {
             if (!(table[k].functions & function)) continue;
             for (variant = 0; variant < table[k].variants; variant++) check_case(&table[k], function, variant);
         }

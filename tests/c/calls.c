@@ -882,6 +882,252 @@ static void erasing(void) {
     cap_free(&cap);
 }
 
+/* A sheet of squares without those in the middle, with a tooth that hangs in the hole by one edge; `rough` high its vertices go up and down. */
+enum { SHEET = 16, SHEET_VERTICES = (SHEET + 1) * (SHEET + 1) + 1 };
+typedef struct {
+    double positions[3 * SHEET_VERTICES];
+    uint32_t corners[6 * SHEET * SHEET + 3];
+    fairmesh_mesh mesh;
+} Sheet;
+
+static void sheet_make(Sheet *sheet, double rough) {
+    uint32_t i, j, side = SHEET + 1, first = SHEET / 2 - 2, *t = sheet->corners;
+    for (i = 0; i <= SHEET; i++) {
+        for (j = 0; j <= SHEET; j++) {
+            double *p = sheet->positions + 3 * (side * i + j);
+            p[0] = i;
+            p[1] = j;
+            p[2] = rough * ((7 * i * i + 5 * j * i + 3 * j) % 5);
+        }
+    }
+    sheet->positions[3 * SHEET_VERTICES - 3] = first + 0.6;
+    sheet->positions[3 * SHEET_VERTICES - 2] = first + 0.5;
+    sheet->positions[3 * SHEET_VERTICES - 1] = 0.4;
+    for (i = 0; i < SHEET; i++) {
+        for (j = 0; j < SHEET; j++) {
+            uint32_t a = side * i + j;
+            if (i >= first && i < first + 4 && j >= first && j < first + 4) continue;
+            t[0] = t[3] = a;
+            t[1] = a + side;
+            t[2] = t[4] = a + side + 1;
+            t[5] = a + 1;
+            t += 6;
+        }
+    }
+    t[0] = side * first + first + 1;
+    t[1] = side * first + first;
+    t[2] = SHEET_VERTICES - 1;
+    memset(&sheet->mesh, 0, sizeof sheet->mesh);
+    sheet->mesh.struct_size = sizeof sheet->mesh;
+    sheet->mesh.positions = points_of(sheet->positions, SHEET_VERTICES);
+    sheet->mesh.triangles.data = sheet->corners;
+    sheet->mesh.triangles.count = (size_t)(t + 3 - sheet->corners) / 3;
+}
+
+static void trimming(void) {
+    Sheet *sheet = (Sheet *)must(malloc(sizeof *sheet));
+    fairmesh_indices loops;
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *trimmed = NULL;
+    uint32_t *kept, outer = 0, hole = 1, k;
+    size_t count, size;
+    sheet_make(sheet, 0.0);
+    count = sheet->mesh.triangles.count;
+    kept = (uint32_t *)must(malloc(4 * count));
+    info.struct_size = sizeof info;
+    memset(&loops, 0, sizeof loops);
+    loops.count = 1;
+    loops.data = &hole;
+    for (k = 0; k < 2; k++) {
+        /* All holes, or this one: the tooth is gone, whose area is that of its two sides. */
+        OK(fairmesh_trim_boundary(&sheet->mesh, k ? &loops : NULL, 100, 0.0, &trimmed, &error));
+        OK(fairmesh_result_info(trimmed, &info, &error));
+        CHECK(info.kind == FAIRMESH_RESULT_KIND_TRIMMED && info.vertex_count == SHEET_VERTICES);
+        CHECK(info.triangle_count == count - 1 && info.dropped_count == 1);
+        CHECK(fabs(info.dropped_area - 0.5 * sqrt(0.36 + 0.16)) < 1e-12);
+        OK(fairmesh_result_list(trimmed, FAIRMESH_LIST_KEPT_TRIANGLES, 0, kept, count, &size, &error));
+        CHECK(size == count - 1 && kept[0] == 0 && kept[size - 1] == count - 2);
+        CHECK(fairmesh_result_triangles(trimmed, NULL, &error) != FAIRMESH_STATUS_OK);
+        OK(fairmesh_result_free(trimmed));
+    }
+    /* Too small a limit, and the other loop. */
+    OK(fairmesh_trim_boundary(&sheet->mesh, NULL, 100, 0.1, &trimmed, &error));
+    OK(fairmesh_result_info(trimmed, &info, &error));
+    CHECK(info.dropped_count == 0 && info.dropped_area == 0.0);
+    OK(fairmesh_result_free(trimmed));
+    loops.data = &outer;
+    OK(fairmesh_trim_boundary(&sheet->mesh, &loops, 2, 0.0, &trimmed, NULL));
+    OK(fairmesh_result_info(trimmed, &info, &error));
+    CHECK(info.dropped_count == 2 && fabs(info.dropped_area - 1.0) < 1e-12);
+    OK(fairmesh_result_free(trimmed));
+    free(kept);
+    free(sheet);
+}
+
+static void roughness(void) {
+    Sheet *sheet = (Sheet *)must(malloc(sizeof *sheet));
+    fairmesh_loop plain, of;
+    fairmesh_error error;
+    fairmesh_result *loops = NULL, *rough = NULL;
+    fairmesh_fill_options fill;
+    int k;
+    plain.struct_size = of.struct_size = sizeof of;
+    for (k = 0; k < 2; k++) {
+        sheet_make(sheet, 0.05 * k);
+        sheet->mesh.triangles.count--; /* without the tooth */
+        OK(fairmesh_boundary_loops(&sheet->mesh, &loops, &error));
+        OK(fairmesh_rim_roughness(&sheet->mesh, &rough, &error));
+        OK(fairmesh_result_loop(loops, 1, &plain, &error));
+        OK(fairmesh_result_loop(rough, 1, &of, &error));
+        CHECK(plain.kind == of.kind && plain.vertex_count == 16 && of.vertex_count == 16 && plain.length == of.length);
+        CHECK(!plain.has_roughness && !plain.is_rough && plain.roughness == 0.0 && plain.advised_relax_rings == 0);
+        CHECK(of.has_roughness && (of.is_rough != 0) == (k == 1) && (of.rim_angle > 1.0) == (k == 1));
+        CHECK((of.roughness > 2.0) == (k == 1) && (of.rim_noise > 0.02) == (k == 1) && of.rim_angle_expected < of.rim_angle + 1e-6);
+        OK(fairmesh_result_free(loops));
+        OK(fairmesh_result_free(rough));
+    }
+    CHECK(of.advised_relax_rings == 3 && fabs(of.advised_relax_within - 1.0) < 0.3);
+    /* What is advised can be handed over as it is. */
+    OK(fairmesh_fill_options_init(&fill, sizeof fill));
+    fill.relax_rings = of.advised_relax_rings;
+    fill.relax_within = of.advised_relax_within;
+    {
+        fairmesh_options options = quick();
+        fairmesh_result *filled = NULL;
+        fairmesh_fill_report what;
+        what.struct_size = sizeof what;
+        OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
+        OK(fairmesh_result_fill_report(filled, 1, &what, &error));
+        CHECK(what.has_relaxed && what.moved_count > 16 && what.moved_within == of.advised_relax_within);
+        OK(fairmesh_result_free(filled));
+        /* More rings than any mesh has. */
+        fill.relax_rings = UINT64_MAX;
+        OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
+        OK(fairmesh_result_fill_report(filled, 1, &what, &error));
+        CHECK(what.has_relaxed && what.moved_count == SHEET_VERTICES - 1 - 9);
+        OK(fairmesh_result_free(filled));
+    }
+    free(sheet);
+}
+
+/* Squares beside a narrow column are erased: up to so many of its triangles go with them. */
+static void erasing_and_cleaning(void) {
+    static double positions[3 * 49];
+    static uint32_t corners[6 * 36];
+    static const double x[] = {0.0, 1.0, 2.0, 2.02, 3.0, 4.0, 5.0};
+    static const uint32_t gone[] = {40, 41, 42, 43};
+    fairmesh_mesh mesh;
+    fairmesh_indices faces;
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *erased = NULL;
+    uint32_t i, j, *t = corners;
+    for (i = 0; i < 49; i++) {
+        positions[3 * i] = x[i / 7];
+        positions[3 * i + 1] = i % 7;
+    }
+    for (i = 0; i < 6; i++) {
+        for (j = 0; j < 6; j++) {
+            t[0] = t[3] = 7 * i + j;
+            t[1] = t[0] + 7;
+            t[2] = t[4] = t[0] + 8;
+            t[5] = t[0] + 1;
+            t += 6;
+        }
+    }
+    memset(&mesh, 0, sizeof mesh);
+    mesh.struct_size = sizeof mesh;
+    mesh.positions = points_of(positions, 49);
+    mesh.triangles.data = corners;
+    mesh.triangles.count = 72;
+    memset(&faces, 0, sizeof faces);
+    faces.data = gone;
+    faces.count = 4;
+    info.struct_size = sizeof info;
+    for (i = 0; i <= 4; i += 2) {
+        OK(fairmesh_erase_and_clean(&mesh, &faces, i, &erased, &error));
+        OK(fairmesh_result_info(erased, &info, &error));
+        CHECK(info.kind == FAIRMESH_RESULT_KIND_ERASED && info.cleaned_count == i && info.loop_count == 1);
+        CHECK(info.triangle_count == 72 - 4 - info.cleaned_count - info.dropped_count);
+        OK(fairmesh_result_free(erased));
+    }
+    CHECK(info.dropped_count == 1);
+}
+
+static int32_t stop_at_once(const fairmesh_progress *progress, void *user_data) {
+    (void)progress;
+    (void)user_data;
+    return 1;
+}
+
+/* A dent deleted and filled; colours carried over from what was there. */
+static void refilling(void) {
+    Cap cap = cap_new(15);
+    fairmesh_options options = quick();
+    fairmesh_info info;
+    fairmesh_error error;
+    fairmesh_result *refilled = NULL, *carried = NULL;
+    fairmesh_points points;
+    fairmesh_points_out out;
+    double *positions, *weights;
+    uint32_t *triangles, *corners, *kept;
+    size_t size, k, i, count;
+    info.struct_size = sizeof info;
+    OK(fairmesh_refill(&cap.mesh, &cap.selection, NULL, &options, &refilled, &error));
+    OK(fairmesh_result_info(refilled, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_REMESHED && info.new_vertex_count > 10 && info.new_triangle_count > 20);
+    kept = (uint32_t *)must(malloc(4 * cap.vertices));
+    OK(fairmesh_result_list(refilled, FAIRMESH_LIST_KEPT_VERTICES, 0, kept, cap.vertices, &size, &error));
+    CHECK(size == info.vertex_count - info.new_vertex_count);
+    for (k = 0; k < size; k++) CHECK(!cap.free_mask[kept[k]]);
+    positions = (double *)must(malloc(24 * (size_t)info.vertex_count));
+    out = points_out_of(positions, (size_t)info.vertex_count);
+    OK(fairmesh_result_positions(refilled, &out, &error));
+    CHECK(off_sphere(positions, (size_t)info.vertex_count) < 5e-3);
+    OK(fairmesh_result_free(refilled));
+
+    /* The new vertices lie near the dent, a twelfth of the radius below them; behind them one that is not finite. */
+    count = (size_t)info.new_vertex_count;
+    positions[3 * size] = NAN;
+    points = points_of(positions + 3 * size, count);
+    OK(fairmesh_carry_over(&cap.mesh, NULL, &points, &carried, &error));
+    OK(fairmesh_result_info(carried, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_CARRIED && info.new_vertex_count == count);
+    triangles = (uint32_t *)must(malloc(4 * count));
+    corners = (uint32_t *)must(malloc(12 * count));
+    weights = (double *)must(malloc(24 * count));
+    OK(fairmesh_result_list(carried, FAIRMESH_LIST_CARRIED_TRIANGLES, 0, triangles, count, &k, &error));
+    CHECK(k == count);
+    OK(fairmesh_result_list(carried, FAIRMESH_LIST_PARENTS, 0, corners, 3 * count, &k, &error));
+    CHECK(k == 3 * count);
+    out = points_out_of(weights, count);
+    OK(fairmesh_result_vectors(carried, FAIRMESH_VECTORS_PARENT_WEIGHTS, &out, &error));
+    OK(fairmesh_result_free(carried));
+    CHECK(triangles[0] == UINT32_MAX && corners[2] == UINT32_MAX && weights[0] == 0.0);
+    for (k = 1; k < count; k++) {
+        double at[3] = {0.0, 0.0, 0.0}, sum = 0.0, far = 0.0;
+        for (i = 0; i < 9; i++) at[i % 3] += weights[3 * k + i / 3] * cap.positions[3 * corners[3 * k + i / 3] + i % 3];
+        for (i = 0; i < 3; i++) sum += weights[3 * k + i], far += pow(at[i] - positions[3 * (size + k) + i], 2);
+        CHECK(fabs(sum - 1.0) < 1e-12 && far < 0.15 * 0.15);
+        CHECK(memcmp(corners + 3 * k, cap.corners + 3 * triangles[k], 12) == 0);
+    }
+
+    /* Stopped; and a region at the boundary of the mesh. */
+    options.progress = stop_at_once;
+    refilled = NULL;
+    CHECK(fairmesh_refill(&cap.mesh, &cap.selection, NULL, &options, &refilled, &error) == FAIRMESH_STATUS_NO_FAIR_PATCH);
+    CHECK(refilled == NULL && strstr(error.message, "no fair patch") != NULL);
+    options.progress = NULL;
+    CHECK(fairmesh_refill(&cap.mesh, NULL, NULL, &options, &refilled, NULL) == FAIRMESH_STATUS_NO_FAIR_PATCH);
+    free(positions);
+    free(weights);
+    free(triangles);
+    free(corners);
+    free(kept);
+    cap_free(&cap);
+}
+
 /* A vertex with more triangles than one may have in a region, on a sphere. */
 static void hub(void) {
     enum { VALENCE = 5000, ROWS = 4 };
@@ -1097,6 +1343,10 @@ int main(void) {
     bridges();
     filters();
     erasing();
+    erasing_and_cleaning();
+    trimming();
+    roughness();
+    refilling();
     puts("calls: passed");
     return 0;
 }

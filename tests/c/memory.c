@@ -76,6 +76,12 @@ static void loops(Scene *s) {
     if (passed(s, fairmesh_boundary_loops(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
 }
 
+static void roughness(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    if (passed(s, fairmesh_rim_roughness(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+}
+
 static void remesh(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
@@ -163,7 +169,24 @@ static void erase(Scene *s) {
     faces.data = both;
     faces.count = 2;
     if (passed(s, fairmesh_erase(&s->cap.mesh, &faces, &result, &error), &error)) OK(fairmesh_result_free(result));
+    if (passed(s, fairmesh_erase_and_clean(&s->cap.mesh, &faces, 3, &result, &error), &error)) OK(fairmesh_result_free(result));
+    if (passed(s, fairmesh_trim_boundary(&s->cap.mesh, NULL, 3, 0.0, &result, &error), &error)) OK(fairmesh_result_free(result));
     if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
+}
+
+static void refill(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    if (passed(s, fairmesh_refill(&s->cap.mesh, &s->cap.selection, NULL, &s->options, &result, &error), &error)) {
+        OK(fairmesh_result_free(result));
+    }
+}
+
+static void carry(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_points points = points_of(s->kept, s->cap.vertices);
+    if (passed(s, fairmesh_carry_over(&s->cap.mesh, NULL, &points, &result, &error), &error)) OK(fairmesh_result_free(result));
 }
 
 static void curvature(Scene *s) {
@@ -276,7 +299,10 @@ int main(int count, char **arguments) {
     every_allocation(&s, fill, "fill", by);
     s.relaxes = 1;
     every_allocation(&s, fill, "fill, boundaries relaxed", by);
-    every_allocation(&s, erase, "erase, components", by);
+    every_allocation(&s, erase, "erase, trim, components", by);
+    every_allocation(&s, roughness, "roughness", by);
+    every_allocation(&s, carry, "carry over", by);
+    every_allocation(&s, refill, "refill", 3 * by);
     every_allocation(&s, suggest, "suggest joins", 7 * by);
     every_allocation(&s, join, "join", 29 * by);
     every_allocation(&s, bridge, "bridge", 97 * by);

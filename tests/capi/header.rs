@@ -3,12 +3,13 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 16] = [
+pub(crate) const SOURCES: [&str; 19] = [
     "numbers",
     "texts",
     "status",
     "types",
     "records",
+    "hole_records",
     "callback",
     "options",
     "loop_choice",
@@ -17,7 +18,9 @@ pub(crate) const SOURCES: [&str; 16] = [
     "fair",
     "steps",
     "fill",
+    "refill",
     "erase",
+    "carry_over",
     "bridge",
     "reading",
 ];

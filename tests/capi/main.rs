@@ -5,6 +5,8 @@
 #[allow(unreachable_pub, reason = "other packages include the file as well")]
 mod command;
 mod committed;
+#[cfg(unix)]
+mod guide;
 mod header;
 mod numbers;
 #[cfg(unix)]

@@ -11,20 +11,20 @@ use crate::command::run;
 
 /// Functions that C++ programs call as they are.
 const TEXTS: [&str; 3] = ["_name", "_text", "_remedy"];
-const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
+pub(crate) const STRICT: [&str; 6] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-O1", "-g"];
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn work() -> PathBuf {
+pub(crate) fn work() -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("capi");
     fs::create_dir_all(&path).unwrap();
     path
 }
 
 /// A tool that is not there is an error, and says where it comes from.
-fn needs(tool: &str, package: &str) {
+pub(crate) fn needs(tool: &str, package: &str) {
     let found = Command::new(tool).arg("--version").output();
     let works = found.is_ok_and(|o| o.status.success());
     assert!(
@@ -42,7 +42,7 @@ fn target() -> PathBuf {
 }
 
 /// Where `make install` has put everything.
-fn prefix() -> &'static Path {
+pub(crate) fn prefix() -> &'static Path {
     static PREFIX: OnceLock<PathBuf> = OnceLock::new();
     PREFIX.get_or_init(|| {
         let prefix = work().join("prefix");
@@ -87,7 +87,7 @@ fn hooks() -> &'static Path {
     })
 }
 
-fn pkg_config(arguments: &[&str]) -> Vec<String> {
+pub(crate) fn pkg_config(arguments: &[&str]) -> Vec<String> {
     let said = run(Command::new("pkg-config")
         .args(arguments)
         .arg("fairmesh")
@@ -145,7 +145,7 @@ fn compile(compiler: &str, standard: &str, source: &str, linked: Linked) -> Path
     program
 }
 
-fn functions_of_header() -> BTreeSet<String> {
+pub(crate) fn functions_of_header() -> BTreeSet<String> {
     let header = fs::read_to_string(root().join("include/fairmesh.h")).unwrap();
     let flat = header.replace("FAIRMESH_API\n", "FAIRMESH_API ");
     let lines = flat.lines().filter(|line| line.starts_with("FAIRMESH_API "));

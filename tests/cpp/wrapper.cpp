@@ -274,6 +274,51 @@ void erasing() {
     fill.only(left.loops);
     const auto filled = fairmesh::fill_holes(fairmesh::mesh(s.positions, kept), fill);
     CHECK(filled.info().loop_count == 1 && filled.fill_report(0).outcome == FAIRMESH_FILL_OUTCOME_FAIRED);
+    // Nothing there is slender.
+    const auto cleaned = fairmesh::erase(fairmesh::mesh(s.positions, s.triangles), dent, 5);
+    CHECK(cleaned.cleaned == 0 && cleaned.kept == left.kept);
+}
+
+void trimming() {
+    auto s = cap(15);
+    // Two triangles at corners of the sheet hang by one edge; they are at no hole.
+    const auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    CHECK(fairmesh::trim_boundary(mesh).kept.size() == s.triangles.size());
+    fairmesh::trim_limits limits;
+    limits.triangles = 2;
+    const auto trimmed = fairmesh::trim_boundary(mesh, {0}, limits);
+    CHECK(trimmed.dropped == 2 && trimmed.kept.size() == s.triangles.size() - 2 && trimmed.area > 0.0);
+    limits.area = 0.5 * trimmed.area;
+    CHECK(fairmesh::trim_boundary(mesh, {0}, limits).dropped < 2);
+    const auto rough = fairmesh::rim_roughness(mesh);
+    CHECK(rough.info().loop_count == 1 && rough.loop(0).vertex_count == 56);
+    CHECK(rough.loop(0).has_roughness && rough.loop(0).roughness > 0.0 && !fairmesh::boundary_loops(mesh).loop(0).has_roughness);
+}
+
+void refilling() {
+    auto s = cap(15);
+    const auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    const auto refilled = fairmesh::refill(mesh, fairmesh::free_mask(s.mask));
+    const auto x = refilled.positions();
+    CHECK(off_sphere(x.data()->data(), x.size()) < 5e-3);
+    const auto carried = fairmesh::carry_over(mesh, {5, 7}, fairmesh::points(x.data()->data(), x.size()));
+    CHECK(carried.triangles.size() == x.size() && carried.corners.size() == 3 * x.size() && carried.weights.size() == x.size());
+    for (const auto t : carried.triangles) CHECK(t == 5 || t == 7);
+    fairmesh::options stopped;
+    stopped.on_progress = [](const fairmesh_progress &) { return false; };
+    try {
+        fairmesh::refill(mesh, fairmesh::free_mask(s.mask), fairmesh::fill_options(), stopped);
+        CHECK(false);
+    } catch (const fairmesh::error &caught) {
+        CHECK(caught.status() == FAIRMESH_STATUS_NO_FAIR_PATCH);
+    }
+    stopped.on_progress = [](const fairmesh_progress &) -> bool { throw 7; };
+    try {
+        fairmesh::refill(mesh, fairmesh::free_mask(s.mask), fairmesh::fill_options(), stopped);
+        CHECK(false);
+    } catch (int thrown) {
+        CHECK(thrown == 7);
+    }
 }
 
 } // namespace
@@ -289,5 +334,7 @@ int main() {
     joins();
     bridging();
     erasing();
+    trimming();
+    refilling();
     std::puts("wrapper: passed");
 }

@@ -9,7 +9,7 @@ import sys
 
 bl_info = {
     "name": "Fairmesh",
-    "description": "Fairs regions to harmonic mean curvature, fills holes and joins loops smoothly, shows curvature",
+    "description": "Fairs regions, fills holes and joins loops smoothly, shows curvature",
     "author": "fairmesh developers",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
@@ -18,38 +18,45 @@ bl_info = {
     "support": "COMMUNITY",
 }
 
-if importlib.util.find_spec("numpy") is None:
-    raise ImportError("Fairmesh needs numpy, which this Blender comes without: apt-get install python3-numpy")
-
 # Blender reloads this file alone after an update: without this the old modules would stay in use.
 for _name in [name for name in sys.modules if name.startswith(__name__ + ".")]:
     del sys.modules[_name]
     globals().pop(_name.rpartition(".")[2], None)
 
-from . import (  # noqa: E402
-    bridge_operator,
-    curvature_operator,
-    erase_operator,
-    fair_operator,
-    fill_operator,
-    found,
-    job,
-    join_operator,
-    panel,
-    settings,
-)
+# Debian's Blender comes without it.
+HAS_NUMPY = importlib.util.find_spec("numpy") is not None
 
-_PARTS = (
-    settings,
-    found,
-    fair_operator,
-    fill_operator,
-    join_operator,
-    bridge_operator,
-    erase_operator,
-    curvature_operator,
-    panel,
-)
+if HAS_NUMPY:
+    from . import (
+        bridge_operator,
+        curvature_operator,
+        erase_operator,
+        fair_operator,
+        fill_operator,
+        found,
+        job,
+        join_operator,
+        manual,
+        panel,
+        settings,
+    )
+
+    _PARTS = (
+        settings,
+        found,
+        fair_operator,
+        fill_operator,
+        join_operator,
+        bridge_operator,
+        erase_operator,
+        curvature_operator,
+        manual,
+        panel,
+    )
+else:
+    from . import no_numpy
+
+    _PARTS = (no_numpy,)
 
 
 def register():
@@ -58,7 +65,8 @@ def register():
 
 
 def unregister():
-    # No thread may be inside the library when its code goes away.
-    job.stop_all()
+    if HAS_NUMPY:
+        # No thread may be inside the library when its code goes away.
+        job.stop_all()
     for part in reversed(_PARTS):
         part.unregister()

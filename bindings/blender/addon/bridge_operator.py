@@ -3,13 +3,13 @@
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty
 
 from . import fairmesh, filling, menus, messages, snapshot
 from .job import Background, for_each
+from .patch_options import BridgeOptions
 
 
-class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
+class MESH_OT_fairmesh_bridge(Background, filling.Filling, BridgeOptions, bpy.types.Operator):
     """Connects two runs of boundary edges of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_bridge"
@@ -20,36 +20,37 @@ class MESH_OT_fairmesh_bridge(Background, filling.Filling, bpy.types.Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    fill_rest: BoolProperty(
-        name="Fill the Rest",
-        description="Also fill the holes that the strip leaves beside it; all that is new is faired together",
-        default=False,
-    )
-
     def draw_options(self, layout):
-        layout.prop(self, "fill_rest")
+        self.draw_bridge(layout)
         self.draw_filling(layout)
 
     def prepare(self, context):
         chosen = []
-        for obj in context.objects_in_mode_unique_data:
-            mesh = snapshot.read(obj)
+        meshes = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
+        for mesh in meshes:
             runs = _runs(mesh)
+            if self.width > 0 and not runs:
+                runs = _single(mesh)
             if len(runs) == 2:
                 chosen.append(filling.Holes(mesh, [], mesh.triangles, join=runs))
         if not chosen:
-            self.report(
-                {"ERROR"},
-                "Select two runs of boundary edges of one object, each without a gap, that do not touch each other",
+            why = messages.not_selected(
+                meshes,
+                "These are not two runs of edges",
+                "select two runs of boundary edges of one object, each without a gap, that do not touch each other",
             )
+            self.report({"ERROR"}, why)
             return None
         # The thread reads no properties.
-        fill_rest = self.fill_rest
+        fill_rest, width = self.fill_rest, self.width
         keywords = self.patch_keywords(filling.largest_diagonal((each.mesh, np.concatenate(each.join)) for each in chosen))
 
         def compute(each, monitor):
             mesh = each.mesh
-            return fairmesh.bridge(mesh.seen(), mesh.triangles, *each.join, fill=fill_rest, cancel=monitor, **keywords)
+            long = width / mesh.size if width > 0 else None
+            return fairmesh.bridge(
+                mesh.seen(), mesh.triangles, *each.join, width=long, fill=fill_rest, cancel=monitor, **keywords
+            )
 
         return for_each(chosen, compute)
 
@@ -89,8 +90,14 @@ def _runs(mesh):
     return runs if len(seen) == len(beside) else []
 
 
+def _single(mesh):
+    """The selected boundary vertices, each as a run of its own."""
+    return [[vertex] for vertex in np.flatnonzero(mesh.vertex_selected & mesh.on_boundary).tolist()]
+
+
 register, unregister = menus.registration(
     MESH_OT_fairmesh_bridge,
+    "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_edges",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("EDGE",),
 )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mesh > Clean Up > Show Curvature: mean curvature as colours."""
+"""Mesh > Clean Up > Show Curvature: mean curvature as colours; and Hide Curvature."""
 
 import bmesh
 import bpy
@@ -14,6 +14,11 @@ VALUES = "mean_curvature"
 # Blue, white, red: end points and middle of a diverging map (Moreland 2009), linear RGB.
 _BLUE, _WHITE, _RED = np.array([[0.044, 0.072, 0.527], [0.725, 0.725, 0.725], [0.456, 0.001, 0.019]])
 _GREY = np.array([0.05, 0.05, 0.05])
+
+
+# What colour was shown before, in a mesh's custom properties; and how a viewport was shaded, by its address.
+_COLOR_BEFORE = "fairmesh_color_before"
+_shading_before = {}
 
 
 class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
@@ -77,7 +82,7 @@ class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
         layout.prop(self, "show")
 
     def execute(self, context):
-        objects = context.objects_in_mode_unique_data if context.mode == "EDIT_MESH" else [context.object]
+        objects = _objects(context)
         try:
             native.load()
             curvatures = [_curvature(obj) for obj in objects]
@@ -106,6 +111,33 @@ class MESH_OT_fairmesh_show_curvature(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class MESH_OT_fairmesh_hide_curvature(bpy.types.Operator):
+    """Take the colours of Show Curvature away, and shade as before"""
+
+    bl_idname = "mesh.fairmesh_hide_curvature"
+    bl_label = "Hide Curvature"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return MESH_OT_fairmesh_show_curvature.poll(context) and is_shown(context)
+
+    def execute(self, context):
+        for obj in _objects(context):
+            _take_away(obj.data)
+        _show_as_before(context)
+        return {"FINISHED"}
+
+
+def is_shown(context):
+    """Whether an object has the colours."""
+    return any(COLORS in obj.data.attributes for obj in _objects(context))
+
+
+def _objects(context):
+    return context.objects_in_mode_unique_data if context.mode == "EDIT_MESH" else [context.object]
+
+
 def _curvature(obj):
     mesh = snapshot.read(obj)
     with messages.about(mesh):
@@ -122,6 +154,9 @@ def colors_of(scaled):
 
 def _store(obj, colors, curvature):
     mesh = obj.data
+    before = mesh.color_attributes.active_color
+    if _COLOR_BEFORE not in mesh:
+        mesh[_COLOR_BEFORE] = before.name if before is not None else ""
     _attribute(mesh, COLORS, "FLOAT_COLOR")
     if curvature is not None:
         _attribute(mesh, VALUES, "FLOAT")
@@ -155,15 +190,47 @@ def _attribute(mesh, name, kind):
         collection.new(name, kind, "POINT")
 
 
+def _take_away(mesh):
+    there = mesh.attributes.get(COLORS)
+    if there is not None:
+        mesh.attributes.remove(there)
+    before = mesh.color_attributes.get(mesh.pop(_COLOR_BEFORE, ""))
+    if before is not None:
+        mesh.color_attributes.active_color = before
+
+
 def _show(context):
     space = context.space_data
     if space is not None and space.type == "VIEW_3D":
+        if space.shading.color_type != "VERTEX":
+            _shading_before[space.as_pointer()] = space.shading.type, space.shading.color_type
         space.shading.color_type = "VERTEX"
         if space.shading.type not in {"SOLID", "WIREFRAME"}:
             space.shading.type = "SOLID"
 
 
-register, unregister = menus.registration(
+def _show_as_before(context):
+    space = context.space_data
+    if space is None or space.type != "VIEW_3D" or space.shading.color_type != "VERTEX":
+        return
+    kind, color_type = _shading_before.pop(space.as_pointer(), ("SOLID", "MATERIAL"))
+    # A color type is that of solid shading.
+    space.shading.color_type = color_type
+    space.shading.type = kind
+
+
+_register, _unregister = menus.registration(
     MESH_OT_fairmesh_show_curvature,
     "VIEW3D_MT_edit_mesh_clean",
 )
+
+
+def register():
+    _register()
+    bpy.utils.register_class(MESH_OT_fairmesh_hide_curvature)
+
+
+def unregister():
+    bpy.utils.unregister_class(MESH_OT_fairmesh_hide_curvature)
+    _unregister()
+    _shading_before.clear()

@@ -3,13 +3,15 @@
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty
 
 from . import fairmesh, filling, menus, messages, snapshot
 from .job import Background
+from .patch_options import CleanOptions, OuterOptions, RimOptions
 
 
-class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Operator):
+class MESH_OT_fairmesh_erase_and_fill(
+    Background, filling.Filling, RimOptions, CleanOptions, OuterOptions, bpy.types.Operator
+):
     """Replaces the selected faces of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_erase_and_fill"
@@ -20,26 +22,23 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    outer: BoolProperty(
-        name="Outer boundaries, Too",
-        description="Also where the faces lie at the outer boundary of an open surface, which is closed then",
-        default=False,
-    )
-
     def draw_options(self, layout):
-        layout.prop(self, "outer")
+        self.draw_outer(layout)
+        self.draw_clean(layout)
+        self.draw_rim(layout)
         self.draw_filling(layout)
 
     def prepare(self, context):
-        meshes = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
-        meshes = [mesh for mesh in meshes if mesh.face_selected.any()]
+        every = [snapshot.read(obj) for obj in context.objects_in_mode_unique_data]
+        meshes = [mesh for mesh in every if mesh.face_selected.any()]
         if not meshes:
-            self.report({"ERROR"}, "No face is selected: select the faces that are to be replaced")
+            why = messages.not_selected(every, "No face is selected", "select the faces that are to be replaced")
+            self.report({"ERROR"}, why)
             return None
         chosen = []
         for mesh in meshes:
             with messages.about(mesh):
-                holes = _erased(mesh)
+                holes = _erased(mesh, self.clean_boundary)
             why = self._no_hole(holes)
             if why is not None:
                 self.report({"ERROR"}, f"{mesh.object.name}: {why}. The mesh is unchanged")
@@ -55,7 +54,7 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
         if not self.outer and any(loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY for loop in loops):
             return (
                 "the selected faces lie at the outer boundary of the surface, which would be closed: "
-                'deselect those there, or switch on "Outer boundaries, Too"'
+                'deselect those there, or switch on "Outer Boundaries, Too"'
             )
         if any(holes.mesh.vertex_hidden[loop.vertices].any() for loop in loops):
             return "a vertex around the selected faces is hidden"
@@ -67,11 +66,15 @@ class MESH_OT_fairmesh_erase_and_fill(Background, filling.Filling, bpy.types.Ope
         return messages.filled(still)[1] if still else None
 
 
-def _erased(mesh):
-    """The mesh without its selected faces, and what would hang loose there; faces go as a whole."""
+def _erased(mesh, clean):
+    """The mesh without its selected faces, what would hang loose there, and `clean` more at most that would spoil the patch.
+
+    Faces go as a whole.
+    """
     gone = mesh.face_selected.copy()
     while True:
-        left = fairmesh.erase(mesh.seen(), mesh.triangles, gone[mesh.face_of])
+        left = fairmesh.erase(mesh.seen(), mesh.triangles, gone[mesh.face_of], clean=clean)
+        clean = 0
         kept = np.zeros(len(mesh.triangles), bool)
         kept[left.kept_faces] = True
         cut = np.zeros(len(gone), bool)
@@ -88,5 +91,5 @@ register, unregister = menus.registration(
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_delete",
     "VIEW3D_MT_edit_mesh_faces",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("FACE",),
 )

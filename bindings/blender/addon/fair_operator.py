@@ -5,11 +5,10 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
-from bpy.props import EnumProperty
 
 from . import fairmesh, found, menus, messages, region, snapshot, triangulation
+from .fairing_options import FairingOptions, RegionOptions
 from .job import Background, for_each
-from .settings import FairingOptions
 
 #: The library's reports of the last run, one per object.
 last_reports = []
@@ -26,7 +25,7 @@ class Region:
     result: object = None
 
 
-class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
+class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types.Operator):
     """Fairs the selected region of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_fair"
@@ -38,26 +37,15 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    region: EnumProperty(
-        name="Region",
-        description="Which vertices may move",
-        items=(
-            ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
-            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the boundary of the selection stays"),
-            ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
-        ),
-        default="AUTO",
-    )
-
     def draw_options(self, layout):
-        layout.prop(self, "region")
+        self.draw_region(layout)
         self.draw_fairing(layout)
 
     def prepare(self, context):
-        regions = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
-        regions = [r for r in regions if r.free.any()]
+        every = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
+        regions = [r for r in every if r.free.any()]
         if not regions:
-            self.report({"ERROR"}, self._nothing(context))
+            self.report({"ERROR"}, messages.not_selected((r.mesh for r in every), *self._nothing(context)))
             return None
 
         def compute(part, monitor):
@@ -81,10 +69,10 @@ class MESH_OT_fairmesh_fair(Background, FairingOptions, bpy.types.Operator):
     def _nothing(self, context):
         if self._by_faces(context):
             return (
-                "No vertex can move: the boundary of the selected faces stays, and nothing is inside. "
-                "Select more faces, or set Region to Selected Vertices"
+                "No vertex can move",
+                "select faces with vertices inside, as the selection's boundary stays; or set Region to Selected Vertices",
             )
-        return "No vertex can move: select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
+        return "No vertex can move", "select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
 
     def finish(self, context, regions):
         moved = [_positions(part) for part in regions]
@@ -132,6 +120,7 @@ register, unregister = menus.registration(
     MESH_OT_fairmesh_fair,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_vertices",
+    "VIEW3D_MT_edit_mesh_edges",
     "VIEW3D_MT_edit_mesh_faces",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("VERT", "EDGE", "FACE"),
 )

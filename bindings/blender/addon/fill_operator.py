@@ -2,13 +2,16 @@
 """Mesh > Clean Up > Fill Hole and Fair."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+from bpy.props import EnumProperty
 
-from . import fairmesh, filling, menus
+from . import fairmesh, filling, menus, messages
 from .job import Background
+from .patch_options import GuideOptions, HoleOptions, OuterOptions, RimOptions, TrimOptions
 
 
-class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operator):
+class MESH_OT_fairmesh_fill_holes(
+    Background, filling.Filling, RimOptions, TrimOptions, GuideOptions, OuterOptions, HoleOptions, bpy.types.Operator
+):
     """Fills holes of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_fill_holes"
@@ -28,47 +31,16 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         ),
         default="SELECTED",
     )
-    max_edges: IntProperty(
-        name="Largest Hole",
-        description="With All: holes of more edges stay open. 0: holes of any size are filled",
-        default=0,
-        min=0,
-    )
-    max_length: FloatProperty(
-        name="Longest Boundary",
-        description="With All: holes with a longer boundary stay open. 0: holes of any length are filled",
-        default=0.0,
-        min=0.0,
-        subtype="DISTANCE",
-    )
-    except_longest: IntProperty(
-        name="But the Largest",
-        description="With All: so many holes stay open, those with the longest boundaries of each object",
-        default=0,
-        min=0,
-    )
-    outer: BoolProperty(
-        name="Outer boundaries, Too",
-        description="Also fill the outer boundary of an open surface, not only gaps in it",
-        default=False,
-    )
-    join: BoolProperty(
-        name="Join What Belongs Together",
-        description=(
-            "Loops whose common patch bends less than patches of their own get one: the two sides of a gap, "
-            "ends of tubes that face each other"
-        ),
-        default=False,
-    )
 
     def draw_options(self, layout):
         layout.prop(self, "scope")
         if self.scope == "ALL":
-            layout.prop(self, "max_edges")
-            layout.prop(self, "max_length")
-            layout.prop(self, "except_longest")
-        layout.prop(self, "outer")
+            self.draw_limits(layout)
+        self.draw_outer(layout)
         layout.prop(self, "join")
+        self.draw_guides(layout)
+        self.draw_trim(layout)
+        self.draw_rim(layout)
         self.draw_filling(layout)
 
     def prepare(self, context):
@@ -76,6 +48,8 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         chosen = [holes for holes in meshes if holes.loops]
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
+            return None
+        if self.guides and not filling.guide(self, chosen):
             return None
         return self.work_on(chosen)
 
@@ -89,11 +63,13 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         if not self.outer:
             self._leave_out(
                 holes,
-                'it is the outer boundary of an open surface: switch on "Outer boundaries, Too" to fill it',
+                'it is the outer boundary of an open surface: switch on "Outer Boundaries, Too" to fill it',
                 lambda loop: loop.kind is fairmesh.LoopKind.OUTER_BOUNDARY,
             )
         if self.scope == "ALL":
             self._bound(holes)
+        if self.trim and holes.loops:
+            _, holes.loops = filling.trimmed(holes, holes.loops, self.trim, self.trim_area)
         return holes
 
     def _bound(self, holes):
@@ -102,11 +78,19 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
         longest = {id(loop) for loop in by_length[: self.except_longest]}
         self._leave_out(holes, "it is one of the largest", lambda loop: id(loop) in longest)
         if self.max_edges:
-            self._leave_out(holes, "it is larger than Largest Hole", lambda loop: len(loop.vertices) > self.max_edges)
+            self._leave_out(holes, "it has more edges than Most Edges", lambda loop: len(loop.vertices) > self.max_edges)
+        # Lengths and areas as seen in the scene, up to the object's size.
+        size = holes.mesh.size
         if self.max_length:
-            # Lengths as seen in the scene, up to the object's size.
-            bound = self.max_length / holes.mesh.size
-            self._leave_out(holes, "it is longer than Longest Boundary", lambda loop: loop.length > bound)
+            self._leave_out(holes, "it is longer than Longest", lambda loop: size * loop.length > self.max_length)
+        if self.max_diagonal:
+            self._leave_out(
+                holes,
+                "it is wider than Widest",
+                lambda loop: size * filling.largest_diagonal([(holes.mesh, loop.vertices)]) > self.max_diagonal,
+            )
+        if self.max_area:
+            self._leave_out(holes, "it is larger than Largest Area", lambda loop: size**2 * loop.area > self.max_area)
 
     def _leave_out(self, holes, why, applies):
         left = [(index, loop) for index, loop in holes.loops if not applies(loop)]
@@ -119,9 +103,10 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
             for count, why in holes.skipped:
                 return f"Nothing was filled, {count} left open: {why}"
         if self.scope == "SELECTED":
-            return (
-                "No hole is selected: select boundary edges of a hole (Alt-click on one), "
-                "or use Fill All Holes in the sidebar"
+            return messages.not_selected(
+                (holes.mesh for holes in meshes),
+                "No hole is selected",
+                "select boundary edges of a hole (Alt-click on one), or use Fill All Holes in the sidebar",
             )
         return "The mesh has no hole"
 
@@ -129,6 +114,8 @@ class MESH_OT_fairmesh_fill_holes(Background, filling.Filling, bpy.types.Operato
 register, unregister = menus.registration(
     MESH_OT_fairmesh_fill_holes,
     "VIEW3D_MT_edit_mesh_clean",
+    "VIEW3D_MT_edit_mesh_vertices",
+    "VIEW3D_MT_edit_mesh_edges",
     "VIEW3D_MT_edit_mesh_faces",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("VERT", "EDGE"),
 )

@@ -5,11 +5,13 @@ from dataclasses import dataclass, field
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from . import fairmesh, found, messages, patch, snapshot
+from . import fairmesh, found, messages, pairs, patch, snapshot
+from .fairing_options import FairingOptions
 from .job import for_each
-from .settings import FairingOptions
+from .patch_options import PatchOptions, RimOptions
+
+_HIDDEN = "vertices around a hole would move that are hidden: show them (Alt-H), or let fewer move by Smooth Rim"
 
 
 @dataclass
@@ -22,8 +24,12 @@ class Holes:
     #: The mesh that is filled, (m, 3), and the faces of the object that are not in it.
     triangles: np.ndarray
     erased: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+    #: How many of these were trimmed away.
+    trimmed: int = 0
     #: Which of the loops get one patch, as `fairmesh.fill_holes` takes it; of a bridge its two runs of vertices.
     join: object = "none"
+    #: Pairs of vertices that the patch is to begin with an edge between.
+    guides: list = field(default_factory=list)
     #: Loops that are left out although they are meant: [(how many, why)].
     skipped: list = field(default_factory=list)
     result: object = None
@@ -32,41 +38,20 @@ class Holes:
         """The loops that are filled by themselves, or looked at for joining."""
         return [] if isinstance(self.join, list) else [index for index, _ in self.loops]
 
+    def moved(self):
+        """The old vertices that the result has elsewhere: rims that were allowed to move."""
+        now = self.result.vertices[: len(self.mesh.vertices)]
+        # A coordinate that is no number stays one.
+        return np.flatnonzero(((now != self.mesh.seen()) & np.isfinite(now)).any(axis=1))
 
-class Filling(FairingOptions):
+
+class Filling(FairingOptions, PatchOptions):
     """Mixed into operators that make patches."""
 
-    density: FloatProperty(
-        name="Density",
-        description="1: new edges are as long as those around the hole; 2: half as long",
-        default=1.0,
-        min=0.1,
-        max=7.0,
-        soft_min=0.5,
-        soft_max=4.0,
-    )
-    smooth: BoolProperty(
-        name="Fair",
-        description="Make the patch a smooth continuation of its surroundings. Off: it stays as triangulated",
-        default=True,
-    )
-    on_failure: EnumProperty(
-        name="If Not Fair",
-        description="What a hole gets for which no fair patch is found, or none that does not intersect anything",
-        items=(
-            ("LINEAR", "Best There Is", "The best surface that is found; a warning says what it lacks"),
-            ("FLAT", "Flat", "The patch as triangulated"),
-            ("OPEN", "Nothing", "It stays open"),
-        ),
-        default="LINEAR",
-    )
-
     def draw_filling(self, layout):
-        """Density, and what the patch is to be."""
-        layout.prop(self, "density")
-        layout.prop(self, "smooth")
+        """What the patch is to be."""
+        self.draw_patch(layout)
         if self.smooth:
-            layout.prop(self, "on_failure")
             self.draw_fairing(layout)
 
     def patch_keywords(self, extent):
@@ -81,7 +66,7 @@ class Filling(FairingOptions):
 
     def told(self, holes):
         """How it went."""
-        return messages.filled(holes.result.loops, self.continuity)
+        return messages.filled(holes.result.loops, self.continuity, holes.mesh.size)
 
     def work_on(self, chosen):
         """A function for the thread that fills all of `chosen`, a list of `Holes`."""
@@ -90,9 +75,22 @@ class Filling(FairingOptions):
             largest_diagonal((holes.mesh, loop.vertices) for holes in chosen for _, loop in holes.loops)
         )
 
+        has_rim = isinstance(self, RimOptions) and self.relax_rim > 0
+        rings, within = (self.relax_rim, self.relax_within) if has_rim else (0, 0.0)
+
         def compute(holes, monitor):
+            mesh = holes.mesh
             return fairmesh.fill_holes(
-                holes.mesh.seen(), holes.triangles, loops=holes.listed(), join=holes.join, cancel=monitor, **keywords
+                mesh.seen(),
+                holes.triangles,
+                loops=holes.listed(),
+                join=holes.join,
+                guides=np.array(holes.guides) if holes.guides else None,
+                relax_rim=rings,
+                # As long as it is seen in the scene.
+                relax_within=within / mesh.size if within > 0 else None,
+                cancel=monitor,
+                **keywords,
             )
 
         return for_each(chosen, compute)
@@ -108,19 +106,26 @@ class Filling(FairingOptions):
 
     def objection(self, holes):
         """Why a result is not to be written; None: it is."""
+        if holes.trimmed and not holes.result.new_face_count:
+            return messages.filled(holes.result.loops)[1]
         return None
 
     def write(self, chosen):
         """Puts the patches into the meshes, and says how it went."""
         for holes in chosen:
             snapshot.edit_mesh(holes.mesh)  # all are still there, before the first is changed
+            if holes.mesh.vertex_hidden[holes.moved()].any():
+                self.report({"ERROR"}, f"{messages.name_before(chosen, holes)}{_HIDDEN}. The mesh is unchanged")
+                return {"CANCELLED"}
         bpy.ops.mesh.select_all(action="DESELECT")
         for holes in chosen:
-            patch.add(holes.mesh, holes.result, holes.erased)
+            patch.add(holes.mesh, holes.result, holes.erased, holes.moved())
             kind, text = self.told(holes)
-            loose = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
-            if loose:
-                text += f"; {loose} more {'face was' if loose == 1 else 'faces were'} erased that hung loose"
+            more = len(holes.erased) - np.count_nonzero(holes.mesh.face_selected[holes.erased])
+            if holes.trimmed:
+                text += f"; {messages.faces(holes.trimmed)} trimmed away"
+            elif more:
+                text += f"; {messages.faces(more)} erased besides: they hung loose or would have spoilt the rim"
             for count, why in holes.skipped:
                 text += f"; {count} left open: {why}"
             self.report({kind}, messages.name_before(chosen, holes) + text)
@@ -133,6 +138,47 @@ def read(obj):
     with messages.about(mesh):
         loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), mesh.triangles)))
     return Holes(mesh, loops, mesh.triangles)
+
+
+def trimmed(holes, chosen, most, area):
+    """Takes faces away at the loops `chosen` that would spoil their patches.
+
+    `most`: so many triangles; `area`: of so much area, as seen in the scene, 0: of any. Faces go as a whole. Returns all
+    loops of what is left, and what became of those chosen.
+    """
+    mesh = holes.mesh
+    with messages.about(mesh):
+        left = fairmesh.trim_boundary(
+            mesh.seen(),
+            holes.triangles,
+            most,
+            loops=[index for index, _ in chosen],
+            max_area=area / mesh.size**2 if area > 0 else None,
+        )
+        gone = np.ones(len(holes.triangles), bool)
+        gone[left.kept_faces] = False
+        holes.erased = np.unique(mesh.face_of[gone])
+        gone = np.isin(mesh.face_of, holes.erased)
+        holes.triangles = mesh.triangles[~gone]
+        loops = list(enumerate(fairmesh.boundary_loops(mesh.seen(), holes.triangles)))
+    holes.trimmed = len(holes.erased)
+    near = np.zeros(len(mesh.vertices), bool)
+    near[mesh.triangles[gone]] = True
+    for _, loop in chosen:
+        near[loop.vertices] = True
+    return loops, [(index, loop) for index, loop in loops if near[loop.vertices].all()]
+
+
+def guide(operator, chosen):
+    """Sets the guides to the pairs of vertices that are selected, and returns whether there are any; reports if not."""
+    why = ""
+    for holes in chosen:
+        holes.guides, why_not = pairs.of(holes.mesh)
+        why = why or why_not
+    if any(holes.guides for holes in chosen):
+        return True
+    operator.report({"ERROR"}, why)
+    return False
 
 
 def largest_diagonal(rims):

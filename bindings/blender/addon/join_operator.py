@@ -2,13 +2,15 @@
 """Edge > Join Loops and Fair."""
 
 import bpy
-from bpy.props import EnumProperty
 
 from . import fairmesh, filling, menus, messages
 from .job import Background
+from .patch_options import GuideOptions, JoinOptions, RimOptions, TrimOptions
 
 
-class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operator):
+class MESH_OT_fairmesh_join_loops(
+    Background, filling.Filling, RimOptions, TrimOptions, GuideOptions, JoinOptions, bpy.types.Operator
+):
     """Joins boundary loops of each object in Edit mode."""
 
     bl_idname = "mesh.fairmesh_join_loops"
@@ -19,23 +21,11 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
     )
     bl_options = {"REGISTER", "UNDO"}
 
-    groups: EnumProperty(
-        name="Patches",
-        description="Which loops get one patch together",
-        items=(
-            ("ONE", "One for All", "All selected loops of an object get one patch"),
-            (
-                "AUTO",
-                "Where It Bends Less",
-                "Loops whose common patch bends less than patches of their own would; the others are left open. "
-                "Without a selection: of all loops",
-            ),
-        ),
-        default="ONE",
-    )
-
     def draw_options(self, layout):
-        layout.prop(self, "groups")
+        self.draw_groups(layout)
+        self.draw_guides(layout)
+        self.draw_trim(layout)
+        self.draw_rim(layout)
         self.draw_filling(layout)
 
     def prepare(self, context):
@@ -45,6 +35,8 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         chosen = [holes for holes in meshes if holes.join]
         if not chosen:
             self.report({"ERROR"}, self._nothing(meshes))
+            return None
+        if self.guides and not filling.guide(self, chosen):
             return None
         return self.work_on(chosen)
 
@@ -58,10 +50,12 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
         shown = [(index, loop) for index, loop in selected if not mesh.vertex_hidden[loop.vertices].any()]
         if len(shown) < len(selected):
             holes.skipped.append((len(selected) - len(shown), "a vertex is hidden"))
+        if self.trim and len(shown) > 1:
+            holes.loops, shown = filling.trimmed(holes, shown, self.trim, self.trim_area)
         indices = [index for index, _ in shown]
         if self.groups == "AUTO" and len(indices) > 1:
             with messages.about(mesh):
-                suggested = fairmesh.suggest_joins(mesh.seen(), mesh.triangles, loops=indices)
+                suggested = fairmesh.suggest_joins(mesh.seen(), holes.triangles, loops=indices)
             holes.join = [each.loops.tolist() for each in suggested]
         else:
             holes.join = [indices] if len(indices) > 1 else []
@@ -72,9 +66,11 @@ class MESH_OT_fairmesh_join_loops(Background, filling.Filling, bpy.types.Operato
                 return f"Nothing was joined, {count} left out: {why}"
         if self.groups == "AUTO":
             return "No two loops have a common patch that bends less than patches of their own: select those to be joined"
-        return (
-            "Select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
-            "Parts in several objects: join the objects first (Ctrl-J)"
+        return messages.not_selected(
+            (holes.mesh for holes in meshes),
+            "One loop alone is selected, or none",
+            "select two or more boundary loops of one object (Alt-click on an edge, Shift-Alt-click on others). "
+            "Parts in several objects: join the objects first (Ctrl-J)",
         )
 
     def finish(self, context, chosen):
@@ -92,5 +88,5 @@ register, unregister = menus.registration(
     MESH_OT_fairmesh_join_loops,
     "VIEW3D_MT_edit_mesh_clean",
     "VIEW3D_MT_edit_mesh_edges",
-    "VIEW3D_MT_edit_mesh_context_menu",
+    select_modes=("EDGE",),
 )

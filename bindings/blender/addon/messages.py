@@ -48,6 +48,12 @@ def name_before(parts, part):
     return f"{part.mesh.object.name}: " if len(parts) > 1 else ""
 
 
+def not_selected(meshes, why, advice):
+    """Nothing can be done, for `why`, or because nothing is selected at all; `meshes`: every `Snapshot` in Edit mode."""
+    is_any = any(mesh.vertex_selected.any() for mesh in meshes)
+    return f"{why if is_any else 'Nothing is selected'}: {advice}"
+
+
 def refused(why, subject):
     """The text for a `fairmesh.FairmeshError`; what it names can be selected then. `subject`: the `Snapshot`."""
     where = ""
@@ -116,10 +122,10 @@ def _components(report):
     return f" ({fair} of {len(report.components)} separate parts are fair; one that is not is at vertex {first.vertex})"
 
 
-def filled(loops, continuity=0.0):
-    """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`."""
+def filled(loops, continuity=0.0, size=1.0):
+    """How a filling went: ("INFO" or "WARNING", text). `loops`: a list of `fairmesh.LoopReport`; `size`: of their unit."""
     closed = [loop for loop in loops if loop.outcome is not FillOutcome.LEFT_OPEN]
-    text = _count(closed)
+    text = _count(closed) + _moved(closed, size)
     rough = [loop for loop in closed if _is_rough(loop)]
     still = [loop for loop in loops if loop.outcome is FillOutcome.LEFT_OPEN]
     if rough:
@@ -145,6 +151,11 @@ def bridged(result, is_faired):
     return "WARNING", text + (f", not fair: {_reason(rough[0])}" if rough else "")
 
 
+def faces(count):
+    """The subject of a sentence."""
+    return f"{count} {'face was' if count == 1 else 'faces were'}"
+
+
 def _count(closed):
     """How many holes were filled, and how many loops joined."""
     joined = [loop for loop in closed if len(loop.loop_indices) > 1]
@@ -158,13 +169,26 @@ def _count(closed):
     return ", ".join(parts)
 
 
+def _moved(closed, size):
+    """How many vertices around the holes moved, and how far."""
+    moved = [loop.moved for loop in closed if loop.moved is not None and loop.moved.count]
+    if not moved:
+        return ""
+    count, largest = sum(each.count for each in moved), size * max(each.largest for each in moved)
+    return f"; {count} vertices around moved, by {largest:.3g} at most"
+
+
 def _is_rough(loop):
+    if loop.moved is not None and loop.moved.unsound:
+        return True
     if loop.outcome is FillOutcome.FLAT:
         return loop.reason not in (FillReason.NOT_ASKED, FillReason.NO_INNER_VERTEX)
     return loop.outcome is not FillOutcome.FAIRED or not loop.report.outcome.is_success
 
 
 def _reason(loop):
+    if loop.moved is not None and loop.moved.unsound:
+        return f"{loop.moved.unsound} old faces beside it are folded or intersect since the rim moved: change Smooth Rim"
     if loop.outcome is FillOutcome.SELF_INTERSECTING:
         return f"{loop.outcome.text} ({len(loop.intersections)} pairs of triangles); {loop.outcome.remedy}"
     if loop.reason is FillReason.NONE and loop.report is not None:

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tab Fairmesh of the sidebar."""
+"""The tab Fairmesh of the sidebar: the operators, and all of their options."""
 
 import bpy
 
-from . import found
+from . import curvature_operator, found, manual
 from .bridge_operator import MESH_OT_fairmesh_bridge
-from .curvature_operator import MESH_OT_fairmesh_show_curvature
 from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
 from .fill_operator import MESH_OT_fairmesh_fill_holes
@@ -33,17 +32,25 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
     def poll(cls, context):
         return context.mode in {"EDIT_MESH", "OBJECT"} and context.object is not None and context.object.type == "MESH"
 
+    def draw_header_preset(self, context):
+        self.layout.operator("wm.url_open", text="", icon="HELP", emboss=False).url = manual.url()
+
     def draw(self, context):
         column = self.layout.column()
         settings = context.scene.fairmesh
         for operator, icon in _OPERATORS:
-            settings.hand_to(column.operator(operator.bl_idname, icon=icon))
+            settings.hand_to(column.operator(operator.bl_idname, icon=icon), operator)
         fill_all = column.operator(MESH_OT_fairmesh_fill_holes.bl_idname, text="Fill All Holes", icon="MESH_DATA")
-        settings.hand_to(fill_all)
+        settings.hand_to(fill_all, MESH_OT_fairmesh_fill_holes)
         fill_all.scope = "ALL"
-        column.operator(MESH_OT_fairmesh_show_curvature.bl_idname, icon="COLOR")
+        # In all holes nobody has selected pairs.
+        fill_all.guides = False
+        row = column.row(align=True)
+        row.operator("mesh.fairmesh_show_curvature", icon="COLOR")
+        if curvature_operator.is_shown(context):
+            row.operator("mesh.fairmesh_hide_curvature", text="", icon="X")
         if context.mode != "EDIT_MESH":
-            column.label(text="Fairing and filling: in Edit mode")
+            column.label(text="Fairing: in Edit mode")
         last = found.last(context) if context.mode == "EDIT_MESH" else None
         if last is not None:
             column.separator()
@@ -51,18 +58,46 @@ class VIEW3D_PT_fairmesh(_Sidebar, bpy.types.Panel):
             column.operator("mesh.fairmesh_select_found", icon="RESTRICT_SELECT_OFF")
 
 
-class VIEW3D_PT_fairmesh_options(_Sidebar, bpy.types.Panel):
-    bl_label = "Options"
+class _Options(_Sidebar):
     bl_parent_id = "VIEW3D_PT_fairmesh"
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
-        context.scene.fairmesh.draw_fairing(layout)
+        self.draw_options(self.layout.column(), context.scene.fairmesh)
 
 
-_CLASSES = (VIEW3D_PT_fairmesh, VIEW3D_PT_fairmesh_options)
+class VIEW3D_PT_fairmesh_options(_Options, bpy.types.Panel):
+    bl_label = "Surface"
+
+    def draw_options(self, layout, settings):
+        settings.draw_region(layout)
+        settings.draw_fairing(layout)
+
+
+class VIEW3D_PT_fairmesh_patches(_Options, bpy.types.Panel):
+    bl_label = "New Faces"
+
+    def draw_options(self, layout, settings):
+        settings.draw_patch(layout)
+        settings.draw_outer(layout)
+        settings.draw_guides(layout)
+        settings.draw_trim(layout)
+        settings.draw_clean(layout)
+        settings.draw_rim(layout)
+
+
+class VIEW3D_PT_fairmesh_holes(_Options, bpy.types.Panel):
+    bl_label = "Holes and Loops"
+
+    def draw_options(self, layout, settings):
+        layout.label(text="Fill All Holes")
+        settings.draw_limits(layout)
+        layout.prop(settings, "join")
+        settings.draw_groups(layout)
+        settings.draw_bridge(layout)
+
+
+_CLASSES = (VIEW3D_PT_fairmesh, VIEW3D_PT_fairmesh_options, VIEW3D_PT_fairmesh_patches, VIEW3D_PT_fairmesh_holes)
 
 
 def register():

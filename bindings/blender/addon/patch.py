@@ -11,12 +11,14 @@ import numpy as np
 from . import snapshot
 
 
-def add(mesh, filled, erased=()):
+def add(mesh, filled, erased=(), moved=()):
     """Adds what a `fairmesh.Filled` or `fairmesh.Bridged` has more than the `Snapshot` it was made of, and selects it.
 
-    `erased`: the numbers of faces that go, and of which nothing is left then.
+    `erased`: the numbers of faces that go, and of which nothing is left then. `moved`: those of old vertices that move.
     """
     edit_mesh = snapshot.edit_mesh(mesh)
+    movers = [edit_mesh.verts[index] for index in moved]
+    places = mesh.unseen(filled.vertices[moved]).tolist() if len(movers) else []
     positions = mesh.unseen(filled.vertices[filled.new_vertices])
     triangles = filled.faces[filled.new_faces]
     used = np.unique(np.concatenate([filled.parents.ravel(), triangles.ravel()]))
@@ -26,11 +28,17 @@ def add(mesh, filled, erased=()):
     try:
         patch.add_vertices(positions)
         patch.add_faces(triangles)
+        # Shape keys are carried on from where the old vertices were.
+        for vertex, place in zip(movers, places):
+            if vertex.is_valid:
+                vertex.co = place
         _clean(edit_mesh, *remains)
     except BaseException:
         patch.remove()
         raise
     finally:
+        # The edit mesh keeps normals of its own, which shade the faces: new faces would have none.
+        edit_mesh.normal_update()
         bmesh.update_edit_mesh(mesh.object.data, loop_triangles=True, destructive=True)
 
 

@@ -14,6 +14,8 @@ import traceback
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+import blf
+
 import bpy  # isort: skip
 import common
 import numpy as np
@@ -26,6 +28,8 @@ bpy.context.preferences.view.show_splash = False
 POLL = 0.01
 # From the top of the sidebar to the first button of the add-on's tab, in pixels.
 BUTTON = 45
+# And to the first panel of options.
+OPTIONS = 215
 
 
 def view():
@@ -108,12 +112,40 @@ def wait_until(condition, seconds):
 
 
 def steps():
+    yield from labels_fit()
     yield from seen()
     yield from escape()
     yield from escape_from_a_busy_library()
     yield from small_region()
     yield from curvature()
     yield from disabled_in_mid_run()
+
+
+def labels_fit():
+    """No name or choice is cut at the width that the sidebar has from the start, or in the panel of the last operator."""
+    scene(lambda: common.irregular_sphere(8))
+    yield 1.0
+    sidebar = next(r for r in view()["area"].regions if r.type == "UI")
+    # Beside it are the tabs and margins; in the other panel two fifths are for names.
+    room, names, values = sidebar.width - 47, 118, 170
+    blf.size(0, 11.0)
+
+    def needs(text, more=0):
+        return blf.dimensions(0, text)[0] + more
+
+    for option in bpy.context.scene.fairmesh.bl_rna.properties:
+        if option.identifier in {"rna_type", "name"}:
+            continue
+        # A number stands beside its name, with arrows; a switch is a box before it.
+        more = {"BOOLEAN": 26, "INT": 60, "FLOAT": 60, "ENUM": 0}[option.type]
+        assert needs(option.name, more) <= room, option.name
+        if option.type == "ENUM":
+            for item in option.enum_items:
+                assert needs(item.name, 34) <= min(room, values), item.name
+        assert option.type == "BOOLEAN" or needs(option.name) <= names, option.name
+    for name in ("fair", "fill_holes", "join_loops", "bridge", "erase_and_fill", "show_curvature", "select_found"):
+        assert needs(getattr(bpy.ops.mesh, f"fairmesh_{name}").get_rna_type().name, 40) <= room, name
+    print(f"the sidebar has room for {room} pixels")
 
 
 def seen():
@@ -200,13 +232,18 @@ def small_region():
     name = obj.name
     yield 0.5
     sidebar = next(r for r in view()["area"].regions if r.type == "UI")
+    # The options of the surface, open for the picture.
+    yield from click(sidebar.x + 60, sidebar.y + sidebar.height - OPTIONS)
     yield from click(sidebar.x + 100, sidebar.y + sidebar.height - BUTTON)
     assert common.radial_error(bpy.data.objects[name], free) < 1e-5, "the button did nothing"
     first = common.coordinates(bpy.data.objects[name])
     last = bpy.context.window_manager.operators[-1]
     assert last.bl_idname == "MESH_OT_fairmesh_fair"
+    # The panel appears where the pointer is.
+    bpy.context.window_manager.windows[0].event_simulate(type="MOUSEMOVE", value="NOTHING", x=500, y=400)
+    yield 0.3
     press("F9")
-    yield 0.7
+    yield 1.5
     picture("redo")
     press("ESC")
     yield 0.5
@@ -230,6 +267,12 @@ def curvature():
     call(bpy.ops.object.mode_set, mode="OBJECT")
     yield 1.0
     picture("curvature_object")
+    shading = view()["area"].spaces.active.shading
+    assert (shading.type, shading.color_type) == ("SOLID", "VERTEX")
+    assert call(bpy.ops.mesh.fairmesh_hide_curvature) == {"FINISHED"}
+    assert (shading.type, shading.color_type) == ("SOLID", "MATERIAL"), "the shading is not what it was"
+    yield 0.5
+    picture("curvature_hidden")
 
 
 def disabled_in_mid_run():

@@ -187,7 +187,7 @@ def test_the_outer_boundary_of_a_piece_is_filled_on_demand_only():
     left = boundary_edges(obj)
     assert len(left) == outer and all(middle(e).z < 0.9 for e in left)
     bpy.ops.mesh.select_all(action="SELECT")
-    runner.raises(fill, "outer boundary of an open surface", "Outer boundaries, Too")
+    runner.raises(fill, "outer boundary of an open surface", "Outer Boundaries, Too")
     fill(outer=True)
     assert not boundary_edges(obj)
 
@@ -231,6 +231,8 @@ def test_scaled_objects():
 def test_nothing_selected():
     obj, _ = holed()
     before = coordinates(obj)
+    runner.raises(fill, "Nothing is selected", "Alt-click", "Fill All Holes")
+    next(v for v in bmesh.from_edit_mesh(obj.data).verts if v.co.z < 0).select_set(True)
     runner.raises(fill, "No hole is selected", "Alt-click", "Fill All Holes")
     assert np.array_equal(coordinates(obj), before)
 
@@ -309,6 +311,28 @@ def test_curvature_colours_tell_hollow_from_bulging():
     assert np.ptp(found[far, :3]) < 0.05
     show(scale="MANUAL", half_width=100.0)
     assert np.ptp(colors(obj)[top, :3]) < 0.1
+
+
+def test_curvature_is_hidden_again():
+    hide = bpy.ops.mesh.fairmesh_hide_curvature
+    for mode in ("OBJECT", "EDIT"):
+        common.clear()
+        obj = irregular_sphere(12)
+        obj.data.color_attributes.new("Paint", "FLOAT_COLOR", "POINT")
+        obj.data.color_attributes.active_color = obj.data.color_attributes["Paint"]
+        before = coordinates(obj), set(obj.data.attributes.keys())
+        bpy.ops.object.mode_set(mode=mode)
+        assert not hide.poll()
+        show()
+        show(middle="MEDIAN")
+        assert obj.data.color_attributes.active_color.name == "Mean Curvature"
+        assert hide() == {"FINISHED"}
+        assert obj.data.color_attributes.active_color.name == "Paint"
+        assert not hide.poll()
+        bpy.ops.object.mode_set(mode="OBJECT")
+        assert np.array_equal(before[0], coordinates(obj))
+        assert before[1] == set(obj.data.attributes.keys())
+        assert not list(obj.data.keys())
 
 
 def test_curvature_with_loose_vertices():

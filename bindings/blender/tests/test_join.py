@@ -2,6 +2,7 @@
 """Join Loops and Fair, Bridge Edges and Fair, Erase and Fill, and which holes are filled, end to end."""
 
 import sys
+import unittest.mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -10,7 +11,7 @@ import bmesh
 import common
 import numpy as np
 import runner
-from common import boundary_edges, coordinates, delete_faces, edit, irregular_sphere, select_boundary, select_faces
+from common import boundary_edges, coordinates, delete_faces, edit, irregular_sphere, part, select_boundary, select_faces
 
 BAR = 1e-5
 common.install(runner.arguments()[0])
@@ -89,9 +90,9 @@ def test_a_part_that_is_turned_around_is_refused_with_both_loops():
 
 def test_two_loops_are_needed():
     obj = band_missing()
-    runner.raises(join, "Select two or more boundary loops", "Shift-Alt-click", "Ctrl-J")
+    runner.raises(join, "Nothing is selected: select two or more boundary loops", "Shift-Alt-click", "Ctrl-J")
     select_boundary(obj, lambda e: e.verts[0].co.z > 0)
-    runner.raises(join, "Select two or more boundary loops")
+    runner.raises(join, "One loop alone is selected, or none: select two or more boundary loops")
     # One edge of the other one is enough then.
     other = next(e for e in boundary_edges(obj) if e.verts[0].co.z < 0)
     other.select_set(True)
@@ -194,10 +195,12 @@ def test_what_cannot_be_erased_stays():
     obj = irregular_sphere(12)
     delete_faces(obj, lambda f: f.calc_center_median().z < 0.85)
     edit(obj)
+    runner.raises(erase, "Nothing is selected: select the faces that are to be replaced")
+    next(iter(bmesh.from_edit_mesh(obj.data).verts)).select_set(True)
     runner.raises(erase, "No face is selected")
     select_faces(obj, lambda f: any(e.is_boundary for e in f.edges) and f.calc_center_median().x > 0)
     before = coordinates(obj)
-    runner.raises(erase, "outer boundary", "Outer boundaries, Too", "The mesh is unchanged")
+    runner.raises(erase, "outer boundary", "Outer Boundaries, Too", "The mesh is unchanged")
     bpy.ops.mesh.select_all(action="SELECT")
     runner.raises(erase, "nothing is left around the selected faces")
     assert np.array_equal(coordinates(obj), before)
@@ -233,7 +236,278 @@ def test_what_is_no_pair_of_runs_is_not_bridged():
     for chosen in (lambda e: False, lambda e: e.verts[0].co.z > 0, lambda e: True):
         bpy.ops.mesh.select_all(action="DESELECT")
         select_boundary(obj, chosen)
-        runner.raises(bridge, "Select two runs of boundary edges")
+        runner.raises(bridge, "select two runs of boundary edges")
+
+
+def test_a_bridge_of_a_width_from_single_vertices():
+    obj = band_missing()
+    edit(obj, "VERT")
+    rim = {v for e in boundary_edges(obj) for v in e.verts}
+    for side in (-1, 1):
+        max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).select_set(True)
+    bmesh.update_edit_mesh(obj.data)
+    runner.raises(bridge, "These are not two runs of edges")
+    assert bridge(width=0.5, fill_rest=True) == {"FINISHED"}
+    check_whole_sphere(obj)
+
+
+def slit():
+    """An irregular unit sphere with a narrow slit, in vertex mode; and two vertices that face each other across it."""
+    obj = irregular_sphere(20)
+    delete_faces(obj, lambda f: all(abs(v.co.z) < 0.12 and v.co.x > 0.3 for v in f.verts))
+    edit(obj, "VERT")
+    rim = {v for e in boundary_edges(obj) for v in e.verts}
+    return obj, [max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).index for side in (1, -1)]
+
+
+def select_in_order(obj, vertices, is_known=True):
+    """Selects vertices, by their numbers, one after the other or in no order that is known."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    mesh.select_history.clear()
+    mesh.verts.ensure_lookup_table()
+    for index in vertices:
+        mesh.verts[index].select_set(True)
+        if is_known:
+            mesh.select_history.add(mesh.verts[index])
+    bmesh.update_edit_mesh(obj.data)
+
+
+def test_pairs_of_vertices_are_connected():
+    obj, pair = slit()
+    # Two need no order.
+    select_in_order(obj, pair, is_known=False)
+    assert fill(guides=True) == {"FINISHED"}
+    check_whole_sphere(obj)
+
+
+def test_pairs_are_those_selected_one_after_the_other():
+    obj, _ = slit()
+    rim = sorted({(v.co.y, v.co.z > 0, v.index) for e in boundary_edges(obj) for v in e.verts})
+    above, below = ([index for _, up, index in rim if up == side] for side in (True, False))
+    # Each with the one across.
+    order = [above[3], below[3], below[-4], above[-4]]
+    select_in_order(obj, order)
+    library = part("fairmesh")
+    with unittest.mock.patch.object(library, "fill_holes", wraps=library.fill_holes) as called:
+        fill(guides=True)
+        assert called.call_args.kwargs["guides"].tolist() == [order[:2], order[2:]]
+    check_whole_sphere(obj)
+
+
+def test_pairs_that_are_none_are_told():
+    obj, pair = slit()
+    before = coordinates(obj)
+    select_in_order(obj, pair[:1])
+    runner.raises(lambda: fill(guides=True), "Connect Pairs: select pairs of boundary vertices", "1 is selected")
+    # Four, but not one after the other.
+    rim = sorted({v.index for e in boundary_edges(obj) for v in e.verts})
+    select_in_order(obj, rim[:4], is_known=False)
+    runner.raises(lambda: fill(guides=True), "Connect Pairs", "0 of them one by one")
+    # Two that have an edge between them already.
+    select_in_order(obj, [v.index for v in boundary_edges(obj)[0].verts])
+    runner.raises(lambda: fill(guides=True), "The mesh is unchanged")
+    assert np.array_equal(coordinates(obj), before)
+
+
+def test_pairs_on_two_loops_that_are_joined():
+    obj = band_missing()
+    edit(obj, "VERT")
+    rim = {v for e in boundary_edges(obj) for v in e.verts}
+    select_in_order(obj, [max(rim, key=lambda v: v.co.x * (v.co.z * side > 0)).index for side in (1, -1)])
+    assert join(guides=True) == {"FINISHED"}
+    check_whole_sphere(obj)
+
+
+def rough():
+    """An irregular sphere without a cap, whose rim is noise, with UVs, weights, colours and a shape key, in Edit mode."""
+    obj = irregular_sphere(20)
+    positions = coordinates(obj)
+    noise = np.random.default_rng(2).normal(0, 0.012, len(positions)) * (positions[:, 2] > 0.55)
+    common.move(obj, positions * (1 + noise)[:, None])
+    mesh = obj.data
+    uv = mesh.uv_layers.new(name="UVMap")
+    for loop in mesh.loops:
+        uv.data[loop.index].uv = mesh.vertices[loop.vertex_index].co.xy
+    group = obj.vertex_groups.new(name="weights")
+    mesh.attributes.new("paint", "FLOAT_COLOR", "POINT")
+    for vertex in mesh.vertices:
+        group.add([vertex.index], float(vertex.index % 7) / 7, "REPLACE")
+        mesh.attributes["paint"].data[vertex.index].color = (vertex.index % 5 / 5, 0.5, 0.25, 1)
+    delete_faces(obj, lambda f: f.calc_center_median().z > 0.75)
+    return obj
+
+
+def carried(obj, count):
+    """What the first vertices carry, and the corners of their faces by vertex."""
+    mesh = obj.data
+    uv = mesh.uv_layers[0].data
+    corners = {(p.index, v): tuple(uv[c].uv) for p in mesh.polygons for c, v in zip(p.loop_indices, p.vertices)}
+    weights = [[(g.group, g.weight) for g in v.groups] for v in mesh.vertices[:count]]
+    colors = [tuple(each.color) for each in list(mesh.attributes["paint"].data)[:count]]
+    return corners, weights, colors
+
+
+def test_a_rough_rim_is_smoothed_and_undo_is_one_step():
+    obj = rough()
+    name = obj.name
+    bpy.ops.object.mode_set(mode="OBJECT")
+    count = len(obj.data.vertices)
+    before = carried(obj, count)
+    edit(obj, "EDGE")
+    start = coordinates(obj)
+    select_boundary(obj)
+    bpy.ops.ed.undo_push(message="before")
+    fill("EXEC_DEFAULT", True)
+    stiff = np.linalg.norm(coordinates(obj)[count:], axis=1) - 1
+    assert np.array_equal(coordinates(obj)[:count], start)
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects[name]
+    assert fill("EXEC_DEFAULT", True, relax_rim=4) == {"FINISHED"}
+    after = coordinates(obj)
+    moved = (after[:count] != start).any(axis=1)
+    assert moved.sum() > 100 and start[moved, 2].min() > 0.4
+    soft = np.linalg.norm(after[count:], axis=1) - 1
+    assert np.sqrt((soft**2).mean()) < 0.5 * np.sqrt((stiff**2).mean())
+    normals_are_right(obj)
+    bpy.ops.ed.undo()
+    assert np.array_equal(coordinates(bpy.data.objects[name]), start)
+    bpy.ops.ed.redo()
+    obj = bpy.data.objects[name]
+    assert np.array_equal(coordinates(obj), after)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    corners, weights, colors = carried(obj, count)
+    assert before[1:] == (weights, colors)
+    assert all(corners[key] == value for key, value in before[0].items())
+
+
+def test_the_rim_moves_no_further_than_asked_in_the_scene():
+    for scale in (1.0, 4.0):
+        common.clear()
+        obj = rough()
+        obj.scale = (scale,) * 3
+        bpy.context.view_layer.update()
+        start = coordinates(obj)
+        select_boundary(obj)
+        fill(relax_rim=4, relax_within=0.004)
+        how_far = scale * np.linalg.norm(coordinates(obj)[: len(start)] - start, axis=1).max()
+        assert abs(how_far - 0.004) < 1e-5, how_far
+
+
+def test_hidden_vertices_of_a_rim_stay():
+    obj = rough()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    rim = {v for e in boundary_edges(obj) for v in e.verts}
+    second = next(o for v in rim for e in v.link_edges for o in [e.other_vert(v)] if o not in rim)
+    for face in second.link_faces:
+        if not rim & set(face.verts):
+            face.hide_set(True)
+    second.hide = True
+    bmesh.update_edit_mesh(obj.data)
+    assert mesh.is_valid
+    start = coordinates(obj)
+    select_boundary(obj)
+    runner.raises(lambda: fill(relax_rim=4), "would move that are hidden", "Smooth Rim", "The mesh is unchanged")
+    assert np.array_equal(coordinates(obj), start)
+
+
+def ragged():
+    """An irregular sphere with two holes, and a fin of one face at each, in the mode of edges."""
+    obj = irregular_sphere(20)
+    delete_faces(obj, lambda f: abs(f.calc_center_median().z) > 0.9)
+    mesh = bmesh.from_edit_mesh(obj.data)
+    for side in (1, -1):
+        edge = next(e for e in boundary_edges(obj) if e.verts[0].co.z * side > 0)
+        tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
+        mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
+    bmesh.update_edit_mesh(obj.data)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    edit(obj, "EDGE")
+    return obj
+
+
+def test_what_spoils_the_boundary_is_trimmed_at_the_holes_that_are_filled():
+    obj = ragged()
+    select_boundary(obj, lambda e: e.verts[0].co.z > 0)
+    assert fill(trim=20) == {"FINISHED"}
+    outside = [v.co.z for v in bmesh.from_edit_mesh(obj.data).verts if v.co.length > 1.1]
+    assert len(outside) == 1 and outside[0] < 0
+    assert boundary_edges(obj) and all(e.verts[0].co.z < 0 for e in boundary_edges(obj))
+    assert fill(scope="ALL", trim=20) == {"FINISHED"}
+    check_whole_sphere(obj)
+    normals_are_right(obj)
+
+
+def test_trimming_before_loops_are_joined_and_undone_in_one_step():
+    obj = band_missing()
+    mesh = bmesh.from_edit_mesh(obj.data)
+    edge = boundary_edges(obj)[0]
+    tip = mesh.verts.new((edge.verts[0].co + edge.verts[1].co) * 0.65)
+    mesh.faces.new([edge.link_loops[0].link_loop_next.vert, edge.link_loops[0].vert, tip])
+    bmesh.update_edit_mesh(obj.data)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    edit(obj, "EDGE")
+    name, before = obj.name, coordinates(obj)
+    select_boundary(obj)
+    bpy.ops.ed.undo_push(message="before")
+    assert join("EXEC_DEFAULT", True, trim=20) == {"FINISHED"}
+    check_whole_sphere(obj)
+    bpy.ops.ed.undo()
+    assert np.array_equal(coordinates(bpy.data.objects[name]), before)
+
+
+def test_slivers_beside_erased_faces_go():
+    obj = irregular_sphere(20)
+    edit(obj)
+    select_faces(obj, lambda f: f.calc_center_median().z > 0.85)
+    mesh = bmesh.from_edit_mesh(obj.data)
+    # A vertex next to the selection is drawn onto an edge of it: slivers.
+    rim = [e for e in mesh.edges if len([f for f in e.link_faces if f.select]) == 1]
+    face = next(f for f in rim[0].link_faces if not f.select)
+    tip = next(v for v in face.verts if v not in rim[0].verts)
+    tip.co = tip.co * 0.03 + (rim[0].verts[0].co + rim[0].verts[1].co) * 0.485
+    bmesh.update_edit_mesh(obj.data)
+    count = len([f for f in mesh.faces if not f.select])
+    assert erase(clean_boundary=5) == {"FINISHED"}
+    mesh = bmesh.from_edit_mesh(obj.data)
+    assert len([f for f in mesh.faces if not f.select]) < count
+    assert not boundary_edges(obj) and all(e.is_manifold for e in mesh.edges)
+
+
+def test_a_trimmed_hole_that_stays_open_keeps_its_faces():
+    obj = ragged()
+    before = coordinates(obj)
+    select_boundary(obj, lambda e: e.verts[0].co.z > 0)
+    runner.raises(lambda: fill(trim=20, max_iterations=1, on_failure="OPEN"), "no fair patch was found", "unchanged")
+    assert np.array_equal(coordinates(obj), before)
+
+
+def normals_are_right(obj):
+    """Those that the edit mesh has are those of its faces and vertices as they are."""
+    mesh = bmesh.from_edit_mesh(obj.data)
+    kept = np.array([f.normal[:] for f in mesh.faces]), np.array([v.normal[:] for v in mesh.verts])
+    mesh.normal_update()
+    assert np.array_equal(kept[0], [f.normal[:] for f in mesh.faces])
+    assert np.array_equal(kept[1], [v.normal[:] for v in mesh.verts])
+    assert (np.linalg.norm(kept[0], axis=1) > 0.99).all()
+
+
+def test_normals_are_right_at_once_after_every_operator():
+    def selected_rims():
+        obj = band_missing()
+        select_boundary(obj)
+        return obj
+
+    def selected_runs():
+        obj = band_missing()
+        select_runs(obj)
+        return obj
+
+    for make, operator in ((selected_rims, join), (selected_rims, fill), (selected_runs, bridge), (bumpy, erase)):
+        common.clear()
+        obj = make()
+        assert operator() == {"FINISHED"}
+        normals_are_right(obj)
 
 
 def test_which_holes_of_all():
@@ -250,6 +524,9 @@ def test_which_holes_of_all():
     assert left(except_longest=1) == {True}
     # The lower one is about 2 pi 2 0.25 long, the upper one 2 pi 2 0.6.
     assert left(max_length=5.0) == {True}
+    # 2 2 0.25 and 2 2 0.6 wide; of areas pi 0.5^2 and pi 1.2^2.
+    assert left(max_diagonal=2.0) == {True} and left(max_diagonal=5.0) == set()
+    assert left(max_area=2.0) == {True} and left(max_area=6.0) == set()
 
 
 def test_what_is_not_fair_stays_open_on_demand():

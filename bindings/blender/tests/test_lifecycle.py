@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on disabled, enabled, updated over itself and removed, while it has been and is being used: no crash."""
 
+import contextlib
 import importlib
+import io
+import re
 import sys
 import threading
 import time
 import unittest.mock
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.path.insert(0, str(Path(__file__).parent))
 import bpy  # isort: skip
@@ -21,6 +25,7 @@ OPERATORS = (
     "fairmesh_bridge",
     "fairmesh_erase_and_fill",
     "fairmesh_show_curvature",
+    "fairmesh_hide_curvature",
     "fairmesh_select_found",
 )
 MENUS = (
@@ -124,25 +129,71 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        wanted = {"clean": 5, "vertices": 1, "edges": 2, "faces": 3, "delete": 1, "menu": 5}
+        wanted = {"clean": 6, "vertices": 2, "edges": 4, "faces": 3, "delete": 1, "menu": 5}
         assert len(ours) == wanted[menu.rpartition("_")[2]], ours
+
+
+def test_the_right_click_menu_has_what_the_select_mode_is_for():
+    def entries(*mode):
+        found = []
+        layout = SimpleNamespace(operator=found.append)
+        context = SimpleNamespace(tool_settings=SimpleNamespace(mesh_select_mode=mode))
+        for draw in bpy.types.VIEW3D_MT_edit_mesh_context_menu.draw._draw_funcs:
+            if draw.__module__.startswith(common.NAME):
+                draw(SimpleNamespace(layout=layout), context)
+        return {name.partition("fairmesh_")[2] for name in found}
+
+    assert entries(True, False, False) == {"fair", "fill_holes"}
+    assert entries(False, True, False) == {"fair", "fill_holes", "join_loops", "bridge"}
+    assert entries(False, False, True) == {"fair", "erase_and_fill"}
 
 
 def test_tooltips_are_short_enough_for_blender():
     for name in OPERATORS:
         # Blender keeps 239 bytes.
-        text = getattr(bpy.ops.mesh, name).get_rna_type().description
-        assert 20 < len(text.encode()) < 239, text
+        kind = getattr(bpy.ops.mesh, name).get_rna_type()
+        assert 20 < len(kind.description.encode()) < 239, kind.description
+        for option in kind.properties:
+            if option.identifier != "rna_type":
+                assert 15 < len(option.description) and option.description[-1] not in ".,:;", option.description
+
+
+def test_the_sidebar_has_every_option():
+    """But for which of two buttons it is, and the range of colours."""
+    settings = set(bpy.types.Scene.bl_rna.properties["fairmesh"].fixed_type.properties.keys())
+    for name in OPERATORS[:5]:
+        options = set(getattr(bpy.ops.mesh, name).get_rna_type().properties.keys())
+        assert options - settings <= {"rna_type", "scope"}, (name, options - settings)
+
+
+def test_the_manual_has_a_section_for_every_operator():
+    manual = sys.modules[f"{common.NAME}.manual"]
+    page = Path(module().__file__).parent / "manual" / "index.html"
+    text = page.read_text(encoding="utf-8")
+    assert manual.url() == page.as_uri()
+    prefix, sections = manual._map()
+    for name, place in sections:
+        file, _, section = place.partition("#")
+        assert prefix + file == page.as_uri() and f'id="{section}"' in text, (name, place)
+    named = {name.rstrip("*").rpartition(".")[2] for name, _ in sections}
+    assert set(OPERATORS) <= named
+    for picture in re.findall(r'src="([^"]+)"', text):
+        assert (page.parent / picture).is_file(), picture
 
 
 def test_without_numpy_it_says_what_to_install():
-    with unittest.mock.patch.dict(sys.modules, {"numpy": None}):
-        try:
-            importlib.reload(module())
-        except ImportError as why:
-            assert "apt-get install python3-numpy" in str(why)
-        else:
-            raise AssertionError("numpy was not missed")
+    bpy.ops.preferences.addon_disable(module=common.NAME)
+    said = io.StringIO()
+    with unittest.mock.patch.dict(sys.modules, {"numpy": None}), contextlib.redirect_stdout(said):
+        without = importlib.reload(module())
+        without.register()
+        assert hasattr(bpy.types, "VIEW3D_PT_fairmesh_no_numpy") and not registered()
+        without.unregister()
+    lines = said.getvalue().splitlines()
+    assert len(lines) == 1 and "apt-get install python3-numpy" in lines[0], lines
+    importlib.reload(module())
+    bpy.ops.preferences.addon_enable(module=common.NAME)
+    assert not hasattr(bpy.types, "VIEW3D_PT_fairmesh_no_numpy")
     use()
 
 

@@ -1,4 +1,4 @@
-//! `include/fairmesh_openmesh.hpp` and `fairmesh_openmesh_fill.hpp` as C++ programs see it: against the installed package, with GCC's sanitizers, and the
+//! `include/fairmesh_openmesh.hpp` and its sisters as C++ programs see it: against the installed package, with GCC's sanitizers, and the
 //! example by CMake. Needs a C++ compiler, make, pkg-config and CMake.
 
 #[path = "../../../tests/common/command.rs"]
@@ -94,8 +94,71 @@ fn holes_are_filled_and_loops_joined() {
 }
 
 #[test]
+fn bridges_are_made_and_boundaries_trimmed() {
+    adapter("bridging", "", &[]);
+}
+
+/// The program that docs/openmesh.md begins with is compiled by its own command and run; the other pieces of code are compiled with what stands
+/// before its `main`.
+#[test]
+fn the_guide_compiles_and_its_program_runs() {
+    let guide = fs::read_to_string(root().join("docs/openmesh.md")).unwrap();
+    let blocks = |language: &str| -> Vec<String> {
+        let fence = format!("```{language}\n");
+        guide
+            .split(&fence)
+            .skip(1)
+            .map(|rest| rest.split("\n```").next().unwrap().to_owned())
+            .collect()
+    };
+    let (code, shell) = (blocks("cpp"), blocks("sh"));
+    let program = &code[0];
+    let lines = |word: &str| -> String {
+        let lines = shell[0].lines().filter(|line| line.starts_with(word));
+        lines.map(|line| line.to_owned() + "\n").collect()
+    };
+    let at = work().join("guide");
+    fs::create_dir_all(at.join("docs")).unwrap();
+    fs::copy(root().join("docs/dented.ply"), at.join("docs/dented.ply")).unwrap();
+    fs::write(at.join("smooth.cpp"), program).unwrap();
+    let home = "$HOME/.local";
+    let exports = lines("export").replace(home, &prefix().display().to_string());
+    let script = format!("set -e\n{exports}{}{}", lines("c++"), lines("./smooth"));
+    let said = run(Command::new("bash").current_dir(&at).args(["-c", &script]));
+    assert!(said.contains("converged after"), "{said}");
+    let off = |p: &[f64; 3]| (p.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs();
+    let written = vertices(&at.join("whole.off"));
+    assert!(written.len() > 1000 && written.iter().all(|p| off(p) < 3e-7));
+
+    let (head, _) = program.split_once("int main").unwrap();
+    let mut pieces = head.replace(
+        "#include <fairmesh_openmesh_fill.hpp>",
+        "#include <fairmesh_openmesh_bridge.hpp>\n#include <fairmesh_openmesh_rim.hpp>",
+    );
+    assert!(code.len() > 4);
+    for (k, piece) in code.iter().enumerate().skip(1) {
+        pieces += &format!("void piece_{k}(Mesh &mesh) {{\n{piece}\n}}\n");
+    }
+    let file = at.join("pieces.cpp");
+    fs::write(&file, pieces).unwrap();
+    run(Command::new("c++")
+        .args([
+            "-std=c++17",
+            "-Wall",
+            "-Wno-unused-variable",
+            "-Wno-maybe-uninitialized",
+            "-Werror",
+            "-c",
+            "-o",
+        ])
+        .arg(at.join("pieces.o"))
+        .arg(file)
+        .args(pkg_config("--cflags")));
+}
+
+#[test]
 fn the_sanitizers_have_nothing_to_say() {
-    for source in ["adapter", "filling"] {
+    for source in ["adapter", "filling", "bridging"] {
         let options = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         adapter(source, "-sanitized", &options);
     }

@@ -14,12 +14,13 @@ import trimesh
 
 mpl.use("agg")
 import matplotlib.pyplot as plt
+from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 import fairmesh
 
 
-def draw(axes: plt.Axes, vertices: np.ndarray, faces: np.ndarray, title: str) -> None:
+def draw(axes: Axes3D, vertices: np.ndarray, faces: np.ndarray, title: str) -> None:
     """A mesh in colours of its mean curvature."""
     curvature = fairmesh.mean_curvature(vertices, faces)[faces].mean(axis=1)
     colours = mpl.colormaps["coolwarm"]((np.clip(curvature, -3, 1) + 3) / 4)

@@ -1,6 +1,7 @@
 """The declarations in `_abi` are those of fairmesh.h, and lie in memory as a C compiler lays them."""
 
 import ctypes
+import inspect
 import re
 import subprocess
 from pathlib import Path
@@ -8,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import fairmesh
-from fairmesh import _abi
+from fairmesh import _abi, _keywords
 
 INCLUDE = Path(__file__).resolve().parents[3] / "include"
 HEADER = re.sub(r"/\*.*?\*/", "", (INCLUDE / "fairmesh.h").read_text(), flags=re.S)
@@ -128,3 +129,33 @@ def test_defaults_are_those_of_no_option():
     mesh = sphere_with_hole()
     options = fairmesh.default_fill_options()
     assert fairmesh.fill_holes(*mesh, **options).vertices.tobytes() == fairmesh.fill_holes(*mesh).vertices.tobytes()
+
+
+def test_signatures_show_the_options_with_their_types_and_defaults():
+    shown = inspect.signature(fairmesh.fair).parameters
+    defaults = fairmesh.default_options()
+    assert {name: shown[name].default for name in defaults} == defaults
+    assert str(shown["inner_fairness"]) == "inner_fairness: Literal['uniform', 'conformal', 'convex'] = 'uniform'"
+    assert str(shown["tolerance"]) == "tolerance: float = 1e-08"
+    filling = inspect.signature(fairmesh.fill_holes).parameters
+    for name, value in {**fairmesh.default_fill_options(), **defaults}.items():
+        assert filling[name].default == value, name
+    assert inspect.signature(fairmesh.remesh).parameters["density"].default == 2**0.5
+    for name in fairmesh.__all__:
+        function = getattr(fairmesh, name)
+        if inspect.isfunction(function):
+            assert not any(p.kind is p.VAR_KEYWORD for p in inspect.signature(function).parameters.values()), name
+
+
+def test_keywords_for_type_checkers_are_those_of_the_functions():
+    pairs = {
+        fairmesh.fair: _keywords.FairKeywords,
+        fairmesh.fill_holes: _keywords.FillKeywords,
+        fairmesh.bridge: _keywords.BridgeKeywords,
+        fairmesh.remesh: _keywords.RemeshKeywords,
+        fairmesh.refill: _keywords.RefillKeywords,
+        fairmesh.Solver.__init__: _keywords.FairKeywords,
+    }
+    for function, keywords in pairs.items():
+        shown = inspect.signature(function).parameters.values()
+        assert set(keywords.__annotations__) == {p.name for p in shown if p.kind is p.KEYWORD_ONLY}, function

@@ -131,6 +131,12 @@ def test_all_ways_to_select():
     same(free=chosen)
     same(free=chosen[::-1])
     same(free=tuple(chosen))
+    # Whole numbers that are all 0 or 1, one for each vertex, are a mask.
+    for dtype in (np.uint8, np.int8, np.int32, np.int64):
+        same(free=FREE.astype(dtype))
+        same(fixed=(~FREE).astype(dtype))
+        same(free_faces=inner.astype(dtype))
+    assert np.array_equal(fairmesh.fair(VERTICES, FACES, FREE).vertices, WHOLE.vertices)
     same(fixed=~FREE)
     same(fixed=np.flatnonzero(~FREE))
     same(free_faces=inner)

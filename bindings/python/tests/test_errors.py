@@ -1,6 +1,7 @@
 """Every bad input: its exception, the element that is to blame, and the message."""
 
 import ctypes
+import re
 
 import numpy as np
 import pytest
@@ -326,9 +327,13 @@ WRONG_TYPES = {
     "vertices: real numbers are needed, not object": {"vertices": VERTICES.astype(object)},
     "vertices: real numbers are needed, not <U1": {"vertices": np.full((441, 3), "a")},
     "vertices: real numbers are needed, not bool": {"vertices": VERTICES.astype(bool)},
-    "free: integers are needed, not float64": {"free": FREE.astype(float)},
-    "free: uint8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.uint8)},
-    "free: int8 is neither a mask (bool) nor indices (16 bits and more)": {"free": FREE.astype(np.int8)},
+    "free: a mask of bool or indices of integers are needed, not float64": {"free": FREE.astype(float)},
+    "free: uint8 is neither a mask (bool, or 441 times 0 or 1) nor indices (16 bits and more)": {
+        "free": 255 * FREE.astype(np.uint8)
+    },
+    "free: int8 is neither a mask (bool, or 441 times 0 or 1) nor indices (16 bits and more)": {
+        "free": FREE.astype(np.int8)[1:]
+    },
     "tolerance: a number is needed, not str": {"tolerance": "1e-8"},
     "continuity: a number is needed, not bool": {"continuity": True},
     "boundary_curvature: real numbers are needed, not bool": {"boundary_curvature": ([1], [True])},
@@ -338,6 +343,10 @@ WRONG_TYPES = {
     "target: a number is needed, not list": {"target": [0]},
     "unknown option 'tolerence'; did you mean 'tolerance'?": {"tolerence": 1e-8},
     "unknown option 'quite_another'": {"quite_another": 1},
+    "unknown option 'tol'; did you mean 'tolerance'?": {"tol": 1e-8},
+    "unknown option 'maxiter'; did you mean 'max_iterations'?": {"maxiter": 9},
+    "unknown option 'face_mask'; did you mean 'free_faces'?": {"face_mask": []},
+    "unknown option 'density'": {"density": 2.0},
     "unknown option 'coincidence'; did you mean 'coincident'?": {"coincidence": "join"},
     "progress: a callable is needed, not bool": {"progress": True},
     "cancel: an object with is_set() is needed, not bool": {"cancel": True},
@@ -363,10 +372,10 @@ WRONG_VALUES = {
     "free: the shape has to be (k,), not (1, 2)": {"free": [[1, 2]]},
     "fixed: a mask has to have the shape (441,), not (442,)": {"free": None, "fixed": np.ones(442, bool)},
     "free_faces: a mask has to have the shape (800,), not (441,)": {"free": None, "free_faces": FREE},
-    "free: 441 integers, all 0 or 1, are a mask or indices? Give a mask as bool, free.astype(bool), or indices, "
-    "np.flatnonzero(free)": {"free": FREE.astype(np.int64)},
-    "fixed: 441 integers, all 0 or 1, are a mask or indices? Give a mask as bool, fixed.astype(bool), or indices, "
-    "np.flatnonzero(fixed)": {"free": None, "fixed": FREE.astype(np.int64)},
+    "free: a mask of 0 and 1 has to have 441 entries, not 440": {"free": FREE.astype(np.int64)[1:]},
+    "free: a mask has to have the shape (441,), not (800,); a mask of faces is given as free_faces": {
+        "free": np.ones(800, bool)
+    },
     "free: index 7 is given 2 times; np.unique(free) has each once": {"free": [7, 8, 7]},
     "free_faces: index 3 is given 3 times; np.unique(free_faces) has each once": {
         "free": None,
@@ -389,6 +398,9 @@ WRONG_VALUES = {
     "inner_fairness: 'even' is none of 'uniform', 'conformal', 'convex'": {"inner_fairness": "even"},
     "interior_normals: 0 is none of 'smooth', 'input'": {"interior_normals": 0},
     "solver: 'slow' is none of 'fast', 'paper'": {"solver": "slow"},
+    "inner_fairness: 'unifrom' is none of 'uniform', 'conformal', 'convex'; did you mean 'uniform'?": {
+        "inner_fairness": "unifrom"
+    },
     "threads: -1 is not between 0 and 2**32 - 1": {"threads": -1},
     "max_iterations: 18446744073709551616 is not between 0 and 2**64 - 1": {"max_iterations": 2**64},
 }
@@ -409,7 +421,10 @@ class Trimesh:
 
 
 def test_a_mesh_object_is_told_to_give_its_arrays():
-    message = "a Trimesh is no array: give mesh.vertices and mesh.faces in its place, as vertices and faces"
+    message = (
+        "a Trimesh is no mesh of a package that is known: give mesh.vertices and mesh.faces in its place, "
+        "as vertices and faces"
+    )
     functions = (fairmesh.fair, fairmesh.Solver, fairmesh.fill_holes, fairmesh.boundary_loops, fairmesh.remesh)
     for function in (*functions, fairmesh.suggest_joins, fairmesh.erase, fairmesh.components):
         with pytest.raises(TypeError) as error:
@@ -417,6 +432,41 @@ def test_a_mesh_object_is_told_to_give_its_arrays():
         assert str(error.value) == message
     with pytest.raises(TypeError, match=message):
         fairmesh.mean_curvature(vertices=Trimesh(), faces=FACES)
+
+
+def test_misspelt_keywords_of_other_functions():
+    for function, given, meant in (
+        (fairmesh.fill_holes, "max_edge", "max_edges"),
+        (fairmesh.fill_holes, "on_fail", "on_failure"),
+        (fairmesh.boundary_loops, "coincidence", "coincident"),
+        (fairmesh.suggest_joins, "loop", "loops"),
+        (fairmesh.remesh, "max_vertex", "max_vertices"),
+        (fairmesh.bridge, "widht", "width"),
+        (fairmesh.erase, "erase", "erased"),
+        (fairmesh.Solver, "targett", "target"),
+    ):
+        with pytest.raises(TypeError) as error:
+            function(VERTICES, FACES, **{given: 1})
+        assert str(error.value) == f"unknown option {given!r}; did you mean {meant!r}?"
+    with pytest.raises(ValueError, match=re.escape("on_failure: 'opne' is none of 'linear', 'flat', 'open'; did you")):
+        fairmesh.fill_holes(VERTICES, FACES, on_failure="opne")
+
+
+def test_a_mask_of_two_faces_is_not_guessed_at():
+    with pytest.raises(ValueError, match=re.escape("erased: [0, 1] can be a mask or indices; give a mask as bool")):
+        fairmesh.erase(VERTICES[:4], [[0, 1, 2], [0, 2, 3]], [0, 1])
+
+
+def test_arguments_that_are_missing_or_given_twice():
+    for message, call in {
+        "a mesh is needed: a mesh object, or vertices and faces": lambda: fairmesh.fair(),
+        "faces are needed as well: give vertices and faces, or a mesh object": lambda: fairmesh.fair(VERTICES),
+        "the faces are given twice": lambda: fairmesh.fair(VERTICES, FACES, faces=FACES),
+        "the mesh is given twice": lambda: fairmesh.fair((VERTICES, FACES), mesh=(VERTICES, FACES)),
+    }.items():
+        with pytest.raises(TypeError) as error:
+            call()
+        assert str(error.value) == message
 
 
 def test_other_functions_check_the_same():

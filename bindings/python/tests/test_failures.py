@@ -29,6 +29,10 @@ calls = {
     "join": lambda: fairmesh.fill_holes(*band, join="auto", threads=1).vertices,
     "suggest_joins": lambda: np.array([found.loops for found in fairmesh.suggest_joins(*band)]),
     "erase": lambda: fairmesh.erase(vertices, faces, [3]).faces,
+    "trim_boundary": lambda: fairmesh.trim_boundary(vertices, faces, 3).faces,
+    "carry_over": lambda: fairmesh.carry_over(vertices, faces, hole[0]).faces,
+    "refill": lambda: fairmesh.refill(vertices, faces, free, threads=1).vertices,
+    "roughness": lambda: np.array([loop.roughness.ratio for loop in fairmesh.boundary_loops(*hole, roughness=True)]),
     "mean_curvature": lambda: fairmesh.mean_curvature(vertices, faces),
 }
 """

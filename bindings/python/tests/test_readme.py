@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import pyvista
 import trimesh
 
 import fairmesh
@@ -19,10 +20,10 @@ PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
 
 
 def test_all_programs_were_found():
-    assert len(PROGRAMS) == README.count("```python") == 8
+    assert len(PROGRAMS) == README.count("```python") == 12
 
 
-@pytest.mark.parametrize("number", range(8))
+@pytest.mark.parametrize("number", range(12))
 def test_programs(number, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     sphere = dented_sphere()
@@ -32,9 +33,16 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
     mesh = (sphere.vertices, sphere.faces)
     if "suggest_joins" in text:
         mesh = band_missing()
-    elif "fill_holes" in text:
+    elif "fill_holes" in text and "hole_size" not in text:
         mesh = sphere_with_hole()
+    whole = trimesh.Trimesh(sphere.vertices, sphere.faces, process=False)
     names = {
+        "np": np,
+        "trimesh": trimesh,
+        "mesh": whole,
+        "surface": pyvista.PolyData.from_regular_faces(*sphere_with_hole()),
+        "V": sphere.vertices,
+        "F": sphere.faces,
         "fairmesh": fairmesh,
         "threading": threading,
         "vertices": mesh[0],
@@ -59,12 +67,20 @@ def test_programs(number, tmp_path, monkeypatch, capsys):
     if "suggest_joins" in text:
         assert said.startswith("[0 1] ") and names["filled"].outcomes == ["faired"]
         assert np.unique(names["part"]).tolist() == [0, 1]
-    elif "fill_holes" in text:
+    elif "fill_holes" in text and "hole_size" not in text:
         assert said.startswith("0 ") and "faired none" in said and "hole" in said
         assert np.allclose(names["colours"], 1) and len(names["colours"]) == names["filled"].new_vertex_count
     if "InputError" in text:
         assert said.splitlines()[0].startswith("free vertex 3 lies on the boundary of the mesh; ")
         assert said.splitlines()[1].endswith("3 None None")
+    if "igl.harmonic" in text:
+        assert np.array_equal(names["U"], fairmesh.fair(*sphere[:3]).vertices)
+    if "filter_laplacian" in text or text.startswith("result = fairmesh.fair(mesh, mask)"):
+        made = names["mesh"] if "filter" in text else names["result"].mesh
+        assert isinstance(made, trimesh.Trimesh)
+        assert "filter" in text or np.abs(np.linalg.norm(made.vertices, axis=1) - 1).max() < 1e-6
+    if "hole_size" in text:
+        assert isinstance(names["closed"], pyvista.PolyData) and names["closed"].n_open_edges == 0
     if "Solver" in text:
         assert len(shown) > 3 and names["result"].outcome.is_success
 

@@ -43,8 +43,10 @@ pub(super) fn relaxed(
     loops: &[&BoundaryLoop],
     place: &mut [u32],
 ) -> Moved {
-    let band = Band::new(links, positions, loops, rim.relax + REACH, rim.relax, place);
-    let edge = band.mean_edge(band.count(rim.relax + 1));
+    // No mesh has more of them.
+    let rings = rim.relax.min(positions.len());
+    let band = Band::new(links, positions, loops, rings + REACH, rings, place);
+    let edge = band.mean_edge(band.count(rings + 1));
     let Some(width) = width(&band, edge) else {
         return Moved {
             places: Vec::new(),
@@ -53,7 +55,7 @@ pub(super) fn relaxed(
         };
     };
     let within = rim.within.unwrap_or(edge);
-    let moving: Vec<usize> = (0..band.count(rim.relax)).collect();
+    let moving: Vec<usize> = (0..band.count(rings)).collect();
     let fits = band.fits(&moving, width.radius);
     let sheet = |fit: &Fit, v: usize| {
         let height = fit.height.clamp(-within, within);

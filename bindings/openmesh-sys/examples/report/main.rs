@@ -79,17 +79,26 @@ fn main() -> Result<(), Failure> {
     text += &shown(&pictures)?;
     text += &scans(&pictures, &arguments.scans)?;
     text += TAIL;
-    fs::write(root.join("docs/openmesh.md"), text)?;
+    let file = root.join("docs/openmesh.md");
+    let before = fs::read_to_string(&file)?;
+    // What stands before is written by hand.
+    let (guide, _) = before
+        .split_once(TITLE)
+        .ok_or("docs/openmesh.md has lost its second title")?;
+    fs::write(file, format!("{guide}{text}"))?;
     Ok(())
 }
+
+/// Where the comparison begins in the file.
+const TITLE: &str = "# Beside OpenMesh's smoother";
 
 fn head() -> String {
     let model = machine::processor();
     format!(
-        "# Beside OpenMesh's smoother\n\n\
+        "{TITLE}\n\n\
         `OpenMesh::Smoother::JacobiLaplaceSmootherT` with C1 (the umbrella of umbrellas, equal weights, damped Jacobi steps) and\n\
         fairmesh, on the same arrays with the same free vertices. Neither is given normals: both see four rings of exact triangles around the\n\
-        free part. Both begin with the same wrong interior (a flat disc, a pinched or straight tube). This file is written by\n\n\
+        free part. Both begin with the same wrong interior (a flat disc, a pinched or straight tube). From here on this file is written by\n\n\
         ```sh\nbindings/openmesh-sys/report.sh\n```\n\n\
         and no measured number in it is typed. Machine of this run: {model}, one thread each, wall seconds from arrays to arrays.\n\
         Distances are those of free vertices to the exact surface, over the diagonal of the free part's bounding box. \"In the limit\" is the\n\

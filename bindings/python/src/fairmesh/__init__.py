@@ -7,21 +7,25 @@ from ._bridge import Bridged, bridge
 from ._choice import LoopChoice
 from ._curvature import mean_curvature
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
+from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
 from ._fairing import Result, Solver, fair
-from ._holes import Filled, Loop, LoopReport, Remeshed, boundary_loops, fill_holes, remesh
+from ._holes import Filled, Loop, LoopReport, Roughness, boundary_loops, fill_holes
 from ._intersections import self_intersections
-from ._joins import Erased, JoinSuggestion, components, erase, suggest_joins
+from ._joins import JoinSuggestion, components, suggest_joins
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
+from ._remesh import Remeshed, refill, remesh
 from ._reports import Attempt, Bends, Component, Continuity, Level, Moved, Report
+from ._seams import SeamWarning
 
 __all__ = [
     "Attempt",
     "AttemptEnd",
     "Bends",
     "Bridged",
+    "Carried",
     "Component",
     "Continuity",
     "ElementKind",
@@ -48,10 +52,14 @@ __all__ = [
     "Remeshed",
     "Report",
     "Result",
+    "Roughness",
+    "SeamWarning",
     "Solver",
     "Status",
+    "Trimmed",
     "boundary_loops",
     "bridge",
+    "carry_over",
     "components",
     "default_fill_options",
     "default_options",
@@ -61,9 +69,11 @@ __all__ = [
     "fill_holes",
     "load",
     "mean_curvature",
+    "refill",
     "remesh",
     "self_intersections",
     "suggest_joins",
+    "trim_boundary",
     "version",
 ]
 #: The version of this package, which is that of the library it was written for.

@@ -66,6 +66,7 @@ class fairmesh_status(enum.IntEnum):
     BAD_GUIDE = 35
     GUIDES_CROSS = 36
     BAD_CHAIN = 37
+    NO_FAIR_PATCH = 38
     INTERNAL = 99
 
 
@@ -250,6 +251,8 @@ class fairmesh_result_kind(enum.IntEnum):
     ERASED = 6
     COMPONENTS = 7
     BRIDGED = 8
+    TRIMMED = 9
+    CARRIED = 10
 
 
 class fairmesh_list(enum.IntEnum):
@@ -273,6 +276,7 @@ class fairmesh_list(enum.IntEnum):
     TRIANGLE_COMPONENTS = 96
     BRIDGE_CHAIN = 112
     BRIDGE_SIDE = 113
+    CARRIED_TRIANGLES = 128
 
 
 class fairmesh_vectors(enum.IntEnum):
@@ -516,6 +520,23 @@ class fairmesh_level(Structure):
     )
 
 
+class fairmesh_info(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("vertex_count", c_uint64),
+        ("triangle_count", c_uint64),
+        ("new_vertex_count", c_uint64),
+        ("new_triangle_count", c_uint64),
+        ("loop_count", c_uint64),
+        ("boundary_vertex_count", c_uint64),
+        ("dropped_count", c_uint64),
+        ("component_count", c_uint64),
+        ("cleaned_count", c_uint64),
+        ("dropped_area", c_double),
+    )
+
+
 class fairmesh_loop(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -529,6 +550,14 @@ class fairmesh_loop(Structure):
         ("edge_b", c_uint32),
         ("component", c_uint64),
         ("component_triangle_count", c_uint64),
+        ("has_roughness", c_uint32),
+        ("is_rough", c_uint32),
+        ("roughness", c_double),
+        ("rim_angle", c_double),
+        ("rim_angle_expected", c_double),
+        ("rim_noise", c_double),
+        ("advised_relax_rings", c_uint64),
+        ("advised_relax_within", c_double),
     )
 
 
@@ -588,21 +617,6 @@ class fairmesh_bridge_report(Structure):
         ("reserved", c_uint32),
         ("twist", c_double),
         ("rest_count", c_uint64),
-    )
-
-
-class fairmesh_info(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("kind", c_uint32),
-        ("vertex_count", c_uint64),
-        ("triangle_count", c_uint64),
-        ("new_vertex_count", c_uint64),
-        ("new_triangle_count", c_uint64),
-        ("loop_count", c_uint64),
-        ("boundary_vertex_count", c_uint64),
-        ("dropped_count", c_uint64),
-        ("component_count", c_uint64),
     )
 
 
@@ -917,6 +931,14 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_rim_roughness": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_fill_holes": (
         c_int32,
         (
@@ -946,6 +968,17 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_refill": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_selection),
+            POINTER(fairmesh_fill_options),
+            POINTER(fairmesh_options),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_erase": (
         c_int32,
         (
@@ -955,10 +988,41 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_erase_and_clean": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            c_uint64,
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_trim_boundary": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            c_uint64,
+            c_double,
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_components": (
         c_int32,
         (
             POINTER(fairmesh_mesh),
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_carry_over": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_indices),
+            POINTER(fairmesh_points),
             POINTER(c_void_p),
             POINTER(fairmesh_error),
         ),

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import ctypes
-import functools
-from collections.abc import Callable
-from typing import Any, Literal, TypeVar, Union
+from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
 from ._errors import ElementKind, InputError, Status
+from ._hosts import Host, Pair
+from ._masks import FaceMask
 
 Floats = NDArray[Any]
 Indices = NDArray[Any]
 UInt32 = NDArray[np.uint32]
 Float64 = NDArray[np.float64]
-Selection = Union[ArrayLike, None]
+#: A mask of bool or of 0 and 1, indices, or the name of a mask that the mesh has.
+Selection = Union[ArrayLike, str, None]
 #: "join" where coordinates are equal, a distance up to which they may differ, or "separate".
 Coincident = Union[Literal["join", "separate"], float]
 
@@ -60,26 +61,6 @@ def _stride(array: NDArray[Any]) -> int:
 
 def _address(array: NDArray[Any]) -> int | None:
     return array.ctypes.data if len(array) else None
-
-
-Function = TypeVar("Function", bound=Callable[..., Any])
-
-
-def of_arrays(function: Function) -> Function:
-    """Tells those who hand over a mesh object that its arrays are needed."""
-
-    @functools.wraps(function)
-    def checked(*given: Any, **named: Any) -> Any:
-        for each in (*given, *named.values()):
-            faces = next((name for name in ("faces", "triangles") if hasattr(each, name)), None)
-            if faces and hasattr(each, "vertices"):
-                what = type(each).__name__
-                raise TypeError(
-                    f"a {what} is no array: give mesh.vertices and mesh.{faces} in its place, as vertices and faces"
-                )
-        return function(*given, **named)
-
-    return checked  # type: ignore[return-value]
 
 
 def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
@@ -187,8 +168,9 @@ def _as_uint32(array: NDArray[Any]) -> UInt32:
 
 
 def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
-    """A mask as uint8, or indices as uint32, each once. Integers that could be either are refused: of 8 bits, or as
-    many as a mask has entries and only 0 and 1.
+    """A mask as uint8, or indices as uint32, each once.
+
+    Integers that are all 0 or 1, as many as a mask has entries, are a mask: as indices they would be given twice.
     """
     array = np.asarray(given)
     if array.dtype == np.bool_:
@@ -196,16 +178,25 @@ def mask_or_indices(given: ArrayLike, name: str, count: int) -> NDArray[Any]:
             raise ValueError(f"{name}: a mask has to have the shape ({count},), not {array.shape}")
         mask = array.view(np.uint8)
         return mask if _readable(mask) else _packed(mask)
+    if array.shape == (count,) and count > 2 and array.dtype.kind in "iu" and _is_zero_or_one(array):
+        return array.astype(np.uint8)
     if array.dtype.kind in "iu" and array.itemsize == 1:
-        raise TypeError(f"{name}: {array.dtype} is neither a mask (bool) nor indices (16 bits and more)")
-    chosen = indices(array, name)
-    if len(chosen) > 1 and len(chosen) == count and int(chosen.max()) <= 1:
-        raise ValueError(
-            f"{name}: {count} integers, all 0 or 1, are a mask or indices? Give a mask as bool, {name}.astype(bool), "
-            f"or indices, np.flatnonzero({name})"
+        raise TypeError(
+            f"{name}: {array.dtype} is neither a mask (bool, or {count} times 0 or 1) nor indices (16 bits and more)"
         )
+    if array.dtype.kind == "f" and array.size > 0:
+        raise TypeError(f"{name}: a mask of bool or indices of integers are needed, not {array.dtype}")
+    chosen = indices(array, name)
+    if len(chosen) > 2 and int(chosen.max()) <= 1:
+        raise ValueError(f"{name}: a mask of 0 and 1 has to have {count} entries, not {len(chosen)}")
+    if len(chosen) == count == 2 and sorted(chosen.tolist()) == [0, 1]:
+        raise ValueError(f"{name}: {array.tolist()} can be a mask or indices; give a mask as bool")
     _each_once(chosen, name)
     return chosen
+
+
+def _is_zero_or_one(array: NDArray[Any]) -> bool:
+    return bool(((array == 0) | (array == 1)).all())
 
 
 def _each_once(chosen: UInt32, name: str) -> None:
@@ -243,12 +234,16 @@ def scalars_out(array: Floats) -> _abi.fairmesh_scalars_out:
 
 
 class Mesh:
-    """A mesh given, as the library reads it. Keeps the arrays alive."""
+    """A mesh given, as the library reads it. Keeps the arrays alive.
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike, coincident: Coincident | None = None) -> None:
+    ``given`` is a host, or vertices that belong to ``faces``.
+    """
+
+    def __init__(self, given: Any, faces: Any, coincident: Coincident | None = None) -> None:
         kind, within = _coincident(coincident)
-        self.vertices = points(vertices, "vertices")
-        self.faces, self.index_type = triangles(faces)
+        self.host: Host = given if isinstance(given, Host) else Pair(given, faces)
+        self.vertices = points(self.host.vertices, "vertices")
+        self.faces, self.index_type = triangles(self.host.faces)
         self.struct = _abi.fairmesh_mesh(
             ctypes.sizeof(_abi.fairmesh_mesh), kind, points_view(self.vertices), indices_view(self.faces), within
         )
@@ -266,16 +261,48 @@ def _coincident(given: Coincident | None) -> tuple[int, float]:
     return kinds.JOIN, float(given)
 
 
-def chosen_faces(given: ArrayLike, name: str, count: int) -> UInt32:
-    """Indices of faces, from indices or a mask."""
-    chosen = mask_or_indices(given, name, count)
+def chosen_faces(mesh: Mesh, given: Any, name: str) -> UInt32:
+    """Indices of faces, from indices, a mask, or the name of a mask that the mesh has."""
+    if isinstance(given, str):
+        given = _named(mesh, given, name, of_faces=True)
+    chosen = mask_or_indices(given, name, len(mesh.faces))
     return np.flatnonzero(chosen).astype(np.uint32) if chosen.dtype == np.uint8 else chosen
+
+
+def chosen_vertices(mesh: Mesh, given: Any, name: str) -> NDArray[Any]:
+    """A mask of vertices as uint8, or indices as uint32, from either, or the name of a mask that the mesh has."""
+    if isinstance(given, str):
+        given = _named(mesh, given, name, of_faces=False)
+    return mask_or_indices(given, name, len(mesh.vertices))
+
+
+def _named(mesh: Mesh, key: str, name: str, *, of_faces: bool) -> NDArray[Any]:
+    """A mask that the mesh has under a name: of bool, or whole numbers, in any type, of which 0 is not chosen."""
+    host = mesh.host
+    found, where = (
+        (host.face_data(key), host.face_data_name) if of_faces else (host.vertex_data(key), host.vertex_data_name)
+    )
+    if found is None:
+        what = f"the {where} of the mesh have no {key!r}" if where else f"arrays have no names such as {key!r}"
+        raise ValueError(f"{name}: {what}")
+    array = np.asarray(found)
+    if array.ndim == 2 and array.shape[1] == 1:
+        array = array[:, 0]
+    if array.shape == (len(mesh.faces if of_faces else mesh.vertices),):
+        if array.dtype == np.bool_ or (array.dtype.kind in "iuf" and _is_zero_or_one(array)):
+            return array.astype(bool)
+        raise ValueError(f"{name}: {key!r} of the mesh is no mask: it has values that are neither 0 nor 1")
+    return array
 
 
 class Region:
     """Which vertices may move, as the library reads it. Keeps the arrays alive."""
 
     def __init__(self, mesh: Mesh, free: Selection, fixed: Selection, free_faces: Selection) -> None:
+        if isinstance(free, FaceMask) and free_faces is None:
+            free, free_faces = None, free
+        if isinstance(fixed, FaceMask):
+            raise ValueError("fixed: a mask of faces says nothing of vertices; give the others as free_faces")
         named = [n for n, v in (("free", free), ("fixed", fixed), ("free_faces", free_faces)) if v is not None]
         if len(named) > 1:
             raise ValueError(f"only one of {' and '.join(named)} can be given")
@@ -283,21 +310,31 @@ class Region:
         self.array: NDArray[Any] = np.empty(0, np.uint8)
         kind = kinds.INTERIOR
         if free is not None:
-            self.array = mask_or_indices(free, "free", len(mesh.vertices))
+            _no_faces(free, "free", mesh)
+            self.array = chosen_vertices(mesh, free, "free")
             kind = kinds.FREE_MASK if self.array.dtype == np.uint8 else kinds.FREE_VERTICES
         elif fixed is not None:
-            self.array = _fixed_mask(fixed, len(mesh.vertices))
+            _no_faces(fixed, "fixed", mesh)
+            self.array = _fixed_mask(chosen_vertices(mesh, fixed, "fixed"), len(mesh.vertices))
             kind = kinds.FIXED_MASK
         elif free_faces is not None:
-            self.array = chosen_faces(free_faces, "free_faces", len(mesh.faces))
+            self.array = chosen_faces(mesh, free_faces, "free_faces")
             kind = kinds.FACES
         self.struct = _abi.fairmesh_selection(
             ctypes.sizeof(_abi.fairmesh_selection), kind, _address(self.array), len(self.array), _stride(self.array)
         )
 
 
-def _fixed_mask(fixed: ArrayLike, count: int) -> NDArray[np.uint8]:
-    chosen = mask_or_indices(fixed, "fixed", count)
+def _no_faces(given: Any, name: str, mesh: Mesh) -> None:
+    """Tells those who give a mask of faces where one of vertices is meant."""
+    if getattr(given, "dtype", None) == np.bool_ and np.shape(given) == (len(mesh.faces),) != (len(mesh.vertices),):
+        raise ValueError(
+            f"{name}: a mask has to have the shape ({len(mesh.vertices)},), not ({len(mesh.faces)},); "
+            "a mask of faces is given as free_faces"
+        )
+
+
+def _fixed_mask(chosen: NDArray[Any], count: int) -> NDArray[np.uint8]:
     if chosen.dtype == np.uint8:
         return chosen
     outside = np.flatnonzero(chosen >= count)

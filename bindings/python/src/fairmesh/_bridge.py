@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import ctypes
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._handles import ResultHandle, result_of
-from ._holes import LoopReport, NewMesh, set_patches
+from ._holes import DENSITY, MOST, LoopReport, NewMesh, set_patches
+from ._hosts import Arrays, M
 from ._library import load
 from ._options import Options, initial, real, with_options
 from ._progress import Event, ProgressCallback, Relay
@@ -21,12 +22,13 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._choice import OnFailure
+    from ._keywords import BridgeKeywords
     from ._options import FairingOptions
 
 _lists = _abi.fairmesh_list
 
 
-class Bridged(NewMesh):
+class Bridged(NewMesh[M]):
     """A mesh with a bridge. Vertices and faces given keep their numbers and bits; new ones follow."""
 
     def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
@@ -61,32 +63,37 @@ class Bridged(NewMesh):
         return f"<fairmesh.Bridged: {self.strip.outcome}, {self.new_vertex_count} new vertices>"
 
 
-@_arrays.of_arrays
+@overload
+def bridge(mesh: M, /, start: ArrayLike, end: ArrayLike, **keywords: Unpack[BridgeKeywords]) -> Bridged[M]: ...
+@overload
+def bridge(
+    vertices: ArrayLike, faces: ArrayLike, start: ArrayLike, end: ArrayLike, **keywords: Unpack[BridgeKeywords]
+) -> Bridged[Arrays]: ...
 @with_options
 def bridge(
-    vertices: ArrayLike,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any,
     start: ArrayLike,
     end: ArrayLike,
     *,
     width: float | None = None,
-    fill: bool | None = None,
-    on_failure: OnFailure | None = None,
-    density: float | None = None,
-    max_new_vertices: int | None = None,
-    fair: bool | None = None,
-    coincident: _arrays.Coincident | None = None,
+    fill: bool | None = False,
+    on_failure: OnFailure | None = "linear",
+    density: float | None = DENSITY,
+    max_new_vertices: int | None = MOST,
+    fair: bool | None = True,
+    coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
-) -> Bridged:
+) -> Bridged[Any]:
     """Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired.
 
     On one loop the strip divides the hole, on two it joins the parts. Where their ends face opposite ways none is made:
     its report says "opposite_sides".
 
     Args:
-        vertices, faces, coincident: As in `fair`.
+        mesh, coincident: As in `fair`.
         start, end: The vertices of each run, one after the other, in either direction: at least two, or one if there is
             a width.
         width: How long the runs shall be: each is made longer or shorter about its middle. Default: as they are.

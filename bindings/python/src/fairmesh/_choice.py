@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_names
 from ._options import initial, real, whole
 
 if TYPE_CHECKING:
@@ -50,9 +51,6 @@ class Choice:
     """The library's options of hole filling, as far as they say which loops. Keeps the lists alive."""
 
     def __init__(self, library: Library, given: LoopChoice, join: Join | None = None) -> None:
-        unknown = sorted(set(given) - set(LoopChoice.__annotations__))
-        if unknown:
-            raise TypeError(f"unknown option {unknown[0]!r}")
         self.struct = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
         self._alive: list[NDArray[Any]] = []
         self._join(join)
@@ -118,7 +116,7 @@ def on_failure_number(given: OnFailure) -> int:
     """The library's number."""
     names = {member.name.lower(): member for member in _abi.fairmesh_on_failure}
     if not isinstance(given, str) or given not in names:
-        raise ValueError(f"on_failure: {given!r} is none of {', '.join(map(repr, names))}")
+        raise ValueError(of_names(given, "on_failure", names))
     return names[given]
 
 

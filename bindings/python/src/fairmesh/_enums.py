@@ -237,6 +237,12 @@ class Status(Numbered):
         "a chain is no run of edges of one boundary loop",
         "name the vertices of a run of boundary edges, one after the other",
     )
+    #: Deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped.
+    NO_FAIR_PATCH = (
+        38,
+        "deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped",
+        "remesh the region, or fair it as it is; or erase it, and fill the holes with what there is",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,

@@ -60,6 +60,12 @@ class FairmeshError(Exception):
         self.other = other
         self.argument = argument
 
+    def add_advice(self, advice: str) -> None:
+        """Puts more at the end of the message, if there is more to say."""
+        if advice:
+            self.message = f"{self.message}; {advice}"
+            self.args = (self.message,)
+
     @property
     def option(self) -> str | None:
         """The name of the option that is out of its range, or None."""

@@ -6,7 +6,7 @@ import ctypes
 import os
 import weakref
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,7 @@ from . import _abi, _arrays
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
 from ._handles import ResultHandle, result_of
+from ._hosts import Arrays, M
 from ._library import Library, load
 from ._options import (
     Curvature,
@@ -33,20 +34,23 @@ from ._options import (
 )
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Report, report_of, sized
+from ._seams import seams_told, warn_of_seams
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._keywords import FairKeywords
     from ._options import FairingOptions
 
 _lists = _abi.fairmesh_list
 
 
-class Result:
+class Result(Generic[M]):
     """A faired mesh. Arrays are made when they are first asked for, and then kept."""
 
-    def __init__(self, handle: ResultHandle, vertices: NDArray[Any]) -> None:
+    def __init__(self, handle: ResultHandle, vertices: NDArray[Any], given: _arrays.Mesh) -> None:
         self._handle = handle
+        self._given = given.host
         #: All vertices, (n, 3), in the type given; fixed ones have their bits.
         self.vertices = vertices
         #: How it went.
@@ -56,6 +60,15 @@ class Result:
     def outcome(self) -> Outcome:
         """How it ended; the same as ``report.outcome``."""
         return self.report.outcome
+
+    @cached_property
+    def mesh(self) -> M:
+        """The faired mesh, of the kind given: a copy with these vertices and with all that belonged to the mesh.
+
+        Of two arrays, a pair of arrays. Made when first asked for, of the mesh as it is then: ask before you change it.
+        """
+        made: M = self._given.same(lambda: self._given.moved(self.vertices))
+        return made
 
     @cached_property
     def mean_curvature(self) -> NDArray[np.float64]:
@@ -131,34 +144,44 @@ class Result:
         )
 
 
-@_arrays.of_arrays
+@overload
+def fair(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]) -> Result[M]: ...
+@overload
+def fair(
+    vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]
+) -> Result[Arrays]: ...
 @with_options
 def fair(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    *,
+    vertices: Any,
+    faces: Any = None,
     free: _arrays.Selection = None,
+    *,
     fixed: _arrays.Selection = None,
     free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = None,
+    coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
-) -> Result:
+) -> Result[Any]:
     """Moves the free vertices until the surface between the fixed ones solves Delta_B H = 0, or what ``target`` asks.
 
     The surface passes through the fixed vertices with tangent continuity, or with that of curvature as far as
     ``continuity`` asks. A run that ends badly is an `Outcome`, no exception: ``result.vertices`` is usable in every
     case. The interpreter lock is released; any number of threads may call this at once.
 
+    ``fair(mesh, mask)`` takes a mesh of trimesh, pyvista, Open3D or meshio, and ``result.mesh`` is one of its kind;
+    ``fair(vertices, faces, mask)`` takes arrays, as libigl has them.
+
     Args:
-        vertices: (n, 3) float32 or float64, any unit of length; other real numbers are converted to float64. Not
-            written.
-        faces: (m, 3) integers from 0, counter-clockwise seen from the side that normals point to.
-        free: The vertices that may move: a mask (n,) of bool, or indices in any order.
+        mesh: Such an object, or in two arguments vertices and faces; it is not written. vertices: (n, 3) float32 or
+            float64, any unit of length; other real numbers are converted to float64. faces: (m, 3) integers from 0,
+            counter-clockwise seen from the side that normals point to.
+        free: The vertices that may move: a mask (n,) of bool or of 0 and 1; indices in any order; or the name of such
+            an array that the mesh has at its vertices.
         fixed: In its place the vertices that may not.
-        free_faces: In its place a mask (m,) or indices of faces: free are vertices that have no other faces and are not
-            on the boundary of the mesh. With none of the three: all vertices that are not on the boundary of the mesh.
+        free_faces: In its place a mask (m,), indices, or the name of data of faces: free are vertices that
+            have no other faces and are not on the boundary of the mesh. With none of the three: all vertices that are
+            not on the boundary of the mesh.
         coincident: Whether vertices at the same place are one vertex of the surface, as in triangle soups and along
             texture seams: "join" (default) where their coordinates are equal; a distance that they may be apart; or
             "separate". All copies of a free vertex move alike. Indices name a vertex by any of its copies; a mask
@@ -188,7 +211,7 @@ def fair(
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
     positions = np.empty(mesh.vertices.shape, mesh.vertices.dtype)
-    with relay:
+    with seams_told(library, mesh), relay:
         handle = result_of(
             library,
             "fairmesh_fair",
@@ -198,7 +221,10 @@ def fair(
             ctypes.byref(_arrays.points_out(positions)),
             None,
         )
-    return Result(handle, positions)
+    made: Result[Any] = Result(handle, positions, mesh)
+    if free is None:
+        warn_of_seams(mesh, made.boundary_vertices)
+    return made
 
 
 def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
@@ -206,7 +232,7 @@ def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
     return library.fairmesh_solver_free(address) if os.getpid() == process else int(Status.OK)
 
 
-class Solver:
+class Solver(Generic[M]):
     """Fairing in steps: run some iterations, look, change the normals, the continuity or the target, go on.
 
     Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
@@ -216,17 +242,26 @@ class Solver:
     Arguments and errors are those of `fair`.
     """
 
-    @_arrays.of_arrays
+    @overload
+    def __init__(self, mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[FairKeywords]) -> None: ...
+    @overload
+    def __init__(
+        self: Solver[Arrays],
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        free: _arrays.Selection = None,
+        **keywords: Unpack[FairKeywords],
+    ) -> None: ...
     @with_options
     def __init__(
         self,
-        vertices: ArrayLike,
-        faces: ArrayLike,
-        *,
+        vertices: Any,
+        faces: Any = None,
         free: _arrays.Selection = None,
+        *,
         fixed: _arrays.Selection = None,
         free_faces: _arrays.Selection = None,
-        coincident: _arrays.Coincident | None = None,
+        coincident: _arrays.Coincident | None = "join",
         progress: ProgressCallback | None = None,
         cancel: Event | None = None,
         **options: Unpack[FairingOptions],
@@ -237,10 +272,11 @@ class Solver:
         asked = Options(self._library, mesh.vertices, options)
         self._relay = Relay(progress, cancel)
         self._relay.install(asked.struct)
+        self._given = mesh
         self._shape = mesh.vertices.shape
         self._dtype = mesh.vertices.dtype
         self._address = ctypes.c_void_p()
-        with self._relay:
+        with seams_told(self._library, mesh), self._relay:
             call(
                 self._library,
                 "fairmesh_solver_new",
@@ -306,6 +342,13 @@ class Solver:
         return made
 
     @property
+    def mesh(self) -> M:
+        """The mesh as it stands, of the kind given, as `Result.mesh` is."""
+        host = self._given.host
+        made: M = host.same(lambda: host.moved(self.vertices))
+        return made
+
+    @property
     def mean_curvature(self) -> NDArray[np.float64]:
         """The mean curvature of the surface as it stands, (n,); NaN where no vertex is free."""
         made = np.empty(self._shape[0])
@@ -328,12 +371,12 @@ class Solver:
     def _continuity(self, component: int, number: int, to: Any) -> None:
         self._call("fairmesh_solver_continuity", component, number, to)
 
-    def result(self) -> Result:
+    def result(self) -> Result[M]:
         """A copy of everything that is known of the surface as it stands."""
         address = ctypes.c_void_p()
         self._call("fairmesh_solver_result", ctypes.byref(address))
         handle = ResultHandle(self._library, address)
-        return Result(handle, handle.positions(self._shape[0], self._dtype))
+        return Result(handle, handle.positions(self._shape[0], self._dtype), self._given)
 
     def close(self) -> None:
         """Frees the solver's memory and threads. Closing twice is allowed; while it runs, it is refused with BUSY."""
@@ -342,7 +385,7 @@ class Solver:
                 raise FairmeshError(Status.BUSY, "the solver is in use")
             self._finalizer.detach()
 
-    def __enter__(self) -> Solver:
+    def __enter__(self) -> Solver[M]:
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -6,26 +6,54 @@ import ctypes
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Generic, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
+from ._carry import Change
 from ._choice import Choice, Join, LoopChoice, OnFailure, Place, on_failure_number
 from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._handles import ResultHandle, result_of
+from ._hosts import Arrays, M, MeshLike
 from ._library import load
-from ._options import Options, initial, real, whole, with_options
+from ._options import Options, real, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._keywords import FillKeywords
     from ._options import FairingOptions
 
 _lists = _abi.fairmesh_list
+
+#: Edges as long as those beside the boundary.
+DENSITY = 2**0.5
+#: New vertices.
+MOST = 200000
+
+
+@dataclass(frozen=True)
+class Roughness:
+    """How rough the mesh is along a boundary loop. Angles are in degrees, root mean square."""
+
+    #: The angle over the expected one: about 1 where the mesh is clean.
+    ratio: float
+    #: Between the normals of the faces at consecutive edges of the loop.
+    angle: float
+    #: The same by the surface fitted to what is around.
+    expected_angle: float
+    #: The distance of the mesh around from that surface, root mean square.
+    noise: float
+    #: The loop is noise, and what is advised draws it to the surface that the mesh has there on average.
+    is_rough: bool
+    #: Advice for ``relax_rim`` and ``relax_within`` of `fill_holes`; 0: nothing.
+    advised_relax_rim: int
+    advised_relax_within: float
 
 
 @dataclass(frozen=True)
@@ -50,21 +78,33 @@ class Loop:
     component: int
     #: How many faces that has.
     component_faces: int
+    #: How rough the mesh is around it, if `boundary_loops` was asked for that and the mesh around tells.
+    roughness: Roughness | None
 
 
-@_arrays.of_arrays
+@overload
 def boundary_loops(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
+    mesh: MeshLike, /, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
+) -> list[Loop]: ...
+@overload
+def boundary_loops(
+    vertices: ArrayLike, faces: ArrayLike, *, roughness: bool = ..., coincident: _arrays.Coincident | None = ...
+) -> list[Loop]: ...
+@of_mesh()
+def boundary_loops(
+    vertices: Any, faces: Any = None, *, roughness: bool = False, coincident: _arrays.Coincident | None = "join"
 ) -> list[Loop]:
     """The boundary loops of a mesh: holes and outer boundaries. Arguments as in `fair`.
 
     Of a vertex with several copies a loop names the one in the triangle at its edge.
 
-    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter.
+    Only indices and coordinates have to be sound: a flaw of the mesh elsewhere does not matter. With ``roughness`` each
+    loop tells how rough the mesh is along it, and what `fill_holes` can do about it; that takes longer.
     """
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
-    handle = result_of(library, "fairmesh_boundary_loops", ctypes.byref(mesh.struct))
+    function = "fairmesh_rim_roughness" if roughness else "fairmesh_boundary_loops"
+    handle = result_of(library, function, ctypes.byref(mesh.struct))
     return [_loop(handle, index) for index in range(handle.info().loop_count)]
 
 
@@ -82,6 +122,19 @@ def _loop(handle: ResultHandle, index: int) -> Loop:
         (loop.edge_a, loop.edge_b) if kind is LoopKind.NON_MANIFOLD else None,
         loop.component,
         loop.component_triangle_count,
+        _roughness(loop) if loop.has_roughness else None,
+    )
+
+
+def _roughness(loop: _abi.fairmesh_loop) -> Roughness:
+    return Roughness(
+        loop.roughness,
+        loop.rim_angle,
+        loop.rim_angle_expected,
+        loop.rim_noise,
+        bool(loop.is_rough),
+        loop.advised_relax_rings,
+        loop.advised_relax_within,
     )
 
 
@@ -148,11 +201,12 @@ class LoopReport:
         return f"<fairmesh.LoopReport: {which}, {self.edge_count} edges, {self.outcome}{why}>"
 
 
-class NewMesh:
+class NewMesh(Generic[M]):
     """A mesh with new vertices at the end of its arrays."""
 
     def __init__(self, handle: ResultHandle, mesh: _arrays.Mesh) -> None:
         self._handle = handle
+        self._given = mesh
         info = handle.info()
         #: All vertices, in the type given.
         self.vertices: NDArray[Any] = handle.positions(info.vertex_count, mesh.vertices.dtype)
@@ -161,6 +215,32 @@ class NewMesh:
         #: The new ones among the vertices and faces.
         self.new_vertices = slice(info.vertex_count - info.new_vertex_count, info.vertex_count)
         self.new_faces = slice(info.triangle_count - info.new_triangle_count, info.triangle_count)
+
+    @cached_property
+    def mesh(self) -> M:
+        """The new mesh, of the kind given, with what can be carried over: of new vertices colours, texture coordinates
+        and other real numbers are interpolated, whole numbers and what belongs to new faces is that of the nearest
+        ones, normals are made anew. Of two arrays, a pair of arrays.
+
+        Made when first asked for, of the mesh as it is then: ask before you change it.
+        """
+        given = self._given
+        kept_vertices, kept_faces = self._kept()
+        change = Change(
+            self.vertices,
+            self.faces,
+            given.faces.astype(np.intp),
+            kept_vertices,
+            kept_faces,
+            self.parents,
+            self.parent_weights,
+        )
+        made: M = given.host.same(lambda: given.host.rebuilt(change))
+        return made
+
+    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The numbers before of the vertices and faces that come before the new ones."""
+        return np.arange(self.new_vertices.start), np.arange(self.new_faces.start)
 
     @property
     def new_vertex_count(self) -> int:
@@ -183,7 +263,7 @@ class NewMesh:
         return self._handle.vectors(_abi.fairmesh_vectors.PARENT_WEIGHTS, self.new_vertex_count)
 
 
-class Filled(NewMesh):
+class Filled(NewMesh[M]):
     """A mesh with filled holes. Vertices and faces given keep their numbers and bits; new ones follow.
 
     Vertices that ``relax_rim`` let move have other bits.
@@ -201,28 +281,6 @@ class Filled(NewMesh):
 
     def __repr__(self) -> str:
         return f"<fairmesh.Filled: {len(self.loops)} loops, {self.new_vertex_count} new vertices>"
-
-
-class Remeshed(NewMesh):
-    """A mesh with a new triangulation of a region."""
-
-    @cached_property
-    def free_vertices(self) -> NDArray[np.intp]:
-        """The free vertices of the new mesh: give them to `fair` as ``free``."""
-        return self._handle.list(_lists.FREE_VERTICES)
-
-    @cached_property
-    def kept_vertices(self) -> NDArray[np.intp]:
-        """Per vertex that is left its number before."""
-        return self._handle.list(_lists.KEPT_VERTICES)
-
-    @cached_property
-    def kept_faces(self) -> NDArray[np.intp]:
-        """Per triangle that is left its number before."""
-        return self._handle.list(_lists.KEPT_TRIANGLES)
-
-    def __repr__(self) -> str:
-        return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
 
 
 def set_patches(
@@ -243,33 +301,36 @@ def set_patches(
         fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
 
 
-@_arrays.of_arrays
+@overload
+def fill_holes(mesh: M, /, **keywords: Unpack[FillKeywords]) -> Filled[M]: ...
+@overload
+def fill_holes(vertices: ArrayLike, faces: ArrayLike, **keywords: Unpack[FillKeywords]) -> Filled[Arrays]: ...
 @with_options
 def fill_holes(
-    vertices: ArrayLike,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any = None,
     *,
     loops: ArrayLike | Literal["all"] | None = None,
-    join: Join | None = None,
+    join: Join | None = "none",
     max_edges: int | None = None,
     max_length: float | None = None,
     max_area: float | None = None,
     max_diagonal: float | None = None,
-    except_longest: int | None = None,
+    except_longest: int | None = 0,
     of_components: ArrayLike | None = None,
     within: Place | None = None,
     guides: ArrayLike | None = None,
-    on_failure: OnFailure | None = None,
-    relax_rim: int | None = None,
+    on_failure: OnFailure | None = "linear",
+    relax_rim: int | None = 0,
     relax_within: float | None = None,
-    density: float | None = None,
-    max_new_vertices: int | None = None,
-    fair: bool | None = None,
-    coincident: _arrays.Coincident | None = None,
+    density: float | None = DENSITY,
+    max_new_vertices: int | None = MOST,
+    fair: bool | None = True,
+    coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
     **options: Unpack[FairingOptions],
-) -> Filled:
+) -> Filled[Any]:
     """Fills holes: triangulates, refines and fairs each, or several together.
 
     Vertices and faces given keep their numbers and bits (but for ``relax_rim``); new ones follow. A loop that cannot
@@ -277,7 +338,7 @@ def fill_holes(
     surfaces are filled only if they are named.
 
     Args:
-        vertices, faces, coincident: As in `fair`. New faces name of each vertex the copy in the face beside them.
+        mesh, coincident: As in `fair`. New faces name of each vertex the copy in the face beside them.
         loops: These loops only, as `boundary_loops` numbers them, outer boundaries included; bounds are not read then.
             "all": all holes. Default: all holes; with groups in ``join``, none but these.
         join: Which loops get one patch together: "none" (default); groups of them, ``[[0, 1], [2, 5]]``; or "auto",
@@ -325,9 +386,9 @@ def fill_holes(
     fill = chosen.struct
     set_patches(fill, density, max_new_vertices, fair, on_failure)
     if relax_rim is not None:
-        fill.relax_rings = relax_rim
+        fill.relax_rings = whole(relax_rim, "relax_rim")
     if relax_within is not None:
-        fill.relax_within = relax_within
+        fill.relax_within = real(relax_within, "relax_within")
     if guides is not None:
         guiding = _arrays.pairs(guides, "guides")
         fill.guides = _arrays.indices_view(guiding)
@@ -339,43 +400,3 @@ def fill_holes(
             library, "fairmesh_fill_holes", ctypes.byref(mesh.struct), ctypes.byref(fill), ctypes.byref(asked.struct)
         )
     return Filled(handle, mesh)
-
-
-@_arrays.of_arrays
-def remesh(
-    vertices: ArrayLike,
-    faces: ArrayLike,
-    *,
-    free: _arrays.Selection = None,
-    fixed: _arrays.Selection = None,
-    free_faces: _arrays.Selection = None,
-    coincident: _arrays.Coincident | None = None,
-    density: float | None = None,
-    max_vertices: int | None = None,
-) -> Remeshed:
-    """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
-
-    To fair the new mesh: ``fair(new.vertices, new.faces, free=new.free_vertices)``.
-
-    Args:
-        vertices, faces, free, fixed, free_faces, coincident: As in `fair`.
-        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
-        max_vertices: At most this many vertices inside the region. Default 200000.
-
-    Returns:
-        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
-
-    Raises:
-        InputError and the others of `fair`.
-
-    """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    region = _arrays.Region(mesh, free, fixed, free_faces)
-    asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
-    if density is not None:
-        asked.density = real(density, "density")
-    if max_vertices is not None:
-        asked.max_vertices = whole(max_vertices, "max_vertices")
-    views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
-    return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)

@@ -3,22 +3,32 @@
 from __future__ import annotations
 
 import ctypes
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
 from ._handles import result_of
+from ._hosts import MeshLike
 from ._library import load
 
 
-def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike | None = None) -> NDArray[np.intp]:
+@overload
+def self_intersections(mesh: MeshLike, /, among: ArrayLike | str | None = None) -> NDArray[np.intp]: ...
+@overload
+def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike | None = None) -> NDArray[np.intp]: ...
+@of_mesh()
+def self_intersections(vertices: Any, faces: Any = None, among: ArrayLike | str | None = None) -> NDArray[np.intp]:
     """Pairs of faces that intersect, (p, 2), the smaller index first, ascending.
 
-    ``vertices`` (n, 3) and ``faces`` (m, 3) as in `fair`; ``among``: indices of faces or a mask, and only pairs with at
-    least one of them. Two triangles intersect if they have more in common than a vertex of both or an edge of both,
-    where vertices at the same position are one; also if they only touch. Exact for the positions given. Triangles
-    without area take no part. The mesh need not be a manifold.
+    ``mesh`` as in `fair`; ``among``: indices of faces, a mask, or the name of one that the mesh has, and only
+    pairs with at least one of them.
+
+    Two triangles intersect if they have more in common than a vertex of both or an edge of both, where vertices at the
+    same position are one; also if they only touch. Exact for the positions given. Triangles without area take no part.
+    The mesh need not be a manifold.
 
     Raises:
         InputError: An index or a coordinate is wrong; it says where.
@@ -28,7 +38,7 @@ def self_intersections(vertices: ArrayLike, faces: ArrayLike, among: ArrayLike |
     mesh = _arrays.Mesh(vertices, faces)
     listed = None
     if among is not None:
-        asked = _arrays.chosen_faces(among, "among", len(mesh.faces))
+        asked = _arrays.chosen_faces(mesh, among, "among")
         listed = ctypes.byref(_arrays.indices_view(asked))
     handle = result_of(library, "fairmesh_self_intersections", ctypes.byref(mesh.struct), listed)
     return handle.list(_abi.fairmesh_list.INTERSECTIONS).reshape(-1, 2)

@@ -1,17 +1,19 @@
-"""Which loops to join, triangles erased, components."""
+"""Which loops to join, and the components of a mesh."""
 
 from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh
 from ._choice import Choice, LoopChoice
 from ._handles import ResultHandle, result_of
+from ._hosts import MeshLike
 from ._library import load
 from ._reports import Bends, bends_of, sized
 
@@ -31,32 +33,30 @@ class JoinSuggestion:
     reason: Bends
 
 
-@dataclass(frozen=True)
-class Erased:
-    """A mesh without some of its triangles. Its vertices are those given, used or not."""
-
-    #: The faces that are left, in the type given.
-    faces: NDArray[Any]
-    #: Their numbers before, ascending.
-    kept_faces: NDArray[np.intp]
-    #: The loops that the deleted faces leave, as `boundary_loops` numbers those of the mesh that is left.
-    loops: NDArray[np.intp]
-    #: How many faces were dropped besides those named: they hung at the mesh by one edge or by a vertex.
-    dropped_count: int
-
-
-@_arrays.of_arrays
+@overload
+def suggest_joins(
+    mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ..., **which: Unpack[LoopChoice]
+) -> list[JoinSuggestion]: ...
+@overload
 def suggest_joins(
     vertices: ArrayLike,
     faces: ArrayLike,
     *,
-    coincident: _arrays.Coincident | None = None,
+    coincident: _arrays.Coincident | None = ...,
+    **which: Unpack[LoopChoice],
+) -> list[JoinSuggestion]: ...
+@of_mesh(LoopChoice, {"except_longest": 0})
+def suggest_joins(
+    vertices: Any,
+    faces: Any = None,
+    *,
+    coincident: _arrays.Coincident | None = "join",
     **which: Unpack[LoopChoice],
 ) -> list[JoinSuggestion]:
     """The loops that ``fill_holes(..., join="auto")`` would give one patch, and why.
 
     Args:
-        vertices, faces, coincident: As in `fair`.
+        mesh, coincident: As in `fair`.
         **which: Among which loops: ``loops`` and the bounds of `fill_holes`. Default: all.
 
     """
@@ -73,32 +73,14 @@ def _suggestion(handle: ResultHandle, index: int) -> JoinSuggestion:
     return JoinSuggestion(handle.list(_lists.JOINED_LOOPS, index), bends_of(made))
 
 
-@_arrays.of_arrays
-def erase(
-    vertices: ArrayLike, faces: ArrayLike, erased: ArrayLike, *, coincident: _arrays.Coincident | None = None
-) -> Erased:
-    """Deletes faces, and what would hang loose where they were, so that new patches can take their place:
-
-    ``left = erase(v, f, faces); fill_holes(v, left.faces, loops=left.loops)``.
-
-    Args:
-        vertices, faces, coincident: As in `fair`.
-        erased: A bool mask (m,) or indices of faces.
-
-    """
-    library = load()
-    mesh = _arrays.Mesh(vertices, faces, coincident)
-    listed = _arrays.chosen_faces(erased, "erased", len(mesh.faces))
-    handle = result_of(library, "fairmesh_erase", ctypes.byref(mesh.struct), ctypes.byref(_arrays.indices_view(listed)))
-    kept = handle.list(_lists.KEPT_TRIANGLES)
-    left = mesh.faces[kept].astype(mesh.index_type, copy=False)
-    return Erased(left, kept, handle.list(_lists.ERASED_LOOPS), handle.info().dropped_count)
-
-
-@_arrays.of_arrays
+@overload
+def components(mesh: MeshLike, /, *, coincident: _arrays.Coincident | None = ...) -> NDArray[np.intp]: ...
+@overload
 def components(
-    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = None
-) -> NDArray[np.intp]:
+    vertices: ArrayLike, faces: ArrayLike, *, coincident: _arrays.Coincident | None = ...
+) -> NDArray[np.intp]: ...
+@of_mesh()
+def components(vertices: Any, faces: Any = None, *, coincident: _arrays.Coincident | None = "join") -> NDArray[np.intp]:
     """Per face the number of its component, (m,): faces that hang together by edges.
 
     Components count in the order of their first faces. Arguments as in `fair`.

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import difflib
-import inspect
 from collections import abc
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, Union
 
@@ -12,12 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._calls import of_mesh, of_names
 from ._enums import Status
 from ._errors import error_of
 from ._library import Library, load
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Mapping
 
 InnerFairness = Literal["uniform", "conformal", "convex"]
 InteriorNormals = Literal["smooth", "input"]
@@ -110,18 +109,33 @@ class FairingOptions(TypedDict, total=False):
     output_precision: OutputPrecision | None
 
 
-Function = TypeVar("Function", bound="Callable[..., Any]")
-
-
-def with_options(function: Function) -> Function:
-    """Shows the fairing options in the signature that ``help`` prints."""
-    signature = inspect.signature(function)
-    own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
-    named = [
-        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in FairingOptions.__annotations__
-    ]
-    function.__signature__ = signature.replace(parameters=own + named)  # type: ignore[attr-defined]
-    return function
+#: The library's defaults, as `default_options` reads them.
+DEFAULTS: FairingOptions = {
+    "boundary_normals": "fitted",
+    "continuity": 0.0,
+    "loop_continuity": {},
+    "boundary_curvature": "estimated",
+    "target": "harmonic",
+    "inner_fairness": "uniform",
+    "interior_normals": "smooth",
+    "tolerance": 1e-8,
+    "max_iterations": 500,
+    "threads": 0,
+    "intersections": "check",
+    "discretization": "second_order",
+    "solver": "fast",
+    "paper_estimate": "alternating",
+    "paper_estimate_iterations": 10,
+    "paper_damping": 0.9,
+    "paper_levels": 0,
+    "paper_base": 0,
+    "paper_defect": 1e-6,
+    "paper_laplacian": float("inf"),
+    "paper_max_updates": 20000,
+    "output_precision": None,
+}
+#: For functions of meshes that take the fairing options.
+with_options = of_mesh(FairingOptions, DEFAULTS)
 
 
 class FillOptions(TypedDict):
@@ -192,46 +206,10 @@ def whole(value: Any, name: str, bits: int = 64) -> int:
     return int(value)
 
 
-#: Keywords that some of the functions have, and are likely to be meant.
-_OTHERS = (
-    "free",
-    "fixed",
-    "free_faces",
-    "coincident",
-    "progress",
-    "cancel",
-    "loops",
-    "join",
-    "on_failure",
-    "relax_rim",
-    "relax_within",
-    "max_edges",
-    "max_length",
-    "max_area",
-    "max_diagonal",
-    "except_longest",
-    "of_components",
-    "within",
-    "guides",
-    "width",
-    "density",
-    "max_new_vertices",
-)
-
-
-def _hint(name: str) -> str:
-    """What may have been meant."""
-    near = difflib.get_close_matches(name.lower(), [*FairingOptions.__annotations__, *_OTHERS], n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""
-
-
 class Options:
     """The library's options. Keeps the arrays of normals, curvatures and loops alive."""
 
     def __init__(self, library: Library, vertices: NDArray[Any], given: Mapping[str, Any]) -> None:
-        unknown = sorted(set(given) - set(FairingOptions.__annotations__))
-        if unknown:
-            raise TypeError(f"unknown option {unknown[0]!r}{_hint(unknown[0])}")
         self.struct = initial(library, "fairmesh_options_init", _abi.fairmesh_options)
         if vertices.dtype == np.float32:
             self.struct.output_precision = _abi.fairmesh_output_precision.SINGLE
@@ -268,7 +246,7 @@ class Options:
 def _number(value: Any, name: str) -> int:
     names = {member.name.lower(): member for member in _NAMED[name]}
     if not isinstance(value, str) or value not in names:
-        raise ValueError(f"{name}: {value!r} is none of {', '.join(map(repr, names))}")
+        raise ValueError(of_names(value, name, names))
     return names[value]
 
 

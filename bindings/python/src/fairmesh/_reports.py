@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Report:
     """How a fairing went. Lengths are in the unit of the vertices, angles in degrees, times in wall seconds.
 
@@ -86,6 +86,10 @@ class Report:
     bending_energy: float
     #: The components of the region, by their smallest free vertices; at least one.
     components: tuple[Component, ...]
+
+    def __repr__(self) -> str:
+        # All of the fields are more than anyone reads.
+        return f"<fairmesh.Report: {self.outcome}, {self.free_vertices} free vertices, {self.iterations} iterations>"
 
     @property
     def text(self) -> str:

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options of the fairing, as properties: the same in operators and in the sidebar."""
+
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+
+
+def choice(layout, owner, name, label):
+    """A choice from a list: beside its name, or below it in the sidebar, which is narrow."""
+    if layout.use_property_split:
+        layout.prop(owner, name)
+        return
+    column = layout.column(align=True)
+    column.label(text=label)
+    column.prop(owner, name, text="")
+
+
+class RegionOptions:
+    """Mixed into the operator that fairs, and into settings."""
+
+    region: EnumProperty(
+        name="Region",
+        description="Which vertices may move",
+        items=(
+            ("AUTO", "By Select Mode", "Inside Faces in face select mode, otherwise Selected Vertices"),
+            ("FACES", "Inside Faces", "Vertices whose faces are all selected: the boundary of the selection stays"),
+            ("VERTICES", "Selected Vertices", "All selected vertices: the first unselected ones around them stay"),
+        ),
+        default="AUTO",
+    )
+
+    def draw_region(self, layout):
+        choice(layout, self, "region", "Region")
+
+
+class FairingOptions:
+    """Mixed into operators and settings. Every identifier in lower case is the library's name of the choice."""
+
+    inner_fairness: EnumProperty(
+        name="Distribution",
+        description="How vertices are spread within the surface. The shape of the surface hardly depends on it",
+        items=(
+            ("UNIFORM", "Even", "Vertices are spread evenly"),
+            ("CONFORMAL", "Keep Shapes", "Least distortion of the triangles as they are now. Needs sound triangles"),
+            ("CONVEX", "Keep Shapes, Robust", "As Keep Shapes, with weights that are positive for bad triangles, too"),
+        ),
+        default="UNIFORM",
+    )
+    boundary_normals: EnumProperty(
+        name="Tangents",
+        description="The directions in which the surface leaves the faces around it",
+        items=(
+            ("FITTED", "Fitted", "Fitted to the curved surface around the region: the most accurate"),
+            ("AVERAGED", "Averaged", "Average of the faces around the region: for noisy surroundings"),
+        ),
+        default="FITTED",
+    )
+    continuity: FloatProperty(
+        name="Match Curvature",
+        description=(
+            "How far the surface goes on as curved as the faces around it. 0: it goes on smoothly. 1: its curvature does, "
+            "too, so that reflections show no edge. Where the faces around are too rough, less is reached"
+        ),
+        default=0.0,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+    )
+    target: EnumProperty(
+        name="Shape",
+        description="The kind of surface",
+        items=(
+            ("HARMONIC", "Natural", "Curved as evenly as it can be: parts of spheres and cylinders come back exactly"),
+            ("CONSTANT", "Bulged", "Pushed out or in, by Bulge"),
+            ("MINIMAL_ENERGY", "Elastic Sheet", "Bent as little as it can be, as a thin sheet of steel"),
+        ),
+        default="HARMONIC",
+    )
+    constant: FloatProperty(
+        name="Bulge",
+        description=(
+            "How far the surface is pushed out, along the normals; a negative number pushes it in. "
+            "100 raises a flat disc by about a seventh of its radius, whatever its size"
+        ),
+        default=100.0,
+        soft_min=-1000.0,
+        soft_max=1000.0,
+        step=1000,
+        precision=1,
+    )
+    digits: IntProperty(
+        name="Accuracy",
+        description=(
+            "How many digits of the positions are right, measured in the size of the region. Blender keeps about 7"
+        ),
+        default=7,
+        min=2,
+        max=12,
+    )
+    max_iterations: IntProperty(
+        name="Iterations",
+        description="At most this many iterations; 5 to 30 is usual",
+        default=500,
+        min=1,
+        soft_max=1000,
+    )
+
+    check_intersections: BoolProperty(
+        name="Check Intersections",
+        description="Search the result for faces that intersect each other or the rest of the mesh, and warn of them",
+        default=True,
+    )
+
+    def draw_fairing(self, layout):
+        """All options, the constant only where it counts."""
+        choice(layout, self, "inner_fairness", "Distribution")
+        choice(layout, self, "boundary_normals", "Tangents")
+        layout.prop(self, "continuity", slider=True)
+        choice(layout, self, "target", "Shape")
+        if self.target == "CONSTANT":
+            layout.prop(self, "constant")
+        layout.prop(self, "digits")
+        layout.prop(self, "max_iterations")
+        layout.prop(self, "check_intersections")
+
+    def fairing_keywords(self, diagonal):
+        """The same for `fairmesh.fair`; `diagonal` is that of the region."""
+        if self.target == "CONSTANT":
+            target = self.constant / diagonal**3 if diagonal > 0 else 0.0
+        else:
+            target = self.target.lower()
+        return {
+            "inner_fairness": self.inner_fairness.lower(),
+            "boundary_normals": self.boundary_normals.lower(),
+            "continuity": self.continuity,
+            "target": target,
+            "tolerance": 10.0**-self.digits,
+            "max_iterations": self.max_iterations,
+            # That of Blender's coordinates.
+            "output_precision": "single",
+            "intersections": "check" if self.check_intersections else "skip",
+        }

@@ -1,0 +1,155 @@
+"""Regions that get other vertices: triangulated anew, or deleted and filled."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._calls import of_mesh
+from ._handles import result_of
+from ._holes import DENSITY, MOST, NewMesh, set_patches
+from ._hosts import Arrays, M
+from ._library import load
+from ._options import Options, initial, real, whole, with_options
+from ._progress import Event, ProgressCallback, Relay
+from ._seams import seams_told
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._choice import OnFailure
+    from ._keywords import RefillKeywords, RemeshKeywords
+    from ._options import FairingOptions
+
+_lists = _abi.fairmesh_list
+
+
+class Remeshed(NewMesh[M]):
+    """A mesh with a new triangulation of a region."""
+
+    @cached_property
+    def free_vertices(self) -> NDArray[np.intp]:
+        """The free vertices of the new mesh: give them to `fair` as ``free``."""
+        return self._handle.list(_lists.FREE_VERTICES)
+
+    @cached_property
+    def kept_vertices(self) -> NDArray[np.intp]:
+        """Per vertex that is left its number before."""
+        return self._handle.list(_lists.KEPT_VERTICES)
+
+    @cached_property
+    def kept_faces(self) -> NDArray[np.intp]:
+        """Per triangle that is left its number before."""
+        return self._handle.list(_lists.KEPT_TRIANGLES)
+
+    def _kept(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        return self.kept_vertices, self.kept_faces
+
+    def __repr__(self) -> str:
+        return f"<fairmesh.Remeshed: {len(self.vertices)} vertices, {self.new_vertex_count} of them new>"
+
+
+@overload
+def remesh(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]) -> Remeshed[M]: ...
+@overload
+def remesh(
+    vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]
+) -> Remeshed[Arrays]: ...
+@of_mesh()
+def remesh(
+    vertices: Any,
+    faces: Any = None,
+    free: _arrays.Selection = None,
+    *,
+    fixed: _arrays.Selection = None,
+    free_faces: _arrays.Selection = None,
+    coincident: _arrays.Coincident | None = "join",
+    density: float | None = DENSITY,
+    max_vertices: int | None = MOST,
+) -> Remeshed[Any]:
+    """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
+
+    To fair the new mesh: ``fair(new.mesh, new.free_vertices)``.
+
+    Args:
+        mesh, free, fixed, free_faces, coincident: As in `fair`.
+        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
+        max_vertices: At most this many vertices inside the region. Default 200000.
+
+    Returns:
+        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
+
+    Raises:
+        InputError and the others of `fair`.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    region = _arrays.Region(mesh, free, fixed, free_faces)
+    asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
+    if density is not None:
+        asked.density = real(density, "density")
+    if max_vertices is not None:
+        asked.max_vertices = whole(max_vertices, "max_vertices")
+    views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
+    with seams_told(library, mesh):
+        return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)
+
+
+@overload
+def refill(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[RefillKeywords]) -> Remeshed[M]: ...
+@overload
+def refill(
+    vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RefillKeywords]
+) -> Remeshed[Arrays]: ...
+@with_options
+def refill(
+    vertices: Any,
+    faces: Any = None,
+    free: _arrays.Selection = None,
+    *,
+    fixed: _arrays.Selection = None,
+    free_faces: _arrays.Selection = None,
+    on_failure: OnFailure | None = "linear",
+    density: float | None = DENSITY,
+    max_new_vertices: int | None = MOST,
+    fair: bool | None = True,
+    coincident: _arrays.Coincident | None = "join",
+    progress: ProgressCallback | None = None,
+    cancel: Event | None = None,
+    **options: Unpack[FairingOptions],
+) -> Remeshed[Any]:
+    """Deletes a region and fills what is left open, each component of it with one patch, which is fair already.
+
+    Where the shape that the region has is of no use, such as an ear of many vertices behind a short boundary.
+
+    Args:
+        mesh, free, fixed, free_faces, coincident: As in `fair`.
+        on_failure, density, max_new_vertices, fair, progress, cancel, **options: As in `fill_holes`.
+
+    Returns:
+        `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
+
+    Raises:
+        FairmeshError: With `Status.NO_FAIR_PATCH` where that leads to no fair patch, where a fixed vertex would be
+            lost, where the region lies at a boundary of the mesh, and where the run was stopped. And the others of
+            `fair`.
+
+    """
+    library = load()
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    region = _arrays.Region(mesh, free, fixed, free_faces)
+    filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
+    set_patches(filling, density, max_new_vertices, fair, on_failure)
+    asked = Options(library, mesh.vertices, options)
+    relay = Relay(progress, cancel)
+    relay.install(asked.struct)
+    views = (mesh.struct, region.struct, filling, asked.struct)
+    with seams_told(library, mesh), relay:
+        handle = result_of(library, "fairmesh_refill", *map(ctypes.byref, views))
+    return Remeshed(handle, mesh)

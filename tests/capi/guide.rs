@@ -1,0 +1,130 @@
+//! The code of docs/c-api.md: its programs are compiled by its own commands and run, the other pieces go on from the first program.
+
+use std::fs;
+use std::process::Command;
+
+use crate::command::run;
+use crate::programs::{STRICT, functions_of_header, needs, pkg_config, prefix, root, work};
+
+/// The pieces of code in this language.
+fn blocks(language: &str) -> Vec<String> {
+    let guide = fs::read_to_string(root().join("docs/c-api.md")).unwrap();
+    let fence = format!("```{language}\n");
+    let blocks = guide.split(&fence).skip(1);
+    blocks
+        .map(|rest| rest.split("\n```").next().unwrap().to_owned() + "\n")
+        .collect()
+}
+
+/// The lines of the commands that begin so, with the place where the tests have installed everything.
+fn commands(word: &str) -> Vec<String> {
+    let here = prefix().display().to_string();
+    let all = blocks("sh").concat().replace("$HOME/.local", &here);
+    let lines = all.lines().filter(|line| line.starts_with(word));
+    lines.map(str::to_owned).collect()
+}
+
+fn bash(script: &str, at: &std::path::Path) -> String {
+    run(Command::new("bash")
+        .current_dir(at)
+        .env_remove("LD_LIBRARY_PATH")
+        .args(["-c", script]))
+}
+
+#[test]
+fn programs_of_the_guide_are_built_by_its_commands_and_run() {
+    let code = blocks("c");
+    let programs: Vec<&String> = code.iter().filter(|c| c.contains("int main")).collect();
+    assert_eq!(programs.len(), 2);
+    let exports = commands("export");
+    assert_eq!(exports.len(), 3);
+    let compile = commands("cc ");
+    assert_eq!(compile.len(), 3);
+    let at = work().join("guide");
+    fs::create_dir_all(&at).unwrap();
+    for (program, says) in programs.into_iter().zip(["converged", "loop 1: faired"]) {
+        fs::write(at.join("program.c"), program).unwrap();
+        for (k, line) in compile.iter().enumerate() {
+            // Only a program that does not know where the library is needs to be told when it runs.
+            let needed: Vec<&String> = exports
+                .iter()
+                .filter(|export| k == 0 || !export.contains("LD_LIBRARY_PATH"))
+                .collect();
+            let needed: String = needed.into_iter().map(|line| line.to_owned() + "\n").collect();
+            let said = bash(&format!("set -e\n{needed}{line}\n./program"), &at);
+            assert!(said.contains(says), "{said}");
+        }
+    }
+}
+
+#[test]
+fn pieces_of_the_guide_go_on_from_its_first_program() {
+    let code = blocks("c");
+    let (head, main) = code[0].split_once("int main(void) {").unwrap();
+    let (begins, _) = main.split_once("    if (fairmesh_fair(").unwrap();
+    let pieces: Vec<&String> = code.iter().filter(|c| !c.contains("int main")).collect();
+    assert!(pieces.len() > 11, "{}", pieces.len());
+    let (mut text, mut calls) = (head.to_owned(), String::new());
+    for (k, piece) in pieces.into_iter().enumerate() {
+        text += &format!(
+            "static void piece_{k}(fairmesh_mesh mesh, fairmesh_selection selection, fairmesh_points_out out, fairmesh_report report, \
+             fairmesh_error error) {{\n(void)mesh, (void)selection, (void)out, (void)report, (void)error;\n{{\n{piece}}}\n}}\n"
+        );
+        calls += &format!("    piece_{k}(mesh, selection, out, report, error);\n");
+    }
+    text += &format!("int main(void) {{{begins}    error.status = 0;\n{calls}    return 0;\n}}\n");
+    let (file, program) = (work().join("pieces.c"), work().join("pieces"));
+    fs::write(&file, text).unwrap();
+    run(Command::new("cc")
+        .arg("-std=c99")
+        .args(STRICT)
+        .arg("-Wno-maybe-uninitialized")
+        .args(pkg_config(&["--cflags"]))
+        .arg(&file)
+        .arg("-o")
+        .arg(&program)
+        .args(pkg_config(&["--libs"]))
+        .args(["-lm", &format!("-Wl,-rpath,{}", prefix().join("lib").display())]));
+    let said = run(&mut Command::new(&program));
+    assert!(said.contains("option tolerance is 2"), "{said}");
+    assert!(said.contains("796 triangles and 1 loops are left"), "{said}");
+}
+
+/// Doxygen stops at the first comment that it cannot make sense of, and every function has its place on the page.
+#[test]
+fn the_reference_is_made_without_warnings() {
+    needs("doxygen", "doxygen");
+    let out = work().join("reference");
+    fs::create_dir_all(&out).unwrap();
+    let told = fs::read_to_string(root().join("packaging/Doxyfile")).unwrap();
+    let config = out.join("Doxyfile");
+    fs::write(
+        &config,
+        told.replace("target/doxygen", &out.display().to_string()),
+    )
+    .unwrap();
+    run(Command::new("doxygen").current_dir(root()).arg(&config));
+    let page = fs::read_to_string(out.join("html/fairmesh_8h.html")).unwrap();
+    for function in functions_of_header() {
+        assert!(page.contains(&function), "{function} is not in the reference");
+    }
+}
+
+#[test]
+fn the_guide_in_cpp_compiles_and_runs() {
+    let code = blocks("cpp");
+    assert_eq!(code.len(), 1);
+    let (file, program) = (work().join("guide.cpp"), work().join("guide-cpp"));
+    fs::write(&file, &code[0]).unwrap();
+    run(Command::new("c++")
+        .arg("-std=c++17")
+        .args(STRICT)
+        .args(pkg_config(&["--cflags"]))
+        .arg(&file)
+        .arg("-o")
+        .arg(&program)
+        .args(pkg_config(&["--libs"]))
+        .arg(format!("-Wl,-rpath,{}", prefix().join("lib").display())));
+    let said = run(&mut Command::new(&program));
+    assert!(said.contains("triangles"), "{said}");
+}
