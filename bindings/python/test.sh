@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests the Python package: builds the wheel, installs it into virtual environments under target/python, and runs the tests
 # there with numpy 2 and numpy 1. Installs what it needs (Debian, Ubuntu). `test.sh long` executes the notebooks of the
-# gallery as well.
+# gallery in their place.
 set -euo pipefail
 cd "$(dirname "$0")"
 root=$(cd ../.. && pwd)
@@ -64,8 +64,11 @@ for python in "$bin/python" "$target/python/numpy1/bin/python"; do
     "$python" -m pip --disable-pip-version-check install -q --force-reinstall --no-deps "$wheel"
 done
 
-[ "${1:-}" != long ] || export FAIRMESH_TEST_LONG=1
 export FAIRMESH_TEST_WHEEL=$wheel FAIRMESH_TEST_PROGRAM=$target/release/fairmesh FAIRMESH_TEST_HOOKS=$hooks
+if [ "${1:-}" = long ]; then
+    FAIRMESH_TEST_LONG=1 "$bin/python" -m pytest tests/test_gallery.py
+    exit
+fi
 "$bin/python" -m pytest
 # What depends on numpy.
 "$target/python/numpy1/bin/python" -m pytest tests/test_arrays.py tests/test_errors.py tests/test_known_answers.py

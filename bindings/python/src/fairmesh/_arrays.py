@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi
 from ._errors import ElementKind, InputError, Status
 from ._hosts import Host, Pair
-from ._masks import FaceMask
 
 Floats = NDArray[Any]
 Indices = NDArray[Any]
@@ -299,10 +298,6 @@ class Region:
     """Which vertices may move, as the library reads it. Keeps the arrays alive."""
 
     def __init__(self, mesh: Mesh, free: Selection, fixed: Selection, free_faces: Selection) -> None:
-        if isinstance(free, FaceMask) and free_faces is None:
-            free, free_faces = None, free
-        if isinstance(fixed, FaceMask):
-            raise ValueError("fixed: a mask of faces says nothing of vertices; give the others as free_faces")
         named = [n for n, v in (("free", free), ("fixed", fixed), ("free_faces", free_faces)) if v is not None]
         if len(named) > 1:
             raise ValueError(f"only one of {' and '.join(named)} can be given")

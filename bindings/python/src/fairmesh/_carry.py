@@ -137,13 +137,14 @@ def vertex_normals(vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[np.fl
     normals = np.zeros((len(vertices), 3))
     edges = [corners[:, (k + 1) % 3] - corners[:, k] for k in range(3)]
     cross = np.cross(edges[0], -edges[2])
+    double = np.linalg.norm(cross, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        unit = np.nan_to_num(cross / np.linalg.norm(cross, axis=1)[:, None])
+        unit = np.nan_to_num(cross / double[:, None])
         for k in range(3):
-            ahead, behind = edges[k], -edges[k - 1]
-            sine = np.linalg.norm(np.cross(ahead, behind), axis=1)
-            angle = np.arctan2(sine, (ahead * behind).sum(axis=1))
-            np.add.at(normals, faces[:, k], unit * angle[:, None])
+            # The sine of each angle is twice the area, over the lengths of its sides.
+            angle = np.arctan2(double, (edges[k] * -edges[k - 1]).sum(axis=1))
+            for axis in range(3):
+                normals[:, axis] += np.bincount(faces[:, k], unit[:, axis] * angle, len(vertices))
         made: NDArray[np.float64] = np.nan_to_num(normals / np.linalg.norm(normals, axis=1)[:, None])
         return made
 
@@ -167,5 +168,6 @@ def renewed(
     if not np.array_equal(before[1], after[1]):
         touched[:] = True
     made = np.array(normals)
-    made[touched] = vertex_normals(*after)[touched]
+    around = after[1][touched[after[1]].any(axis=1)]
+    made[touched] = vertex_normals(new, around)[touched]
     return made
