@@ -292,7 +292,8 @@ int main(int count, char **arguments) {
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
     every_allocation(&s, erase, "erase, trim, components", by);
-    every_allocation(&s, carry, "carry over", by);
+    /* Each point takes some. */
+    every_allocation(&s, carry, "carry over", count > 2 ? 97 * by : by);
     if (count > 4) return 0;
     every_allocation(&s, loops, "loops", by);
     every_allocation(&s, curvature, "mean curvature", by);
