@@ -42,14 +42,15 @@ pub extern "C" fn fairmesh_carry_over(
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
         let points = points.read()?;
+        let listed = among.as_ref().map_or(triangles.len(), IndicesIn::count);
+        let bytes = memory_bounds::of_carrying(&mesh, listed, points.len());
+        let _reserve = memory_bounds::reserve(bytes)?;
+        let callback = HostCallback::new(None, core::ptr::null_mut());
+        point();
         let among = match among {
             Some(list) => list.read()?.as_flattened().to_vec(),
             None => (0..triangles.len() as u32).collect(),
         };
-        let bytes = memory_bounds::of_carrying(&mesh, points.len());
-        let _reserve = memory_bounds::reserve(bytes)?;
-        let callback = HostCallback::new(None, core::ptr::null_mut());
-        point();
         let carried = carry_over(&positions, &triangles, &among, &points)
             .map_err(|error| missing(error, fairmesh_element::Triangle))?;
         publish(Arc::new(Content::Carried(carried)), result, &callback)

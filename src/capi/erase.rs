@@ -121,11 +121,13 @@ pub extern "C" fn fairmesh_trim_boundary(
         aliases.error(error, Argument(6))?;
         let positions = mesh.positions.read()?;
         let triangles = mesh.triangles.rows::<3>()?;
-        let _reserve = memory_bounds::reserve(memory_bounds::of_erasing(&mesh))?;
+        let lists = listed.as_ref().map_or(0, IndicesIn::count) * size_of::<usize>();
+        let bytes = memory_bounds::of_erasing(&mesh).saturating_add(lists);
+        let _reserve = memory_bounds::reserve(bytes)?;
         let callback = HostCallback::new(None, core::ptr::null_mut());
         point();
         let loops = match listed {
-            Some(list) => list.read()?.iter().map(|[l]| *l as usize).collect(),
+            Some(list) => once_each(list.read()?.as_flattened()),
             None => holes(&boundary_loops_joined(&positions, &triangles, mesh.coincident)?),
         };
         let limits = TrimLimits {
@@ -141,6 +143,14 @@ pub extern "C" fn fairmesh_trim_boundary(
         };
         publish(Arc::new(content), result, &callback)
     })
+}
+
+/// The numbers of a list, none twice.
+fn once_each(list: &[u32]) -> Vec<usize> {
+    let mut numbers: Vec<usize> = list.iter().map(|l| *l as usize).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
 }
 
 /// All loops but outer boundaries, and those that are never filled.

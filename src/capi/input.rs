@@ -239,6 +239,10 @@ impl IndicesIn {
         Ok(Some(Self(array)))
     }
 
+    pub(crate) fn count(&self) -> usize {
+        self.0.count
+    }
+
     pub(crate) fn read<'a>(&self) -> CallResult<Cow<'a, [[u32; 1]]>> {
         self.0.rows::<1>()
     }

@@ -153,9 +153,13 @@ pub(crate) fn of_erasing(mesh: &MeshIn) -> usize {
     2 * of_whole_mesh(mesh, 1)
 }
 
-/// For finding the nearest triangles of so many points.
-pub(crate) fn of_carrying(mesh: &MeshIn, points: usize) -> usize {
-    of_whole_mesh(mesh, 1).saturating_add(points.saturating_mul(CARRIED))
+/// For finding the nearest ones of so many triangles, which may be listed more than once, to so many points.
+pub(crate) fn of_carrying(mesh: &MeshIn, listed: usize, points: usize) -> usize {
+    let lists = listed.saturating_mul(2 * size_of::<u32>());
+    let places = points.saturating_mul(CARRIED);
+    of_whole_mesh(mesh, 1)
+        .saturating_add(lists)
+        .saturating_add(places)
 }
 
 /// For remeshing a region.

@@ -291,6 +291,9 @@ int main(int count, char **arguments) {
     every_allocation(&s, fair_once, "fair, continuous curvature", by);
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
+    every_allocation(&s, erase, "erase, trim, components", by);
+    /* Each point takes some. */
+    every_allocation(&s, carry, "carry over", count > 2 ? 97 * by : by);
     if (count > 4) return 0;
     every_allocation(&s, loops, "loops", by);
     every_allocation(&s, curvature, "mean curvature", by);
@@ -299,9 +302,7 @@ int main(int count, char **arguments) {
     every_allocation(&s, fill, "fill", by);
     s.relaxes = 1;
     every_allocation(&s, fill, "fill, boundaries relaxed", by);
-    every_allocation(&s, erase, "erase, trim, components", by);
     every_allocation(&s, roughness, "roughness", by);
-    every_allocation(&s, carry, "carry over", by);
     every_allocation(&s, refill, "refill", 3 * by);
     every_allocation(&s, suggest, "suggest joins", 7 * by);
     every_allocation(&s, join, "join", 29 * by);

@@ -126,9 +126,10 @@ fn the_guide_compiles_and_its_program_runs() {
     let script = format!("set -e\n{exports}{}{}", lines("c++"), lines("./smooth"));
     let said = run(Command::new("bash").current_dir(&at).args(["-c", &script]));
     assert!(said.contains("converged after"), "{said}");
+    // OpenMesh writes six digits.
     let off = |p: &[f64; 3]| (p.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs();
     let written = vertices(&at.join("whole.off"));
-    assert!(written.len() > 1000 && written.iter().all(|p| off(p) < 3e-7));
+    assert!(written.len() > 400 && written.iter().all(|p| off(p) < 1e-6));
 
     let (head, _) = program.split_once("int main").unwrap();
     let mut pieces = head.replace(
