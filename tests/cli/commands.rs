@@ -92,7 +92,7 @@ fn wrong_input_is_told_in_one_line() {
     };
     fair(
         &[],
-        "cap.obj: nothing says which vertices may move; give --free FILE",
+        "cap.obj: nothing says which vertices may move; say a place (--ball, ",
     );
     fair(&["--selection", "flags"], "cap.obj: there is no property 'flags'");
     fair(&["--free", "none.txt"], "none.txt: cannot read:");
