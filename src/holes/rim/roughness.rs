@@ -1,6 +1,7 @@
 //! How rough rims are, before anything is done about it.
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use super::Rim;
 use super::band::Band;
@@ -72,12 +73,12 @@ pub fn rim_roughness(
 ) -> Result<Vec<Option<Roughness>>, Error> {
     let joined = Joined::new(positions, triangles, coincident)?;
     let links = Links::new(positions.len(), &joined.triangles)?;
-    let mut place = vec![NONE; positions.len()];
+    let room = || vec![NONE; positions.len()];
     let loops = links.loops(positions, coincident);
     // Not on the global pool, whose threads would outlive a library that is unloaded.
     Ok(Workers::new(0)?.install(|| {
-        let of_loop = |of: &BoundaryLoop| roughness(&links, positions, of, &mut place);
-        loops.iter().map(of_loop).collect()
+        let of_loop = |place: &mut Vec<u32>, of: &BoundaryLoop| roughness(&links, positions, of, place);
+        loops.par_iter().map_init(room, of_loop).collect()
     }))
 }
 
