@@ -14,17 +14,21 @@ use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
+use crate::formats::pipes::PipesArgs;
 use crate::formats::{Added, MeshFile};
 use crate::patches::{Files, PatchArgs, face_numbers};
 
 /// What `fairmesh bridge` is asked.
 #[derive(Debug, Args)]
 pub struct BridgeArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
+    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
+    /// or not at all
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
+    #[command(flatten)]
+    pipes: PipesArgs,
     /// The vertices of a run of boundary edges, one after the other, in either
     /// direction, as in 12,13,14; one is enough with --width
     #[arg(
@@ -58,7 +62,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         precision,
         output,
         answer,
-    } = Files::open(&args.input, &args.output, &args.patches)?;
+    } = Files::open(&args.input, &args.output, &args.pipes, &args.patches)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();

@@ -14,6 +14,7 @@ use crate::bar::Bar;
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::pipes::PipesArgs;
 use crate::formats::{self, Format, Geometry, MeshFile, Written};
 use crate::output::Output;
 use crate::region::RegionReport;
@@ -26,11 +27,14 @@ use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
 pub struct FairArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
+    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
+    /// or not at all
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
+    #[command(flatten)]
+    pipes: PipesArgs,
     /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -99,8 +103,9 @@ pub struct FairInput<'a> {
 /// Runs the command; true if the surface converged and is sound.
 pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     let start = Instant::now();
-    let format = Format::of(&args.output)?;
-    let mesh = MeshFile::read(&args.input)?;
+    let piped = args.pipes.of(&args.input, Some(&args.output))?;
+    let format = Format::of(&args.output, piped.output)?;
+    let mesh = MeshFile::read(&args.input, piped.input)?;
     let input = input(args, &mesh)?;
     let solver = args.solver.solver()?;
     if !args.remesh {
@@ -111,8 +116,13 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     } else {
         format.output_precision()
     };
-    let output = Output::prepare(&args.output)?;
-    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let output = Output::prepare_or_stdout(&args.output)?;
+    let answer = Answer::prepare(
+        args.json.as_deref(),
+        args.quiet,
+        Some(&args.output),
+        &[&args.input],
+    )?;
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();

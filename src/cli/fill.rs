@@ -17,6 +17,7 @@ use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::pipes::PipesArgs;
 use crate::formats::{Added, MeshFile};
 use crate::join;
 use crate::patches::{Files, PatchArgs, face_numbers};
@@ -29,11 +30,14 @@ use crate::which::WhichArgs;
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
 pub struct FillArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
+    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
+    /// or not at all
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
+    #[command(flatten)]
+    pipes: PipesArgs,
     #[command(flatten)]
     which: WhichArgs,
     /// Drops components of the mesh of fewer triangles than this before anything is
@@ -117,7 +121,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         precision,
         output,
         answer,
-    } = Files::open(&args.input, &args.output, &args.patches)?;
+    } = Files::open(&args.input, &args.output, &args.pipes, &args.patches)?;
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;

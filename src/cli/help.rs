@@ -15,6 +15,15 @@ Examples:
     };
 }
 
+/// What commands that only make files have behind their flags.
+macro_rules! file_codes {
+    () => {
+        "\
+Exit codes: 0 written; 2 wrong usage or input, nothing written; 4 memory or threads ran out, nothing written; 5 written,
+but not the report about it."
+    };
+}
+
 macro_rules! exit_codes {
     () => {
         "\
@@ -40,6 +49,9 @@ texture coordinates, materials, groups, comments, unknown elements and all other
 are, byte for byte. If the formats differ, the output holds the vertices and faces and nothing else.
 Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
 coordinates are taken as one, and vertices are numbered in the order of their first appearance.
+
+'-' is stdin as input and stdout as output; --format says its format, and the report goes to stderr then. Files that
+end in .gz are unpacked and packed.
 
 All numbers of vertices and faces are counted from 0, in messages and in the files given, for OBJ too.";
 
@@ -80,7 +92,32 @@ Examples:
   fairmesh select scan.stl --bump 12.5,3,40 --grow 2 -o faces.txt
   fairmesh select part.obj --patch-at 0,0,5 --without --box -1,-1,4,1,1,6 -o patch.obj
 
-The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.";
+The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.
+
+Exit codes: 0 selected; 2 wrong usage or input, or a selection without a face, nothing written; 4 memory ran out, nothing
+written; 5 selected, but the report about it cannot be written.";
+
+/// After the flags of `generate`, `render` and `man`.
+pub const FILES: &str = file_codes!();
+
+/// After the flags of `holes`.
+pub const LISTS: &str = "\
+Exit codes: 0 listed, whether there are holes or not; 2 wrong usage or input; 4 memory or threads ran out; 5 the list cannot
+be written.";
+
+/// After the flags of `demo`.
+pub const DEMO: &str = "\
+Exit codes: 0 converged and sound; 2 wrong usage, or a file that cannot be written; 3 written, but not converged or not
+sound; 4 memory or threads ran out; 5 written, but not the report about it.";
+
+/// After the flags of `completions`.
+pub const COMPLETIONS: &str = "\
+Examples:
+  fairmesh completions bash > ~/.local/share/bash-completion/completions/fairmesh
+  fairmesh completions zsh > _fairmesh        in a directory of $fpath
+  fairmesh completions fish > ~/.config/fish/completions/fairmesh.fish
+
+Exit codes: 0 printed; 2 wrong usage; 5 the script cannot be written.";
 
 /// After the flags of `fill`.
 pub const FILL: &str = "\

@@ -7,6 +7,7 @@ use fairmesh::{FillOptions, Options, OutputPrecision};
 
 use crate::answer::Answer;
 use crate::failure::Failure;
+use crate::formats::pipes::PipesArgs;
 use crate::formats::{Format, MeshFile};
 use crate::output::Output;
 use crate::surface::{IntersectionArgs, MeshArgs};
@@ -76,9 +77,10 @@ pub struct Files {
 }
 
 impl Files {
-    pub fn open(input: &Path, output: &Path, args: &PatchArgs) -> Result<Self, Failure> {
-        let format = Format::of(output)?;
-        let mesh = MeshFile::read(input)?;
+    pub fn open(input: &Path, output: &Path, pipes: &PipesArgs, args: &PatchArgs) -> Result<Self, Failure> {
+        let piped = pipes.of(input, Some(output))?;
+        let format = Format::of(output, piped.output)?;
+        let mesh = MeshFile::read(input, piped.input)?;
         let precision = match (mesh.format(), format) {
             (Format::Ply, Format::Ply) => mesh.output_precision(),
             _ => format.output_precision(),
@@ -88,8 +90,8 @@ impl Files {
             format,
             mesh,
             precision,
-            output: Output::prepare(output)?,
-            answer: Answer::prepare(args.json.as_deref(), args.quiet, &[output, input])?,
+            output: Output::prepare_or_stdout(output)?,
+            answer: Answer::prepare(args.json.as_deref(), args.quiet, Some(output), &[input])?,
         })
     }
 }

@@ -10,4 +10,6 @@ mod erase;
 mod files;
 mod formats;
 mod holes;
+mod installed;
+mod pipes;
 mod select;
