@@ -61,8 +61,12 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         mesh,
         precision,
         output,
-        answer,
-    } = Files::open(&args.input, &args.output, &args.pipes, &args.patches)?;
+    } = Files::open(
+        &args.input,
+        &args.output,
+        args.pipes.of(&args.input, Some(&args.output))?,
+    )?;
+    let answer = args.patches.answer(&args.output, &args.input)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();

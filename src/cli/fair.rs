@@ -1,7 +1,7 @@
-//! `fairmesh fair`: a file in, a file out.
+//! `fairmesh fair`: files in, files out.
 
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
@@ -9,13 +9,13 @@ use fairmesh::{
     BoundaryCurvature, BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver,
 };
 
-use crate::answer::Answer;
 use crate::bar::Bar;
+use crate::batch::{self, Done, Telling};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
-use crate::failure::Failure;
-use crate::formats::pipes::PipesArgs;
+use crate::failure::{ExitCode, Failure};
 use crate::formats::{self, Format, Geometry, MeshFile, Written};
+use crate::jobs::{FilesArgs, Job};
 use crate::output::Output;
 use crate::region::RegionReport;
 use crate::remesh;
@@ -27,14 +27,8 @@ use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
 pub struct FairArgs {
-    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
-    input: PathBuf,
-    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
-    /// or not at all
-    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
-    output: PathBuf,
     #[command(flatten)]
-    pipes: PipesArgs,
+    files: FilesArgs,
     /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -100,33 +94,36 @@ pub struct FairInput<'a> {
     pub region: RegionReport,
 }
 
-/// Runs the command; true if the surface converged and is sound.
-pub fn run(args: &FairArgs) -> Result<bool, Failure> {
+/// Runs the command on every mesh.
+pub fn run(args: &FairArgs) -> Result<ExitCode, Failure> {
+    let telling = Telling {
+        json: args.json.as_deref(),
+        is_quiet: args.quiet,
+        is_verbose: args.verbose,
+    };
+    batch::run(&args.files, &telling, |job| one(args, job))
+}
+
+/// Fairs a mesh; good if the surface converged and is sound.
+fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     let start = Instant::now();
-    let piped = args.pipes.of(&args.input, Some(&args.output))?;
-    let format = Format::of(&args.output, piped.output)?;
-    let mesh = MeshFile::read(&args.input, piped.input)?;
-    let input = input(args, &mesh)?;
+    let format = Format::of(&job.output, job.piped.output)?;
+    let mesh = MeshFile::read(&job.input, job.piped.input)?;
+    let input = input(args, &job.input, &mesh)?;
     let solver = args.solver.solver()?;
     if !args.remesh {
-        mesh.check_writable(&args.input, format)?;
+        mesh.check_writable(&job.input, format)?;
     }
     let precision = if format == mesh.format() && !args.remesh {
         mesh.output_precision()
     } else {
         format.output_precision()
     };
-    let output = Output::prepare_or_stdout(&args.output)?;
-    let answer = Answer::prepare(
-        args.json.as_deref(),
-        args.quiet,
-        Some(&args.output),
-        &[&args.input],
-    )?;
+    let output = Output::prepare_or_stdout(&job.output)?;
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();
-    let refused = |error| explain::refusal(&args.input, &mesh, &error);
+    let refused = |error| explain::refusal(&job.input, &mesh, &error);
     let input = if args.remesh {
         remesh::remesh(args, solver, &input).map_err(refused)?
     } else {
@@ -158,13 +155,17 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         is_verbose: args.verbose,
         asks_continuity: args.continuity.is_asked(),
     };
-    answer.tell(&[&args.output], || summary.json(), || summary.readable())?;
-    Ok(solution.report.outcome == Outcome::Converged)
+    Ok(Done {
+        is_good: solution.report.outcome == Outcome::Converged,
+        outcome: solution.report.outcome.name().replace('_', " "),
+        json: job.asks_json.then(|| summary.json()).unwrap_or_default(),
+        readable: summary.readable(),
+    })
 }
 
 /// What the user chose in a file.
-fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
-    let found = selection::find(mesh, &args.input, &args.region, args.mesh.coincident)?;
+fn input<'a>(args: &FairArgs, name: &Path, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
+    let found = selection::find(mesh, name, &args.region, args.mesh.coincident)?;
     let geometry = &mesh.geometry;
     let vertex_count = geometry.positions.len();
     Ok(FairInput {

@@ -10,6 +10,7 @@ Examples:
   fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
   fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
   fairmesh fair part.ply -o fair.ply --selection vertex:quality
+  fairmesh fair scans/*.ply -o fair/                  several files into a directory
 
 "
     };
@@ -29,7 +30,7 @@ macro_rules! exit_codes {
         "\
 Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged, not sound
 or with another reservation, which the outcome names: the best surface is written; 4 memory or threads ran out, nothing written; 5 the surface is
-written, but not the report about it."
+written, but not the report about it. Of several files, the worst in the order 4, 2, 5, 3."
     };
 }
 
@@ -131,7 +132,7 @@ Loops that enclose the mesh instead of a gap (the outer boundary of an open shee
 
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
 hole is left open or its surface is not fair: the report says which and why; 4 memory or threads ran out, nothing written;
-5 written, but not the report about it.";
+5 written, but not the report about it. Of several files, the worst in the order 4, 2, 5, 3.";
 
 /// After the flags of `bridge`.
 pub const BRIDGE: &str = "\

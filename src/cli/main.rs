@@ -5,6 +5,7 @@
 mod answer;
 mod attempts;
 mod bar;
+mod batch;
 mod bridge;
 mod completions;
 mod component_report;
@@ -20,6 +21,7 @@ mod formats;
 mod generate;
 mod help;
 mod holes;
+mod jobs;
 mod join;
 mod man;
 mod normals;
@@ -115,20 +117,16 @@ fn run() -> Result<ExitCode, Failure> {
         Err(wrong) => wrong.exit(),
     };
     let is_good = match cli.command {
-        Command::Fair(args) => fair::run(&args),
+        Command::Fair(args) => return fair::run(&args),
+        Command::Fill(args) => return fill::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Holes(args) => holes::run(&args),
-        Command::Fill(args) => fill::run(&args),
         Command::Bridge(args) => bridge::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Completions(args) => completions::run(&args, Cli::command()),
         Command::Man(args) => man::run(&args, Cli::command()),
     }?;
-    Ok(if is_good {
-        ExitCode::Done
-    } else {
-        ExitCode::Imperfect
-    })
+    Ok(ExitCode::of(is_good))
 }
