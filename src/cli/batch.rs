@@ -19,6 +19,21 @@ pub struct Done {
     /// The report; null if nobody asked for it.
     pub json: Value,
     pub readable: String,
+    /// What there is to say of the files that the mesh names.
+    pub references: Vec<String>,
+}
+
+impl Done {
+    /// With what is said of other files in both reports.
+    fn whole(mut self) -> Self {
+        if self.json.is_object() {
+            self.json["references"] = json!(self.references);
+        }
+        for line in &self.references {
+            let _ = writeln!(self.readable, "{line}");
+        }
+        self
+    }
 }
 
 /// Where the report goes, and how much of it.
@@ -73,7 +88,7 @@ pub fn run(
     if let [job] = &jobs[..] {
         let (output, input) = (Some(job.output.as_path()), [job.input.as_path()]);
         let answer = Answer::prepare(telling.json, telling.is_quiet, output, &input)?;
-        let done = one(job)?;
+        let done = one(job)?.whole();
         answer.tell(&[&job.output], || done.json, || done.readable)?;
         return Ok(ExitCode::of(done.is_good));
     }
@@ -82,7 +97,7 @@ pub fn run(
     let mut rows = Vec::new();
     for job in &jobs {
         let start = Instant::now();
-        let ended = one(job);
+        let ended = one(job).map(Done::whole);
         let seconds = start.elapsed().as_secs_f64();
         rows.push(Row { job, ended, seconds });
     }

@@ -15,7 +15,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
 use crate::formats::pipes::PipesArgs;
-use crate::formats::{Added, MeshFile};
+use crate::formats::{Added, MeshFile, references};
 use crate::patches::{Files, PatchArgs, face_numbers};
 
 /// What `fairmesh bridge` is asked.
@@ -87,18 +87,22 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         parents: &bridged.parents,
         carry: None,
     };
-    output.write(&mesh.with_added(format, &added))?;
+    let led = references::led(mesh.with_added(format, &added), format, &args.input, &args.output);
+    output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let rest: Vec<Value> = bridged.rest.iter().map(|l| reported(l, first, face)).collect();
         json!({ "strip": reported(&bridged.strip, first, face), "chains": bridged.chains, "sides": bridged.sides,
-            "twist": bridged.twist, "loops": rest,
+            "twist": bridged.twist, "loops": rest, "references": led.told,
             "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
             "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&bridged))?;
+    answer.tell(&[&args.output], json, || {
+        let told = led.told.iter().map(|line| format!("{line}\n"));
+        readable(&bridged) + &told.collect::<String>()
+    })?;
     Ok(bridged.is_clean())
 }
 

@@ -14,7 +14,7 @@ use crate::batch::{self, Done, Telling};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
-use crate::formats::{self, Format, Geometry, MeshFile, Written};
+use crate::formats::{self, Format, Geometry, MeshFile, Written, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::output::Output;
 use crate::region::RegionReport;
@@ -140,7 +140,8 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     } else {
         plain(format, &solution, &mesh.geometry.polygons())
     };
-    output.write(&written.bytes)?;
+    let led = references::led(written.bytes, format, &job.input, &job.output);
+    output.write(&led.bytes)?;
     let summary = Summary {
         report: &solution.report,
         geometry: &input.geometry,
@@ -160,6 +161,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         outcome: solution.report.outcome.name().replace('_', " "),
         json: job.asks_json.then(|| summary.json()).unwrap_or_default(),
         readable: summary.readable(),
+        references: led.told,
     })
 }
 

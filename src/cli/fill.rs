@@ -18,7 +18,7 @@ use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
-use crate::formats::{Added, MeshFile};
+use crate::formats::{Added, MeshFile, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::join;
 use crate::patches::{Files, PatchArgs, face_numbers};
@@ -175,7 +175,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         parents: &filled.parents,
         carry: carry.as_ref(),
     };
-    output.write(&mesh.with_added(format, &added))?;
+    let led = references::led(mesh.with_added(format, &added), format, &job.input, &job.output);
+    output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
@@ -201,6 +202,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         outcome: counted(&filled),
         json: job.asks_json.then(json).unwrap_or_default(),
         readable: in_words(),
+        references: led.told,
     })
 }
 

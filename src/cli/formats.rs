@@ -10,6 +10,7 @@ pub mod packed;
 pub mod patches;
 pub mod pipes;
 pub mod ply;
+pub mod references;
 pub mod stl;
 #[cfg(test)]
 mod tests;

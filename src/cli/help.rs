@@ -72,7 +72,7 @@ The report (--json) has the keys outcome, reason, advice, iterations, levels (of
 (of Delta_B H = 0, without unit), step, seconds, quality, components, free_vertices, diagonal, linear_surface,
 suspicious_normals, unreachable_normals, creased_vertices, reached, member_weight (w of the equation
 Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_weights and stale_normals (vertices
-whose normals in the file could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
+whose normals in the file could not be updated) and references (what is said of materials and textures that the file names). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
 its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface, member_weight, quality,

@@ -10,6 +10,7 @@ use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::formats::packed;
 use crate::formats::pipes::PipesArgs;
+use crate::formats::references::{self, Led};
 use crate::formats::{Format, Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::output::Output;
@@ -66,9 +67,11 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
     let found = selection::find(&mesh, &args.input, &args.region, args.mesh.coincident)?;
     let marked = marked(geometry, found.selected.in_triangles(geometry));
     let polygons = whole(geometry, &marked);
-    let mut written = Vec::new();
+    let (mut written, mut named) = (Vec::new(), Vec::new());
     if let (Some(output), Some(path)) = (output, &args.output) {
-        output.write(&list_or_mesh(path, piped.output, &mesh, &polygons)?)?;
+        let led = list_or_mesh(args, (path, piped.output), &mesh, &polygons)?;
+        output.write(&led.bytes)?;
+        named = led.told;
         written.push(path.as_path());
     }
     if let (Some(output), Some(path)) = (picture, &args.picture) {
@@ -94,6 +97,7 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
         if marked.iter().all(|&is_in| is_in) {
             text += "this is the whole mesh: nothing would stay where it is\n";
         }
+        named.iter().for_each(|line| text += &format!("{line}\n"));
         text
     };
     answer.tell(&written, json, readable)?;
@@ -142,21 +146,22 @@ fn moving(geometry: &Geometry, marked: &[bool]) -> usize {
 
 /// The faces as a list of numbers, or as a mesh, by the name of the file.
 fn list_or_mesh(
-    path: &Path,
-    piped: Option<Format>,
+    args: &SelectArgs,
+    (path, piped): (&Path, Option<Format>),
     mesh: &MeshFile,
     polygons: &[bool],
-) -> Result<Vec<u8>, Failure> {
-    if packed::inner_name(path)
-        .extension()
-        .is_some_and(|extension| extension == "txt")
-    {
+) -> Result<Led, Failure> {
+    let inner = packed::inner_name(path);
+    if inner.extension().is_some_and(|extension| extension == "txt") {
         let numbers = (0..polygons.len()).filter(|&p| polygons[p]);
-        return Ok(numbers.map(|p| format!("{p}\n")).collect::<String>().into_bytes());
+        return Ok(Led {
+            bytes: numbers.map(|p| format!("{p}\n")).collect::<String>().into_bytes(),
+            told: Vec::new(),
+        });
     }
     let format = Format::of(path, piped).map_err(|failure| failure.and("a list of faces ends in .txt"))?;
     let (part, _) = mesh.only(&path.display().to_string(), polygons)?;
-    Ok(part.in_format(format))
+    Ok(references::led(part.in_format(format), format, &args.input, path))
 }
 
 /// A picture of the whole mesh with the marked triangles in another colour.

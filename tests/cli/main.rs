@@ -13,4 +13,5 @@ mod formats;
 mod holes;
 mod installed;
 mod pipes;
+mod references;
 mod select;
