@@ -8,6 +8,7 @@ use clap::Args;
 use fairmesh::{
     BoundaryCurvature, BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver,
 };
+use serde_json::Value;
 
 use crate::bar::Bar;
 use crate::batch::{self, Done, Telling};
@@ -159,7 +160,10 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     Ok(Done {
         is_good: solution.report.outcome == Outcome::Converged,
         outcome: solution.report.outcome.name().replace('_', " "),
-        json: job.asks_json.then(|| summary.json()).unwrap_or_default(),
+        json: match job.asks_json {
+            true => summary.json(),
+            false => Value::Null,
+        },
         readable: summary.readable(),
         references: led.told,
     })

@@ -200,7 +200,10 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     Ok(Done {
         is_good: filled.loops.iter().all(is_clean),
         outcome: counted(&filled),
-        json: job.asks_json.then(json).unwrap_or_default(),
+        json: match job.asks_json {
+            true => json(),
+            false => Value::Null,
+        },
         readable: in_words(),
         references: led.told,
     })
