@@ -14,17 +14,21 @@ use crate::bar::Bar;
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
-use crate::formats::{Added, MeshFile};
+use crate::formats::pipes::PipesArgs;
+use crate::formats::{Added, MeshFile, references};
 use crate::patches::{Files, PatchArgs, face_numbers};
 
 /// What `fairmesh bridge` is asked.
 #[derive(Debug, Args)]
 pub struct BridgeArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
+    /// Where the result goes; may be the input itself, or '-': to stdout. A file is written whole
+    /// or not at all
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
+    #[command(flatten)]
+    pipes: PipesArgs,
     /// The vertices of a run of boundary edges, one after the other, in either
     /// direction, as in 12,13,14; one is enough with --width
     #[arg(
@@ -57,8 +61,12 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         mesh,
         precision,
         output,
-        answer,
-    } = Files::open(&args.input, &args.output, &args.patches)?;
+    } = Files::open(
+        &args.input,
+        &args.output,
+        args.pipes.of(&args.input, Some(&args.output))?,
+    )?;
+    let answer = args.patches.answer(&args.output, &args.input)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
@@ -79,18 +87,22 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         parents: &bridged.parents,
         carry: None,
     };
-    output.write(&mesh.with_added(format, &added))?;
+    let led = references::led(mesh.with_added(format, &added), format, &args.input, &args.output);
+    output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
         let rest: Vec<Value> = bridged.rest.iter().map(|l| reported(l, first, face)).collect();
         json!({ "strip": reported(&bridged.strip, first, face), "chains": bridged.chains, "sides": bridged.sides,
-            "twist": bridged.twist, "loops": rest,
+            "twist": bridged.twist, "loops": rest, "references": led.told,
             "whole": bridged.whole.as_ref().map(|report| report.outcome.name()),
             "new_vertices": bridged.parents.len(), "new_triangles": bridged.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || readable(&bridged))?;
+    answer.tell(&[&args.output], json, || {
+        let told = led.told.iter().map(|line| format!("{line}\n"));
+        readable(&bridged) + &told.collect::<String>()
+    })?;
     Ok(bridged.is_clean())
 }
 

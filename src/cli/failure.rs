@@ -24,6 +24,27 @@ pub enum ExitCode {
     Untold = 5,
 }
 
+impl ExitCode {
+    /// Of a result that was written.
+    pub fn of(is_good: bool) -> Self {
+        match is_good {
+            true => ExitCode::Done,
+            false => ExitCode::Imperfect,
+        }
+    }
+
+    /// The larger, the worse: what was not written is worse than what was.
+    pub fn severity(self) -> u8 {
+        match self {
+            ExitCode::Done => 0,
+            ExitCode::Imperfect => 1,
+            ExitCode::Untold => 2,
+            ExitCode::Refused => 3,
+            ExitCode::Exhausted => 4,
+        }
+    }
+}
+
 impl Failure {
     /// A refusal with this message; line breaks (from odd file names or systems) become spaces.
     pub fn new(message: impl Into<String>) -> Self {

@@ -1,20 +1,22 @@
-//! `fairmesh fair`: a file in, a file out.
+//! `fairmesh fair`: files in, files out.
 
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
     BoundaryCurvature, BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver,
 };
+use serde_json::Value;
 
-use crate::answer::Answer;
 use crate::bar::Bar;
+use crate::batch::{self, Done, Telling};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
-use crate::failure::Failure;
-use crate::formats::{self, Format, Geometry, MeshFile, Written};
+use crate::failure::{ExitCode, Failure};
+use crate::formats::{self, Format, Geometry, MeshFile, Written, references};
+use crate::jobs::{FilesArgs, Job};
 use crate::output::Output;
 use crate::region::RegionReport;
 use crate::remesh;
@@ -26,11 +28,8 @@ use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
 pub struct FairArgs {
-    /// The mesh: .ply, .obj, .off or .stl
-    input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
-    output: PathBuf,
+    #[command(flatten)]
+    files: FilesArgs,
     /// Writes the report as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -96,27 +95,36 @@ pub struct FairInput<'a> {
     pub region: RegionReport,
 }
 
-/// Runs the command; true if the surface converged and is sound.
-pub fn run(args: &FairArgs) -> Result<bool, Failure> {
+/// Runs the command on every mesh.
+pub fn run(args: &FairArgs) -> Result<ExitCode, Failure> {
+    let telling = Telling {
+        json: args.json.as_deref(),
+        is_quiet: args.quiet,
+        is_verbose: args.verbose,
+    };
+    batch::run(&args.files, &telling, |job| one(args, job))
+}
+
+/// Fairs a mesh; good if the surface converged and is sound.
+fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     let start = Instant::now();
-    let format = Format::of(&args.output)?;
-    let mesh = MeshFile::read(&args.input)?;
-    let input = input(args, &mesh)?;
+    let format = Format::of(&job.output, job.piped.output)?;
+    let mesh = MeshFile::read(&job.input, job.piped.input)?;
+    let input = input(args, &job.input, &mesh)?;
     let solver = args.solver.solver()?;
     if !args.remesh {
-        mesh.check_writable(&args.input, format)?;
+        mesh.check_writable(&job.input, format)?;
     }
     let precision = if format == mesh.format() && !args.remesh {
         mesh.output_precision()
     } else {
         format.output_precision()
     };
-    let output = Output::prepare(&args.output)?;
-    let answer = Answer::prepare(args.json.as_deref(), args.quiet, &[&args.output, &args.input])?;
+    let output = Output::prepare_or_stdout(&job.output)?;
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();
-    let refused = |error| explain::refusal(&args.input, &mesh, &error);
+    let refused = |error| explain::refusal(&job.input, &mesh, &error);
     let input = if args.remesh {
         remesh::remesh(args, solver, &input).map_err(refused)?
     } else {
@@ -133,7 +141,8 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
     } else {
         plain(format, &solution, &mesh.geometry.polygons())
     };
-    output.write(&written.bytes)?;
+    let led = references::led(written.bytes, format, &job.input, &job.output);
+    output.write(&led.bytes)?;
     let summary = Summary {
         report: &solution.report,
         geometry: &input.geometry,
@@ -148,13 +157,21 @@ pub fn run(args: &FairArgs) -> Result<bool, Failure> {
         is_verbose: args.verbose,
         asks_continuity: args.continuity.is_asked(),
     };
-    answer.tell(&[&args.output], || summary.json(), || summary.readable())?;
-    Ok(solution.report.outcome == Outcome::Converged)
+    Ok(Done {
+        is_good: solution.report.outcome == Outcome::Converged,
+        outcome: solution.report.outcome.name().replace('_', " "),
+        json: match job.asks_json {
+            true => summary.json(),
+            false => Value::Null,
+        },
+        readable: summary.readable(),
+        references: led.told,
+    })
 }
 
 /// What the user chose in a file.
-fn input<'a>(args: &FairArgs, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
-    let found = selection::find(mesh, &args.input, &args.region, args.mesh.coincident)?;
+fn input<'a>(args: &FairArgs, name: &Path, mesh: &'a MeshFile) -> Result<FairInput<'a>, Failure> {
+    let found = selection::find(mesh, name, &args.region, args.mesh.coincident)?;
     let geometry = &mesh.geometry;
     let vertex_count = geometry.positions.len();
     Ok(FairInput {

@@ -1,7 +1,7 @@
 //! `fairmesh fill`: the holes of a file filled.
 
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
@@ -13,11 +13,13 @@ use serde_json::{Value, json};
 
 use crate::attempts;
 use crate::bar::Bar;
+use crate::batch::{self, Done};
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
-use crate::failure::Failure;
-use crate::formats::{Added, MeshFile};
+use crate::failure::{ExitCode, Failure};
+use crate::formats::{Added, MeshFile, references};
+use crate::jobs::{FilesArgs, Job};
 use crate::join;
 use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
@@ -29,11 +31,8 @@ use crate::which::WhichArgs;
 /// What `fairmesh fill` is asked.
 #[derive(Debug, Args)]
 pub struct FillArgs {
-    /// The mesh: .ply, .obj, .off or .stl
-    input: PathBuf,
-    /// Where the result goes; may be the input itself. It is written whole or not at all
-    #[arg(short, long, value_name = "FILE")]
-    output: PathBuf,
+    #[command(flatten)]
+    files: FilesArgs,
     #[command(flatten)]
     which: WhichArgs,
     /// Drops components of the mesh of fewer triangles than this before anything is
@@ -102,29 +101,34 @@ pub struct FillArgs {
     verbose: bool,
 }
 
-/// Fills holes; true if all that were asked for are filled and fair.
-pub fn run(args: &FillArgs) -> Result<bool, Failure> {
-    let start = Instant::now();
+/// Runs the command on every mesh.
+pub fn run(args: &FillArgs) -> Result<ExitCode, Failure> {
     if args.erase.is_none() && !args.region.is_empty() {
         return Err(Failure::new(format!(
             "{}: this names faces; give --erase, too, to have them made anew, or --within for the holes in a place",
             args.region.told()
         )));
     }
+    let telling = args.patches.telling(args.verbose);
+    batch::run(&args.files, &telling, |job| one(args, job))
+}
+
+/// Fills holes of a mesh; good if all that were asked for are filled and fair.
+fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
+    let start = Instant::now();
     let Files {
         format,
         mesh,
         precision,
         output,
-        answer,
-    } = Files::open(&args.input, &args.output, &args.patches)?;
+    } = Files::open(&job.input, &job.output, job.piped)?;
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;
     let groups = args.which.join()?;
     let solving = Instant::now();
     let (mesh, dropped) = components::without_small(
-        &args.input,
+        &job.input,
         mesh,
         args.drop_components_below,
         args.patches.mesh.coincident,
@@ -135,17 +139,17 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
     };
     let (mesh, trimmed, trimmed_area) = match args.trim {
         0 => (mesh, 0, 0.0),
-        _ => components::trimmed(&args.input, mesh, &limits, args.patches.mesh.coincident)?,
+        _ => components::trimmed(&job.input, mesh, &limits, args.patches.mesh.coincident)?,
     };
     let coincident = args.patches.mesh.coincident;
     let mut region = RegionReport::default();
     let (mesh, erased) = match &args.erase {
         None => (mesh, None),
         Some(list) => {
-            let found = selection::to_erase(&mesh, &args.input, (list.as_deref(), &args.region), coincident)?;
+            let found = selection::to_erase(&mesh, &job.input, (list.as_deref(), &args.region), coincident)?;
             region = found.report;
             let cleaning = (coincident, args.clean_boundary);
-            let (rest, erased) = components::without_faces(&args.input, mesh, found.selected, cleaning)?;
+            let (rest, erased) = components::without_faces(&job.input, mesh, found.selected, cleaning)?;
             (rest, Some(erased))
         }
     };
@@ -154,24 +158,25 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         None => args.which.loops(&groups),
     };
     let filled = solve(args, (loops, groups), &mesh, boundary_curvature, precision)
-        .map_err(|error| refusal(args, &mesh, &error))?;
+        .map_err(|error| refusal(args, &job.input, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
     let source = erased.as_ref().filter(|_| args.carry_over);
     let carried = source.map(|of| of.carried(&filled, mesh.geometry.triangles.len()));
     let carried = carried
         .transpose()
-        .map_err(|error| refusal(args, &mesh, &error))?;
+        .map_err(|error| refusal(args, &job.input, &mesh, &error))?;
     let carry = source
         .zip(carried.as_ref())
         .map(|(of, carried)| of.carry(carried));
-    let mesh = with_moved(args, mesh, &filled)?;
+    let mesh = with_moved(&job.input, mesh, &filled)?;
     let added = Added {
         positions: &filled.positions,
         triangles: &filled.triangles,
         parents: &filled.parents,
         carry: carry.as_ref(),
     };
-    output.write(&mesh.with_added(format, &added))?;
+    let led = references::led(mesh.with_added(format, &added), format, &job.input, &job.output);
+    output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
@@ -183,7 +188,7 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
             "new_triangles": filled.triangles.len() - mesh.geometry.triangles.len(),
             "seconds": { "solve": solve, "total": total } })
     };
-    answer.tell(&[&args.output], json, || {
+    let in_words = || {
         let more = erased.as_ref().map_or([0; 2], |of| [of.dropped, of.cleaned]);
         let trimmed = match trimmed {
             0 => String::new(),
@@ -191,22 +196,47 @@ pub fn run(args: &FillArgs) -> Result<bool, Failure> {
         };
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
         region + &trimmed + &readable(&filled, args, dropped, more)
-    })?;
-    Ok(filled.loops.iter().all(is_clean))
+    };
+    Ok(Done {
+        is_good: filled.loops.iter().all(is_clean),
+        outcome: counted(&filled),
+        json: match job.asks_json {
+            true => json(),
+            false => Value::Null,
+        },
+        readable: in_words(),
+        references: led.told,
+    })
+}
+
+/// How many holes ended how.
+fn counted(filled: &Filled) -> String {
+    let loops = &filled.loops;
+    let is_open = |report: &&LoopReport| matches!(report.outcome, FillOutcome::LeftOpen(_));
+    let open = loops.iter().filter(is_open).count();
+    let unfair = loops.iter().filter(|l| !is_open(l) && !is_clean(l)).count();
+    let mut text = format!("{} filled", loops.len() - open);
+    if unfair > 0 {
+        let _ = write!(text, ", {unfair} of them not fair");
+    }
+    if open > 0 {
+        let _ = write!(text, ", {open} left open");
+    }
+    text
 }
 
 /// The mesh with the vertices of rims where they have moved to.
-fn with_moved(args: &FillArgs, mesh: MeshFile, filled: &Filled) -> Result<MeshFile, Failure> {
+fn with_moved(name: &Path, mesh: MeshFile, filled: &Filled) -> Result<MeshFile, Failure> {
     let has_moved = |report: &LoopReport| report.rim.as_ref().is_some_and(|rim| rim.moved > 0);
     if !filled.loops.iter().any(has_moved) {
         return Ok(mesh);
     }
     let written = mesh.with_positions(&filled.positions[..mesh.geometry.positions.len()]);
-    MeshFile::parse(&args.input.display().to_string(), mesh.format(), written.bytes)
+    MeshFile::parse(&name.display().to_string(), mesh.format(), written.bytes)
 }
 
 /// The library's refusal; of a loop, by its flag.
-fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
+fn refusal(args: &FillArgs, name: &Path, mesh: &MeshFile, error: &fairmesh::Error) -> Failure {
     match error {
         fairmesh::Error::SelectionOutOfRange { index, count } => {
             let flag = if args.which.loops.contains(index) {
@@ -216,7 +246,7 @@ fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure
             };
             Failure::new(format!(
                 "--{flag} {index}: {} has {count} boundary loops, counted from 0; 'fairmesh holes' lists them",
-                args.input.display()
+                name.display()
             ))
         }
         fairmesh::Error::BadOption {
@@ -224,7 +254,7 @@ fn refusal(args: &FillArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failure
         } => Failure::new(format!(
             "--join: loop {value} is named twice; each loop is in one group, and once"
         )),
-        _ => explain::refusal(&args.input, mesh, error),
+        _ => explain::refusal(name, mesh, error),
     }
 }
 

@@ -3,10 +3,14 @@
 pub mod carry;
 mod colours;
 mod convert;
+mod format;
 pub mod obj;
 pub mod off;
+pub mod packed;
 pub mod patches;
+pub mod pipes;
 pub mod ply;
+pub mod references;
 pub mod stl;
 #[cfg(test)]
 mod tests;
@@ -20,59 +24,7 @@ use crate::formats::carry::Carry;
 use crate::formats::patches::Patches;
 use crate::normals;
 
-/// The file formats, told by the extension.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Format {
-    Ply,
-    Obj,
-    Off,
-    Stl,
-}
-
-impl Format {
-    /// The format that a path's extension names.
-    pub fn of(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-        match extension.as_deref() {
-            Some("ply") => Ok(Format::Ply),
-            Some("obj") => Ok(Format::Obj),
-            Some("off" | "coff" | "noff") => Ok(Format::Off),
-            Some("stl") => Ok(Format::Stl),
-            other => {
-                let why = match other {
-                    _ if path == Path::new("-") => {
-                        "meshes are not piped: the format is told by the name; name a file"
-                    }
-                    Some("gz" | "bz2" | "xz" | "zst" | "zip") => {
-                        "compressed files are not supported; unpack it first"
-                    }
-                    _ => "unknown file format; use a name ending in .ply, .obj, .off or .stl",
-                };
-                Err(Failure::new(format!("{}: {why}", path.display())))
-            }
-        }
-    }
-
-    /// Its name.
-    fn name(self) -> &'static str {
-        match self {
-            Format::Ply => "PLY",
-            Format::Obj => "OBJ",
-            Format::Off => "OFF",
-            Format::Stl => "STL",
-        }
-    }
-}
-
-impl Format {
-    /// The precision of coordinates in a new file of this format.
-    pub fn output_precision(self) -> OutputPrecision {
-        match self {
-            Format::Stl => OutputPrecision::Single,
-            Format::Ply | Format::Obj | Format::Off => OutputPrecision::Double,
-        }
-    }
-}
+pub use format::Format;
 
 /// What a mesh file says about the shape, as the solver wants it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -258,7 +210,7 @@ impl MeshFile {
     /// # Errors
     /// Bytes that are no mesh of this format; a mesh without a face.
     pub fn parse(name: &str, format: Format, bytes: Vec<u8>) -> Result<Self, Failure> {
-        if let Some(why) = packing(&bytes) {
+        if let Some(why) = packed::packing(&bytes) {
             return Err(Failure::new(format!("{name}: {why}")));
         }
         let parsed = match format {
@@ -285,12 +237,11 @@ impl MeshFile {
         })
     }
 
-    /// Reads and understands a file.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let format = Format::of(path)?;
-        let name = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|why| Failure::new(format!("{name}: cannot read: {why}")))?;
-        Self::parse(&name, format, bytes)
+    /// Reads and understands a file; `piped` is the format of one that has no name.
+    pub fn read(path: &Path, piped: Option<Format>) -> Result<Self, Failure> {
+        let format = Format::of(path, piped)?;
+        let bytes = packed::read_mesh(path)?;
+        Self::parse(&path.display().to_string(), format, bytes)
     }
 
     /// Refuses an output of this format if new positions cannot be written into it.
@@ -471,19 +422,6 @@ impl MeshFile {
             stale_normals,
         }
     }
-}
-
-/// What the bytes are packed in that no format here has.
-fn packing(bytes: &[u8]) -> Option<&'static str> {
-    let packings: [(&[u8], _); 5] = [
-        (b"\x1f\x8b", "this file is compressed (gzip); unpack it first"),
-        (b"PK\x03\x04", "this file is compressed (zip); unpack it first"),
-        (b"\xfd7zXZ\0", "this file is compressed (xz); unpack it first"),
-        (b"\xff\xfe", "this text is encoded as UTF-16; save it as UTF-8"),
-        (b"\xfe\xff", "this text is encoded as UTF-16; save it as UTF-8"),
-    ];
-    let found = packings.iter().find(|(mark, _)| bytes.starts_with(mark));
-    found.map(|(_, why)| *why)
 }
 
 /// A new file of this format that holds these positions and polygons and nothing else.

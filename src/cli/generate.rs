@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use fairmesh_shapes::{HarmonicProfile, OUTSIDE, Sampling, Shape, Surface, revolution_band, torus_patch};
 
-use crate::answer::say;
+use crate::answer::{say, say_aside};
 use crate::failure::Failure;
+use crate::formats::pipes::{PipeArgs, is_piped};
 use crate::formats::{self, Format};
 use crate::output::Output;
 
@@ -128,9 +129,11 @@ pub struct GenerateArgs {
     /// What to make
     #[arg(value_enum)]
     kind: ShapeKind,
-    /// Where the mesh goes: .ply, .obj, .off or .stl
+    /// Where the mesh goes: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': to stdout
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    #[command(flatten)]
+    pipe: PipeArgs,
     /// About how many vertices: all of a blend or tetra thing, the free ones of
     /// the others; 920 for the blend, 500 for the tetra thing, 1000 otherwise
     #[arg(long, value_name = "N", verbatim_doc_comment)]
@@ -187,13 +190,13 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
         Start::Random => shape.random(args.seed),
     };
     // All names are checked before anything is written.
-    let format = Format::of(&args.output)?;
+    let format = Format::of(&args.output, args.pipe.of(&[&args.output])?)?;
     let mut files = vec![(
-        Output::prepare(&args.output)?,
+        Output::prepare_or_stdout(&args.output)?,
         formats::plain(format, &positions, &shape.triangles),
     )];
     if let Some(path) = &args.exact {
-        let bytes = formats::plain(Format::of(path)?, &shape.positions, &shape.triangles);
+        let bytes = formats::plain(Format::of(path, None)?, &shape.positions, &shape.triangles);
         files.push((Output::prepare(path)?, bytes));
     }
     if let Some(path) = &args.free {
@@ -212,7 +215,8 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
         args.normals.as_ref(),
     ];
     let written: Vec<&Path> = paths.into_iter().flatten().map(PathBuf::as_path).collect();
-    say(&summary(args, &shape), &written)?;
+    let tell = if is_piped(&args.output) { say_aside } else { say };
+    tell(&summary(args, &shape), &written)?;
     Ok(true)
 }
 

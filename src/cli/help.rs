@@ -10,8 +10,18 @@ Examples:
   fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
   fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
   fairmesh fair part.ply -o fair.ply --selection vertex:quality
+  fairmesh fair scans/*.ply -o fair/                  several files into a directory
 
 "
+    };
+}
+
+/// What commands that only make files have behind their flags.
+macro_rules! file_codes {
+    () => {
+        "\
+Exit codes: 0 written; 2 wrong usage or input, nothing written; 4 memory or threads ran out, nothing written; 5 written,
+but not the report about it."
     };
 }
 
@@ -20,7 +30,7 @@ macro_rules! exit_codes {
         "\
 Exit codes: 0 converged and sound; 2 wrong usage or input, nothing written; 3 not converged, not sound
 or with another reservation, which the outcome names: the best surface is written; 4 memory or threads ran out, nothing written; 5 the surface is
-written, but not the report about it."
+written, but not the report about it. Of several files, the worst in the order 4, 2, 5, 3."
     };
 }
 
@@ -41,6 +51,9 @@ are, byte for byte. If the formats differ, the output holds the vertices and fac
 Polygons are split into triangles for the computation only. STL has no vertices: corners with equal
 coordinates are taken as one, and vertices are numbered in the order of their first appearance.
 
+'-' is stdin as input and stdout as output; --format says its format, and the report goes to stderr then. Files that
+end in .gz are unpacked and packed.
+
 All numbers of vertices and faces are counted from 0, in messages and in the files given, for OBJ too.";
 
 /// After the flags of `fair -h`.
@@ -59,7 +72,7 @@ The report (--json) has the keys outcome, reason, advice, iterations, levels (of
 (of Delta_B H = 0, without unit), step, seconds, quality, components, free_vertices, diagonal, linear_surface,
 suspicious_normals, unreachable_normals, creased_vertices, reached, member_weight (w of the equation
 Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_weights and stale_normals (vertices
-whose normals in the file could not be updated). In seconds, 'solve' is everything from the arrays of the input to the arrays of
+whose normals in the file could not be updated) and references (what is said of materials and textures that the file names). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;
 'total' is the whole run. In components, each part of the region that is a problem of its own has vertex (the smallest of
 its free ones), free_vertices, outcome, iterations, defect, step, diagonal, linear_surface, member_weight, quality,
@@ -80,7 +93,32 @@ Examples:
   fairmesh select scan.stl --bump 12.5,3,40 --grow 2 -o faces.txt
   fairmesh select part.obj --patch-at 0,0,5 --without --box -1,-1,4,1,1,6 -o patch.obj
 
-The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.";
+The same flags say to 'fairmesh fair' what may move, and to 'fairmesh fill --erase' what is made anew.
+
+Exit codes: 0 selected; 2 wrong usage or input, or a selection without a face, nothing written; 4 memory ran out, nothing
+written; 5 selected, but the report about it cannot be written.";
+
+/// After the flags of `generate`, `render` and `man`.
+pub const FILES: &str = file_codes!();
+
+/// After the flags of `holes`.
+pub const LISTS: &str = "\
+Exit codes: 0 listed, whether there are holes or not; 2 wrong usage or input; 4 memory or threads ran out; 5 the list cannot
+be written.";
+
+/// After the flags of `demo`.
+pub const DEMO: &str = "\
+Exit codes: 0 converged and sound; 2 wrong usage, or a file that cannot be written; 3 written, but not converged or not
+sound; 4 memory or threads ran out; 5 written, but not the report about it.";
+
+/// After the flags of `completions`.
+pub const COMPLETIONS: &str = "\
+Examples:
+  fairmesh completions bash > ~/.local/share/bash-completion/completions/fairmesh
+  fairmesh completions zsh > _fairmesh        in a directory of $fpath
+  fairmesh completions fish > ~/.config/fish/completions/fairmesh.fish
+
+Exit codes: 0 printed; 2 wrong usage; 5 the script cannot be written.";
 
 /// After the flags of `fill`.
 pub const FILL: &str = "\
@@ -94,7 +132,7 @@ Loops that enclose the mesh instead of a gap (the outer boundary of an open shee
 
 Exit codes: 0 all holes asked for are filled and fair; 2 wrong usage or input, nothing written; 3 written, but some
 hole is left open or its surface is not fair: the report says which and why; 4 memory or threads ran out, nothing written;
-5 written, but not the report about it.";
+5 written, but not the report about it. Of several files, the worst in the order 4, 2, 5, 3.";
 
 /// After the flags of `bridge`.
 pub const BRIDGE: &str = "\

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::pipes::PipeArgs;
 use crate::formats::{Geometry, MeshFile};
 use crate::join;
 use crate::rim;
@@ -24,13 +25,15 @@ const DEBRIS: usize = 3;
 /// What `fairmesh holes` is asked.
 #[derive(Debug, Args)]
 pub struct HolesArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
     /// Which loops 'fairmesh fill --join auto' would give one patch, and why
     #[arg(long)]
     suggest: bool,
     #[command(flatten)]
     mesh: MeshArgs,
+    #[command(flatten)]
+    pipe: PipeArgs,
     /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -38,8 +41,8 @@ pub struct HolesArgs {
 
 /// Runs the command.
 pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
-    let mesh = MeshFile::read(&args.input)?;
-    let answer = Answer::prepare(args.json.as_deref(), false, &[&args.input])?;
+    let mesh = MeshFile::read(&args.input, args.pipe.of(&[&args.input])?)?;
+    let answer = Answer::prepare(args.json.as_deref(), false, None, &[&args.input])?;
     let geometry = &mesh.geometry;
     let loops = boundary_loops_joined(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;

@@ -5,7 +5,9 @@
 mod answer;
 mod attempts;
 mod bar;
+mod batch;
 mod bridge;
+mod completions;
 mod component_report;
 mod components;
 mod continuity;
@@ -19,7 +21,9 @@ mod formats;
 mod generate;
 mod help;
 mod holes;
+mod jobs;
 mod join;
+mod man;
 mod normals;
 mod output;
 mod patches;
@@ -41,7 +45,7 @@ use std::io::{IsTerminal, Write};
 
 use fairmesh_process::OrExit;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use failure::{ExitCode, Failure};
 
@@ -60,13 +64,16 @@ enum Command {
     #[command(long_about = help::FAIR_ABOUT, after_long_help = help::FAIR_LONG, after_help = help::FAIR_SHORT)]
     Fair(Box<fair::FairArgs>),
     /// Writes one of the paper's inputs or an exact surface as a mesh file
+    #[command(after_help = help::FILES)]
     Generate(generate::GenerateArgs),
     /// Makes a picture of one or more meshes
+    #[command(after_help = help::FILES)]
     Render(render::RenderArgs),
     /// Selects faces of a mesh file by place and shape, and shows them
     #[command(after_help = help::SELECT)]
     Select(select::SelectArgs),
     /// Lists the boundary loops of a mesh file
+    #[command(after_help = help::LISTS)]
     Holes(holes::HolesArgs),
     /// Fills the holes of a mesh file: triangulates, refines and fairs them
     #[command(after_help = help::FILL)]
@@ -75,7 +82,14 @@ enum Command {
     #[command(after_help = help::BRIDGE)]
     Bridge(Box<bridge::BridgeArgs>),
     /// Makes the paper's blend of three cylinders: the start, the result and a picture of both
+    #[command(after_help = help::DEMO)]
     Demo(demo::DemoArgs),
+    /// Prints the script with which a shell completes command lines
+    #[command(after_help = help::COMPLETIONS)]
+    Completions(completions::CompletionsArgs),
+    /// Writes manual pages of all commands into a directory
+    #[command(after_help = help::FILES)]
+    Man(man::ManArgs),
 }
 
 #[global_allocator]
@@ -103,18 +117,16 @@ fn run() -> Result<ExitCode, Failure> {
         Err(wrong) => wrong.exit(),
     };
     let is_good = match cli.command {
-        Command::Fair(args) => fair::run(&args),
+        Command::Fair(args) => return fair::run(&args),
+        Command::Fill(args) => return fill::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Select(args) => select::run(&args),
         Command::Holes(args) => holes::run(&args),
-        Command::Fill(args) => fill::run(&args),
         Command::Bridge(args) => bridge::run(&args),
         Command::Demo(args) => demo::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     }?;
-    Ok(if is_good {
-        ExitCode::Done
-    } else {
-        ExitCode::Imperfect
-    })
+    Ok(ExitCode::of(is_good))
 }

@@ -5,6 +5,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::failure::{ExitCode, Failure};
+use crate::formats::packed;
+use crate::formats::pipes::is_piped;
 use crate::temporary::Temporary;
 
 /// Where a file will be written.
@@ -15,15 +17,31 @@ pub struct Output {
     target: PathBuf,
     /// A pipe or device, which cannot be replaced.
     is_special: bool,
+    /// Not a file at all.
+    is_stdout: bool,
 }
 
 impl Output {
+    /// A file, or stdout if it is named `-`.
+    pub fn prepare_or_stdout(path: &Path) -> Result<Self, Failure> {
+        if !is_piped(path) {
+            return Self::prepare(path);
+        }
+        Ok(Self {
+            name: "standard output".to_owned(),
+            target: path.to_path_buf(),
+            is_special: true,
+            is_stdout: true,
+        })
+    }
+
     /// Finds out whether the file can be written, before any work is done.
     pub fn prepare(path: &Path) -> Result<Self, Failure> {
         let mut output = Self {
             name: path.display().to_string(),
             target: path.to_path_buf(),
             is_special: false,
+            is_stdout: false,
         };
         match fs::canonicalize(path) {
             Ok(target) => output.target = target,
@@ -67,8 +85,21 @@ impl Output {
         })
     }
 
-    /// Writes the bytes to a temporary file and gives it the name.
+    /// Writes the bytes to a temporary file and gives it the name; packed if the name says so.
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        if self.is_stdout {
+            let mut stdout = io::stdout().lock();
+            let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
+            return written.map_err(|why| self.failure(why));
+        }
+        let packed;
+        let bytes = match packed::is_named_so(Path::new(&self.name)) {
+            true => {
+                packed = packed::packed(bytes).map_err(|why| self.failure(why))?;
+                &packed
+            }
+            false => bytes,
+        };
         if self.is_special {
             return fs::write(&self.target, bytes).map_err(|why| self.failure(why));
         }

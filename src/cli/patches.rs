@@ -6,7 +6,9 @@ use clap::Args;
 use fairmesh::{FillOptions, Options, OutputPrecision};
 
 use crate::answer::Answer;
+use crate::batch::Telling;
 use crate::failure::Failure;
+use crate::formats::pipes::Piped;
 use crate::formats::{Format, MeshFile};
 use crate::output::Output;
 use crate::surface::{IntersectionArgs, MeshArgs};
@@ -46,6 +48,20 @@ pub struct PatchArgs {
 }
 
 impl PatchArgs {
+    /// Where the report goes.
+    pub fn telling(&self, is_verbose: bool) -> Telling<'_> {
+        Telling {
+            json: self.json.as_deref(),
+            is_quiet: self.quiet,
+            is_verbose,
+        }
+    }
+
+    /// The same of a command that takes one mesh.
+    pub fn answer(&self, output: &Path, input: &Path) -> Result<Answer, Failure> {
+        Answer::prepare(self.json.as_deref(), self.quiet, Some(output), &[input])
+    }
+
     /// The library's options, where no other flag says more.
     pub fn options(&self, output_precision: OutputPrecision) -> FillOptions {
         let defaults = FillOptions::default();
@@ -72,13 +88,12 @@ pub struct Files {
     pub mesh: MeshFile,
     pub precision: OutputPrecision,
     pub output: Output,
-    pub answer: Answer,
 }
 
 impl Files {
-    pub fn open(input: &Path, output: &Path, args: &PatchArgs) -> Result<Self, Failure> {
-        let format = Format::of(output)?;
-        let mesh = MeshFile::read(input)?;
+    pub fn open(input: &Path, output: &Path, piped: Piped) -> Result<Self, Failure> {
+        let format = Format::of(output, piped.output)?;
+        let mesh = MeshFile::read(input, piped.input)?;
         let precision = match (mesh.format(), format) {
             (Format::Ply, Format::Ply) => mesh.output_precision(),
             _ => format.output_precision(),
@@ -88,8 +103,7 @@ impl Files {
             format,
             mesh,
             precision,
-            output: Output::prepare(output)?,
-            answer: Answer::prepare(args.json.as_deref(), args.quiet, &[output, input])?,
+            output: Output::prepare_or_stdout(output)?,
         })
     }
 }

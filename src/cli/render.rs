@@ -1,11 +1,12 @@
 //! `fairmesh render`: pictures of meshes.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::pipes::PipeArgs;
 use crate::formats::{Geometry, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
@@ -26,10 +27,12 @@ enum Shade {
 /// What `fairmesh render` is asked.
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// Meshes, side by side: .ply, .obj, .off or .stl
+    /// Meshes, side by side: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     #[arg(required = true)]
     inputs: Vec<PathBuf>,
-    /// Where the picture goes: a .png file
+    #[command(flatten)]
+    pipe: PipeArgs,
+    /// Where the picture goes: a .png file; '-': to stdout
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// From where: x,y,z (from the surface to the eye), front, back, left, right,
@@ -84,9 +87,14 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let options = options(args)?;
     let captions = captions(args)?;
     let asked_range = args.range.as_deref().map(range).transpose()?;
-    let output = Output::prepare(&args.output)?;
-    let meshes = (args.inputs.iter().map(|path| Ok(MeshFile::read(path)?.geometry)))
-        .collect::<Result<Vec<Geometry>, Failure>>()?;
+    let output = Output::prepare_or_stdout(&args.output)?;
+    let inputs: Vec<&Path> = args.inputs.iter().map(PathBuf::as_path).collect();
+    let piped = args.pipe.of(&inputs)?;
+    let meshes = (args
+        .inputs
+        .iter()
+        .map(|path| Ok(MeshFile::read(path, piped)?.geometry)))
+    .collect::<Result<Vec<Geometry>, Failure>>()?;
     let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
     let has_scale = args.shade.contains(&Shade::Curvature);
     let curvatures = if has_scale {

@@ -8,6 +8,9 @@ use serde_json::json;
 
 use crate::answer::Answer;
 use crate::failure::Failure;
+use crate::formats::packed;
+use crate::formats::pipes::PipesArgs;
+use crate::formats::references::{self, Led};
 use crate::formats::{Format, Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::output::Output;
@@ -19,12 +22,14 @@ use crate::surface::MeshArgs;
 /// What `fairmesh select` is asked.
 #[derive(Debug, Args)]
 pub struct SelectArgs {
-    /// The mesh: .ply, .obj, .off or .stl
+    /// The mesh: .ply, .obj, .off or .stl, perhaps with .gz behind it; '-': from stdin
     input: PathBuf,
     /// Where the faces go: as a list of their numbers for --faces (.txt), or as a mesh of
-    /// their own (.ply, .obj, .off or .stl)
+    /// their own (.ply, .obj, .off or .stl, perhaps with .gz behind it; '-': to stdout)
     #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pipes: PipesArgs,
     /// A picture (.png) with the faces in another colour
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
@@ -43,18 +48,30 @@ pub struct SelectArgs {
 
 /// Runs the command.
 pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
-    let mesh = MeshFile::read(&args.input)?;
+    let piped = args.pipes.of(&args.input, args.output.as_deref())?;
+    let mesh = MeshFile::read(&args.input, piped.input)?;
     let geometry = &mesh.geometry;
-    let prepared = |path: &Option<PathBuf>| path.as_deref().map(Output::prepare).transpose();
-    let (output, picture) = (prepared(&args.output)?, prepared(&args.picture)?);
-    let answer = Answer::prepare(args.json.as_deref(), false, &[&args.input])?;
+    let output = args
+        .output
+        .as_deref()
+        .map(Output::prepare_or_stdout)
+        .transpose()?;
+    let picture = args.picture.as_deref().map(Output::prepare).transpose()?;
+    let answer = Answer::prepare(
+        args.json.as_deref(),
+        false,
+        args.output.as_deref(),
+        &[&args.input],
+    )?;
     let view = args.view.as_deref().map(render::direction).transpose()?;
     let found = selection::find(&mesh, &args.input, &args.region, args.mesh.coincident)?;
     let marked = marked(geometry, found.selected.in_triangles(geometry));
     let polygons = whole(geometry, &marked);
-    let mut written = Vec::new();
+    let (mut written, mut named) = (Vec::new(), Vec::new());
     if let (Some(output), Some(path)) = (output, &args.output) {
-        output.write(&list_or_mesh(path, &mesh, &polygons)?)?;
+        let led = list_or_mesh(args, (path, piped.output), &mesh, &polygons)?;
+        output.write(&led.bytes)?;
+        named = led.told;
         written.push(path.as_path());
     }
     if let (Some(output), Some(path)) = (picture, &args.picture) {
@@ -80,6 +97,7 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
         if marked.iter().all(|&is_in| is_in) {
             text += "this is the whole mesh: nothing would stay where it is\n";
         }
+        named.iter().for_each(|line| text += &format!("{line}\n"));
         text
     };
     answer.tell(&written, json, readable)?;
@@ -127,14 +145,23 @@ fn moving(geometry: &Geometry, marked: &[bool]) -> usize {
 }
 
 /// The faces as a list of numbers, or as a mesh, by the name of the file.
-fn list_or_mesh(path: &Path, mesh: &MeshFile, polygons: &[bool]) -> Result<Vec<u8>, Failure> {
-    if path.extension().is_some_and(|extension| extension == "txt") {
+fn list_or_mesh(
+    args: &SelectArgs,
+    (path, piped): (&Path, Option<Format>),
+    mesh: &MeshFile,
+    polygons: &[bool],
+) -> Result<Led, Failure> {
+    let inner = packed::inner_name(path);
+    if inner.extension().is_some_and(|extension| extension == "txt") {
         let numbers = (0..polygons.len()).filter(|&p| polygons[p]);
-        return Ok(numbers.map(|p| format!("{p}\n")).collect::<String>().into_bytes());
+        return Ok(Led {
+            bytes: numbers.map(|p| format!("{p}\n")).collect::<String>().into_bytes(),
+            told: Vec::new(),
+        });
     }
-    let format = Format::of(path).map_err(|failure| failure.and("a list of faces ends in .txt"))?;
+    let format = Format::of(path, piped).map_err(|failure| failure.and("a list of faces ends in .txt"))?;
     let (part, _) = mesh.only(&path.display().to_string(), polygons)?;
-    Ok(part.in_format(format))
+    Ok(references::led(part.in_format(format), format, &args.input, path))
 }
 
 /// A picture of the whole mesh with the marked triangles in another colour.

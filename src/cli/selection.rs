@@ -6,6 +6,7 @@ use clap::Args;
 use fairmesh::{BoundaryNormals, Coincident, Selection};
 
 use crate::failure::{Failure, Malformed};
+use crate::formats::packed;
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::region::{Found, RegionReport, RegionSteps};
@@ -191,9 +192,7 @@ fn stored(mesh: &MeshFile) -> Result<Selected, &'static str> {
 
 /// Reads a text file for parsing by lines.
 fn read(path: &Path) -> Result<(String, Vec<u8>), Failure> {
-    let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|why| Failure::new(format!("{name}: cannot read: {why}")))?;
-    Ok((name, bytes))
+    Ok((path.display().to_string(), packed::read(path)?))
 }
 
 /// Calls `each` with the words of every line that has any.

@@ -90,10 +90,7 @@ fn wrong_input_is_told_in_one_line() {
             message,
         );
     };
-    fair(
-        &[],
-        "cap.obj: nothing says which vertices may move; say a place (--ball, ",
-    );
+    fair(&[], "cap.obj: nothing says which vertices may move; say a place");
     fair(&["--selection", "flags"], "cap.obj: there is no property 'flags'");
     fair(&["--free", "none.txt"], "none.txt: cannot read:");
     write("bad.txt", "# one\n1\n\n2x\n");

@@ -306,8 +306,8 @@ fn what_is_not_read_is_refused_with_its_cause() {
     let cases: [(&str, &[u8], &str); 15] = [
         (
             "a.ply.gz",
-            b"",
-            "compressed files are not supported; unpack it first",
+            b"ply",
+            "this is not compressed by gzip, as its name says",
         ),
         (
             "a.ply",
@@ -354,7 +354,10 @@ fn what_is_not_read_is_refused_with_its_cause() {
     }
     for args in [&["holes", "-"][..], &["fill", "b.stl", "-o", "-"]] {
         let (_, err) = expect(&directory, args, 2);
-        assert!(err.contains("-: meshes are not piped"), "{err}");
+        assert!(
+            err.contains("-: no name tells the format of what is piped"),
+            "{err}"
+        );
     }
     assert!(!directory.join("-").exists());
 }

@@ -1,6 +1,7 @@
 //! The program `fairmesh`: files byte for byte, texts and exit codes.
 #![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
+mod batch;
 mod bridge;
 mod commands;
 mod common;
@@ -10,4 +11,7 @@ mod erase;
 mod files;
 mod formats;
 mod holes;
+mod installed;
+mod pipes;
+mod references;
 mod select;
