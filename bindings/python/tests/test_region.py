@@ -38,6 +38,14 @@ def test_what_hangs_together_on_a_cube():
     assert (around & ~TOP).any() and not (near & ~around).any()
 
 
+def test_copies_of_vertices_hang_together_unless_they_are_separate():
+    corners = VERTICES[FACES].reshape(-1, 3)
+    apart = np.arange(len(corners)).reshape(-1, 3)
+    assert fairmesh.select_component(corners, apart, 0).all()
+    assert np.flatnonzero(fairmesh.select_component(corners, apart, 0, coincident="separate")).tolist() == [0]
+    assert np.array_equal(fairmesh.grow(corners, apart, TOP), fairmesh.grow(VERTICES, FACES, TOP))
+
+
 def test_rings_and_what_masks_are_combined_by():
     grown = fairmesh.grow(VERTICES, FACES, TOP)
     touched = np.isin(FACES, FACES[TOP]).any(axis=1)
