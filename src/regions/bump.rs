@@ -92,11 +92,11 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
         found.push((rings, calm));
         radius *= STEP;
     }
-    let contrast = |calm: &[Calm]| calm.iter().map(Calm::contrast).fold(0.0, f64::max);
+    let clearness = |calm: &[Calm]| calm.iter().map(Calm::clearness).fold(0.0, f64::max);
     // On the flank of a wide bump, too, there are rings along which the curvature does not change; but it stands out less from these.
     found.retain(|(_, calm)| !calm.is_empty());
     // Of two that are about as clear the smaller one: other features are farther away.
-    let merit = |(rings, calm): &(Rings, Vec<Calm>)| contrast(calm) / rings.radius.sqrt();
+    let merit = |(rings, calm): &(Rings, Vec<Calm>)| clearness(calm) / rings.radius.sqrt();
     found.sort_by(|a, b| merit(b).total_cmp(&merit(a)));
     let mut ends = found
         .iter()
@@ -123,14 +123,19 @@ struct Rings {
 }
 
 impl Calm {
-    /// How far the bump stands out.
-    fn contrast(&self) -> f64 {
-        self.peak / self.scatter.max(f64::MIN_POSITIVE)
+    /// How far the bump stands out from rings that it does not reach into.
+    fn clearness(&self) -> f64 {
+        (1.0 - self.stray).powi(2) * self.peak / self.scatter.max(f64::MIN_POSITIVE)
     }
 
     /// What departs by more belongs to the bump.
     fn least(&self) -> f64 {
         (OFF * self.scatter).max(OF_PEAK * self.peak)
+    }
+
+    /// Whether what belongs to it may depart by less than what is chance.
+    fn hides_flanks(&self) -> bool {
+        OFF * self.scatter > OF_PEAK * self.peak
     }
 }
 
@@ -141,6 +146,8 @@ struct Calm {
     peak: f64,
     surroundings: f64,
     scatter: f64,
+    /// Which part of the first ring departs.
+    stray: f64,
 }
 
 impl Around<'_> {
@@ -211,15 +218,17 @@ impl Around<'_> {
             model.scatter(&places[first..], &values[first..]),
         ];
         let least = OFF * scatter.max(OF_PEAK * peak / OFF);
-        let stray = off[inner..first].iter().filter(|&&off| off > least).count();
+        let stray =
+            off[inner..first].iter().filter(|&&off| off > least).count() as f64 / (first - inner) as f64;
         let is_calm = peak > PEAK * scatter
             && scatters[0] <= CALM * scatters[1].max(OF_PEAK * peak / OFF)
-            && (stray as f64) < STRAY * (first - inner) as f64;
+            && stray < STRAY;
         is_calm.then(|| Calm {
             off,
             peak,
             surroundings: median(&values[inner..]),
             scatter,
+            stray,
         })
     }
 
@@ -248,14 +257,14 @@ impl Around<'_> {
         if far as f64 > STRAGGLERS * members as f64 {
             return None;
         }
-        (0..count).for_each(|v| bump[v] &= !is_far(v));
-        let reach = (0..count)
-            .filter(|&v| bump[v] && departs[v])
-            .map(|v| self.distance[v]);
-        let reach = reach.fold(0.0, f64::max);
-        let margin = MARGIN * reach / self.edge();
-        for _ in 0..margin.round() as usize {
-            bump = self.widened(&bump);
+        // One ring more than departs: the curvature at a vertex is that of its ring, too.
+        bump = self.narrowed(&bump);
+        if scales.iter().all(Calm::hides_flanks) {
+            let reach = (0..count).filter(|&v| bump[v]).map(|v| self.distance[v]);
+            let margin = MARGIN * reach.fold(0.0, f64::max) / self.edge();
+            for _ in 0..margin.round() as usize {
+                bump = self.widened(&bump);
+            }
         }
         // What it encloses belongs to it.
         let mut outside: Vec<bool> = self.distance.iter().map(|&d| d >= RING * rings.radius).collect();
@@ -292,6 +301,11 @@ impl Around<'_> {
     fn widened(&self, is_in: &[bool]) -> Vec<bool> {
         let near = |v: u32| is_in[v as usize] || self.mesh.around(v).any(|w| is_in[w as usize]);
         (0..is_in.len() as u32).map(near).collect()
+    }
+
+    fn narrowed(&self, is_in: &[bool]) -> Vec<bool> {
+        let inside = |v: u32| is_in[v as usize] && self.mesh.around(v).all(|w| is_in[w as usize]);
+        (0..is_in.len() as u32).map(inside).collect()
     }
 
     /// The vertices that hang together with one by edges between those that are `allowed`.

@@ -1,0 +1,312 @@
+//! The flags of a region and what each says, in the order in which they are given.
+
+use clap::{Arg, ArgAction, ArgMatches, Command, FromArgMatches, error::ErrorKind};
+use fairmesh::{Combine, Place, Region, Seed};
+
+/// Edges bend by no more within what `--patch-at` takes, in degrees, unless it says so.
+const SHARP: f64 = 30.0;
+/// By so much a channel may differ from `--color`, of 255, unless it says so.
+const TOLERANCE: f64 = 16.0;
+
+/// What one flag says.
+#[derive(Debug, Clone)]
+pub enum Part {
+    Region(Region),
+    /// A colour and how much each channel may differ.
+    Colour([f64; 3], f64),
+    Grow(usize),
+    Shrink(usize),
+    Invert,
+    /// How the next region is combined with those before it.
+    Combine(Combine),
+}
+
+/// One flag.
+struct Flag {
+    name: &'static str,
+    value: Option<&'static str>,
+    read: fn(&str) -> Result<Part, String>,
+    help: &'static str,
+}
+
+const FLAGS: [Flag; 12] = [
+    Flag {
+        name: "ball",
+        value: Some("X,Y,Z,RADIUS"),
+        read: ball,
+        help: "Faces that lie in this ball with all corners",
+    },
+    Flag {
+        name: "box",
+        value: Some("X,Y,Z,X,Y,Z"),
+        read: cuboid,
+        help: "Faces that lie in this box with all corners: its smallest and its largest\ncoordinates",
+    },
+    Flag {
+        name: "halfspace",
+        value: Some("X,Y,Z,NX,NY,NZ"),
+        read: half_space,
+        help: "Faces on the side of the plane through X,Y,Z that NX,NY,NZ points to",
+    },
+    Flag {
+        name: "geodesic",
+        value: Some("PLACE,RADIUS"),
+        read: geodesic,
+        help: "Faces no further from a place than this along the surface. A place is a\nvertex by its number, or X,Y,Z: the point of the surface that is nearest",
+    },
+    Flag {
+        name: "component-at",
+        value: Some("PLACE"),
+        read: component,
+        help: "Faces that hang together with a place",
+    },
+    Flag {
+        name: "patch-at",
+        value: Some("PLACE[,DEGREES]"),
+        read: patch,
+        help: "Faces around a place up to edges that bend by more than so many degrees [30]",
+    },
+    Flag {
+        name: "bump",
+        value: Some("PLACE"),
+        read: bump,
+        help: "The bump or dent at a place: as far as the curvature departs from that of\nthe surroundings; the report says what that is",
+    },
+    Flag {
+        name: "color",
+        value: Some("R,G,B[,TOLERANCE]"),
+        read: colour,
+        help: "Faces of this colour, 0 to 255 per channel, or #RRGGBB; of PLY and OBJ",
+    },
+    Flag {
+        name: "grow",
+        value: Some("RINGS"),
+        read: grow,
+        help: "Adds the faces around what is selected so far, so often",
+    },
+    Flag {
+        name: "shrink",
+        value: Some("RINGS"),
+        read: shrink,
+        help: "Takes the outermost faces away, so often",
+    },
+    Flag {
+        name: "invert",
+        value: None,
+        read: |_| Ok(Part::Invert),
+        help: "Takes the other faces instead",
+    },
+    Flag {
+        name: "without",
+        value: None,
+        read: |_| Ok(Part::Combine(Combine::Remove)),
+        help: "Takes away what the next flag names, instead of adding it",
+    },
+];
+
+/// `--and`, which reads best behind `--without`.
+const AND: Flag = Flag {
+    name: "and",
+    value: None,
+    read: |_| Ok(Part::Combine(Combine::Intersect)),
+    help: "Keeps only what the next flag names, too",
+};
+
+fn flags() -> impl Iterator<Item = &'static Flag> {
+    FLAGS.iter().chain([&AND])
+}
+
+/// Flags of a region, in the order in which they are given: each adds to those before it.
+#[derive(Debug, Clone, Default)]
+pub struct RegionSteps(pub Vec<(String, Part)>);
+
+impl clap::Args for RegionSteps {
+    fn augment_args(command: Command) -> Command {
+        flags().fold(command, |command, flag| {
+            let arg = Arg::new(flag.name)
+                .long(flag.name)
+                .help(flag.help)
+                .help_heading("Region by place and shape (in this order; each adds to those before it)")
+                .action(ArgAction::Append)
+                .allow_hyphen_values(flag.value.is_some())
+                .value_parser(flag.read);
+            command.arg(match flag.value {
+                Some(value) => arg.value_name(value),
+                None => arg.num_args(0).default_missing_value(""),
+            })
+        })
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for RegionSteps {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut found = Vec::new();
+        for flag in flags() {
+            let (Some(parts), Some(places)) =
+                (matches.get_many::<Part>(flag.name), matches.indices_of(flag.name))
+            else {
+                continue;
+            };
+            let raw = matches.get_raw(flag.name).into_iter().flatten();
+            for ((part, place), raw) in parts.zip(places).zip(raw) {
+                let told = match flag.value {
+                    Some(_) => format!("--{} {}", flag.name, raw.to_string_lossy()),
+                    None => format!("--{}", flag.name),
+                };
+                found.push((place, told, part.clone()));
+            }
+        }
+        found.sort_by_key(|entry| entry.0);
+        let steps: Vec<(String, Part)> = found.into_iter().map(|(_, told, part)| (told, part)).collect();
+        let names_a_region = |part: &Part| matches!(part, Part::Region(_) | Part::Colour(..));
+        for (k, (told, part)) in steps.iter().enumerate() {
+            let next = steps.get(k + 1).map(|(_, next)| next);
+            if matches!(part, Part::Combine(_)) && !next.is_some_and(names_a_region) {
+                let why = format!("{told}: a flag that names a region has to follow, like --ball\n");
+                return Err(clap::Error::raw(ErrorKind::ValueValidation, why));
+            }
+        }
+        Ok(Self(steps))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl RegionSteps {
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The flags as they were given.
+    pub fn told(&self) -> String {
+        let told = self.0.iter().map(|(told, _)| told.as_str());
+        told.collect::<Vec<&str>>().join(" ")
+    }
+
+    /// Whether the first flag names a region, and changes none that is there already.
+    pub fn begins_with_a_region(&self) -> bool {
+        matches!(self.0.first(), Some((_, Part::Region(_) | Part::Colour(..))))
+    }
+}
+
+/// Finite numbers, separated by commas.
+fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let number = |word: &str| word.trim().parse().ok().filter(|x: &f64| x.is_finite());
+    let numbers = text
+        .split(',')
+        .map(|word| number(word).ok_or_else(|| format!("'{}' is no number", word.trim())));
+    numbers.collect()
+}
+
+/// A vertex, or a point of the surface.
+fn place(numbers: &[f64]) -> Result<Seed, String> {
+    match *numbers {
+        [v] if v >= 0.0 && v.fract() == 0.0 && v < f64::from(u32::MAX) => Ok(Seed::Vertex(v as u32)),
+        [v] => Err(format!(
+            "{v} is no number of a vertex; give one, from 0, or X,Y,Z"
+        )),
+        [x, y, z] => Ok(Seed::Point([x, y, z])),
+        _ => Err("a place is a vertex by its number, or X,Y,Z".to_owned()),
+    }
+}
+
+fn ball(text: &str) -> Result<Part, String> {
+    match numbers(text)?[..] {
+        [x, y, z, radius] if radius >= 0.0 => Ok(Part::Region(Region::Within(Place::Ball {
+            centre: [x, y, z],
+            radius,
+        }))),
+        _ => Err("expected X,Y,Z,RADIUS".to_owned()),
+    }
+}
+
+fn cuboid(text: &str) -> Result<Part, String> {
+    match numbers(text)?[..] {
+        [a, b, c, d, e, f] if a <= d && b <= e && c <= f => Ok(Part::Region(Region::Within(Place::Box {
+            low: [a, b, c],
+            high: [d, e, f],
+        }))),
+        [_, _, _, _, _, _] => Err("the smallest coordinates come first".to_owned()),
+        _ => Err("expected X,Y,Z,X,Y,Z".to_owned()),
+    }
+}
+
+fn half_space(text: &str) -> Result<Part, String> {
+    match numbers(text)?[..] {
+        [_, _, _, 0.0, 0.0, 0.0] => Err("the direction NX,NY,NZ is zero".to_owned()),
+        [a, b, c, x, y, z] => Ok(Part::Region(Region::HalfSpace {
+            point: [a, b, c],
+            normal: [x, y, z],
+        })),
+        _ => Err("expected X,Y,Z,NX,NY,NZ".to_owned()),
+    }
+}
+
+fn geodesic(text: &str) -> Result<Part, String> {
+    let numbers = numbers(text)?;
+    match numbers.split_last() {
+        Some((&radius, at)) if matches!(at.len(), 1 | 3) && radius >= 0.0 => {
+            let seed = place(at)?;
+            Ok(Part::Region(Region::Geodesic { seed, radius }))
+        }
+        _ => Err("expected X,Y,Z,RADIUS or VERTEX,RADIUS".to_owned()),
+    }
+}
+
+fn component(text: &str) -> Result<Part, String> {
+    Ok(Part::Region(Region::Component(place(&numbers(text)?)?)))
+}
+
+fn patch(text: &str) -> Result<Part, String> {
+    let numbers = numbers(text)?;
+    let (at, angle) = match numbers.len() {
+        1 | 3 => (&numbers[..], SHARP),
+        2 | 4 => (&numbers[..numbers.len() - 1], numbers[numbers.len() - 1]),
+        _ => return Err("expected X,Y,Z or VERTEX, and perhaps DEGREES".to_owned()),
+    };
+    if !(0.0..=180.0).contains(&angle) {
+        return Err(format!("{angle} is no angle from 0 to 180 degrees"));
+    }
+    let seed = place(at)?;
+    Ok(Part::Region(Region::Patch { seed, angle }))
+}
+
+fn bump(text: &str) -> Result<Part, String> {
+    Ok(Part::Region(Region::Bump(place(&numbers(text)?)?)))
+}
+
+fn colour(text: &str) -> Result<Part, String> {
+    let form = "expected R,G,B from 0 to 255, and perhaps TOLERANCE, or #RRGGBB";
+    if let Some(digits) = text.strip_prefix('#') {
+        let channel = |k: usize| u8::from_str_radix(digits.get(2 * k..2 * k + 2)?, 16).ok();
+        return match (digits.len(), channel(0), channel(1), channel(2)) {
+            (6, Some(r), Some(g), Some(b)) => Ok(Part::Colour([r, g, b].map(f64::from), TOLERANCE)),
+            _ => Err(form.to_owned()),
+        };
+    }
+    match numbers(text)?[..] {
+        [r, g, b] => Ok(Part::Colour([r, g, b], TOLERANCE)),
+        [r, g, b, tolerance] if tolerance >= 0.0 => Ok(Part::Colour([r, g, b], tolerance)),
+        _ => Err(form.to_owned()),
+    }
+}
+
+fn rings(text: &str) -> Result<usize, String> {
+    text.parse()
+        .map_err(|_| "expected how many rings of faces".to_owned())
+}
+
+fn grow(text: &str) -> Result<Part, String> {
+    rings(text).map(Part::Grow)
+}
+
+fn shrink(text: &str) -> Result<Part, String> {
+    rings(text).map(Part::Shrink)
+}
