@@ -210,6 +210,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NO_FAIR_PATCH = 38,
     /**
+     * The curvature does not tell where a bump ends.
+     */
+    FAIRMESH_STATUS_NO_BUMP = 39,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -1037,6 +1041,10 @@ enum fairmesh_result_kind
      * Points on the triangles of a mesh.
      */
     FAIRMESH_RESULT_KIND_CARRIED = 10,
+    /**
+     * Triangles chosen by place and shape.
+     */
+    FAIRMESH_RESULT_KIND_REGION = 11,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1140,12 +1148,144 @@ enum fairmesh_list
      * Carried points: per point the triangle that it is on.
      */
     FAIRMESH_LIST_CARRIED_TRIANGLES = 128,
+    /**
+     * Regions: the triangles, ascending.
+     */
+    FAIRMESH_LIST_REGION_TRIANGLES = 144,
+    /**
+     * Regions: per step how many triangles it named, or how many there were after it.
+     */
+    FAIRMESH_LIST_REGION_COUNTS = 145,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
 typedef enum fairmesh_list fairmesh_list;
 #else
 typedef uint32_t fairmesh_list;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What a step of `fairmesh_select_region` names, or does.
+ */
+enum fairmesh_region_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * The whole mesh.
+     */
+    FAIRMESH_REGION_KIND_ALL = 0,
+    /**
+     * The triangles of `list`.
+     */
+    FAIRMESH_REGION_KIND_TRIANGLES = 1,
+    /**
+     * The triangles all of whose corners are vertices of `list`, or copies of them.
+     */
+    FAIRMESH_REGION_KIND_VERTICES = 2,
+    /**
+     * The triangles that lie in a ball with all corners: around `point`, of radius `value`.
+     */
+    FAIRMESH_REGION_KIND_BALL = 3,
+    /**
+     * The triangles that lie in a box with all corners: `point` has its smallest, `vector` its largest coordinates.
+     */
+    FAIRMESH_REGION_KIND_BOX = 4,
+    /**
+     * The triangles all of whose corners lie on a plane through `point`, or on the side that `vector` points to.
+     */
+    FAIRMESH_REGION_KIND_HALF_SPACE = 5,
+    /**
+     * The triangles all of whose corners are no further than `value` from the seed, along the surface.
+     */
+    FAIRMESH_REGION_KIND_GEODESIC = 6,
+    /**
+     * The triangles that hang together with the seed by edges.
+     */
+    FAIRMESH_REGION_KIND_COMPONENT = 7,
+    /**
+     * The triangles around the seed, up to edges at which the surface bends by more than `value`, in degrees from 0 to 180.
+     */
+    FAIRMESH_REGION_KIND_PATCH = 8,
+    /**
+     * The bump or dent at the seed: where the mean curvature departs from that of the surroundings, see `fairmesh_bump`. NO_BUMP where
+     * none is found.
+     */
+    FAIRMESH_REGION_KIND_BUMP = 9,
+    /**
+     * Adds the triangles that have a vertex in common with the region so far, `rings` times.
+     */
+    FAIRMESH_REGION_KIND_GROW = 32,
+    /**
+     * Takes the triangles away that have a vertex in common with the rest, `rings` times.
+     */
+    FAIRMESH_REGION_KIND_SHRINK = 33,
+    /**
+     * Takes the rest instead.
+     */
+    FAIRMESH_REGION_KIND_INVERT = 34,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_region_kind fairmesh_region_kind;
+#else
+typedef uint32_t fairmesh_region_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * How the triangles that a step names are combined with the region so far.
+ */
+enum fairmesh_combine
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * What is in any of the two.
+     */
+    FAIRMESH_COMBINE_ADD = 0,
+    /**
+     * What is in the region and not named.
+     */
+    FAIRMESH_COMBINE_REMOVE = 1,
+    /**
+     * What is in both.
+     */
+    FAIRMESH_COMBINE_INTERSECT = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_combine fairmesh_combine;
+#else
+typedef uint32_t fairmesh_combine;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Where a region begins.
+ */
+enum fairmesh_seed_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * At the point of the surface that is nearest to `point`.
+     */
+    FAIRMESH_SEED_KIND_POINT = 0,
+    /**
+     * At a vertex, `seed_vertex`.
+     */
+    FAIRMESH_SEED_KIND_VERTEX = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_seed_kind fairmesh_seed_kind;
+#else
+typedef uint32_t fairmesh_seed_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -2227,6 +2367,56 @@ typedef struct fairmesh_continuity {
 } fairmesh_continuity;
 
 /**
+ * A step of `fairmesh_select_region`. Set it to zero first; what its kind does not need is not read. It never grows.
+ */
+typedef struct fairmesh_region_step {
+    /**
+     * A `fairmesh_region_kind`.
+     */
+    uint32_t kind;
+    /**
+     * A `fairmesh_combine`, where the kind names triangles.
+     */
+    uint32_t combine;
+    /**
+     * A `fairmesh_seed_kind`, where there is a seed.
+     */
+    uint32_t seed_kind;
+    /**
+     * The seed, if it is a vertex.
+     */
+    uint32_t seed_vertex;
+    /**
+     * The seed, if it is a point; the centre of a ball, the smallest coordinates of a box, a point of a plane.
+     */
+    double point[3];
+    /**
+     * The largest coordinates of a box, the normal of a plane.
+     */
+    double vector[3];
+    /**
+     * A radius, or an angle in degrees.
+     */
+    double value;
+    /**
+     * How many rings to grow or shrink by.
+     */
+    uint64_t rings;
+    /**
+     * Triangles or vertices, in any order.
+     */
+    struct fairmesh_indices list;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Zero.
+     */
+    uint32_t reserved_too;
+} fairmesh_region_step;
+
+/**
  * The sizes of a result. Set `struct_size` before the call.
  */
 typedef struct fairmesh_info {
@@ -2594,6 +2784,40 @@ typedef struct fairmesh_bridge_report {
      */
     uint64_t rest_count;
 } fairmesh_bridge_report;
+
+/**
+ * What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_bump {
+    /**
+     * `sizeof(fairmesh_bump)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * How many triangles it has.
+     */
+    uint64_t triangle_count;
+    /**
+     * How far its farthest corner is from the seed, along the surface.
+     */
+    double radius;
+    /**
+     * By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
+     */
+    double departure;
+    /**
+     * The mean curvature of the surroundings (the median).
+     */
+    double surroundings;
+    /**
+     * How much that scatters (standard deviation).
+     */
+    double scatter;
+} fairmesh_bump;
 
 /**
  * Triangles to be written: three indices at every `stride` bytes.
@@ -3064,6 +3288,19 @@ fairmesh_status fairmesh_carry_over(const struct fairmesh_mesh *mesh,
                                     struct fairmesh_error *error);
 
 /**
+ * Chooses triangles of a mesh by place, distance and shape, step by step, beginning with none; the mesh need not be a manifold.
+ * `steps` are `step_count` steps, one after the other in memory; NULL only if there are none. The list REGION_TRIANGLES of the result
+ * has the triangles, REGION_COUNTS says per step how many it named by itself, or, of GROW, SHRINK and INVERT, how many there were after
+ * it; `fairmesh_result_bump` tells what was taken for bumps. `result` gets a handle; free it.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_select_region(const struct fairmesh_mesh *mesh,
+                                       const struct fairmesh_region_step *steps,
+                                       size_t step_count,
+                                       struct fairmesh_result **result,
+                                       struct fairmesh_error *error);
+
+/**
  * Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
  * one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
  *
@@ -3176,6 +3413,15 @@ FAIRMESH_API
 fairmesh_status fairmesh_result_bridge(const struct fairmesh_result *result,
                                        struct fairmesh_bridge_report *report,
                                        struct fairmesh_error *error);
+
+/**
+ * What was taken for a bump, by its number: one for each step BUMP of `fairmesh_select_region`, in their order.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_result_bump(const struct fairmesh_result *result,
+                                     uint64_t index,
+                                     struct fairmesh_bump *bump,
+                                     struct fairmesh_error *error);
 
 /**
  * The positions of all vertices: `vertex_count` of the info.

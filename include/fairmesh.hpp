@@ -648,6 +648,30 @@ inline std::vector<std::uint32_t> components(const fairmesh_mesh &mesh) {
     return result(handle).list(FAIRMESH_LIST_TRIANGLE_COMPONENTS);
 }
 
+/** Triangles chosen by place, distance and shape. */
+struct selected_region {
+    /** Ascending. */
+    std::vector<std::uint32_t> triangles;
+    /** Per step how many triangles it named, or how many there were after it. */
+    std::vector<std::uint32_t> counts;
+    /** What was taken for bumps, one for each step that asks for one. */
+    std::vector<fairmesh_bump> bumps;
+};
+
+/** Chooses triangles step by step; see fairmesh_select_region. A `fairmesh_region_step{}` is the whole mesh. */
+inline selected_region select_region(const fairmesh_mesh &mesh, const std::vector<fairmesh_region_step> &steps) {
+    fairmesh_result *handle = nullptr;
+    detail::call(fairmesh_select_region, &mesh, steps.data(), steps.size(), &handle);
+    const result chosen(handle);
+    selected_region made{chosen.list(FAIRMESH_LIST_REGION_TRIANGLES), chosen.list(FAIRMESH_LIST_REGION_COUNTS), {}};
+    for (const auto &step : steps) {
+        if (step.kind != FAIRMESH_REGION_KIND_BUMP) continue;
+        made.bumps.push_back(detail::sized<fairmesh_bump>());
+        detail::call(fairmesh_result_bump, handle, static_cast<std::uint64_t>(made.bumps.size() - 1), &made.bumps.back());
+    }
+    return made;
+}
+
 /** fairmesh_remesh_options with their defaults. */
 struct remesh_options : fairmesh_remesh_options {
     remesh_options() : fairmesh_remesh_options() {

@@ -153,6 +153,14 @@ pub(crate) fn of_erasing(mesh: &MeshIn) -> usize {
     2 * of_whole_mesh(mesh, 1)
 }
 
+/// For choosing triangles in so many steps, whose lists have so many entries together; bumps are looked for in parallel.
+pub(crate) fn of_selecting(mesh: &MeshIn, steps: usize, listed: usize) -> usize {
+    let each = steps.saturating_mul(size_of::<fairmesh::RegionStep>() + size_of::<fairmesh::Bump>());
+    of_whole_mesh(mesh, 0)
+        .saturating_add(each.saturating_mul(2))
+        .saturating_add(listed.saturating_mul(size_of::<u32>()))
+}
+
 /// For finding the nearest ones of so many triangles, which may be listed more than once, to so many points.
 pub(crate) fn of_carrying(mesh: &MeshIn, listed: usize, points: usize) -> usize {
     let lists = listed.saturating_mul(2 * size_of::<u32>());

@@ -83,6 +83,8 @@ pub enum fairmesh_status {
     BadChain = 37,
     /// Deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped.
     NoFairPatch = 38,
+    /// The curvature does not tell where a bump ends.
+    NoBump = 39,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -438,6 +440,7 @@ impl fairmesh_status {
             36 => Self::GuidesCross,
             37 => Self::BadChain,
             38 => Self::NoFairPatch,
+            39 => Self::NoBump,
             99 => Self::Internal,
             _ => Self::Internal,
         }

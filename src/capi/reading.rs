@@ -178,6 +178,22 @@ pub extern "C" fn fairmesh_result_bridge(
     })
 }
 
+/// What was taken for a bump, by its number: one for each step BUMP of `fairmesh_select_region`, in their order.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_result_bump(
+    result: *const fairmesh_result,
+    index: u64,
+    bump: *mut fairmesh_bump,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    read_result(result, error, |content, aliases| {
+        let out = StructOut::new(bump, Argument(3), aliases)?;
+        aliases.error(error, Argument(4))?;
+        out.write(&content.bump(index)?);
+        Ok(())
+    })
+}
+
 /// The positions of all vertices: `vertex_count` of the info.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_result_positions(

@@ -241,6 +241,8 @@ pub enum fairmesh_result_kind {
     Trimmed = 9,
     /// Points on the triangles of a mesh.
     Carried = 10,
+    /// Triangles chosen by place and shape.
+    Region = 11,
 }
 
 /// The sizes of a result. Set `struct_size` before the call.
@@ -323,6 +325,10 @@ pub enum fairmesh_list {
     BridgeSide = 113,
     /// Carried points: per point the triangle that it is on.
     CarriedTriangles = 128,
+    /// Regions: the triangles, ascending.
+    RegionTriangles = 144,
+    /// Regions: per step how many triangles it named, or how many there were after it.
+    RegionCounts = 145,
 }
 
 /// Vectors in a result.

@@ -1,10 +1,11 @@
 //! What results hold, and how it is read out of them.
 
+use super::region;
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
 use fairmesh::{BoundaryLoop, Bridged, Carried, Erased, Filled, JoinSuggestion, Parents, Remeshed};
-use fairmesh::{LoopReport, Report, Roughness, Solution, Trimmed};
+use fairmesh::{LoopReport, Report, Roughness, SelectedRegion, Solution, Trimmed};
 
 /// How many, and which by its number.
 type Numbered<'a, T> = (usize, Box<dyn Fn(usize) -> T + 'a>);
@@ -46,6 +47,10 @@ pub(crate) enum Content {
     /// Per triangle the number of its component.
     Components {
         of: Vec<u32>,
+        vertices: usize,
+    },
+    Region {
+        region: SelectedRegion,
         vertices: usize,
     },
 }
@@ -165,6 +170,11 @@ impl Content {
                 info.triangle_count = of.len() as u64;
                 info.component_count = of.iter().max().map_or(0, |last| u64::from(*last) + 1);
             }
+            Self::Region { region, vertices } => {
+                info.kind = fairmesh_result_kind::Region as u32;
+                info.vertex_count = *vertices as u64;
+                info.triangle_count = region.triangles.len() as u64;
+            }
             Self::Remeshed(mesh) => {
                 info.kind = fairmesh_result_kind::Remeshed as u32;
                 info.vertex_count = mesh.positions.len() as u64;
@@ -243,6 +253,13 @@ impl Content {
         match self {
             Self::Bridged { bridged, .. } => Ok(report::bridge(bridged)),
             _ => Err(not_available("bridge")),
+        }
+    }
+
+    pub(crate) fn bump(&self, index: u64) -> CallResult<fairmesh_bump> {
+        match self {
+            Self::Region { region, .. } => entry(&region.bumps, index, "bump").map(region::bump),
+            _ => Err(not_available("bumps")),
         }
     }
 
@@ -375,7 +392,9 @@ impl Content {
                 Box::new(|k| points[k].map_or(u32::MAX, |of| of.triangle)),
             )),
             (96, Self::Components { of: list, .. }) => Ok(of(list)),
-            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113 | 128, _) => {
+            (144, Self::Region { region, .. }) => Ok(of(&region.triangles)),
+            (145, Self::Region { region, .. }) => Ok(of_numbers(&region.counts)),
+            (16 | 32 | 33 | 48 | 50 | 64..=66 | 80 | 96 | 112 | 113 | 128 | 144 | 145, _) => {
                 Err(not_available("such list"))
             }
             _ => Err(unknown(which, "fairmesh_list")),

@@ -10,6 +10,9 @@ pub use super::loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place
 pub use super::numbers::*;
 pub use super::options::fairmesh_options;
 pub use super::records::*;
+pub use super::region::{
+    fairmesh_bump, fairmesh_combine, fairmesh_region_kind, fairmesh_region_step, fairmesh_seed_kind,
+};
 pub use super::versioned::Versioned;
 
 /// The kind of numbers in an array.

@@ -39,6 +39,7 @@ versioned! {
     fairmesh_fill_report 104,
     fairmesh_join_suggestion 48,
     fairmesh_info 56,
+    fairmesh_bump 48,
 }
 
 const _: () = assert!(size_of::<fairmesh_error>() == 256);

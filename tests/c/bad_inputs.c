@@ -2,9 +2,9 @@
 #include "common.h"
 
 enum { FAIR = 1, SOLVER = 2, REMESH = 4, FILL = 8, LOOPS = 16, CURVATURE = 32, SUGGEST = 64, ERASE = 128, COMPONENTS = 256 };
-enum { ROUGHNESS = 512, CLEAN = 1024, TRIM = 2048, REFILL = 4096, CARRY = 8192, LAST = CARRY };
+enum { ROUGHNESS = 512, CLEAN = 1024, TRIM = 2048, REFILL = 4096, CARRY = 8192, SELECT = 16384, LAST = SELECT };
 #define REGION (FAIR | SOLVER | REMESH | REFILL)
-#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS | ROUGHNESS | CLEAN | TRIM | CARRY)
+#define ALL (REGION | FILL | LOOPS | CURVATURE | SUGGEST | ERASE | COMPONENTS | ROUGHNESS | CLEAN | TRIM | CARRY | SELECT)
 #define SIDE 9
 #define NONE FAIRMESH_NO_ELEMENT
 
@@ -17,6 +17,8 @@ typedef struct {
     fairmesh_fill_options fill;
     fairmesh_remesh_options remesh;
     fairmesh_indices erased;
+    fairmesh_region_step steps[2];
+    size_t step_count;
     double area;
     fairmesh_points points;
     fairmesh_points_out out;
@@ -35,6 +37,7 @@ typedef struct {
     const fairmesh_remesh_options *p_remesh;
     const fairmesh_points_out *p_out;
     const fairmesh_points *p_points;
+    const fairmesh_region_step *p_steps;
     const fairmesh_scalars_out *p_numbers;
     fairmesh_report *p_report;
     fairmesh_result **p_result;
@@ -99,6 +102,8 @@ static void call_init(Call *call) {
     call->p_out = &call->out;
     call->points = points_of(call->normals, 2);
     call->p_points = &call->points;
+    call->p_steps = call->steps;
+    call->step_count = 2;
     call->p_numbers = &call->numbers;
     call->p_report = &call->report;
     call->p_result = &call->result;
@@ -125,6 +130,7 @@ static int32_t call_run(Call *c, int function, fairmesh_error *error) {
     case TRIM: return fairmesh_trim_boundary(c->p_mesh, &c->erased, 3, c->area, c->p_result, error);
     case REFILL: return fairmesh_refill(c->p_mesh, c->p_selection, c->p_fill, c->p_options, c->p_result, error);
     case CARRY: return fairmesh_carry_over(c->p_mesh, &c->erased, c->p_points, c->p_result, error);
+    case SELECT: return fairmesh_select_region(c->p_mesh, c->p_steps, c->step_count, c->p_result, error);
     case COMPONENTS: return fairmesh_components(c->p_mesh, c->p_result, error);
     default: return fairmesh_mean_curvature(c->p_mesh, c->p_numbers, error);
     }
@@ -705,6 +711,81 @@ static Expected carried(Call *c, int f, int k) {
     }
 }
 
+/* Of the second step. */
+#define STEP(a) ((uint64_t)(sizeof(fairmesh_region_step) + offsetof(fairmesh_region_step, a)))
+
+static Expected region_steps(Call *c, int f, int k) {
+    fairmesh_region_step *step = &c->steps[1];
+    (void)f;
+    switch (k) {
+    case 0: c->p_steps = NULL; return argument(FAIRMESH_STATUS_NULL_POINTER, 2, NONE);
+    case 1:
+        c->p_steps = (const fairmesh_region_step *)(const void *)((const char *)c->steps + 4);
+        c->step_count = 1;
+        return argument(FAIRMESH_STATUS_MISALIGNED, 2, NONE);
+    case 2: c->step_count = SIZE_MAX / 2; return argument(FAIRMESH_STATUS_COUNT_OVERFLOW, 3, NONE);
+    case 3: step->kind = 10; return argument(FAIRMESH_STATUS_BAD_ENUM, 2, STEP(kind));
+    case 4: step->kind = 35; return argument(FAIRMESH_STATUS_BAD_ENUM, 2, STEP(kind));
+    case 5: step->combine = 3; return argument(FAIRMESH_STATUS_BAD_ENUM, 2, STEP(combine));
+    case 6:
+        step->kind = FAIRMESH_REGION_KIND_PATCH;
+        step->seed_kind = 2;
+        return argument(FAIRMESH_STATUS_BAD_ENUM, 2, STEP(seed_kind));
+    case 7: step->reserved = 1; return argument(FAIRMESH_STATUS_BAD_RESERVED, 2, STEP(reserved));
+    case 8: step->reserved_too = 1; return argument(FAIRMESH_STATUS_BAD_RESERVED, 2, STEP(reserved_too));
+    case 9:
+        c->p_result = (fairmesh_result **)(void *)&step->point;
+        return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
+    default:
+        step->kind = FAIRMESH_REGION_KIND_TRIANGLES;
+        step->list.data = (const uint32_t *)(const void *)&c->result;
+        step->list.count = 2;
+        return argument(FAIRMESH_STATUS_ALIASING, 4, NONE);
+    }
+}
+static Expected region_lists(Call *c, int f, int k) {
+    fairmesh_region_step *step = &c->steps[1];
+    uint64_t count = k % 2 ? SIDE * SIDE : c->cap.triangles;
+    (void)f;
+    step->kind = k % 2 ? FAIRMESH_REGION_KIND_VERTICES : FAIRMESH_REGION_KIND_TRIANGLES;
+    step->list.count = 2;
+    if (k < 2) return argument(FAIRMESH_STATUS_NULL_POINTER, 2, STEP(list));
+    step->list.data = c->list;
+    if (k < 4) {
+        step->list.stride = 2;
+        return argument(FAIRMESH_STATUS_BAD_STRIDE, 2, STEP(list) + offsetof(fairmesh_indices, stride));
+    }
+    c->list[1] = (uint32_t)count;
+    return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, k % 2 ? FAIRMESH_ELEMENT_VERTEX : FAIRMESH_ELEMENT_TRIANGLE, count, NONE);
+}
+static Expected region_places(Call *c, int f, int k) {
+    fairmesh_region_step *step = &c->steps[1];
+    Expected range = expect(FAIRMESH_STATUS_BAD_OPTION, FAIRMESH_ELEMENT_NONE, NONE, NONE);
+    (void)f;
+    step->value = 1.0;
+    switch (k) {
+    case 0: step->kind = FAIRMESH_REGION_KIND_BALL, step->value = -1.0; return argument(FAIRMESH_STATUS_BAD_OPTION, 2, STEP(value));
+    case 1: step->kind = FAIRMESH_REGION_KIND_BALL, step->point[1] = NAN; return range;
+    case 2: step->kind = FAIRMESH_REGION_KIND_BOX, step->point[1] = 2.0; return argument(FAIRMESH_STATUS_BAD_OPTION, 2, STEP(vector));
+    case 3: step->kind = FAIRMESH_REGION_KIND_HALF_SPACE; return range;
+    case 4: step->kind = FAIRMESH_REGION_KIND_HALF_SPACE, step->vector[0] = 1.0, step->point[2] = INFINITY; return range;
+    case 5: step->kind = FAIRMESH_REGION_KIND_GEODESIC, step->value = NAN; return argument(FAIRMESH_STATUS_BAD_OPTION, 2, STEP(value));
+    case 6: step->kind = FAIRMESH_REGION_KIND_GEODESIC, step->point[0] = NAN; return range;
+    case 7: step->kind = FAIRMESH_REGION_KIND_PATCH, step->value = 181.0; return argument(FAIRMESH_STATUS_BAD_OPTION, 2, STEP(value));
+    case 8: step->kind = FAIRMESH_REGION_KIND_COMPONENT, step->point[2] = -INFINITY; return range;
+    case 9: step->kind = FAIRMESH_REGION_KIND_BUMP, step->point[2] = NAN; return range;
+    case 10:
+        /* A sheet as small as this has none. */
+        step->kind = FAIRMESH_REGION_KIND_BUMP;
+        return expect(FAIRMESH_STATUS_NO_BUMP, FAIRMESH_ELEMENT_NONE, NONE, NONE);
+    default:
+        step->kind = FAIRMESH_REGION_KIND_GEODESIC;
+        step->seed_kind = FAIRMESH_SEED_KIND_VERTEX;
+        step->seed_vertex = SIDE * SIDE;
+        return expect(FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE, FAIRMESH_ELEMENT_VERTEX, SIDE * SIDE, NONE);
+    }
+}
+
 static Expected aliasing(Call *c, int f, int k) {
     (void)f;
     switch (k) {
@@ -751,7 +832,7 @@ typedef struct {
 static const Row table[] = {
     {"null", "mesh", null_mesh, ALL, 1},
     {"null", "mesh data", null_data, ALL, 2},
-    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS | ROUGHNESS | ERASE | CLEAN | TRIM | REFILL | CARRY, 1},
+    {"null", "result slot", null_result, SOLVER | REMESH | FILL | LOOPS | ROUGHNESS | ERASE | CLEAN | TRIM | REFILL | CARRY | SELECT, 1},
     {"null", "selection data", null_selection_data, REGION, 4},
     {"null", "output data", null_output, FAIR | CURVATURE, 1},
     {"null", "output view", null_numbers, CURVATURE, 1},
@@ -778,7 +859,7 @@ static const Row table[] = {
     {"index", "loop", loop_out_of_range, FILL, 3},
     {"index", "normal", normal_out_of_range, FAIR | SOLVER | FILL, 3},
     {"index", "curvature", curvature_out_of_range, FAIR | SOLVER | FILL, 3},
-    {"not finite", "position", not_finite, REGION | CURVATURE, 25},
+    {"not finite", "position", not_finite, REGION | CURVATURE | SELECT, 25},
     {"not finite", "normal", bad_normal, FAIR | SOLVER, 9},
     {"not finite", "curvature", bad_curvature, FAIR | SOLVER | FILL, 5},
     {"degenerate", "repeated index", repeated_index, REGION, 9},
@@ -813,6 +894,9 @@ static const Row table[] = {
     {"option range", "erased triangles", erased, ERASE | CLEAN | TRIM | CARRY, 3},
     {"option range", "trimmed area", areas, TRIM, 4},
     {"option range", "points", carried, CARRY, 4},
+    {"option range", "steps of a region", region_steps, SELECT, 11},
+    {"option range", "lists of a region", region_lists, SELECT, 6},
+    {"option range", "places of a region", region_places, SELECT, 12},
     {"aliasing", "positions", aliasing, FAIR, 8},
     {"aliasing", "outputs", aliased_outputs, FAIR, 4},
     {"aliasing", "numbers", aliased_numbers, CURVATURE, 2},

@@ -1128,6 +1128,105 @@ static void refilling(void) {
     cap_free(&cap);
 }
 
+/* The triangles that steps choose. */
+static size_t select_of(const fairmesh_mesh *mesh, const fairmesh_region_step *asked, size_t count, uint32_t *list, size_t room) {
+    fairmesh_error error;
+    fairmesh_result *chosen = NULL;
+    fairmesh_info info;
+    size_t size = 0;
+    OK(fairmesh_select_region(mesh, asked, count, &chosen, &error));
+    info.struct_size = sizeof info;
+    OK(fairmesh_result_info(chosen, &info, &error));
+    CHECK(info.kind == FAIRMESH_RESULT_KIND_REGION && info.vertex_count == mesh->positions.count);
+    OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, room, &size, &error));
+    CHECK(size == info.triangle_count);
+    OK(fairmesh_result_free(chosen));
+    return size;
+}
+
+/* A wide sheet with a bump in the middle. */
+enum { WIDE = 81 };
+
+static void regions(void) {
+    static uint32_t list[2 * WIDE * WIDE], corner[3];
+    fairmesh_error error;
+    fairmesh_result *chosen = NULL;
+    fairmesh_region_step asked[4];
+    fairmesh_bump bump;
+    Cap cap = cap_new(WIDE);
+    uint32_t counts[4];
+    size_t v, t, size, inside = 0;
+    for (v = 0; v < cap.vertices; v++) {
+        double x = (double)(v % WIDE) - WIDE / 2, y = (double)(v / WIDE) - WIDE / 2, r = (x * x + y * y) / 64.0;
+        cap.positions[3 * v] = x;
+        cap.positions[3 * v + 1] = y;
+        cap.positions[3 * v + 2] = r < 1.0 ? 3.0 * (1.0 - r) * (1.0 - r) * (1.0 - r) : 0.0;
+    }
+    memset(asked, 0, sizeof asked);
+    CHECK(select_of(&cap.mesh, NULL, 0, list, cap.triangles) == 0);
+    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == cap.triangles);
+    asked[0].kind = FAIRMESH_REGION_KIND_BOX;
+    asked[0].point[0] = asked[0].point[1] = -2.0;
+    asked[0].vector[0] = asked[0].vector[1] = 2.0;
+    asked[0].vector[2] = 9.0;
+    asked[1].kind = FAIRMESH_REGION_KIND_HALF_SPACE;
+    asked[1].combine = FAIRMESH_COMBINE_INTERSECT;
+    asked[1].vector[0] = 1.0;
+    asked[2].kind = FAIRMESH_REGION_KIND_TRIANGLES;
+    asked[2].combine = FAIRMESH_COMBINE_REMOVE;
+    OK(fairmesh_select_region(&cap.mesh, asked, 2, &chosen, &error));
+    OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_COUNTS, 0, counts, 4, &size, &error));
+    CHECK(size == 2 && counts[0] == 32 && counts[1] == cap.triangles / 2);
+    CHECK(fairmesh_result_list(chosen, FAIRMESH_LIST_KEPT_TRIANGLES, 0, NULL, 0, &size, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    bump.struct_size = sizeof bump;
+    CHECK(fairmesh_result_bump(chosen, 0, &bump, &error) == FAIRMESH_STATUS_NOT_AVAILABLE);
+    OK(fairmesh_result_free(chosen));
+    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == 16);
+    corner[0] = list[0];
+    asked[2].list.data = corner;
+    asked[2].list.count = 1;
+    CHECK(select_of(&cap.mesh, asked, 3, list, cap.triangles) == 15);
+    asked[3].kind = FAIRMESH_REGION_KIND_INVERT;
+    CHECK(select_of(&cap.mesh, asked, 4, list, cap.triangles) == cap.triangles - 15);
+    /* The bump, from the vertex at its top. */
+    memset(asked, 0, sizeof asked);
+    asked[0].kind = FAIRMESH_REGION_KIND_BUMP;
+    asked[0].seed_kind = FAIRMESH_SEED_KIND_VERTEX;
+    asked[0].seed_vertex = WIDE * (WIDE / 2) + WIDE / 2;
+    OK(fairmesh_select_region(&cap.mesh, asked, 1, &chosen, &error));
+    OK(fairmesh_result_bump(chosen, 0, &bump, &error));
+    OK(fairmesh_result_list(chosen, FAIRMESH_LIST_REGION_TRIANGLES, 0, list, cap.triangles, &size, &error));
+    CHECK(bump.triangle_count == size && bump.radius > 6.0 && bump.radius < 16.0 && fabs(bump.surroundings) < 1e-3);
+    CHECK(bump.departure > 0.02 && bump.scatter < bump.departure);
+    for (t = 0; t < size; t++) inside += cap.positions[3 * cap.corners[3 * list[t]] + 2] > 0.0;
+    CHECK(inside > size / 2);
+    OK(fairmesh_result_free(chosen));
+    /* All of it is one component, and one patch if it may bend. */
+    asked[0].kind = FAIRMESH_REGION_KIND_COMPONENT;
+    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == cap.triangles);
+    asked[0].kind = FAIRMESH_REGION_KIND_PATCH;
+    asked[0].value = 60.0;
+    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == cap.triangles);
+    /* Around a corner of the sheet, where it is flat: grown and shrunk again. */
+    asked[0].kind = FAIRMESH_REGION_KIND_VERTICES;
+    corner[0] = 0, corner[1] = 1, corner[2] = WIDE + 1;
+    asked[0].list.data = corner;
+    asked[0].list.count = 3;
+    CHECK(select_of(&cap.mesh, asked, 1, list, cap.triangles) == 1 && list[0] == 0);
+    asked[1].kind = FAIRMESH_REGION_KIND_GROW;
+    asked[1].rings = 1;
+    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) > 5);
+    asked[1].rings = UINT64_MAX;
+    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == cap.triangles);
+    asked[1].kind = FAIRMESH_REGION_KIND_SHRINK;
+    CHECK(select_of(&cap.mesh, asked, 2, list, cap.triangles) == 0);
+    /* Far away from the bump there is none. */
+    asked[0].kind = FAIRMESH_REGION_KIND_BUMP;
+    asked[0].seed_vertex = 12 * WIDE + 12;
+    CHECK(fairmesh_select_region(&cap.mesh, asked, 1, &chosen, &error) == FAIRMESH_STATUS_NO_BUMP);
+    cap_free(&cap);
+}
+
 /* A vertex with more triangles than one may have in a region, on a sphere. */
 static void hub(void) {
     enum { VALENCE = 5000, ROWS = 4 };
@@ -1347,6 +1446,7 @@ int main(void) {
     trimming();
     roughness();
     refilling();
+    regions();
     puts("calls: passed");
     return 0;
 }

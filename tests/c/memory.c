@@ -174,6 +174,35 @@ static void erase(Scene *s) {
     if (passed(s, fairmesh_components(&s->cap.mesh, &result, &error), &error)) OK(fairmesh_result_free(result));
 }
 
+static void region(Scene *s) {
+    fairmesh_error error;
+    fairmesh_result *result = NULL;
+    fairmesh_region_step asked[6];
+    int32_t status;
+    memset(asked, 0, sizeof asked);
+    asked[0].kind = FAIRMESH_REGION_KIND_BALL;
+    asked[0].value = 0.5;
+    asked[0].point[2] = 1.0;
+    asked[1].kind = FAIRMESH_REGION_KIND_GEODESIC;
+    asked[1].value = 0.5;
+    asked[2].kind = FAIRMESH_REGION_KIND_GROW;
+    asked[2].rings = 2;
+    asked[3].kind = FAIRMESH_REGION_KIND_TRIANGLES;
+    asked[3].combine = FAIRMESH_COMBINE_REMOVE;
+    asked[3].list.data = both;
+    asked[3].list.count = 2;
+    asked[4].kind = FAIRMESH_REGION_KIND_PATCH;
+    asked[4].combine = FAIRMESH_COMBINE_INTERSECT;
+    asked[4].value = 180.0;
+    if (passed(s, fairmesh_select_region(&s->cap.mesh, asked, 5, &result, &error), &error)) OK(fairmesh_result_free(result));
+    /* Curvature is looked at, whether or not there is a bump. */
+    asked[5].kind = FAIRMESH_REGION_KIND_BUMP;
+    asked[5].point[2] = 1.0;
+    status = fairmesh_select_region(&s->cap.mesh, asked, 6, &result, &error);
+    if (status == FAIRMESH_STATUS_NO_BUMP) return;
+    if (passed(s, status, &error)) OK(fairmesh_result_free(result));
+}
+
 static void refill(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
@@ -245,6 +274,7 @@ static void every_allocation(Scene *s, void (*work)(Scene *), const char *name, 
 
 static void panics(Scene *s) {
     fairmesh_error error;
+    fairmesh_region_step all;
     fairmesh_solver *solver = NULL;
     fairmesh_result *result = NULL;
     fairmesh_points_out out = points_out_of(s->out, s->cap.vertices);
@@ -260,6 +290,10 @@ static void panics(Scene *s) {
     CHECK(fairmesh_solver_positions(solver, &out, &error) == FAIRMESH_STATUS_INTERNAL);
     CHECK(strstr(error.message, "free it") != NULL);
     OK(fairmesh_solver_free(solver));
+    memset(&all, 0, sizeof all);
+    result = NULL;
+    fairmesh_test_panic(0);
+    CHECK(fairmesh_select_region(&s->cap.mesh, &all, 1, &result, &error) == FAIRMESH_STATUS_INTERNAL && result == NULL);
     OK(fairmesh_boundary_loops(&s->cap.mesh, &result, &error));
     fairmesh_test_panic(0);
     {
@@ -292,6 +326,7 @@ int main(int count, char **arguments) {
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
     every_allocation(&s, erase, "erase, trim, components", by);
+    every_allocation(&s, region, "region", by);
     /* Each point takes some. */
     every_allocation(&s, carry, "carry over", count > 2 ? 97 * by : by);
     if (count > 4) return 0;

@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 19] = [
+pub(crate) const SOURCES: [&str; 20] = [
     "numbers",
     "texts",
     "status",
@@ -21,6 +21,7 @@ pub(crate) const SOURCES: [&str; 19] = [
     "refill",
     "erase",
     "carry_over",
+    "region",
     "bridge",
     "reading",
 ];

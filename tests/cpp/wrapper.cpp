@@ -279,6 +279,30 @@ void erasing() {
     CHECK(cleaned.cleaned == 0 && cleaned.kept == left.kept);
 }
 
+void regions() {
+    auto s = cap(15);
+    const auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    fairmesh_region_step ball{}, ring{};
+    ball.kind = FAIRMESH_REGION_KIND_BALL;
+    ball.point[2] = 1.0;
+    ball.value = 0.4;
+    ring.kind = FAIRMESH_REGION_KIND_GROW;
+    ring.rings = 1;
+    const auto chosen = fairmesh::select_region(mesh, {ball, ring});
+    CHECK(chosen.counts.size() == 2 && chosen.counts[0] > 0 && chosen.counts[0] < chosen.counts[1]);
+    CHECK(chosen.triangles.size() == chosen.counts[1] && chosen.bumps.empty());
+    CHECK(fairmesh::select_region(mesh, {fairmesh_region_step{}}).triangles.size() == s.triangles.size());
+    CHECK(fairmesh::select_region(mesh, {}).triangles.empty());
+    CHECK(fairmesh::erase(mesh, chosen.triangles).kept.size() < s.triangles.size());
+    ball.value = -1.0;
+    try {
+        fairmesh::select_region(mesh, {ball});
+        CHECK(false);
+    } catch (const fairmesh::error &refused) {
+        CHECK(refused.status() == FAIRMESH_STATUS_BAD_OPTION);
+    }
+}
+
 void trimming() {
     auto s = cap(15);
     // Two triangles at corners of the sheet hang by one edge; they are at no hole.
@@ -334,6 +358,7 @@ int main() {
     joins();
     bridging();
     erasing();
+    regions();
     trimming();
     refilling();
     std::puts("wrapper: passed");

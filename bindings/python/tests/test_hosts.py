@@ -91,6 +91,17 @@ class TestEveryKind:
         assert np.array_equal(fairmesh.mean_curvature(given), fairmesh.mean_curvature(*band_missing()), equal_nan=True)
         assert len(fairmesh.self_intersections(filled.mesh)) == 0
 
+    def test_regions(self, make):
+        given = make(*band_missing())
+        parts = fairmesh.components(given)
+        mask = fairmesh.select_halfspace(given, [0, 0, 0], [0, 0, 1])
+        assert np.array_equal(mask, fairmesh.select_component(given, [0, 0, 1]))
+        assert np.array_equal(~mask, parts != parts[np.argmax(mask)])
+        dented = fairmesh.select_ball(given, [0, 0, 1], 0.5)
+        assert np.array_equal(fairmesh.shrink(given, fairmesh.grow(given, dented, 2), 2) & dented, dented)
+        assert fairmesh.fair(given, free_faces=dented).outcome.is_success
+        assert len(fairmesh.erase(given, dented).faces) == (~dented).sum()
+
     def test_bridge(self, make):
         given = make(*HOLE)
         loop = fairmesh.boundary_loops(given)[0].vertices

@@ -20,10 +20,10 @@ PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
 
 
 def test_all_programs_were_found():
-    assert len(PROGRAMS) == README.count("```python") == 12
+    assert len(PROGRAMS) == README.count("```python") == 13
 
 
-@pytest.mark.parametrize("number", range(12))
+@pytest.mark.parametrize("number", range(13))
 def test_programs(number, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     sphere = dented_sphere()

@@ -30,6 +30,8 @@ new_vertices, _ = fairmesh.fair(vertices, faces, mask).mesh
 assert_type(new_vertices.ndim, int)
 fairmesh.fair(open3d.geometry.TriangleMesh(), mask)
 assert_type(fairmesh.mean_curvature(mesh), NDArray[np.float64])
+assert_type(fairmesh.grow(mesh, fairmesh.select_ball(points, (0, 0, 1), 0.3) & ~mask, 2), NDArray[np.bool_])
+assert_type(fairmesh.select_patch(vertices, faces, 0), NDArray[np.bool_])
 
 # Each of these is an error, or mypy says that the comment is of no use.
 fairmesh.fair(mesh, tolerence=1e-6)  # type: ignore[call-overload]

@@ -16,6 +16,17 @@ from ._joins import JoinSuggestion, components, suggest_joins
 from ._library import LibraryError, load, version
 from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
+from ._region import (
+    grow,
+    select_ball,
+    select_box,
+    select_bump,
+    select_component,
+    select_geodesic,
+    select_halfspace,
+    select_patch,
+    shrink,
+)
 from ._remesh import Remeshed, refill, remesh
 from ._reports import Attempt, Bends, Component, Continuity, Level, Moved, Report
 from ._seams import SeamWarning
@@ -67,11 +78,20 @@ __all__ = [
     "erase",
     "fair",
     "fill_holes",
+    "grow",
     "load",
     "mean_curvature",
     "refill",
     "remesh",
+    "select_ball",
+    "select_box",
+    "select_bump",
+    "select_component",
+    "select_geodesic",
+    "select_halfspace",
+    "select_patch",
     "self_intersections",
+    "shrink",
     "suggest_joins",
     "trim_boundary",
     "version",

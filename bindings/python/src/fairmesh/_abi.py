@@ -67,6 +67,7 @@ class fairmesh_status(enum.IntEnum):
     GUIDES_CROSS = 36
     BAD_CHAIN = 37
     NO_FAIR_PATCH = 38
+    NO_BUMP = 39
     INTERNAL = 99
 
 
@@ -253,6 +254,7 @@ class fairmesh_result_kind(enum.IntEnum):
     BRIDGED = 8
     TRIMMED = 9
     CARRIED = 10
+    REGION = 11
 
 
 class fairmesh_list(enum.IntEnum):
@@ -277,6 +279,8 @@ class fairmesh_list(enum.IntEnum):
     BRIDGE_CHAIN = 112
     BRIDGE_SIDE = 113
     CARRIED_TRIANGLES = 128
+    REGION_TRIANGLES = 144
+    REGION_COUNTS = 145
 
 
 class fairmesh_vectors(enum.IntEnum):
@@ -287,6 +291,33 @@ class fairmesh_vectors(enum.IntEnum):
 class fairmesh_scalars(enum.IntEnum):
     MEAN_CURVATURE = 0
     GAUSSIAN_CURVATURE = 1
+
+
+class fairmesh_region_kind(enum.IntEnum):
+    ALL = 0
+    TRIANGLES = 1
+    VERTICES = 2
+    BALL = 3
+    BOX = 4
+    HALF_SPACE = 5
+    GEODESIC = 6
+    COMPONENT = 7
+    PATCH = 8
+    BUMP = 9
+    GROW = 32
+    SHRINK = 33
+    INVERT = 34
+
+
+class fairmesh_combine(enum.IntEnum):
+    ADD = 0
+    REMOVE = 1
+    INTERSECT = 2
+
+
+class fairmesh_seed_kind(enum.IntEnum):
+    POINT = 0
+    VERTEX = 1
 
 
 class fairmesh_error(Structure):
@@ -722,6 +753,34 @@ class fairmesh_remesh_options(Structure):
     )
 
 
+class fairmesh_region_step(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("combine", c_uint32),
+        ("seed_kind", c_uint32),
+        ("seed_vertex", c_uint32),
+        ("point", c_double * 3),
+        ("vector", c_double * 3),
+        ("value", c_double),
+        ("rings", c_uint64),
+        ("list", fairmesh_indices),
+        ("reserved", c_uint32),
+        ("reserved_too", c_uint32),
+    )
+
+
+class fairmesh_bump(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("triangle_count", c_uint64),
+        ("radius", c_double),
+        ("departure", c_double),
+        ("surroundings", c_double),
+        ("scatter", c_double),
+    )
+
+
 class fairmesh_bridge_options(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -1027,6 +1086,16 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(fairmesh_error),
         ),
     ),
+    "fairmesh_select_region": (
+        c_int32,
+        (
+            POINTER(fairmesh_mesh),
+            POINTER(fairmesh_region_step),
+            c_size_t,
+            POINTER(c_void_p),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_bridge": (
         c_int32,
         (
@@ -1130,6 +1199,15 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         (
             c_void_p,
             POINTER(fairmesh_bridge_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_result_bump": (
+        c_int32,
+        (
+            c_void_p,
+            c_uint64,
+            POINTER(fairmesh_bump),
             POINTER(fairmesh_error),
         ),
     ),

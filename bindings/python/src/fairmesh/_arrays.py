@@ -30,6 +30,7 @@ _NO_INDEX = 2**32
 _ELEMENTS = {
     "free_faces": ElementKind.TRIANGLE,
     "among": ElementKind.TRIANGLE,
+    "region": ElementKind.TRIANGLE,
     "erased": ElementKind.TRIANGLE,
     "loops": ElementKind.LOOP,
     "join": ElementKind.LOOP,

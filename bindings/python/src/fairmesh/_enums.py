@@ -243,6 +243,12 @@ class Status(Numbered):
         "deleted and filled, a region gets no fair patch that intersects nothing, or it cannot be deleted, or the run was stopped",
         "remesh the region, or fair it as it is; or erase it, and fill the holes with what there is",
     )
+    #: The curvature does not tell where a bump ends.
+    NO_BUMP = (
+        39,
+        "the curvature does not tell where a bump ends",
+        "say the region by its radius or by a list",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,

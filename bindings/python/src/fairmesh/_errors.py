@@ -109,6 +109,7 @@ _INPUT = {
     Status.BAD_GUIDE,
     Status.GUIDES_CROSS,
     Status.BAD_CHAIN,
+    Status.NO_BUMP,
 }
 
 _KNOWN = {int(member): member for member in Status}

@@ -1,0 +1,411 @@
+"""Faces of a mesh chosen by place, distance and shape, as masks."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi, _arrays
+from ._calls import of_mesh
+from ._handles import result_of
+from ._hosts import MeshLike
+from ._library import load
+from ._options import real, whole
+
+_kinds = _abi.fairmesh_region_kind
+#: A mask of faces.
+Mask = NDArray[np.bool_]
+
+
+@overload
+def select_ball(
+    mesh: MeshLike,
+    /,
+    centre: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_ball(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    centre: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_ball(
+    vertices: Any,
+    faces: Any,
+    centre: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces that lie in a ball with all corners, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        centre: x, y, z.
+        radius: Its radius.
+
+    """
+    step = _step(_kinds.BALL, point=_point(centre, "centre"), value=real(radius, "radius"))
+    return _select(vertices, faces, coincident, step)
+
+
+@overload
+def select_box(
+    mesh: MeshLike,
+    /,
+    low: ArrayLike,
+    high: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_box(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    low: ArrayLike,
+    high: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_box(
+    vertices: Any,
+    faces: Any,
+    low: ArrayLike,
+    high: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces that lie in a box with all corners, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        low, high: Its smallest and its largest coordinates.
+
+    """
+    step = _step(_kinds.BOX, point=_point(low, "low"), vector=_point(high, "high"))
+    return _select(vertices, faces, coincident, step)
+
+
+@overload
+def select_halfspace(
+    mesh: MeshLike,
+    /,
+    point: ArrayLike,
+    normal: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_halfspace(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    point: ArrayLike,
+    normal: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_halfspace(
+    vertices: Any,
+    faces: Any,
+    point: ArrayLike,
+    normal: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces on one side of a plane with all corners, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        point: A point of the plane.
+        normal: Points to the side, of any length but zero.
+
+    """
+    step = _step(_kinds.HALF_SPACE, point=_point(point, "point"), vector=_point(normal, "normal"))
+    return _select(vertices, faces, coincident, step)
+
+
+@overload
+def select_geodesic(
+    mesh: MeshLike,
+    /,
+    seed: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_geodesic(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    seed: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_geodesic(
+    vertices: Any,
+    faces: Any,
+    seed: ArrayLike,
+    radius: float,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces all of whose corners are no further from a place than this along the surface, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+        radius: The largest distance.
+
+    """
+    return _select(vertices, faces, coincident, _seeded(_kinds.GEODESIC, seed, real(radius, "radius")))
+
+
+@overload
+def select_component(
+    mesh: MeshLike,
+    /,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_component(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_component(
+    vertices: Any,
+    faces: Any,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces that hang together with a place by edges, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+
+    """
+    return _select(vertices, faces, coincident, _seeded(_kinds.COMPONENT, seed))
+
+
+@overload
+def select_patch(
+    mesh: MeshLike,
+    /,
+    seed: ArrayLike,
+    angle: float = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_patch(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    seed: ArrayLike,
+    angle: float = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_patch(
+    vertices: Any,
+    faces: Any,
+    seed: ArrayLike,
+    angle: float = 30.0,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """Faces around a place up to edges at which the surface bends by more than an angle, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+        angle: In degrees, from 0 to 180. Default 30.
+
+    """
+    return _select(vertices, faces, coincident, _seeded(_kinds.PATCH, seed, real(angle, "angle")))
+
+
+@overload
+def select_bump(
+    mesh: MeshLike,
+    /,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def select_bump(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def select_bump(
+    vertices: Any,
+    faces: Any,
+    seed: ArrayLike,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """The bump or dent at a place: where the mean curvature departs from that of the surroundings, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        seed: A vertex by its number, or x, y, z: the point of the surface that is nearest.
+
+    Raises:
+        InputError: The curvature does not tell where a bump ends (`Status.NO_BUMP`).
+
+    """
+    return _select(vertices, faces, coincident, _seeded(_kinds.BUMP, seed))
+
+
+@overload
+def grow(
+    mesh: MeshLike,
+    /,
+    region: ArrayLike | str,
+    rings: int = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def grow(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    region: ArrayLike,
+    rings: int = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def grow(
+    vertices: Any,
+    faces: Any,
+    region: ArrayLike | str,
+    rings: int = 1,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """A region with the faces that have a vertex in common with it, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        region: A mask (m,) or indices of faces, or the name of a mask that the mesh has at its faces.
+        rings: So often. Default 1.
+
+    """
+    return _spread(vertices, faces, coincident, region, _step(_kinds.GROW, rings=whole(rings, "rings")))
+
+
+@overload
+def shrink(
+    mesh: MeshLike,
+    /,
+    region: ArrayLike | str,
+    rings: int = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@overload
+def shrink(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    region: ArrayLike,
+    rings: int = ...,
+    *,
+    coincident: _arrays.Coincident | None = ...,
+) -> Mask: ...
+@of_mesh()
+def shrink(
+    vertices: Any,
+    faces: Any,
+    region: ArrayLike | str,
+    rings: int = 1,
+    *,
+    coincident: _arrays.Coincident | None = "join",
+) -> Mask:
+    """A region without the faces that have a vertex in common with the rest, as a mask (m,).
+
+    Args:
+        mesh, coincident: As in `fair`.
+        region: A mask (m,) or indices of faces, or the name of a mask that the mesh has at its faces.
+        rings: So often. Default 1.
+
+    """
+    return _spread(vertices, faces, coincident, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
+
+
+def _point(given: ArrayLike, name: str) -> NDArray[np.float64]:
+    """Three real numbers."""
+    array = np.asarray(given)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+    if array.shape != (3,):
+        raise ValueError(f"{name}: the shape has to be (3,), not {array.shape}")
+    return array.astype(np.float64)
+
+
+def _step(
+    kind: _abi.fairmesh_region_kind, *, point: Any = None, vector: Any = None, value: float = 0.0, rings: int = 0
+) -> _abi.fairmesh_region_step:
+    made = _abi.fairmesh_region_step(kind=kind, value=value, rings=rings)
+    if point is not None:
+        made.point[:] = point
+    if vector is not None:
+        made.vector[:] = vector
+    return made
+
+
+def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike, value: float = 0.0) -> _abi.fairmesh_region_step:
+    """A step that begins at a vertex or a point."""
+    if np.ndim(seed) != 0:
+        return _step(kind, point=_point(seed, "seed"), value=value)
+    made = _step(kind, value=value)
+    made.seed_kind = _abi.fairmesh_seed_kind.VERTEX
+    made.seed_vertex = int(_arrays.indices(np.asarray(seed).reshape(1), "seed")[0])
+    return made
+
+
+def _spread(vertices: Any, faces: Any, coincident: Any, region: Any, step: _abi.fairmesh_region_step) -> Mask:
+    mesh = _arrays.Mesh(vertices, faces, coincident)
+    listed = _arrays.chosen_faces(mesh, region, "region")
+    first = _step(_kinds.TRIANGLES)
+    first.list = _arrays.indices_view(listed)
+    return _chosen(mesh, first, step)
+
+
+def _select(vertices: Any, faces: Any, coincident: Any, step: _abi.fairmesh_region_step) -> Mask:
+    return _chosen(_arrays.Mesh(vertices, faces, coincident), step)
+
+
+def _chosen(mesh: _arrays.Mesh, *steps: _abi.fairmesh_region_step) -> Mask:
+    """What the steps choose, as a mask."""
+    asked = (_abi.fairmesh_region_step * len(steps))(*steps)
+    handle = result_of(load(), "fairmesh_select_region", ctypes.byref(mesh.struct), asked, len(steps))
+    made = np.zeros(len(mesh.faces), np.bool_)
+    made[handle.list(_abi.fairmesh_list.REGION_TRIANGLES)] = True
+    return made

@@ -1,0 +1,356 @@
+//! Regions of a mesh chosen by place, distance and shape, step by step.
+
+use core::mem::offset_of;
+use std::sync::Arc;
+
+use super::callback::HostCallback;
+use super::guard::{guarded, point};
+use super::input::MeshIn;
+use super::memory_bounds;
+use super::options::count;
+use super::outputs::publish;
+use super::results::Content;
+use super::status::*;
+use super::types::*;
+use super::views::*;
+use fairmesh::{Bump, Combine, Place, Region, RegionStep, Seed, select_region};
+
+use fairmesh_status as Status;
+
+/// What a step of `fairmesh_select_region` names, or does.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_region_kind {
+    /// The whole mesh.
+    All = 0,
+    /// The triangles of `list`.
+    Triangles = 1,
+    /// The triangles all of whose corners are vertices of `list`, or copies of them.
+    Vertices = 2,
+    /// The triangles that lie in a ball with all corners: around `point`, of radius `value`.
+    Ball = 3,
+    /// The triangles that lie in a box with all corners: `point` has its smallest, `vector` its largest coordinates.
+    Box = 4,
+    /// The triangles all of whose corners lie on a plane through `point`, or on the side that `vector` points to.
+    HalfSpace = 5,
+    /// The triangles all of whose corners are no further than `value` from the seed, along the surface.
+    Geodesic = 6,
+    /// The triangles that hang together with the seed by edges.
+    Component = 7,
+    /// The triangles around the seed, up to edges at which the surface bends by more than `value`, in degrees from 0 to 180.
+    Patch = 8,
+    /// The bump or dent at the seed: where the mean curvature departs from that of the surroundings, see `fairmesh_bump`. NO_BUMP where
+    /// none is found.
+    Bump = 9,
+    /// Adds the triangles that have a vertex in common with the region so far, `rings` times.
+    Grow = 32,
+    /// Takes the triangles away that have a vertex in common with the rest, `rings` times.
+    Shrink = 33,
+    /// Takes the rest instead.
+    Invert = 34,
+}
+
+/// How the triangles that a step names are combined with the region so far.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_combine {
+    /// What is in any of the two.
+    Add = 0,
+    /// What is in the region and not named.
+    Remove = 1,
+    /// What is in both.
+    Intersect = 2,
+}
+
+/// Where a region begins.
+#[repr(u32)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum fairmesh_seed_kind {
+    /// At the point of the surface that is nearest to `point`.
+    Point = 0,
+    /// At a vertex, `seed_vertex`.
+    Vertex = 1,
+}
+
+/// A step of `fairmesh_select_region`. Set it to zero first; what its kind does not need is not read. It never grows.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_region_step {
+    /// A `fairmesh_region_kind`.
+    pub kind: u32,
+    /// A `fairmesh_combine`, where the kind names triangles.
+    pub combine: u32,
+    /// A `fairmesh_seed_kind`, where there is a seed.
+    pub seed_kind: u32,
+    /// The seed, if it is a vertex.
+    pub seed_vertex: u32,
+    /// The seed, if it is a point; the centre of a ball, the smallest coordinates of a box, a point of a plane.
+    pub point: [f64; 3],
+    /// The largest coordinates of a box, the normal of a plane.
+    pub vector: [f64; 3],
+    /// A radius, or an angle in degrees.
+    pub value: f64,
+    /// How many rings to grow or shrink by.
+    pub rings: u64,
+    /// Triangles or vertices, in any order.
+    pub list: fairmesh_indices,
+    /// Zero.
+    pub reserved: u32,
+    /// Zero.
+    pub reserved_too: u32,
+}
+
+/// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_bump {
+    /// `sizeof(fairmesh_bump)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// How many triangles it has.
+    pub triangle_count: u64,
+    /// How far its farthest corner is from the seed, along the surface.
+    pub radius: f64,
+    /// By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
+    pub departure: f64,
+    /// The mean curvature of the surroundings (the median).
+    pub surroundings: f64,
+    /// How much that scatters (standard deviation).
+    pub scatter: f64,
+}
+
+/// Chooses triangles of a mesh by place, distance and shape, step by step, beginning with none; the mesh need not be a manifold.
+/// `steps` are `step_count` steps, one after the other in memory; NULL only if there are none. The list REGION_TRIANGLES of the result
+/// has the triangles, REGION_COUNTS says per step how many it named by itself, or, of GROW, SHRINK and INVERT, how many there were after
+/// it; `fairmesh_result_bump` tells what was taken for bumps. `result` gets a handle; free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn fairmesh_select_region(
+    mesh: *const fairmesh_mesh,
+    steps: *const fairmesh_region_step,
+    step_count: usize,
+    result: *mut *mut fairmesh_result,
+    error: *mut fairmesh_error,
+) -> fairmesh_status {
+    guarded(error, || {
+        let mut aliases = AliasCheck::new();
+        let mesh = MeshIn::new(mesh, Argument(1), &mut aliases)?;
+        let bytes = check_steps(steps, step_count)?;
+        aliases.input(steps, bytes);
+        check_slot(result, Argument(4), &mut aliases)?;
+        aliases.error(error, Argument(5))?;
+        let mut checked = try_with_capacity(step_count)?;
+        for k in 0..step_count {
+            let step = StepIn::new(read(steps.wrapping_add(k)), k)?;
+            // There may be more lists than one check has room for.
+            let mut aliases = AliasCheck::new();
+            aliases.input(step.list.data, step.list.bytes);
+            check_slot(result, Argument(4), &mut aliases)?;
+            aliases.error(error, Argument(5))?;
+            checked.push(step);
+        }
+        let positions = mesh.positions.read()?;
+        let triangles = mesh.triangles.rows::<3>()?;
+        let mut asked = try_with_capacity(step_count)?;
+        for step in &checked {
+            asked.push(step.read(&mesh)?);
+        }
+        let lists = checked.iter().map(|step| step.list.count);
+        let listed = lists.fold(0, usize::saturating_add);
+        let _reserve = memory_bounds::reserve(memory_bounds::of_selecting(&mesh, step_count, listed))?;
+        let callback = HostCallback::new(None, core::ptr::null_mut());
+        point();
+        let region = select_region(&positions, &triangles, &asked, mesh.coincident)?;
+        let vertices = positions.len();
+        publish(Arc::new(Content::Region { region, vertices }), result, &callback)
+    })
+}
+
+/// Checks where the steps are; how many bytes they have.
+fn check_steps(steps: *const fairmesh_region_step, step_count: usize) -> CallResult<usize> {
+    if step_count > 0 {
+        check_pointer(steps, Argument(2))?;
+    }
+    let bytes = step_count.checked_mul(size_of::<fairmesh_region_step>());
+    let fits =
+        |bytes: &usize| *bytes <= isize::MAX as usize && (steps as usize).checked_add(*bytes).is_some();
+    bytes.filter(fits).ok_or_else(|| {
+        let why = format_args!("{step_count} steps are more than memory has room for");
+        Argument(3).itself().refuse(Status::CountOverflow, why)
+    })
+}
+
+/// One step, checked; its list not read.
+struct StepIn {
+    view: fairmesh_region_step,
+    kind: fairmesh_region_kind,
+    combine: Combine,
+    seed: Seed,
+    list: Array,
+}
+
+impl StepIn {
+    fn new(view: fairmesh_region_step, number: usize) -> CallResult<Self> {
+        use fairmesh_region_kind as Kind;
+        let start = number.wrapping_mul(size_of::<fairmesh_region_step>());
+        let place = Argument(2).field(start, "steps");
+        let field = |offset, name| place.field(offset, name);
+        check_reserved(
+            view.reserved,
+            field(offset_of!(fairmesh_region_step, reserved), "reserved"),
+        )?;
+        let at = field(offset_of!(fairmesh_region_step, reserved_too), "reserved_too");
+        check_reserved(view.reserved_too, at)?;
+        let kinds = [
+            Kind::All,
+            Kind::Triangles,
+            Kind::Vertices,
+            Kind::Ball,
+            Kind::Box,
+            Kind::HalfSpace,
+            Kind::Geodesic,
+            Kind::Component,
+            Kind::Patch,
+            Kind::Bump,
+            Kind::Grow,
+            Kind::Shrink,
+            Kind::Invert,
+        ];
+        let at = field(offset_of!(fairmesh_region_step, kind), "kind");
+        let kind = kinds.into_iter().find(|kind| *kind as u32 == view.kind);
+        let kind = kind.ok_or_else(|| refused(at, number, view.kind, "fairmesh_region_kind"))?;
+        let spreads = matches!(kind, Kind::Grow | Kind::Shrink | Kind::Invert);
+        let at = field(offset_of!(fairmesh_region_step, combine), "combine");
+        let combine = match view.combine {
+            _ if spreads => Combine::Add,
+            0 => Combine::Add,
+            1 => Combine::Remove,
+            2 => Combine::Intersect,
+            other => return Err(refused(at, number, other, "fairmesh_combine")),
+        };
+        let begins = matches!(kind, Kind::Geodesic | Kind::Component | Kind::Patch | Kind::Bump);
+        let at = field(offset_of!(fairmesh_region_step, seed_kind), "seed_kind");
+        let seed = match view.seed_kind {
+            1 if begins => Seed::Vertex(view.seed_vertex),
+            0 => Seed::Point(view.point),
+            other if begins => return Err(refused(at, number, other, "fairmesh_seed_kind")),
+            _ => Seed::Point(view.point),
+        };
+        check_extent(kind, &view, place)?;
+        let is_listed = matches!(kind, Kind::Triangles | Kind::Vertices);
+        let none = super::options::NO_INDICES;
+        let at = field(offset_of!(fairmesh_region_step, list), "list");
+        let list = indices_in(if is_listed { &view.list } else { &none }, 1, at)?;
+        Ok(Self {
+            view,
+            kind,
+            combine,
+            seed,
+            list,
+        })
+    }
+
+    /// The indices of the list, all below `limit`.
+    fn listed(&self, limit: usize, element: fairmesh_element) -> CallResult<Vec<u32>> {
+        let mut list = try_with_capacity(self.list.count)?;
+        for k in 0..self.list.count {
+            let [index] = self.list.index::<1>(k);
+            if index as usize >= limit {
+                let why = format_args!("a step names element {index}, but there are only {limit}");
+                let failure = Failure::new(Status::SelectionOutOfRange, why);
+                return Err(failure.at(element, index as usize));
+            }
+            list.push(index);
+        }
+        Ok(list)
+    }
+
+    fn read(&self, mesh: &MeshIn) -> CallResult<RegionStep> {
+        use fairmesh_region_kind as Kind;
+        let (view, seed) = (&self.view, self.seed);
+        let rings = count(view.rings);
+        let region = match self.kind {
+            Kind::Grow => return Ok(RegionStep::Grow(rings)),
+            Kind::Shrink => return Ok(RegionStep::Shrink(rings)),
+            Kind::Invert => return Ok(RegionStep::Invert),
+            Kind::All => Region::All,
+            Kind::Triangles => {
+                Region::Triangles(self.listed(mesh.triangles.count, fairmesh_element::Triangle)?)
+            }
+            Kind::Vertices => Region::Vertices(self.listed(mesh.vertices(), fairmesh_element::Vertex)?),
+            Kind::Ball => Region::Within(Place::Ball {
+                centre: view.point,
+                radius: view.value,
+            }),
+            Kind::Box => Region::Within(Place::Box {
+                low: view.point,
+                high: view.vector,
+            }),
+            Kind::HalfSpace => Region::HalfSpace {
+                point: view.point,
+                normal: view.vector,
+            },
+            Kind::Geodesic => Region::Geodesic {
+                seed,
+                radius: view.value,
+            },
+            Kind::Component => Region::Component(seed),
+            Kind::Patch => Region::Patch {
+                seed,
+                angle: view.value,
+            },
+            Kind::Bump => Region::Bump(seed),
+        };
+        Ok(RegionStep::With(self.combine, region))
+    }
+}
+
+/// Refuses radii, angles and boxes that nothing can lie in: the caller has mistaken something.
+fn check_extent(kind: fairmesh_region_kind, view: &fairmesh_region_step, place: FieldPath) -> CallResult {
+    use fairmesh_region_kind as Kind;
+    let value = view.value;
+    let (holds, what) = match kind {
+        Kind::Ball | Kind::Geodesic => (value >= 0.0, "a radius is at least 0"),
+        Kind::Patch => (
+            (0.0..=180.0).contains(&value),
+            "an angle is from 0 to 180 degrees",
+        ),
+        Kind::Box => {
+            let is_box = (0..3).all(|k| view.point[k] <= view.vector[k]);
+            let at = place.field(offset_of!(fairmesh_region_step, vector), "vector");
+            let why = format_args!("the largest coordinates of a box are not less than the smallest");
+            return if is_box {
+                Ok(())
+            } else {
+                Err(at.refuse(Status::BadOption, why))
+            };
+        }
+        _ => (true, ""),
+    };
+    let at = place.field(offset_of!(fairmesh_region_step, value), "value");
+    if holds {
+        Ok(())
+    } else {
+        Err(at.refuse(Status::BadOption, format_args!("{value}: {what}")))
+    }
+}
+
+fn refused(at: FieldPath, step: usize, number: u32, of: &str) -> Failure {
+    at.refuse(
+        Status::BadEnum,
+        format_args!("{number} of step {step} is no {of}"),
+    )
+}
+
+/// What is told of a bump.
+pub(crate) fn bump(of: &Bump) -> fairmesh_bump {
+    fairmesh_bump {
+        struct_size: size_of::<fairmesh_bump>() as u32,
+        reserved: 0,
+        triangle_count: of.triangles as u64,
+        radius: of.radius,
+        departure: of.departure,
+        surroundings: of.surroundings,
+        scatter: of.scatter,
+    }
+}
