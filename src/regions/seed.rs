@@ -46,28 +46,28 @@ impl Seed {
                 for x in point {
                     Error::check_option("point", x, x.is_finite(), "finite")?;
                 }
-                Ok(nearest(mesh, &Vector3::from(point)))
+                let [x, ..] = point;
+                let range = "near a surface of at least one triangle";
+                nearest(mesh, &Vector3::from(point)).ok_or(Error::BadOption {
+                    name: "point",
+                    value: x,
+                    range,
+                })
             }
         }
     }
 }
 
-/// The point of the surface that is nearest to another one, in the first triangle that has it.
-fn nearest(mesh: &Neighbours<'_>, point: &Vector3<f64>) -> Foot {
-    let mut best = (
-        f64::INFINITY,
-        Foot {
-            triangle: 0,
-            place: *point,
-        },
-    );
+/// The point of the surface that is nearest to another one, in the first triangle that has it; none where no distance is a number.
+fn nearest(mesh: &Neighbours<'_>, point: &Vector3<f64>) -> Option<Foot> {
+    let mut best = (f64::INFINITY, None);
     for (triangle, corners) in (0..).zip(mesh.triangles) {
         let x = corners.map(|v| mesh.place(v));
         let (_, weights) = nearest_on(&x, point);
         let place = x[0] * weights[0] + x[1] * weights[1] + x[2] * weights[2];
         let distance = (place - point).norm_squared();
         if distance < best.0 {
-            best = (distance, Foot { triangle, place });
+            best = (distance, Some(Foot { triangle, place }));
         }
     }
     best.1

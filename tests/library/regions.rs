@@ -181,6 +181,12 @@ fn what_cannot_be_chosen_is_refused_by_name() {
         refused(geodesic),
         Error::BadOption { name: "point", .. }
     ));
+    // No distance to such a place is a number, and without triangles there is none.
+    let far = Region::Component(Seed::Point([1e200, 0.0, 0.0]));
+    assert!(matches!(refused(far), Error::BadOption { name: "point", .. }));
+    let nowhere = [add(Region::Component(EAST))];
+    let refused = select_region(&positions, &[], &nowhere, Coincident::default()).unwrap_err();
+    assert!(matches!(refused, Error::BadOption { name: "point", .. }));
 }
 
 /// The sphere with a bump (or a dent) in the east, of this width and height over the width, and noise over the edge.

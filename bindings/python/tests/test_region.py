@@ -105,6 +105,8 @@ def test_meshes_of_other_packages():
         (lambda: fairmesh.select_component(VERTICES, FACES, -1), fairmesh.InputError, "seed"),
         (lambda: fairmesh.select_component(VERTICES, FACES, len(VERTICES)), fairmesh.InputError, "only 386"),
         (lambda: fairmesh.select_component(VERTICES, FACES, 0.5), TypeError, "seed"),
+        (lambda: fairmesh.select_patch(VERTICES, [], ON_TOP), fairmesh.InputError, "near a surface"),
+        (lambda: fairmesh.select_bump(VERTICES, FACES, [1e200, 0, 0]), fairmesh.InputError, "near a surface"),
         (
             lambda: fairmesh.select_geodesic(VERTICES, FACES, ON_TOP, np.nan),
             fairmesh.InputError,
