@@ -30,7 +30,7 @@ const PEAK: f64 = 4.0;
 const OFF: f64 = 4.0;
 /// It is no more than one of so many parts of what hangs together with it.
 const PART: usize = 3;
-/// What belongs to it, over what it departs by.
+/// What belongs to it, over the most that it departs by.
 const OF_PEAK: f64 = 0.02;
 /// A ring of which more is off is not calm.
 const STRAY: f64 = 0.25;
@@ -130,12 +130,12 @@ impl Calm {
 
     /// What departs by more belongs to the bump.
     fn least(&self) -> f64 {
-        (OFF * self.scatter).max(OF_PEAK * self.peak)
+        (OFF * self.scatter).max(OF_PEAK * self.top)
     }
 
     /// Whether what belongs to it may depart by less than what is chance.
     fn hides_flanks(&self) -> bool {
-        OFF * self.scatter > OF_PEAK * self.peak
+        OFF * self.scatter > OF_PEAK * self.top
     }
 }
 
@@ -144,6 +144,8 @@ struct Calm {
     /// By how much each vertex of the order departs.
     off: Vec<f64>,
     peak: f64,
+    /// What its vertices depart by at most.
+    top: f64,
     surroundings: f64,
     scatter: f64,
     /// Which part of the first ring departs.
@@ -213,19 +215,21 @@ impl Around<'_> {
             .map(|(x, value)| (value - model.at(x)).abs())
             .collect();
         let peak = quantile(&off[..inner], 0.95);
+        let top = off[..inner].iter().copied().fold(0.0, f64::max);
         let scatters = [
             model.scatter(&places[inner..first], &values[inner..first]),
             model.scatter(&places[first..], &values[first..]),
         ];
-        let least = OFF * scatter.max(OF_PEAK * peak / OFF);
+        let least = (OFF * scatter).max(OF_PEAK * top);
         let stray =
             off[inner..first].iter().filter(|&&off| off > least).count() as f64 / (first - inner) as f64;
         let is_calm = peak > PEAK * scatter
-            && scatters[0] <= CALM * scatters[1].max(OF_PEAK * peak / OFF)
+            && scatters[0] <= CALM * scatters[1].max(OF_PEAK * top / OFF)
             && stray < STRAY;
         is_calm.then(|| Calm {
             off,
             peak,
+            top,
             surroundings: median(&values[inner..]),
             scatter,
             stray,
@@ -237,8 +241,9 @@ impl Around<'_> {
         let count = self.distance.len();
         let disk = &self.order[..rings.ends[1]];
         let mut departs = vec![false; count];
-        // What is sharp shows without averaging, what is gentle with.
-        for calm in scales {
+        // What is sharp shows without averaging, what is gentle with; which spreads it, and so is done no more than is needed.
+        let needed = scales.iter().position(|calm| !calm.hides_flanks());
+        for calm in &scales[..needed.map_or(scales.len(), |last| last + 1)] {
             for (&v, &off) in disk.iter().zip(&calm.off) {
                 departs[v as usize] |= off > calm.least();
             }

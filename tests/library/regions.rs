@@ -288,3 +288,29 @@ fn where_no_bump_is_none_is_found() {
         assert!(matches!(found, Err(Error::NoBump { .. })), "{noise}: {found:?}");
     }
 }
+
+/// A bump that ends, on a sphere of equal triangles: nothing of it is missed, and not much more is taken than it has.
+#[test]
+fn a_bump_that_ends_is_not_taken_for_more_than_it_is() {
+    let shape = sphere(8000, Sampling::Regular);
+    for reach in [0.2, 0.3, 0.5] {
+        let angle = |p: &[f64; 3]| p[0].clamp(-1.0, 1.0).acos();
+        let lifted = |p: &[f64; 3]| {
+            let inside = (1.0 - (angle(p) / reach).powi(2)).max(0.0);
+            p.map(|c| c * (1.0 + 0.1 * reach * inside.powi(3)))
+        };
+        let x: Vec<[f64; 3]> = shape.positions.iter().map(lifted).collect();
+        let steps = [add(Region::Bump(EAST))];
+        let chosen = select_region(&x, &shape.triangles, &steps, Coincident::default()).unwrap();
+        let mut is_in = vec![false; x.len()];
+        for &t in &chosen.triangles {
+            shape.triangles[t as usize]
+                .iter()
+                .for_each(|&v| is_in[v as usize] = true);
+        }
+        let missed = (0..x.len()).filter(|&v| angle(&shape.positions[v]) < 0.9 * reach && !is_in[v]);
+        let taken = chosen.bumps[0].radius / reach;
+        println!("reach {reach}: {taken:.2} of it taken");
+        assert_eq!((missed.count(), taken < 2.0), (0, true), "reach {reach}: {taken}");
+    }
+}
