@@ -126,7 +126,7 @@ impl clap::Args for RegionSteps {
             let arg = Arg::new(flag.name)
                 .long(flag.name)
                 .help(flag.help)
-                .help_heading("Region by place and shape (in this order; each adds to those before it)")
+                .help_heading("Region by place and shape (in the order given; each adds to those before it)")
                 .action(ArgAction::Append)
                 .allow_hyphen_values(flag.value.is_some())
                 .value_parser(flag.read);
