@@ -162,7 +162,7 @@ impl Faces<'_> {
 }
 
 /// The polygons with any triangle among these, and those with all.
-fn polygons(geometry: &Geometry, triangles: &[u32]) -> [Vec<bool>; 2] {
+pub fn polygons(geometry: &Geometry, triangles: &[u32]) -> [Vec<bool>; 2] {
     let mut is_in = vec![false; geometry.triangles.len()];
     triangles.iter().for_each(|&t| is_in[t as usize] = true);
     let (mut some, mut others) = (

@@ -15,6 +15,7 @@ use crate::formats::{Format, Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
+use crate::region;
 use crate::render;
 use crate::selection::{self, RegionArgs, Selected};
 use crate::surface::MeshArgs;
@@ -66,7 +67,12 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
     let view = args.view.as_deref().map(render::direction).transpose()?;
     let found = selection::find(&mesh, &args.input, &args.region, args.mesh.coincident)?;
     let marked = marked(geometry, found.selected.in_triangles(geometry));
-    let polygons = whole(geometry, &marked);
+    let triangles: Vec<u32> = (0..)
+        .zip(&marked)
+        .filter(|(_, is_in)| **is_in)
+        .map(|(t, _)| t)
+        .collect();
+    let [_, polygons] = region::polygons(geometry, &triangles);
     let (mut written, mut named) = (Vec::new(), Vec::new());
     if let (Some(output), Some(path)) = (output, &args.output) {
         let led = list_or_mesh(args, (path, piped.output), &mesh, &polygons)?;
@@ -120,19 +126,6 @@ fn marked(geometry: &Geometry, selected: Selected) -> Vec<bool> {
             triangles.map(|t| t.iter().all(|&v| is_in[v as usize])).collect()
         }
     }
-}
-
-/// The polygons with all triangles; those without any are none of these.
-fn whole(geometry: &Geometry, marked: &[bool]) -> Vec<bool> {
-    let mut has_marked = vec![false; geometry.polygon_count];
-    let mut has_other = vec![false; geometry.polygon_count];
-    for (t, &is_in) in marked.iter().enumerate() {
-        let of = if is_in { &mut has_marked } else { &mut has_other };
-        of[geometry.polygon_of(t)] = true;
-    }
-    (0..has_marked.len())
-        .map(|p| has_marked[p] && !has_other[p])
-        .collect()
 }
 
 /// How many vertices have all their triangles among the marked ones.

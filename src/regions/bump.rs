@@ -254,7 +254,11 @@ impl Around<'_> {
         }
         // The seed may lie where the curvature is by chance that of the surroundings.
         let first = disk.iter().copied().find(|&v| joined[v as usize]);
-        let mut bump = first.map_or(vec![false; count], |v| self.connected(v, |w| joined[w as usize]));
+        let none = vec![false; count];
+        let around = |v| self.mesh.around(v);
+        let mut bump = first.map_or(none.clone(), |v| {
+            spread::flood(none, vec![v], around, |_, w| joined[w as usize])
+        });
         let is_far = |v: usize| self.distance[v] > WITHIN * rings.radius;
         let (members, far) = (0..count)
             .filter(|&v| bump[v] && departs[v])
@@ -272,16 +276,9 @@ impl Around<'_> {
             }
         }
         // What it encloses belongs to it.
-        let mut outside: Vec<bool> = self.distance.iter().map(|&d| d >= RING * rings.radius).collect();
-        let mut front: Vec<u32> = self.order[rings.ends[1]..].to_vec();
-        while let Some(v) = front.pop() {
-            for w in self.mesh.around(v) {
-                if !outside[w as usize] && !bump[w as usize] {
-                    outside[w as usize] = true;
-                    front.push(w);
-                }
-            }
-        }
+        let beyond = self.distance.iter().map(|&d| d >= RING * rings.radius).collect();
+        let front = self.order[rings.ends[1]..].to_vec();
+        let outside = spread::flood(beyond, front, around, |_, w| !bump[w as usize]);
         let region = spread::whole(self.mesh, |v| {
             !outside[v as usize] && self.distance[v as usize].is_finite()
         });
@@ -311,21 +308,5 @@ impl Around<'_> {
     fn narrowed(&self, is_in: &[bool]) -> Vec<bool> {
         let inside = |v: u32| is_in[v as usize] && self.mesh.around(v).all(|w| is_in[w as usize]);
         (0..is_in.len() as u32).map(inside).collect()
-    }
-
-    /// The vertices that hang together with one by edges between those that are `allowed`.
-    fn connected(&self, from: u32, allowed: impl Fn(u32) -> bool) -> Vec<bool> {
-        let mut is_in = vec![false; self.distance.len()];
-        is_in[from as usize] = true;
-        let mut front = vec![from];
-        while let Some(v) = front.pop() {
-            for w in self.mesh.around(v) {
-                if !is_in[w as usize] && allowed(w) {
-                    is_in[w as usize] = true;
-                    front.push(w);
-                }
-            }
-        }
-        is_in
     }
 }

@@ -2,20 +2,29 @@
 
 use super::neighbours::Neighbours;
 
-/// The triangles that hang together with one by edges whose two triangles `may_pass` accepts.
-pub(super) fn connected(mesh: &Neighbours<'_>, from: u32, may_pass: impl Fn(u32, u32) -> bool) -> Vec<bool> {
-    let mut is_in = vec![false; mesh.triangles.len()];
-    is_in[from as usize] = true;
-    let mut front = vec![from];
-    while let Some(t) = front.pop() {
-        for other in mesh.beside(t) {
-            if !is_in[other as usize] && may_pass(t, other) {
+/// What `is_in` and all that its `front` leads to, from one number to those `beside` it that `may_pass` accepts.
+pub(super) fn flood<Beside: Iterator<Item = u32>>(
+    mut is_in: Vec<bool>,
+    mut front: Vec<u32>,
+    beside: impl Fn(u32) -> Beside,
+    may_pass: impl Fn(u32, u32) -> bool,
+) -> Vec<bool> {
+    front.iter().for_each(|&i| is_in[i as usize] = true);
+    while let Some(i) = front.pop() {
+        for other in beside(i) {
+            if !is_in[other as usize] && may_pass(i, other) {
                 is_in[other as usize] = true;
                 front.push(other);
             }
         }
     }
     is_in
+}
+
+/// The triangles that hang together with one by edges whose two triangles `may_pass` accepts.
+pub(super) fn connected(mesh: &Neighbours<'_>, from: u32, may_pass: impl Fn(u32, u32) -> bool) -> Vec<bool> {
+    let none = vec![false; mesh.triangles.len()];
+    flood(none, vec![from], |t| mesh.beside(t), may_pass)
 }
 
 /// The triangles around one up to edges at which the surface bends by more than `degrees`.
