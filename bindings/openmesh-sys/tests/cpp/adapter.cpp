@@ -1,6 +1,8 @@
 // fairmesh_openmesh.hpp: what is kept, what is skipped, what is honoured, what is undone.
 #include <fairmesh_openmesh.hpp>
 
+#include "check.hpp"
+
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -12,14 +14,6 @@
 #include <cstdlib>
 #include <new>
 #include <set>
-
-#define CHECK(condition)                                                                    \
-    do {                                                                                    \
-        if (!(condition)) {                                                                 \
-            std::fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);    \
-            std::exit(1);                                                                   \
-        }                                                                                   \
-    } while (0)
 
 namespace {
 

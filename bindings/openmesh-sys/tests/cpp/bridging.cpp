@@ -2,6 +2,8 @@
 #include <fairmesh_openmesh_bridge.hpp>
 #include <fairmesh_openmesh_rim.hpp>
 
+#include "check.hpp"
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <array>
@@ -9,14 +11,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-
-#define CHECK(condition)                                                                    \
-    do {                                                                                    \
-        if (!(condition)) {                                                                 \
-            std::fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);    \
-            std::exit(1);                                                                   \
-        }                                                                                   \
-    } while (0)
 
 namespace {
 

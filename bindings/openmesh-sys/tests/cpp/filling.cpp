@@ -1,6 +1,8 @@
 // fairmesh_openmesh_fill.hpp: joined loops and erased faces, what new vertices and faces carry on, what is refused.
 #include <fairmesh_openmesh_fill.hpp>
 
+#include "check.hpp"
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <array>
@@ -8,14 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-
-#define CHECK(condition)                                                                    \
-    do {                                                                                    \
-        if (!(condition)) {                                                                 \
-            std::fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);    \
-            std::exit(1);                                                                   \
-        }                                                                                   \
-    } while (0)
 
 namespace {
 
