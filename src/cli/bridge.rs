@@ -11,6 +11,7 @@ use fairmesh::{
 use serde_json::{Value, json};
 
 use crate::bar::Bar;
+use crate::comparison::{PictureArgs, Surface};
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
@@ -50,6 +51,8 @@ pub struct BridgeArgs {
     #[arg(long)]
     fill: bool,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     patches: PatchArgs,
 }
 
@@ -67,6 +70,8 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         args.pipes.of(&args.input, Some(&args.output))?,
     )?;
     let answer = args.patches.answer(&args.output, &args.input)?;
+    args.pictures.check(std::slice::from_ref(&args.input))?;
+    let pictures = args.pictures.prepare(&args.input, &args.output)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
@@ -89,6 +94,13 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     };
     let led = references::led(mesh.with_added(format, &added), format, &args.input, &args.output);
     output.write(&led.bytes)?;
+    if let Some(pictures) = &pictures {
+        let after = Surface {
+            positions: &bridged.positions,
+            triangles: &bridged.triangles,
+        };
+        pictures.write(mesh.geometry.surface(), after, &told(&bridged.strip))?;
+    }
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);

@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use crate::attempts;
 use crate::bar::Bar;
 use crate::batch::{self, Done};
+use crate::comparison::{PictureArgs, Surface};
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
@@ -95,6 +96,8 @@ pub struct FillArgs {
     #[command(flatten)]
     continuity: ContinuityArgs,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     patches: PatchArgs,
     /// Lists in the report what was tried for each patch, and with what end
     #[arg(short, long, conflicts_with = "quiet")]
@@ -110,6 +113,7 @@ pub fn run(args: &FillArgs) -> Result<ExitCode, Failure> {
         )));
     }
     let telling = args.patches.telling(args.verbose);
+    args.pictures.check(args.files.inputs())?;
     batch::run(&args.files, &telling, |job| one(args, job))
 }
 
@@ -122,6 +126,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         precision,
         output,
     } = Files::open(&job.input, &job.output, job.piped)?;
+    let pictures = args.pictures.prepare(&job.input, &job.output)?;
+    let before = pictures.as_ref().map(|_| mesh.geometry.clone());
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;
@@ -177,6 +183,13 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     };
     let led = references::led(mesh.with_added(format, &added), format, &job.input, &job.output);
     output.write(&led.bytes)?;
+    if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
+        let after = Surface {
+            positions: &filled.positions,
+            triangles: &filled.triangles,
+        };
+        pictures.write(before.surface(), after, &counted(&filled))?;
+    }
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);

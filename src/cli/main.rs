@@ -7,6 +7,7 @@ mod attempts;
 mod bar;
 mod batch;
 mod bridge;
+mod comparison;
 mod completions;
 mod component_report;
 mod components;

@@ -12,6 +12,7 @@ mod files;
 mod formats;
 mod holes;
 mod installed;
+mod pictures;
 mod pipes;
 mod references;
 mod select;
