@@ -43,8 +43,16 @@ class Planted(unittest.TestCase):
             ("c.html", "<p>lost</p>", "c.html: not in the navigation"),
             ("index.html", '<img src="p.png">', "index.html: p.png has no words beside it"),
             ("index.html", "<svg></svg><main><svg></svg></main>", "index.html: svg has no words beside it"),
-            ("index.html", '<script src="https://x.y/z.js"></script>', "index.html: https://x.y/z.js is loaded from the network"),
-            ("index.html", '<link rel="stylesheet" href="//x.y/z.css">', "index.html: //x.y/z.css is loaded from the network"),
+            (
+                "index.html",
+                '<script src="https://x.y/z.js"></script>',
+                "index.html: https://x.y/z.js is loaded from the network",
+            ),
+            (
+                "index.html",
+                '<link rel="stylesheet" href="//x.y/z.css">',
+                "index.html: //x.y/z.css is loaded from the network",
+            ),
             ("style.css", '@import "https://x.y/f.css";', "style.css: https://x.y/f.css is loaded from the network"),
         ]:
             with self.subTest(said):
