@@ -50,6 +50,7 @@ install_c_tools() {
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v doxygen >/dev/null || missing+=(doxygen)
     command -v c++ >/dev/null || missing+=(g++)
+    command -v python3 >/dev/null || missing+=(python3)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
     compgen -G '/usr/lib/llvm-*/lib/libclang[.-][0-9s]*' >/dev/null &&
@@ -102,6 +103,7 @@ full() {
     step lint lint --workspace --features fairmesh-capi/hooks
     step demo demo
     step rust cargo test --release --locked --workspace -- --include-ignored --skip long::
+    step site site/build.sh
     # On two cores; each lane goes on when the other one has failed.
     trap 'kill 0' INT
     hosts &
