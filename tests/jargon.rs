@@ -86,22 +86,27 @@ fn first_paragraph(page: &str) -> String {
         .join(" ")
 }
 
-/// A text without its links to the glossary.
+/// A text without its links to the glossary, and with the words alone of other links, but for names of pages.
 fn without_explained(text: &str) -> String {
-    let mut rest = text.to_owned();
-    while let Some(end) = rest.find("glossary.md") {
-        let middle = rest[..end].rfind("](").unwrap();
+    let (mut plain, mut rest) = (String::new(), text);
+    while let Some(middle) = rest.find("](") {
+        let close = middle + rest[middle..].find(')').unwrap();
         let begin = rest[..middle].rfind('[').unwrap();
-        let close = end + rest[end..].find(')').unwrap();
-        rest.replace_range(begin..=close, "");
+        let (words, target) = (&rest[begin + 1..middle], &rest[middle + 2..close]);
+        plain += &rest[..begin];
+        if !target.contains("glossary.md") && !words.ends_with(".md") {
+            plain += words;
+        }
+        rest = &rest[close + 1..];
     }
-    rest
+    plain + rest
 }
 
 #[test]
 fn links_to_the_glossary_explain() {
-    let text = "A [harmonic](../glossary.md#words) surface, [other](a.md) and [G1](glossary.md).";
-    assert_eq!(without_explained(text), "A  surface, [other](a.md) and .");
+    let text =
+        "A [harmonic](../glossary.md#words) surface, [other](a.md), [g2.md](g2.md) and [G1](glossary.md).";
+    assert_eq!(without_explained(text), "A  surface, other,  and .");
     let page = "# Title\n\n![G2](a.png)\n\nOne\ntwo.\n\nThree.\n";
     assert_eq!(first_paragraph(page), "One two.");
     assert_eq!(
