@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use camera::Camera;
 use canvas::Canvas;
-use pixels::Pixels;
+pub use pixels::Pixels;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
 
@@ -82,19 +82,18 @@ pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>)
         options,
         framed: &[],
     };
-    render_groups(&[group], layout)
+    sheet(&tiles(&group), layout)
 }
 
-/// The same of views that are not all seen from the same place; their sizes are equal.
-pub fn render_groups(groups: &[Group<'_>], layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
-    let tiles: Vec<Pixels> = groups.iter().flat_map(tiles).collect();
-    let sheet = sheet::arrange(&tiles, layout);
-    sheet
+/// Tiles of one size in rows, as PNG.
+pub fn sheet(tiles: &[Pixels], layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
+    sheet::arrange(tiles, layout)
         .png()
         .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
 }
 
-fn tiles(group: &Group<'_>) -> Vec<Pixels> {
+/// Paints the views.
+pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     let options = group.options;
     let camera = Camera::around(group.views, options);
     let frame = frame(&camera, group);

@@ -235,7 +235,7 @@ fn before_and_after_are_on_one_sheet() {
         &[
             "fair", "cap.obj", "-o", "fair.obj", "--free", "free.txt", "--up", "0,1,0",
         ],
-        "fairmesh: --up: no picture is made; give --picture, too",
+        "fairmesh: --up: no picture is made; give --picture or --report, too",
     );
 }
 
@@ -306,4 +306,128 @@ fn a_hole_that_is_filled_and_a_bridge_are_shown() {
         0,
     );
     assert_eq!(shown(&directory.join("same.png")).size[1], 48 + 3 * 464);
+}
+
+/// The elements of a page in their order, each closed where it has to be; panics where the page is no well-formed XML.
+fn elements(page: &str) -> Vec<String> {
+    let body = page.strip_prefix("<!DOCTYPE html>\n").unwrap();
+    let (mut open, mut all): (Vec<&str>, Vec<String>) = (Vec::new(), Vec::new());
+    for piece in body.split('<').skip(1) {
+        let (tag, text) = piece
+            .split_once('>')
+            .unwrap_or_else(|| panic!("not closed: <{piece}"));
+        assert!(!text.contains('>'), "{text}");
+        for entity in text.split('&').skip(1).chain(tag.split('&').skip(1)) {
+            let name = entity.split(';').next().unwrap();
+            assert!(["amp", "lt", "gt", "quot", "#39"].contains(&name), "&{entity}");
+        }
+        match tag.strip_prefix('/') {
+            Some(name) => assert_eq!(open.pop(), Some(name)),
+            None => {
+                let name = tag.split([' ', '/']).next().unwrap();
+                assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
+                all.push(name.to_owned());
+                if !tag.ends_with('/') {
+                    open.push(name);
+                }
+            }
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    all
+}
+
+#[test]
+fn a_report_is_one_page_that_says_what_was_done() {
+    let directory = directory("pictures-report");
+    let odd = "a & <b>'s.obj";
+    fs::write(directory.join(odd), obj(&cap())).unwrap();
+    write_lists(&directory);
+    let args = [
+        "fair",
+        odd,
+        "-o",
+        "fair.obj",
+        "--free",
+        "free.txt",
+        "--report",
+        "report.html",
+        "--continuity",
+        "g2",
+    ];
+    expect(&directory, &args, 0);
+    let page = fs::read_to_string(directory.join("report.html")).unwrap();
+    let elements = elements(&page);
+    let count = |name: &str| elements.iter().filter(|e| *e == name).count();
+    assert_eq!(
+        (count("img"), count("figure"), count("svg"), count("script")),
+        (6, 6, 1, 0)
+    );
+    // Nothing is asked from elsewhere.
+    for outside in ["http", "src=\"/", "url(", "@import", "<link", "<script", "href"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert_eq!(
+        page.matches(" src=\"data:image/png;base64,iVBORw0KGgo").count(),
+        6
+    );
+    assert_eq!(page.matches(" alt=\"").count(), 6);
+    let name = "a &amp; &lt;b&gt;&#39;s.obj";
+    for said in [
+        &format!("<title>fair: {name}</title>"),
+        "<p class=\"outcome good\">converged: tolerance met, and the surface is sound</p>",
+        "fairmesh fair &#39;a &amp; &lt;b&gt;&#39;\\&#39;&#39;s.obj&#39; -o fair.obj --free free.txt",
+        "kink across the boundary",
+        "moved at most",
+        "continuous curvature",
+        "self-intersections</th><td>none found",
+        "prefers-color-scheme:dark",
+        concat!("<footer>fairmesh ", env!("CARGO_PKG_VERSION")),
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    // Letters of pictures may spell anything.
+    let text: String = page.lines().filter(|line| !line.contains("base64")).collect();
+    assert!(!text.contains("<b>") && !text.contains("NaN"));
+
+    refused(
+        &directory,
+        &[
+            "fair",
+            odd,
+            "-o",
+            "fair.obj",
+            "--free",
+            "free.txt",
+            "--report",
+            "report.pdf",
+        ],
+        "fairmesh: --report report.pdf: only .html is written; let the name end so",
+    );
+}
+
+#[test]
+fn a_report_of_holes_names_each() {
+    let directory = directory("pictures-report-holes");
+    expect(
+        &directory,
+        &["generate", "sphere-hole", "--vertices", "400", "-o", "open.ply"],
+        0,
+    );
+    let args = [
+        "fill", "open.ply", "-o", "-", "--format", "ply", "--report", "r.html", "--json", "r.json", "--quiet",
+    ];
+    let output = crate::common::fairmesh(&directory, &args);
+    assert_eq!(output.status.code(), Some(0));
+    let page = fs::read_to_string(directory.join("r.html")).unwrap();
+    elements(&page);
+    for said in [
+        "<p class=\"outcome good\">1 filled</p>",
+        "loop 0",
+        "triangles that are gone</th><td>0<",
+        "after: mean curvature",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("moved at most"));
 }
