@@ -2,6 +2,7 @@
 
 mod camera;
 mod canvas;
+mod image;
 mod paint;
 mod pixels;
 mod scale;
@@ -10,8 +11,10 @@ mod sheet;
 use rayon::prelude::*;
 
 use crate::failure::Failure;
+use crate::formats::textures::Textured;
 use camera::Camera;
 use canvas::Canvas;
+pub use image::{Image, linear};
 pub use pixels::Pixels;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
@@ -30,6 +33,12 @@ pub enum Shading<'a> {
     ReflectionLines,
     /// Colours of a scale by a value per vertex, which is interpolated.
     Values(&'a [f64], &'a Scale),
+    /// Colours of the vertices, from 0 to 255, interpolated.
+    VertexColours(&'a [[f64; 3]]),
+    /// Colours of the triangles, from 0 to 255.
+    FaceColours(&'a [[f64; 3]]),
+    /// Covered with pictures.
+    Textured(&'a Textured),
 }
 
 /// One picture of one surface.
