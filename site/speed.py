@@ -142,7 +142,8 @@ Not in the table: a region that lies badly is tried in several ways, which takes
 
 ## Filling holes, by size
 
-A sphere with a round hole, 60 degrees from its middle to its boundary, by size of the mesh.
+A sphere with a round hole, 60 degrees from its middle to its boundary, by size of the mesh. A patch that would have more than 200,000
+vertices is coarser inside (`--max-new-vertices`): that of the largest mesh here.
 
 | vertices | new vertices | seconds | MB |
 |---|---|---|---|
