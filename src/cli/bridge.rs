@@ -6,12 +6,13 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BridgeOptions, Bridged, FillOutcome, OpenReason, OutputPrecision, Progress, bridge_with_progress,
+    BridgeOptions, Bridged, FillOutcome, LoopReport, OpenReason, OutputPrecision, Progress,
+    bridge_with_progress,
 };
 use serde_json::{Value, json};
 
 use crate::bar::Bar;
-use crate::comparison::{PictureArgs, Surface};
+use crate::comparison::{PictureArgs, Story, Surface, story};
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
@@ -99,7 +100,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
             positions: &bridged.positions,
             triangles: &bridged.triangles,
         };
-        pictures.write(mesh.geometry.surface(), after, &told(&bridged.strip))?;
+        pictures.write(mesh.geometry.surface(), after, &in_story(&bridged))?;
     }
     let total = start.elapsed().as_secs_f64();
     let json = || {
@@ -156,6 +157,16 @@ fn refusal(args: &BridgeArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failu
         }
         _ => explain::refusal(&args.input, mesh, error),
     }
+}
+
+/// For a page.
+fn in_story(bridged: &Bridged) -> Story {
+    let name = |of: &LoopReport| format!("beside it, {} edges", of.edges);
+    let strip = ("bridge".to_owned(), with_size(&bridged.strip), &bridged.strip);
+    let rest = bridged.rest.iter().map(|of| (name(of), with_size(of), of));
+    let patches: Vec<_> = std::iter::once(strip).chain(rest).collect();
+    let ended = (bridged.is_clean(), told(&bridged.strip));
+    story::of_patches("bridge", ended, &patches, false, readable(bridged))
 }
 
 fn readable(bridged: &Bridged) -> String {

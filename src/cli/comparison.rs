@@ -1,7 +1,11 @@
 //! What a command changed in a mesh, for pictures and reports: the triangles that are gone and those that are new.
 
 mod flags;
+mod histogram;
+mod markup;
+mod page;
 mod sheet;
+pub mod story;
 
 use fairmesh::{DistanceTo, Error, SurfaceDistance};
 
@@ -9,6 +13,7 @@ use crate::formats::Geometry;
 use crate::normals::{cross, dot, sub, unit};
 
 pub use flags::PictureArgs;
+pub use page::Story;
 
 type V3 = [f64; 3];
 
@@ -52,8 +57,37 @@ pub struct Comparison<'a> {
     pub gone: Vec<bool>,
     /// Per triangle of the mesh after, whether it was not there.
     pub new: Vec<bool>,
-    /// How far the new triangles are from the mesh before; None where nothing is gone: what fills a hole has moved from nowhere.
-    pub moved: Option<SurfaceDistance>,
+    /// How far it has moved; None where nothing is gone: what fills a hole has moved from nowhere.
+    pub moved: Option<Moved>,
+}
+
+/// How far surfaces have moved, across themselves: both ways, as an ear that is taken away was farther from what there is now than that is
+/// from the ear.
+pub struct Moved {
+    /// What is new from the mesh before.
+    pub there: SurfaceDistance,
+    /// What is gone from the mesh after.
+    pub back: SurfaceDistance,
+}
+
+impl Moved {
+    /// The way that has the largest distance.
+    pub fn farthest(&self) -> &SurfaceDistance {
+        match self.back.largest > self.there.largest {
+            true => &self.back,
+            false => &self.there,
+        }
+    }
+
+    /// Root mean square over both.
+    pub fn rms(&self) -> f64 {
+        (0.5 * (self.there.rms.powi(2) + self.back.rms.powi(2))).sqrt()
+    }
+
+    /// Mean over both.
+    pub fn mean(&self) -> f64 {
+        0.5 * (self.there.mean + self.back.mean)
+    }
 }
 
 impl<'a> Comparison<'a> {
@@ -74,7 +108,10 @@ impl<'a> Comparison<'a> {
         };
         let (gone, new) = (without(&before, &is), without(&after, &was));
         let moved = match gone.contains(&true) && new.contains(&true) {
-            true => Some(moved(&before, &after, &new)?),
+            true => Some(Moved {
+                there: moved(&after, &new, &before)?,
+                back: moved(&before, &gone, &after)?,
+            }),
             false => None,
         };
         Ok(Self {
@@ -138,20 +175,20 @@ fn key(corners: [V3; 3]) -> Key {
         .unwrap_or([a, b, c])
 }
 
-/// How far the new triangles are from the mesh before; vertices by their numbers in the mesh after, 0 elsewhere.
-fn moved(before: &Surface<'_>, after: &Surface<'_>, new: &[bool]) -> Result<SurfaceDistance, Error> {
-    let is_used = after.vertices_of(new);
+/// How far some triangles are from another mesh; vertices by their numbers, 0 elsewhere.
+fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<SurfaceDistance, Error> {
+    let is_used = of.vertices_of(marked);
     let mut number = vec![0u32; is_used.len()];
     let mut positions = Vec::new();
     for v in (0..is_used.len()).filter(|&v| is_used[v]) {
         number[v] = positions.len() as u32;
-        positions.push(after.positions[v]);
+        positions.push(of.positions[v]);
     }
-    let triangles: Vec<[u32; 3]> = (after.triangles.iter().zip(new))
-        .filter(|(_, new)| **new)
+    let triangles: Vec<[u32; 3]> = (of.triangles.iter().zip(marked))
+        .filter(|(_, marked)| **marked)
         .map(|(t, _)| t.map(|v| number[v as usize]))
         .collect();
-    let mut found = DistanceTo::new(before.positions, before.triangles)?.of(&positions, &triangles)?;
+    let mut found = DistanceTo::new(from.positions, from.triangles)?.of(&positions, &triangles)?;
     let all = (0..is_used.len()).map(|v| match is_used[v] {
         true => found.vertices[number[v] as usize],
         false => 0.0,
@@ -186,8 +223,9 @@ mod tests {
         let found = Comparison::new(surface(&SQUARE, &FAN), surface(&after, &FAN)).unwrap();
         assert!(found.gone.iter().all(|&gone| gone) && found.new.iter().all(|&new| new));
         let moved = found.moved.as_ref().unwrap();
-        assert_eq!((moved.largest, moved.largest_at), (0.25, after[4]));
-        assert_eq!(moved.vertices, [0.0, 0.0, 0.0, 0.0, 0.25]);
+        let there = &moved.there;
+        assert_eq!((there.largest, there.largest_at), (0.25, after[4]));
+        assert_eq!(there.vertices, [0.0, 0.0, 0.0, 0.0, 0.25]);
         assert_eq!(found.mean_normal(), Some([0.0, 0.0, 1.0]));
     }
 

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::bar::Bar;
 use crate::batch::{self, Done, Telling};
-use crate::comparison::{PictureArgs, Surface};
+use crate::comparison::{PictureArgs, Surface, story};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
@@ -167,11 +167,8 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
             positions: &solution.positions,
             triangles: &input.geometry.triangles,
         };
-        pictures.write(
-            mesh.geometry.surface(),
-            after,
-            &explain::outcome(&solution.report),
-        )?;
+        let story = story::of_fairing(&solution.report, args.continuity.is_asked(), summary.readable());
+        pictures.write(mesh.geometry.surface(), after, &story)?;
     }
     Ok(Done {
         is_good: solution.report.outcome == Outcome::Converged,

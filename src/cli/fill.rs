@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use crate::attempts;
 use crate::bar::Bar;
 use crate::batch::{self, Done};
-use crate::comparison::{PictureArgs, Surface};
+use crate::comparison::{PictureArgs, Surface, story};
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
@@ -22,6 +22,7 @@ use crate::failure::{ExitCode, Failure};
 use crate::formats::{Added, MeshFile, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::join;
+use crate::left_open;
 use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
 use crate::report::{creased, member_weight};
@@ -183,13 +184,6 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     };
     let led = references::led(mesh.with_added(format, &added), format, &job.input, &job.output);
     output.write(&led.bytes)?;
-    if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
-        let after = Surface {
-            positions: &filled.positions,
-            triangles: &filled.triangles,
-        };
-        pictures.write(before.surface(), after, &counted(&filled))?;
-    }
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
@@ -210,8 +204,19 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
         region + &trimmed + &readable(&filled, args, dropped, more)
     };
+    let is_good = filled.loops.iter().all(is_clean);
+    if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
+        let after = Surface {
+            positions: &filled.positions,
+            triangles: &filled.triangles,
+        };
+        let told = filled.loops.iter().map(|l| (named(l), with_size(l), l));
+        let (ended, continued) = ((is_good, counted(&filled)), args.continuity.is_asked());
+        let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), continued, in_words());
+        pictures.write(before.surface(), after, &story)?;
+    }
     Ok(Done {
-        is_good: filled.loops.iter().all(is_clean),
+        is_good,
         outcome: counted(&filled),
         json: match job.asks_json {
             true => json(),
@@ -348,7 +353,7 @@ pub fn told(report: &LoopReport) -> String {
             report.outcome.entry().text(),
             report.self_intersections.len()
         ),
-        FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
+        FillOutcome::LeftOpen(reason) => format!("left open: {}", left_open::why(*reason)),
         _ => report.outcome.name().to_owned(),
     };
     if report.normals_reached < 1.0 {
@@ -366,38 +371,6 @@ pub fn told(report: &LoopReport) -> String {
         );
     }
     text
-}
-
-fn why(reason: OpenReason) -> String {
-    match reason {
-        OpenReason::NonManifold { a, b } => {
-            format!("it runs into edge ({a}, {b}), which has not exactly two consistent faces")
-        }
-        OpenReason::OuterBoundary => {
-            "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()
-        }
-        OpenReason::TooManyEdges => "it has more edges than --max-edges".into(),
-        OpenReason::NoTriangulation => "every triangulation has an edge or face that is there already".into(),
-        OpenReason::NotFinite { vertex } => {
-            format!("vertex {vertex} is not finite, or the loop is a single point")
-        }
-        OpenReason::Cancelled => "the run was stopped".into(),
-        OpenReason::OppositeSides { a, b } => format!(
-            "loops {a} and {b} fit only if the faces at one of them faced the other way; {}",
-            reason.entry().remedy()
-        ),
-        OpenReason::SharedVertex { vertex } => {
-            format!(
-                "two of the loops have vertex {vertex}; {}",
-                reason.entry().remedy()
-            )
-        }
-        OpenReason::NotAsked => "it is not one of those asked for".into(),
-        OpenReason::NotFair | OpenReason::Intersecting => {
-            format!("{}; {}", reason.entry().text(), reason.entry().remedy())
-        }
-        _ => "unknown".into(),
-    }
 }
 
 /// The same with the size of the patch, as a line.

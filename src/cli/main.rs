@@ -24,6 +24,7 @@ mod help;
 mod holes;
 mod jobs;
 mod join;
+mod left_open;
 mod man;
 mod normals;
 mod output;

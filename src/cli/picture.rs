@@ -2,6 +2,7 @@
 
 mod camera;
 mod canvas;
+mod image;
 mod paint;
 mod pixels;
 mod scale;
@@ -10,9 +11,11 @@ mod sheet;
 use rayon::prelude::*;
 
 use crate::failure::Failure;
+use crate::formats::textures::Textured;
 use camera::Camera;
 use canvas::Canvas;
-use pixels::Pixels;
+pub use image::{Image, linear};
+pub use pixels::Pixels;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
 
@@ -30,6 +33,12 @@ pub enum Shading<'a> {
     ReflectionLines,
     /// Colours of a scale by a value per vertex, which is interpolated.
     Values(&'a [f64], &'a Scale),
+    /// Colours of the vertices, from 0 to 255, interpolated.
+    VertexColours(&'a [[f64; 3]]),
+    /// Colours of the triangles, from 0 to 255.
+    FaceColours(&'a [[f64; 3]]),
+    /// Covered with pictures.
+    Textured(&'a Textured),
 }
 
 /// One picture of one surface.
@@ -82,19 +91,18 @@ pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>)
         options,
         framed: &[],
     };
-    render_groups(&[group], layout)
+    sheet(&tiles(&group), layout)
 }
 
-/// The same of views that are not all seen from the same place; their sizes are equal.
-pub fn render_groups(groups: &[Group<'_>], layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
-    let tiles: Vec<Pixels> = groups.iter().flat_map(tiles).collect();
-    let sheet = sheet::arrange(&tiles, layout);
-    sheet
+/// Tiles of one size in rows, as PNG.
+pub fn sheet(tiles: &[Pixels], layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
+    sheet::arrange(tiles, layout)
         .png()
         .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
 }
 
-fn tiles(group: &Group<'_>) -> Vec<Pixels> {
+/// Paints the views.
+pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
     let options = group.options;
     let camera = Camera::around(group.views, options);
     let frame = frame(&camera, group);

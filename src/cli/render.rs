@@ -11,8 +11,9 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::colours::Colours;
 use crate::formats::pipes::PipeArgs;
-use crate::formats::{Geometry, MeshFile};
+use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
 use crate::picture::{self, Layout, Palette, PictureOptions, Scale, Shading, View};
@@ -29,6 +30,10 @@ enum Shade {
     Reflection,
     /// Mean curvature in colours, with a scale
     Curvature,
+    /// The colours of vertices or faces that the file has (PLY, OBJ, OFF)
+    Colors,
+    /// The textures that the file names (OBJ with MTL, PLY): PNG and JPEG
+    Texture,
     /// Every mesh after the first by its distance from the first, with a scale and a table
     Distance,
 }
@@ -62,8 +67,8 @@ pub struct RenderArgs {
         allow_hyphen_values = true
     )]
     up: String,
-    /// How: flat, reflection, curvature or distance; several, separated by commas, give
-    /// a row each. 'distance' paints every mesh after the first by its distance from the
+    /// How: flat, reflection, curvature, colors, texture or distance; several, separated
+    /// by commas, give a row each. 'distance' paints every mesh after the first by its distance from the
     /// first one and prints the distances, both ways: of vertices and over whole triangles,
     /// always from a point to the nearest one of the other surface, without sign. The
     /// largest is right to 1 %, mean and rms are over the area, of points no farther apart
@@ -110,11 +115,11 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     check_use(args)?;
     let answer = Answer::prepare(args.json.as_deref(), false, Some(&args.output), &inputs)?;
     let piped = args.pipe.of(&inputs)?;
-    let meshes = (args
-        .inputs
-        .iter()
-        .map(|path| Ok(MeshFile::read(path, piped)?.geometry)))
-    .collect::<Result<Vec<Geometry>, Failure>>()?;
+    let files = (args.inputs.iter().map(|path| MeshFile::read(path, piped)))
+        .collect::<Result<Vec<MeshFile>, Failure>>()?;
+    let colours = needed(args, Shade::Colors, &files, colours)?;
+    let textures = needed(args, Shade::Texture, &files, |path, file| file.textured(path))?;
+    let meshes: Vec<Geometry> = files.into_iter().map(|file| file.geometry).collect();
     let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
     let distances = match args.shade.contains(&Shade::Distance) {
         true => distances::measured(&args.inputs, &meshes.iter().collect::<Vec<_>>())?,
@@ -136,6 +141,11 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
                 Shade::Flat => Shading::Flat,
                 Shade::Reflection => Shading::ReflectionLines,
                 Shade::Curvature => Shading::Values(&curvatures[k], &h),
+                Shade::Colors => match colours[k].kind {
+                    Kind::Vertex => Shading::VertexColours(&colours[k].values),
+                    Kind::Face => Shading::FaceColours(&colours[k].values),
+                },
+                Shade::Texture => Shading::Textured(&textures[k]),
                 Shade::Distance => match k.checked_sub(1) {
                     None => Shading::Flat,
                     Some(other) => Shading::Values(&distances[other].there.vertices, &distance),
@@ -164,7 +174,7 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
         .filter_map(|(row, shade)| match shade {
             Shade::Curvature => Some((rows(row), &h)),
             Shade::Distance => Some((rows(row), &distance)),
-            Shade::Flat | Shade::Reflection => None,
+            _ => None,
         });
     let scales: Vec<_> = scales.collect();
     let captions: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
@@ -181,6 +191,44 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
         answer.tell(&[&args.output], all, told)?;
     }
     Ok(true)
+}
+
+/// Of every mesh what a shade needs, if it is asked for.
+fn needed<T>(
+    args: &RenderArgs,
+    shade: Shade,
+    files: &[MeshFile],
+    of: impl Fn(&Path, &MeshFile) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    match args.shade.contains(&shade) {
+        true => args
+            .inputs
+            .iter()
+            .zip(files)
+            .map(|(path, file)| of(path, file))
+            .collect(),
+        false => Ok(Vec::new()),
+    }
+}
+
+/// The colours of a file; of polygons, one for each of their triangles.
+fn colours(path: &Path, file: &MeshFile) -> Result<Colours, Failure> {
+    let none = || {
+        Failure::new(format!(
+            "{}: it has no colours; --shade flat needs none, texture takes those of its pictures",
+            path.display()
+        ))
+    };
+    let colours = file.colours().ok_or_else(none)?;
+    Ok(match colours.kind {
+        Kind::Vertex => colours,
+        Kind::Face => Colours {
+            values: (0..file.geometry.triangles.len())
+                .map(|t| colours.values[file.geometry.polygon_of(t)])
+                .collect(),
+            ..colours
+        },
+    })
 }
 
 /// What scales of curvature are made for.

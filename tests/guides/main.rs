@@ -101,7 +101,10 @@ fn join_tubes() {
 #[test]
 fn compare_in_a_picture() {
     let folder = runner::run("compare-in-a-picture");
-    assert_picture(&folder.join("compare.png"), Some("compare-in-a-picture"));
+    assert_picture(&folder.join("compare.png"), None);
+    assert_picture(&folder.join("both.png"), Some("compare-in-a-picture"));
+    let [before, after] = ["before.ply", "after.ply"].map(|name| Mesh::read(&folder.join(name)));
+    assert!(before.largest(off_sphere) > 0.05 && after.largest(off_sphere) < 1e-5);
 }
 
 #[test]

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::page::{Story, page};
 use super::{Comparison, Surface, V3};
 use crate::answer::{same_file, untold};
 use crate::explain;
@@ -31,6 +32,16 @@ pub struct PictureArgs {
         verbatim_doc_comment
     )]
     picture: Option<PathBuf>,
+    /// A page (.html) about what was asked and done: outcome, advice, pictures of before
+    /// and after, how far the surface moved, how its curvature is spread; one file
+    /// that needs no others. Of several meshes as --picture
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Pictures and reports",
+        verbatim_doc_comment
+    )]
+    report: Option<PathBuf>,
     /// From where the pictures are taken, as of 'fairmesh render' [default: from
     /// above what has changed]
     #[arg(
@@ -54,16 +65,11 @@ pub struct PictureArgs {
 impl PictureArgs {
     /// Finds out what is wrong with the flags for these meshes, and makes the directories, before any work is done.
     pub fn check(&self, inputs: &[PathBuf]) -> Result<(), Failure> {
-        let nothing = self.picture.is_none();
-        if let (true, Some(flag)) = (
-            nothing,
-            self.view
-                .as_ref()
-                .map(|_| "--view")
-                .or(self.up.as_ref().map(|_| "--up")),
-        ) {
+        let flag = self.view.as_ref().map(|_| "--view");
+        let flag = flag.or(self.up.as_ref().map(|_| "--up"));
+        if let (None, Some(flag)) = (self.asked().next(), flag) {
             return Err(Failure::new(format!(
-                "{flag}: no picture is made; give --picture, too"
+                "{flag}: no picture is made; give --picture or --report, too"
             )));
         }
         self.direction()?;
@@ -98,7 +104,7 @@ impl PictureArgs {
 
     /// What is to be made of a mesh; None if nothing is.
     pub fn prepare(&self, input: &Path, output: &Path) -> Result<Option<Pictures>, Failure> {
-        let mut outputs = Vec::new();
+        let (mut picture, mut report) = (None, None);
         for (flag, path, ending) in self.asked() {
             let path = place(flag, path, ending, input)?;
             if [input, output].iter().any(|mesh| same_file(&path, mesh)) {
@@ -107,15 +113,20 @@ impl PictureArgs {
                     path.display()
                 )));
             }
-            outputs.push(Output::prepare(&path)?);
+            let output = Some(Output::prepare(&path)?);
+            match flag {
+                "--report" => report = output,
+                _ => picture = output,
+            }
         }
-        if outputs.is_empty() {
+        if picture.is_none() && report.is_none() {
             return Ok(None);
         }
         Ok(Some(Pictures {
             input: input.to_path_buf(),
             output: output.to_path_buf(),
-            picture: outputs.pop(),
+            picture,
+            report,
             direction: self.direction()?,
             up: self.up()?,
         }))
@@ -123,9 +134,12 @@ impl PictureArgs {
 
     /// The flags that are given, with the endings of their files.
     fn asked(&self) -> impl Iterator<Item = (&'static str, &Path, &'static str)> {
-        [("--picture", &self.picture, "png")]
-            .into_iter()
-            .filter_map(|(flag, path, ending)| Some((flag, path.as_deref()?, ending)))
+        [
+            ("--picture", &self.picture, "png"),
+            ("--report", &self.report, "html"),
+        ]
+        .into_iter()
+        .filter_map(|(flag, path, ending)| Some((flag, path.as_deref()?, ending)))
     }
 
     fn direction(&self) -> Result<Option<V3>, Failure> {
@@ -174,27 +188,31 @@ pub struct Pictures {
     input: PathBuf,
     output: PathBuf,
     picture: Option<Output>,
+    report: Option<Output>,
     direction: Option<V3>,
     up: V3,
 }
 
 impl Pictures {
     /// Makes and writes them. The result stands already: what fails here is the report about it.
-    pub fn write(&self, before: Surface<'_>, after: Surface<'_>, outcome: &str) -> Result<(), Failure> {
-        self.make(before, after, outcome)
+    pub fn write(&self, before: Surface<'_>, after: Surface<'_>, story: &Story) -> Result<(), Failure> {
+        self.make(before, after, story)
             .map_err(|failure| untold(failure, &[&self.output]))
     }
 
-    fn make(&self, before: Surface<'_>, after: Surface<'_>, outcome: &str) -> Result<(), Failure> {
+    fn make(&self, before: Surface<'_>, after: Surface<'_>, story: &Story) -> Result<(), Failure> {
         let refused = |error| explain::plain_refusal(self.input.display(), &error);
         let comparison = Comparison::new(before, after).map_err(refused)?;
+        let sheet = comparison.sheet(self.direction, self.up);
         if let Some(picture) = &self.picture {
-            let name = self
-                .input
-                .file_name()
-                .map_or("-".into(), |name| name.to_string_lossy().into_owned());
-            let head = [format!("{name}: {outcome}"), comparison.told()];
-            picture.write(&comparison.sheet(&head, self.direction, self.up)?)?;
+            let name = self.input.file_name();
+            let name = name.map_or("-".into(), |name| name.to_string_lossy());
+            let head = [format!("{name}: {}", story.outcome), comparison.told()];
+            picture.write(&sheet.png(&head)?)?;
+        }
+        if let Some(report) = &self.report {
+            let page = page(story, [&self.input, &self.output], &comparison, &sheet)?;
+            report.write(page.as_bytes())?;
         }
         Ok(())
     }

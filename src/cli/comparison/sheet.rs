@@ -4,7 +4,7 @@ use super::{Comparison, Surface, V3};
 use crate::failure::Failure;
 use crate::figures::significant;
 use crate::formats::Geometry;
-use crate::picture::{self, Group, Layout, Palette, PictureOptions, Scale, Shading, View};
+use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};
 use crate::render::range::{self, Shown};
 
 /// Width and height of a picture.
@@ -46,8 +46,8 @@ impl Comparison<'_> {
         best.1
     }
 
-    /// The sheet as PNG, with lines above it.
-    pub fn sheet(&self, head: &[String], direction: Option<V3>, up: V3) -> Result<Vec<u8>, Failure> {
+    /// Before and after, painted.
+    pub fn sheet(&self, direction: Option<V3>, up: V3) -> Sheet {
         let direction = direction.unwrap_or_else(|| self.direction(up));
         let [before, after] = [
             self.before.vertices_of(&self.gone),
@@ -58,22 +58,16 @@ impl Comparison<'_> {
             true => [&before[..], &after[..]],
             false => [none; 2],
         };
-        let pair = |shading| {
-            [
-                view(&self.before, shading, focus[0]),
-                view(&self.after, shading, focus[1]),
-            ]
-        };
-        let (values, scale) = self.values(focus[1])?;
-        let near = [
-            pair(Shading::Flat),
-            pair(Shading::ReflectionLines),
-            [
-                view(&self.after, Shading::Values(&values, &scale), focus[1]),
-                view(&self.after, Shading::Marked(&self.new), &[]),
-            ],
+        let sides = [&self.before, &self.after];
+        let near = |side: usize, shading| view(sides[side], shading, focus[side]);
+        let (side, caption, values, scale) = self.values(focus[1]);
+        let views = [
+            near(0, Shading::Flat),
+            near(1, Shading::Flat),
+            near(0, Shading::ReflectionLines),
+            near(1, Shading::ReflectionLines),
+            near(side, Shading::Values(&values, &scale)),
         ];
-        let [flat, lines, [painted, whole]] = near;
         let options = PictureOptions {
             tile: TILE,
             margin: MARGIN,
@@ -85,8 +79,6 @@ impl Comparison<'_> {
             margin: PictureOptions::default().margin,
             ..options
         };
-        let [flat, lines] = [flat, lines].map(Vec::from);
-        let near: Vec<View<'_>> = flat.into_iter().chain(lines).chain([painted]).collect();
         // A place that would be lost on the whole mesh gets a frame.
         let framed: Vec<V3> = (self.after.positions.iter().zip(&after))
             .filter(|(_, is_in)| **is_in)
@@ -94,47 +86,46 @@ impl Comparison<'_> {
             .collect();
         let groups = [
             Group {
-                views: &near,
+                views: &views,
                 options: &options,
                 framed: &[],
             },
             Group {
-                views: &[whole],
+                views: &[view(&self.after, Shading::Marked(&self.new), &[])],
                 options: &all,
                 framed: &framed,
             },
         ];
-        let painted = match &self.moved {
-            Some(_) => "how far it is from the surface before",
-            None => "mean curvature after",
-        };
         let captions = [
             "before",
             "after",
             "before: reflection lines",
             "after: reflection lines",
-            painted,
+            caption,
             "the whole mesh: what is new",
         ];
-        let layout = Layout {
-            columns: 2,
-            head,
-            captions: &captions.map(str::to_owned),
-            scales: &[(2..3, &scale)],
-        };
-        picture::render_groups(&groups, &layout)
+        Sheet {
+            tiles: groups.iter().flat_map(picture::tiles).collect(),
+            captions: captions.map(str::to_owned),
+            scale,
+        }
     }
 
-    /// What the surface after is painted by: how far it has moved, or its mean curvature.
-    fn values(&self, focus: &[bool]) -> Result<(Vec<f64>, Scale), Failure> {
+    /// Which side is painted by numbers, what these are, and their scale: how far it has moved, or its mean curvature.
+    fn values(&self, focus: &[bool]) -> (usize, &'static str, Vec<f64>, Scale) {
         if let Some(moved) = &self.moved {
-            let most = moved.largest;
+            let farthest = moved.farthest();
+            let most = farthest.largest;
+            let (side, caption) = match std::ptr::eq(farthest, &moved.back) {
+                true => (0, "before: how far the surface after is"),
+                false => (1, "after: how far the surface before is"),
+            };
             let scale = Scale {
                 title: "distance".to_owned(),
                 range: [0.0, if most > 0.0 { most } else { 1.0 }],
                 palette: Palette::Sequential,
             };
-            return Ok((moved.vertices.clone(), scale));
+            return (side, caption, farthest.vertices.clone(), scale);
         }
         let h = curvature(&self.after);
         let mesh = Geometry::of_triangles(self.after.positions.to_vec(), self.after.triangles.to_vec());
@@ -144,7 +135,7 @@ impl Comparison<'_> {
             focus,
         };
         let scale = range::usual("H", &[shown]);
-        Ok((h, scale))
+        (1, "after: mean curvature", h, scale)
     }
 
     /// How much has changed, in a line.
@@ -156,14 +147,54 @@ impl Comparison<'_> {
                 let diagonal = super::diagonal(&self.before);
                 format!(
                     "moved by at most {} ({} % of the mesh's diagonal), rms {}",
-                    significant(moved.largest),
-                    significant(100.0 * moved.largest / diagonal),
-                    significant(moved.rms)
+                    significant(moved.farthest().largest),
+                    significant(100.0 * moved.farthest().largest / diagonal),
+                    significant(moved.rms())
                 )
             }
             None if gone == 0 => format!("{new} new triangles"),
             None => format!("{gone} triangles are gone"),
         }
+    }
+}
+
+/// The pictures of a comparison.
+pub struct Sheet {
+    tiles: Vec<Pixels>,
+    captions: [String; 6],
+    /// Of the picture that is painted by numbers.
+    scale: Scale,
+}
+
+/// Which picture that is.
+const PAINTED: usize = 4;
+
+impl Sheet {
+    /// All on one sheet as PNG, with lines above.
+    pub fn png(&self, head: &[String]) -> Result<Vec<u8>, Failure> {
+        let layout = Layout {
+            columns: 2,
+            head,
+            captions: &self.captions,
+            scales: &[(2..3, &self.scale)],
+        };
+        picture::sheet(&self.tiles, &layout)
+    }
+
+    /// Each by itself, with its caption.
+    pub fn pictures(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let painted = [(0..1, &self.scale)];
+        (0..self.tiles.len())
+            .map(|k| {
+                let layout = Layout {
+                    columns: 1,
+                    scales: if k == PAINTED { &painted } else { &[] },
+                    ..Layout::default()
+                };
+                let png = picture::sheet(&self.tiles[k..=k], &layout)?;
+                Ok((self.captions[k].clone(), png))
+            })
+            .collect()
     }
 }
 

@@ -4,6 +4,7 @@ mod grow;
 mod header;
 mod only;
 mod rows;
+mod texture;
 
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;

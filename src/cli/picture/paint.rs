@@ -1,6 +1,7 @@
 //! The light that a point of the surface sends to the eye.
 
 use super::camera::Camera;
+use super::image::linear;
 use super::{Shading, V3, View};
 use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
 
@@ -43,9 +44,7 @@ impl<'a> Painter<'a> {
         let is_back = dot(flat, eye) < 0.0;
         let mut normal = match self.view.shading {
             Shading::Flat | Shading::Marked(_) => flat,
-            Shading::ReflectionLines | Shading::Values(..) => {
-                self.smooth_normal(corners, weights).unwrap_or(flat)
-            }
+            _ => self.smooth_normal(corners, weights).unwrap_or(flat),
         };
         if is_back {
             normal = normal.map(|c| -c);
@@ -59,6 +58,14 @@ impl<'a> Painter<'a> {
                 let value = (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum();
                 self.tinted(scale.light(value), normal, is_back)
             }
+            Shading::VertexColours(values) => {
+                let light = corners.map(|v| values[v as usize].map(linear));
+                let mix =
+                    [0, 1, 2].map(|channel| (0..3).map(|k| weights[k] as f32 * light[k][channel]).sum());
+                self.tinted(mix, normal, is_back)
+            }
+            Shading::FaceColours(values) => self.tinted(values[t].map(linear), normal, is_back),
+            Shading::Textured(textured) => self.tinted(textured.light(t, weights), normal, is_back),
         }
     }
 
