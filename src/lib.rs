@@ -11,6 +11,7 @@
 
 mod curvature;
 mod discrete;
+mod distance;
 mod error;
 mod fairing;
 mod holes;
@@ -25,6 +26,7 @@ mod solve;
 mod table;
 
 pub use curvature::{mean_curvature, mean_curvature_joined};
+pub use distance::{DistanceTo, SurfaceDistance};
 pub use error::Error;
 pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Coincident, ComponentReport,

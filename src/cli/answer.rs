@@ -112,7 +112,7 @@ fn told(mut to: impl Write, name: &str, text: &[u8], written: &[&Path]) -> Resul
 }
 
 /// A report that could not be written, and what was.
-fn untold(failure: Failure, written: &[&Path]) -> Failure {
+pub fn untold(failure: Failure, written: &[&Path]) -> Failure {
     let names: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
     let failure = failure.with_code(ExitCode::Untold);
     if names.is_empty() {

@@ -6,11 +6,13 @@ use std::time::Instant;
 
 use clap::Args;
 use fairmesh::{
-    BridgeOptions, Bridged, FillOutcome, OpenReason, OutputPrecision, Progress, bridge_with_progress,
+    BridgeOptions, Bridged, FillOutcome, LoopReport, OpenReason, OutputPrecision, Progress,
+    bridge_with_progress,
 };
 use serde_json::{Value, json};
 
 use crate::bar::Bar;
+use crate::comparison::{PictureArgs, Story, Surface, story};
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
@@ -50,6 +52,8 @@ pub struct BridgeArgs {
     #[arg(long)]
     fill: bool,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     patches: PatchArgs,
 }
 
@@ -67,6 +71,8 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         args.pipes.of(&args.input, Some(&args.output))?,
     )?;
     let answer = args.patches.answer(&args.output, &args.input)?;
+    args.pictures.check(std::slice::from_ref(&args.input))?;
+    let pictures = args.pictures.prepare(&args.input, &args.output)?;
     let solving = Instant::now();
     let bridged = solve(args, &mesh, precision).map_err(|error| refusal(args, &mesh, &error))?;
     let solve = solving.elapsed().as_secs_f64();
@@ -89,6 +95,13 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     };
     let led = references::led(mesh.with_added(format, &added), format, &args.input, &args.output);
     output.write(&led.bytes)?;
+    if let Some(pictures) = &pictures {
+        let after = Surface {
+            positions: &bridged.positions,
+            triangles: &bridged.triangles,
+        };
+        pictures.write(mesh.geometry.surface(), after, &in_story(&bridged))?;
+    }
     let total = start.elapsed().as_secs_f64();
     let json = || {
         let (first, face) = face_numbers(&mesh, format);
@@ -144,6 +157,16 @@ fn refusal(args: &BridgeArgs, mesh: &MeshFile, error: &fairmesh::Error) -> Failu
         }
         _ => explain::refusal(&args.input, mesh, error),
     }
+}
+
+/// For a page.
+fn in_story(bridged: &Bridged) -> Story {
+    let name = |of: &LoopReport| format!("beside it, {} edges", of.edges);
+    let strip = ("bridge".to_owned(), with_size(&bridged.strip), &bridged.strip);
+    let rest = bridged.rest.iter().map(|of| (name(of), with_size(of), of));
+    let patches: Vec<_> = std::iter::once(strip).chain(rest).collect();
+    let ended = (bridged.is_clean(), told(&bridged.strip));
+    story::of_patches("bridge", ended, &patches, false, readable(bridged))
 }
 
 fn readable(bridged: &Bridged) -> String {

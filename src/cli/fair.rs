@@ -12,6 +12,7 @@ use serde_json::Value;
 
 use crate::bar::Bar;
 use crate::batch::{self, Done, Telling};
+use crate::comparison::{PictureArgs, Surface, story};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
@@ -67,6 +68,8 @@ pub struct FairArgs {
     #[arg(long, help_heading = "Surface", verbatim_doc_comment)]
     remesh: bool,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     solver: SolverArgs,
     /// Stop when the vertices move less than this part of the region's
     /// diagonal, between 0 and 1 [default: 1e-8]
@@ -102,6 +105,7 @@ pub fn run(args: &FairArgs) -> Result<ExitCode, Failure> {
         is_quiet: args.quiet,
         is_verbose: args.verbose,
     };
+    args.pictures.check(args.files.inputs())?;
     batch::run(&args.files, &telling, |job| one(args, job))
 }
 
@@ -121,6 +125,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         format.output_precision()
     };
     let output = Output::prepare_or_stdout(&job.output)?;
+    let pictures = args.pictures.prepare(&job.input, &job.output)?;
     let read = start.elapsed().as_secs_f64();
 
     let solving = Instant::now();
@@ -157,6 +162,14 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         is_verbose: args.verbose,
         asks_continuity: args.continuity.is_asked(),
     };
+    if let Some(pictures) = &pictures {
+        let after = Surface {
+            positions: &solution.positions,
+            triangles: &input.geometry.triangles,
+        };
+        let story = story::of_fairing(&solution.report, args.continuity.is_asked(), summary.readable());
+        pictures.write(mesh.geometry.surface(), after, &story)?;
+    }
     Ok(Done {
         is_good: solution.report.outcome == Outcome::Converged,
         outcome: solution.report.outcome.name().replace('_', " "),

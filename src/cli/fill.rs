@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use crate::attempts;
 use crate::bar::Bar;
 use crate::batch::{self, Done};
+use crate::comparison::{PictureArgs, Surface, story};
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
@@ -21,6 +22,7 @@ use crate::failure::{ExitCode, Failure};
 use crate::formats::{Added, MeshFile, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::join;
+use crate::left_open;
 use crate::patches::{Files, PatchArgs, face_numbers};
 use crate::region::{RegionReport, RegionSteps};
 use crate::report::{creased, member_weight};
@@ -95,6 +97,8 @@ pub struct FillArgs {
     #[command(flatten)]
     continuity: ContinuityArgs,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     patches: PatchArgs,
     /// Lists in the report what was tried for each patch, and with what end
     #[arg(short, long, conflicts_with = "quiet")]
@@ -110,6 +114,7 @@ pub fn run(args: &FillArgs) -> Result<ExitCode, Failure> {
         )));
     }
     let telling = args.patches.telling(args.verbose);
+    args.pictures.check(args.files.inputs())?;
     batch::run(&args.files, &telling, |job| one(args, job))
 }
 
@@ -122,6 +127,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         precision,
         output,
     } = Files::open(&job.input, &job.output, job.piped)?;
+    let pictures = args.pictures.prepare(&job.input, &job.output)?;
+    let before = pictures.as_ref().map(|_| mesh.geometry.clone());
     let boundary_curvature = args
         .continuity
         .boundary_curvature(mesh.geometry.positions.len())?;
@@ -155,7 +162,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     };
     let loops = match &erased {
         Some(erased) => Loops::Chosen(erased.loops.clone()),
-        None => args.which.loops(&groups),
+        None => args.which.loops(&groups, &mesh.geometry),
     };
     let filled = solve(args, (loops, groups), &mesh, boundary_curvature, precision)
         .map_err(|error| refusal(args, &job.input, &mesh, &error))?;
@@ -197,8 +204,19 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         let region: String = region.told.iter().map(|line| format!("{line}\n")).collect();
         region + &trimmed + &readable(&filled, args, dropped, more)
     };
+    let is_good = filled.loops.iter().all(is_clean);
+    if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
+        let after = Surface {
+            positions: &filled.positions,
+            triangles: &filled.triangles,
+        };
+        let told = filled.loops.iter().map(|l| (named(l), with_size(l), l));
+        let (ended, continued) = ((is_good, counted(&filled)), args.continuity.is_asked());
+        let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), continued, in_words());
+        pictures.write(before.surface(), after, &story)?;
+    }
     Ok(Done {
-        is_good: filled.loops.iter().all(is_clean),
+        is_good,
         outcome: counted(&filled),
         json: match job.asks_json {
             true => json(),
@@ -335,7 +353,7 @@ pub fn told(report: &LoopReport) -> String {
             report.outcome.entry().text(),
             report.self_intersections.len()
         ),
-        FillOutcome::LeftOpen(reason) => format!("left open: {}", why(*reason)),
+        FillOutcome::LeftOpen(reason) => format!("left open: {}", left_open::why(*reason)),
         _ => report.outcome.name().to_owned(),
     };
     if report.normals_reached < 1.0 {
@@ -353,38 +371,6 @@ pub fn told(report: &LoopReport) -> String {
         );
     }
     text
-}
-
-fn why(reason: OpenReason) -> String {
-    match reason {
-        OpenReason::NonManifold { a, b } => {
-            format!("it runs into edge ({a}, {b}), which has not exactly two consistent faces")
-        }
-        OpenReason::OuterBoundary => {
-            "it encloses the mesh, not a gap; fill it by --loop if you mean it".into()
-        }
-        OpenReason::TooManyEdges => "it has more edges than --max-edges".into(),
-        OpenReason::NoTriangulation => "every triangulation has an edge or face that is there already".into(),
-        OpenReason::NotFinite { vertex } => {
-            format!("vertex {vertex} is not finite, or the loop is a single point")
-        }
-        OpenReason::Cancelled => "the run was stopped".into(),
-        OpenReason::OppositeSides { a, b } => format!(
-            "loops {a} and {b} fit only if the faces at one of them faced the other way; {}",
-            reason.entry().remedy()
-        ),
-        OpenReason::SharedVertex { vertex } => {
-            format!(
-                "two of the loops have vertex {vertex}; {}",
-                reason.entry().remedy()
-            )
-        }
-        OpenReason::NotAsked => "it is not one of those asked for".into(),
-        OpenReason::NotFair | OpenReason::Intersecting => {
-            format!("{}; {}", reason.entry().text(), reason.entry().remedy())
-        }
-        _ => "unknown".into(),
-    }
 }
 
 /// The same with the size of the patch, as a line.

@@ -1,7 +1,7 @@
 //! Mesh files: read once, written back with nothing changed but what had to.
 
 pub mod carry;
-mod colours;
+pub mod colours;
 mod convert;
 mod format;
 pub mod obj;
@@ -14,6 +14,7 @@ pub mod references;
 pub mod stl;
 #[cfg(test)]
 mod tests;
+pub mod textures;
 
 use std::path::Path;
 

@@ -44,6 +44,11 @@ pub struct Job {
 }
 
 impl FilesArgs {
+    /// The meshes, as they were named.
+    pub fn inputs(&self) -> &[PathBuf] {
+        &self.inputs
+    }
+
     /// What is to be done, in the order of the inputs. Makes the directory of the results.
     ///
     /// # Errors
@@ -92,7 +97,7 @@ impl FilesArgs {
 }
 
 /// A directory that is there, or a name that can be nothing else.
-fn is_directory(path: &Path) -> bool {
+pub fn is_directory(path: &Path) -> bool {
     path.is_dir()
         || path
             .as_os_str()

@@ -2,21 +2,27 @@
 
 mod camera;
 mod canvas;
+mod image;
 mod paint;
 mod pixels;
+mod scale;
 mod sheet;
 
 use rayon::prelude::*;
 
 use crate::failure::Failure;
+use crate::formats::textures::Textured;
 use camera::Camera;
 use canvas::Canvas;
+pub use image::{Image, linear};
+pub use pixels::Pixels;
+pub use scale::{Palette, Scale};
 pub use sheet::Layout;
 
 type V3 = [f64; 3];
 
 /// How a surface is painted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub enum Shading<'a> {
     /// Every triangle by its own normal.
     Flat,
@@ -25,8 +31,14 @@ pub enum Shading<'a> {
     /// The mirror image of rings of light around a far sphere, by interpolated vertex normals. A crease breaks the lines,
     /// a jump of curvature kinks them.
     ReflectionLines,
-    /// Colours of a scale by a value per vertex, which is interpolated; the range of the scale.
-    Values(&'a [f64], [f64; 2]),
+    /// Colours of a scale by a value per vertex, which is interpolated.
+    Values(&'a [f64], &'a Scale),
+    /// Colours of the vertices, from 0 to 255, interpolated.
+    VertexColours(&'a [[f64; 3]]),
+    /// Colours of the triangles, from 0 to 255.
+    FaceColours(&'a [[f64; 3]]),
+    /// Covered with pictures.
+    Textured(&'a Textured),
 }
 
 /// One picture of one surface.
@@ -48,6 +60,8 @@ pub struct PictureOptions {
     pub up: V3,
     /// Samples per pixel along each axis.
     pub samples: usize,
+    /// Share of a tile that stays empty on each side.
+    pub margin: f64,
 }
 
 impl Default for PictureOptions {
@@ -57,21 +71,76 @@ impl Default for PictureOptions {
             direction: [1.0, 0.7, 0.8],
             up: [0.0, 0.0, 1.0],
             samples: 3,
+            margin: 0.06,
         }
     }
 }
 
+/// Views that are seen by the same camera.
+pub struct Group<'a> {
+    pub views: &'a [View<'a>],
+    pub options: &'a PictureOptions,
+    /// Points that a frame is drawn around, if they would be lost in the picture.
+    pub framed: &'a [V3],
+}
+
 /// Paints the views in rows and encodes the picture.
 pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
-    let camera = Camera::around(views, options);
-    let tiles: Vec<_> = views
-        .par_iter()
-        .map(|view| Canvas::paint(view, &camera, options).shrunk(options.samples))
-        .collect();
-    let sheet = sheet::arrange(&tiles, layout);
-    sheet
+    let group = Group {
+        views,
+        options,
+        framed: &[],
+    };
+    sheet(&tiles(&group), layout)
+}
+
+/// Tiles of one size in rows, as PNG.
+pub fn sheet(tiles: &[Pixels], layout: &Layout<'_>) -> Result<Vec<u8>, Failure> {
+    sheet::arrange(tiles, layout)
         .png()
         .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
+}
+
+/// Paints the views.
+pub fn tiles(group: &Group<'_>) -> Vec<Pixels> {
+    let options = group.options;
+    let camera = Camera::around(group.views, options);
+    let frame = frame(&camera, group);
+    let paint = |view: &View<'_>| {
+        let mut tile = Canvas::paint(view, &camera, options).shrunk(options.samples);
+        if let Some([low, high]) = frame {
+            tile.frame(low, high, paint::MARK.map(canvas::srgb));
+        }
+        tile
+    };
+    group.views.par_iter().map(paint).collect()
+}
+
+/// The corners of the frame, in pixels; none where the points fill a good part of the picture.
+fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
+    let samples = group.options.samples as f64;
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for p in group.framed.iter().map(|&p| camera.project(p)) {
+        for (k, place) in [p.x / samples, p.y / samples].into_iter().enumerate() {
+            (low[k], high[k]) = (low[k].min(place), high[k].max(place));
+        }
+    }
+    let is_small = (0..2).all(|k| high[k] - low[k] < LOST * group.options.tile[k] as f64);
+    let corner = |at: [f64; 2], room: i64| at.map(|place| place.round() as i64 + room);
+    is_small.then(|| [corner(low, -FRAME), corner(high, FRAME)])
+}
+
+/// What takes less than this share of a picture gets a frame, so many pixels around it.
+const LOST: f64 = 0.3;
+const FRAME: i64 = 8;
+
+/// How many pixels show marked triangles.
+pub fn seen(view: &View<'_>, options: &PictureOptions, marked: &[bool]) -> usize {
+    let camera = Camera::around(std::slice::from_ref(view), options);
+    Canvas::seen(view, &camera, options)
+        .into_iter()
+        .filter(|&t| marked.get(t as usize) == Some(&true))
+        .count()
 }
 
 #[cfg(test)]
@@ -80,6 +149,14 @@ mod tests {
 
     use super::canvas::{BACKDROP, srgb};
     use super::*;
+
+    fn h(range: [f64; 2]) -> Scale {
+        Scale {
+            title: "H".to_owned(),
+            range,
+            palette: Palette::Diverging,
+        }
+    }
 
     /// The pixels of an encoded picture.
     fn decode(bytes: &[u8]) -> (Vec<u8>, [usize; 2]) {
@@ -165,7 +242,7 @@ mod tests {
         for shading in [
             Shading::Flat,
             Shading::ReflectionLines,
-            Shading::Values(&values, [1.0, 1.0]),
+            Shading::Values(&values, &h([1.0, 1.0])),
         ] {
             let view = || View {
                 positions: &positions,
@@ -183,10 +260,11 @@ mod tests {
     fn colours_run_over_the_scale_and_the_sheet_has_room_for_it() {
         let (positions, triangles) = squares(-0.1);
         let values: Vec<f64> = positions.iter().map(|p| p[0]).collect();
+        let scale = h([-1.0, 1.0]);
         let view = View {
             positions: &positions,
             triangles: &triangles,
-            shading: Shading::Values(&values, [-1.0, 1.0]),
+            shading: Shading::Values(&values, &scale),
             focus: &[],
         };
         let options = PictureOptions {
@@ -199,7 +277,8 @@ mod tests {
         let layout = Layout {
             columns: 1,
             captions: &captions,
-            scale: Some(("H", [-1.0, 1.0])),
+            scales: &[(0..1, &scale)],
+            ..Layout::default()
         };
         let shown = decode(&render(&[view], &options, &layout).unwrap());
         let (low, high) = (pixel(&shown, 6, 30), pixel(&shown, 53, 30));

@@ -1,17 +1,25 @@
 //! `fairmesh render`: pictures of meshes.
 
+mod distances;
+pub mod range;
+
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use serde_json::{Value, json};
 
+use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
+use crate::formats::colours::Colours;
 use crate::formats::pipes::PipeArgs;
-use crate::formats::{Geometry, MeshFile};
+use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
-use crate::picture::{self, Layout, PictureOptions, Shading, View};
+use crate::picture::{self, Layout, Palette, PictureOptions, Scale, Shading, View};
 use crate::selection;
+use distances::Distances;
+use range::Shown;
 
 /// How the surface is painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -22,6 +30,12 @@ enum Shade {
     Reflection,
     /// Mean curvature in colours, with a scale
     Curvature,
+    /// The colours of vertices or faces that the file has (PLY, OBJ, OFF)
+    Colors,
+    /// The textures that the file names (OBJ with MTL, PLY): PNG and JPEG
+    Texture,
+    /// Every mesh after the first by its distance from the first, with a scale and a table
+    Distance,
 }
 
 /// What `fairmesh render` is asked.
@@ -53,8 +67,12 @@ pub struct RenderArgs {
         allow_hyphen_values = true
     )]
     up: String,
-    /// How: flat, reflection or curvature; several, separated by commas, give a
-    /// row each
+    /// How: flat, reflection, curvature, colors, texture or distance; several, separated
+    /// by commas, give a row each. 'distance' paints every mesh after the first by its distance from the
+    /// first one and prints the distances, both ways: of vertices and over whole triangles,
+    /// always from a point to the nearest one of the other surface, without sign. The
+    /// largest is right to 1 %, mean and rms are over the area, of points no farther apart
+    /// than a 200th of the diagonal
     #[arg(
         long,
         value_enum,
@@ -66,8 +84,9 @@ pub struct RenderArgs {
     /// Width and height of each picture, in pixels
     #[arg(long, value_name = "WxH", default_value = "480x480")]
     size: String,
-    /// Ends of the curvature's scale; by default those that the middle 98 per
-    /// cent of all vertices have
+    /// Ends of the scale. By default, of curvature, those that the middle 98 per cent of
+    /// the area have, without outliers, the same on both sides of 0 where both signs
+    /// occur; of distance, 0 and the largest
     #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, verbatim_doc_comment)]
     range: Option<String>,
     /// Text below each picture, once per mesh; the file names by default, '' for none
@@ -77,6 +96,10 @@ pub struct RenderArgs {
     /// line, from 0; for all meshes. By default all vertices
     #[arg(long, value_name = "FILE", verbatim_doc_comment)]
     around: Option<PathBuf>,
+    /// Writes what --shade distance measures as JSON, too; '-': to stdout, instead of the
+    /// readable table
+    #[arg(long, value_name = "FILE", verbatim_doc_comment)]
+    json: Option<PathBuf>,
 }
 
 /// The least and greatest width and height of a picture.
@@ -89,48 +112,156 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let asked_range = args.range.as_deref().map(range).transpose()?;
     let output = Output::prepare_or_stdout(&args.output)?;
     let inputs: Vec<&Path> = args.inputs.iter().map(PathBuf::as_path).collect();
+    check_use(args)?;
+    let answer = Answer::prepare(args.json.as_deref(), false, Some(&args.output), &inputs)?;
     let piped = args.pipe.of(&inputs)?;
-    let meshes = (args
-        .inputs
-        .iter()
-        .map(|path| Ok(MeshFile::read(path, piped)?.geometry)))
-    .collect::<Result<Vec<Geometry>, Failure>>()?;
+    let files = (args.inputs.iter().map(|path| MeshFile::read(path, piped)))
+        .collect::<Result<Vec<MeshFile>, Failure>>()?;
+    let colours = needed(args, Shade::Colors, &files, colours)?;
+    let textures = needed(args, Shade::Texture, &files, |path, file| file.textured(path))?;
+    let meshes: Vec<Geometry> = files.into_iter().map(|file| file.geometry).collect();
     let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
-    let has_scale = args.shade.contains(&Shade::Curvature);
-    let curvatures = if has_scale {
-        curvatures(args, &meshes)?
-    } else {
-        vec![Vec::new(); meshes.len()]
+    let distances = match args.shade.contains(&Shade::Distance) {
+        true => distances::measured(&args.inputs, &meshes.iter().collect::<Vec<_>>())?,
+        false => Vec::new(),
     };
-    let range = asked_range.unwrap_or_else(|| usual_range(&curvatures, &focus));
+    let curvatures = match args.shade.contains(&Shade::Curvature) {
+        true => curvatures(args, &meshes)?,
+        false => vec![Vec::new(); meshes.len()],
+    };
+    let h = match asked_range {
+        Some(ends) => range::asked("H", ends),
+        None => range::usual("H", &shown(&meshes, &curvatures, &focus)),
+    };
+    let distance = distance_scale(asked_range, &distances);
     let mut views = Vec::new();
     for shade in &args.shade {
-        for ((mesh, focus), curvature) in meshes.iter().zip(&focus).zip(&curvatures) {
+        for (k, (mesh, focus)) in meshes.iter().zip(&focus).enumerate() {
+            let shading = match shade {
+                Shade::Flat => Shading::Flat,
+                Shade::Reflection => Shading::ReflectionLines,
+                Shade::Curvature => Shading::Values(&curvatures[k], &h),
+                Shade::Colors => match colours[k].kind {
+                    Kind::Vertex => Shading::VertexColours(&colours[k].values),
+                    Kind::Face => Shading::FaceColours(&colours[k].values),
+                },
+                Shade::Texture => Shading::Textured(&textures[k]),
+                Shade::Distance => match k.checked_sub(1) {
+                    None => Shading::Flat,
+                    Some(other) => Shading::Values(&distances[other].there.vertices, &distance),
+                },
+            };
             views.push(View {
                 positions: &mesh.positions,
                 triangles: &mesh.triangles,
-                shading: match shade {
-                    Shade::Flat => Shading::Flat,
-                    Shade::Reflection => Shading::ReflectionLines,
-                    Shade::Curvature => Shading::Values(curvature, range),
-                },
+                shading,
                 focus,
             });
         }
     }
-    let columns = if args.shade.len() > 1 {
-        meshes.len()
-    } else {
-        meshes.len().min(MOST_COLUMNS)
+    let columns = match args.shade.len() {
+        0 | 1 => meshes.len().min(MOST_COLUMNS),
+        _ => meshes.len(),
     };
+    let rows = |of: usize| match args.shade.len() {
+        0 | 1 => 0..meshes.len().div_ceil(columns),
+        _ => of..of + 1,
+    };
+    let scales = args
+        .shade
+        .iter()
+        .enumerate()
+        .filter_map(|(row, shade)| match shade {
+            Shade::Curvature => Some((rows(row), &h)),
+            Shade::Distance => Some((rows(row), &distance)),
+            _ => None,
+        });
+    let scales: Vec<_> = scales.collect();
     let captions: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
     let layout = Layout {
         columns,
         captions: &captions,
-        scale: has_scale.then_some(("H", range)),
+        scales: &scales,
+        ..Layout::default()
     };
     output.write(&picture::render(&views, &options, &layout)?)?;
+    if !distances.is_empty() {
+        let all = || json!({ "distances": distances.iter().map(Distances::json).collect::<Vec<Value>>() });
+        let told = || distances.iter().map(Distances::readable).collect();
+        answer.tell(&[&args.output], all, told)?;
+    }
     Ok(true)
+}
+
+/// Of every mesh what a shade needs, if it is asked for.
+fn needed<T>(
+    args: &RenderArgs,
+    shade: Shade,
+    files: &[MeshFile],
+    of: impl Fn(&Path, &MeshFile) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    match args.shade.contains(&shade) {
+        true => args
+            .inputs
+            .iter()
+            .zip(files)
+            .map(|(path, file)| of(path, file))
+            .collect(),
+        false => Ok(Vec::new()),
+    }
+}
+
+/// The colours of a file; of polygons, one for each of their triangles.
+fn colours(path: &Path, file: &MeshFile) -> Result<Colours, Failure> {
+    let none = || {
+        Failure::new(format!(
+            "{}: it has no colours; --shade flat needs none, texture takes those of its pictures",
+            path.display()
+        ))
+    };
+    let colours = file.colours().ok_or_else(none)?;
+    Ok(match colours.kind {
+        Kind::Vertex => colours,
+        Kind::Face => Colours {
+            values: (0..file.geometry.triangles.len())
+                .map(|t| colours.values[file.geometry.polygon_of(t)])
+                .collect(),
+            ..colours
+        },
+    })
+}
+
+/// What scales of curvature are made for.
+fn shown<'a>(meshes: &'a [Geometry], values: &'a [Vec<f64>], focus: &'a [Vec<bool>]) -> Vec<Shown<'a>> {
+    let all = meshes.iter().zip(values).zip(focus);
+    all.map(|((mesh, values), focus)| Shown { mesh, values, focus })
+        .collect()
+}
+
+/// From 0 to the largest distance from the first mesh.
+fn distance_scale(asked: Option<[f64; 2]>, distances: &[Distances<'_>]) -> Scale {
+    let most = distances.iter().map(|of| of.there.largest).fold(0.0, f64::max);
+    Scale {
+        title: "distance".to_owned(),
+        range: asked.unwrap_or([0.0, if most > 0.0 { most } else { 1.0 }]),
+        palette: Palette::Sequential,
+    }
+}
+
+/// Flags that go with some shades only.
+fn check_use(args: &RenderArgs) -> Result<(), Failure> {
+    let has = |shade| args.shade.contains(&shade);
+    if args.json.is_some() && !has(Shade::Distance) {
+        return Err(Failure::new(
+            "--json: nothing is measured without --shade distance",
+        ));
+    }
+    if args.range.is_some() && has(Shade::Distance) && has(Shade::Curvature) {
+        return Err(Failure::new(
+            "--range: curvature and distance have a scale each; make a picture of each",
+        ));
+    }
+    Ok(())
 }
 
 /// More meshes than this go to the next row.
@@ -139,9 +270,7 @@ const MOST_COLUMNS: usize = 4;
 fn options(args: &RenderArgs) -> Result<PictureOptions, Failure> {
     let wrong = |what: &str, text: &str, form: &str| Failure::new(format!("{what} {text}: give {form}"));
     let direction = direction(&args.view)?;
-    let up = numbers(&args.up)
-        .and_then(unit)
-        .ok_or_else(|| wrong("--up", &args.up, "x,y,z"))?;
+    let up = upwards(&args.up)?;
     let tile = args
         .size
         .split_once('x')
@@ -172,6 +301,12 @@ pub fn direction(view: &str) -> Result<[f64; 3], Failure> {
             ))
         })?,
     })
+}
+
+/// What points up, by x,y,z.
+pub fn upwards(up: &str) -> Result<[f64; 3], Failure> {
+    let found = numbers(up).and_then(unit);
+    found.ok_or_else(|| Failure::new(format!("--up {up}: give x,y,z")))
 }
 
 /// So many finite numbers, separated by commas.
@@ -230,28 +365,4 @@ fn curvatures(args: &RenderArgs, meshes: &[Geometry]) -> Result<Vec<Vec<f64>>, F
             .map_err(|error| explain::plain_refusal(path.display(), &error))
     };
     args.inputs.iter().zip(meshes).map(of).collect()
-}
-
-/// From the first to the last percentile over all meshes, of what is in the picture.
-fn usual_range(curvatures: &[Vec<f64>], focus: &[Vec<bool>]) -> [f64; 2] {
-    let mut values: Vec<f64> = Vec::new();
-    for (h, focus) in curvatures.iter().zip(focus) {
-        let shown = (0..h.len()).filter(|&v| focus.is_empty() || focus[v]);
-        values.extend(shown.map(|v| h[v]).filter(|h| h.is_finite()));
-    }
-    values.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        let last = values.len().checked_sub(1)?;
-        values.get((share * last as f64).round() as usize).copied()
-    };
-    let (low, high) = (at(0.01).unwrap_or(0.0), at(0.99).unwrap_or(1.0));
-    // A surface of constant curvature is all in the middle of a scale that does not show rounding.
-    let least = 1e-3 * low.abs().max(high.abs());
-    let room = (0.5 * (least - (high - low))).max(0.0);
-    let range = [low - room, high + room];
-    if range[0] < range[1] {
-        range
-    } else {
-        [low - 1.0, low + 1.0]
-    }
 }

@@ -1,9 +1,10 @@
 //! Where points lie on triangles of a mesh: so that what is new takes colours and the like from what was there.
 
 use nalgebra::Vector3;
-use rstar::{AABB, PointDistance, RTree, RTreeObject};
+use rstar::RTree;
 
 use super::parents::{Parents, nearest_on};
+use super::placed::Placed;
 use crate::error::Error;
 use crate::mesh::input;
 
@@ -45,11 +46,7 @@ pub fn carry_over(
         let index = t as usize;
         return Err(Error::SelectionOutOfRange { index, count });
     }
-    let placed = |&number: &u32| {
-        let x = triangles[number as usize].map(|v| Vector3::from(positions[v as usize]));
-        let is_finite = x.iter().all(|p| p.iter().all(|c| c.is_finite()));
-        is_finite.then_some(Placed { number, x })
-    };
+    let placed = |&number: &u32| Placed::of(positions, triangles, number);
     let mut among = among.to_vec();
     among.sort_unstable();
     among.dedup();
@@ -70,25 +67,4 @@ pub fn carry_over(
         .iter()
         .map(|p| if is_finite(p) { carried(p) } else { None })
         .collect())
-}
-
-/// A triangle where it lies.
-struct Placed {
-    number: u32,
-    x: [Vector3<f64>; 3],
-}
-
-impl RTreeObject for Placed {
-    type Envelope = AABB<[f64; 3]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        let [a, b, c] = &self.x;
-        AABB::from_corners(a.inf(b).inf(c).into(), a.sup(b).sup(c).into())
-    }
-}
-
-impl PointDistance for Placed {
-    fn distance_2(&self, point: &[f64; 3]) -> f64 {
-        nearest_on(&self.x, &Vector3::from(*point)).0
-    }
 }

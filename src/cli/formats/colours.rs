@@ -9,7 +9,8 @@ pub struct Colours {
 }
 
 impl MeshFile {
-    /// The colours of the vertices, or if these have none, of the faces: of PLY (red, green, blue) and OBJ (behind the coordinates).
+    /// The colours of the vertices, or if these have none, of the faces: of PLY (red, green, blue), OBJ (behind the coordinates) and
+    /// OFF (COFF).
     pub fn colours(&self) -> Option<Colours> {
         match &self.places {
             Places::Ply(_) => [Kind::Vertex, Kind::Face].into_iter().find_map(|kind| {
@@ -24,7 +25,11 @@ impl MeshFile {
                 kind: Kind::Vertex,
                 values,
             }),
-            Places::Off(_) | Places::Stl(_) => None,
+            Places::Off(places) => places.colours(&self.bytes).map(|values| Colours {
+                kind: Kind::Vertex,
+                values,
+            }),
+            Places::Stl(_) => None,
         }
     }
 

@@ -1,6 +1,7 @@
 //! Wavefront OBJ.
 
 mod grow;
+mod materials;
 mod only;
 
 use std::ops::Range;
@@ -11,6 +12,7 @@ use crate::formats::{Change, Geometry};
 use crate::text::{self, Words};
 
 pub use grow::grown;
+pub use materials::materials_and_corners;
 pub use only::{has_other_lines, only};
 
 /// A channel of a colour at its brightest, where that is 1 in a file.

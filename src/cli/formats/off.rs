@@ -4,6 +4,7 @@ use std::fmt::Arguments;
 use std::ops::Range;
 
 use crate::failure::Malformed;
+use crate::formats::obj::FULL;
 use crate::formats::patches::Patches;
 use crate::formats::{Change, Geometry};
 use crate::text::{self, Layout, Words};
@@ -15,6 +16,8 @@ pub struct Off {
     layout: Layout,
     /// The three words after the coordinates are a normal.
     has_normals: bool,
+    /// The three words after these are a colour.
+    has_colours: bool,
 }
 
 /// What the first words say.
@@ -22,6 +25,7 @@ struct Header {
     vertices: usize,
     faces: usize,
     has_normals: bool,
+    has_colours: bool,
     /// The numbers of a vertex, where nothing else stands between them.
     columns: usize,
     /// Where the first row begins, at the earliest.
@@ -70,13 +74,18 @@ fn read(bytes: &[u8], header: &Header, layout: Layout) -> Result<(Geometry, Off)
     }
     layout.end(bytes, at)?;
     geometry.check(true)?;
-    let has_normals = header.has_normals;
+    let &Header {
+        has_normals,
+        has_colours,
+        ..
+    } = header;
     Ok((
         geometry,
         Off {
             rows,
             layout,
             has_normals,
+            has_colours,
         },
     ))
 }
@@ -116,6 +125,7 @@ fn read_header(bytes: &[u8]) -> Result<Header, Malformed> {
         vertices,
         faces,
         has_normals: prefix.ends_with('N'),
+        has_colours: prefix.contains('C'),
         columns: 3 + columns("ST", 2) + columns("C", 4) + columns("N", 3),
         end,
     })
@@ -205,6 +215,22 @@ fn read_face(
 }
 
 impl Off {
+    /// The colours of the vertices, from 0 to 255: if none of their channels is above 1, they are shares of that.
+    pub fn colours(&self, bytes: &[u8]) -> Option<Vec<[f64; 3]>> {
+        let before = if self.has_normals { 6 } else { 3 };
+        let of = |&at: &usize| {
+            let mut words = self.layout.words(bytes, at);
+            words.nth(before - 1)?;
+            text::triple(bytes, &mut words, "colour").ok()
+        };
+        let rows = self.rows.iter().filter(|_| self.has_colours);
+        let mut colours: Vec<[f64; 3]> = rows.map(of).collect::<Option<_>>()?;
+        if !colours.as_flattened().iter().any(|&channel| channel > 1.0) {
+            colours.iter_mut().flatten().for_each(|channel| *channel *= FULL);
+        }
+        (!colours.is_empty()).then_some(colours)
+    }
+
     /// Replaces coordinates of moved vertices, and normals; returns the number of normals left behind.
     pub fn patch(&self, bytes: &[u8], change: &Change<'_>, patches: &mut Patches) -> usize {
         let mut stale = 0;

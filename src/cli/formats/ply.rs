@@ -4,6 +4,7 @@ mod grow;
 mod header;
 mod only;
 mod rows;
+mod texture;
 
 use crate::failure::Malformed;
 use crate::formats::patches::Patches;
@@ -324,20 +325,25 @@ impl Ply {
     }
 }
 
-/// A binary file with doubles.
+/// A binary file with doubles. Numbers of corners have one byte, if that is enough: MeshLab reads no others.
 pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
+    let is_short = polygons
+        .iter()
+        .all(|polygon| u8::try_from(polygon.as_ref().len()).is_ok());
     let header = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-         property double z\nelement face {}\nproperty list uint int vertex_indices\nend_header\n",
+         property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
         positions.len(),
-        polygons.len()
+        polygons.len(),
+        if is_short { "uchar" } else { "uint" }
     );
     let mut bytes = header.into_bytes();
     for coordinate in positions.iter().flatten() {
         bytes.extend_from_slice(&coordinate.to_le_bytes());
     }
     for polygon in polygons.iter().map(AsRef::as_ref) {
-        bytes.extend_from_slice(&(polygon.len() as u32).to_le_bytes());
+        let count = (polygon.len() as u32).to_le_bytes();
+        bytes.extend_from_slice(&count[..if is_short { 1 } else { 4 }]);
         polygon
             .iter()
             .for_each(|corner| bytes.extend_from_slice(&corner.to_le_bytes()));

@@ -66,6 +66,21 @@ pub fn led(bytes: Vec<u8>, format: Format, input: &Path, output: &Path) -> Led {
     }
 }
 
+/// The names that a mesh in this folder gives to its materials (OBJ) or textures (PLY).
+pub fn named(bytes: &[u8], format: Format, folder: &Path) -> Vec<String> {
+    let names = match format {
+        Format::Obj => libraries(bytes),
+        Format::Ply => textures(bytes),
+        Format::Off | Format::Stl => Vec::new(),
+    };
+    let single = names
+        .into_iter()
+        .flat_map(|range| single(bytes, range, format, Some(folder)));
+    single
+        .map(|range| String::from_utf8_lossy(&bytes[range]).into_owned())
+        .collect()
+}
+
 /// The folder of a file, behind links; stdin and stdout have none.
 fn folder(path: &Path) -> Option<PathBuf> {
     if is_piped(path) {

@@ -3,8 +3,6 @@
 use super::{PictureOptions, V3, View};
 use crate::normals::{cross, dot, sub, unit};
 
-/// Share of a tile that stays empty on each side.
-const MARGIN: f64 = 0.06;
 /// Distance of the eye from the centre, in radii of the bounding sphere.
 const DISTANCE: f64 = 5.0;
 
@@ -57,19 +55,19 @@ impl Camera {
             scale: 1.0,
             size: options.tile.map(|pixels| pixels * options.samples),
         };
-        camera.fit(used());
+        camera.fit(used(), options.margin);
         camera
     }
 
     /// Places the picture so that all points are in it.
-    fn fit(&mut self, points: impl Iterator<Item = V3>) {
+    fn fit(&mut self, points: impl Iterator<Item = V3>, margin: f64) {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in points {
             let [x, y, _] = self.plane(p);
             low = [low[0].min(x), low[1].min(y)];
             high = [high[0].max(x), high[1].max(y)];
         }
-        let room = self.size.map(|pixels| pixels as f64 * (1.0 - 2.0 * MARGIN));
+        let room = self.size.map(|pixels| pixels as f64 * (1.0 - 2.0 * margin));
         self.middle = [0, 1].map(|axis| finite(0.5 * (low[axis] + high[axis])));
         let scales = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis]));
         let scale = scales[0].min(scales[1]);

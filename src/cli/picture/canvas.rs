@@ -2,7 +2,7 @@
 //!
 //! Own code, because there is no kept crate for it: of the pure-Rust rasterizers, `euc` has had no release by its
 //! author since 2021, takes depth in 32 bits and panics where its buffers do not fit, and the others draw without
-//! depth (`tiny-skia`, `imageproc`) or need a graphics card. What is needed is the one loop of [`Canvas::triangle`].
+//! depth (`tiny-skia`, `imageproc`) or need a graphics card. What is needed is the one loop of [`samples`].
 
 use super::camera::{Camera, Projected};
 use super::paint::Painter;
@@ -41,40 +41,30 @@ impl Canvas {
         }
     }
 
-    /// Fills the samples whose centres are in the triangle and that nothing nearer covers.
+    /// The number of the triangle that each sample shows; `u32::MAX` where there is none.
+    pub fn seen(view: &View<'_>, camera: &Camera, options: &PictureOptions) -> Vec<u32> {
+        let size = options.tile.map(|pixels| pixels * options.samples);
+        let (mut depth, mut seen) = (vec![0.0; size[0] * size[1]], vec![u32::MAX; size[0] * size[1]]);
+        let projected: Vec<Projected> = view.positions.iter().map(|&p| camera.project(p)).collect();
+        for (t, corners) in (0..).zip(view.triangles) {
+            samples(corners.map(|v| projected[v as usize]), size, |sample, w, _| {
+                if w > depth[sample] {
+                    (depth[sample], seen[sample]) = (w, t);
+                }
+            });
+        }
+        seen
+    }
+
+    /// Fills the samples that nothing nearer covers.
     fn triangle(&mut self, t: usize, projected: &[Projected], painter: &Painter<'_>) {
-        let [a, b, c] = painter.view.triangles[t].map(|v| projected[v as usize]);
-        let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        // What reaches behind the eye is left out.
-        if !area.is_finite() || area == 0.0 || [a, b, c].iter().any(|p| p.w <= 0.0) {
-            return;
-        }
-        let clip = |low: f64, high: f64, size: usize| {
-            let first = (low - 0.5).ceil().clamp(0.0, size as f64) as usize;
-            let end = (high - 0.5).floor() + 1.0;
-            first..end.clamp(0.0, size as f64) as usize
-        };
-        let columns = clip(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.size[0]);
-        for row in clip(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.size[1]) {
-            let y = row as f64 + 0.5;
-            for column in columns.clone() {
-                let x = column as f64 + 0.5;
-                let beta = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
-                let gamma = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
-                let alpha = 1.0 - beta - gamma;
-                if alpha < 0.0 || beta < 0.0 || gamma < 0.0 {
-                    continue;
-                }
-                // One over the distance is linear in the picture; the coordinates on the triangle are not.
-                let weights = [alpha * a.w, beta * b.w, gamma * c.w];
-                let w = weights[0] + weights[1] + weights[2];
-                let sample = row * self.size[0] + column;
-                if w > self.depth[sample] {
-                    self.depth[sample] = w;
-                    self.colour[sample] = painter.colour(t, weights.map(|weight| weight / w));
-                }
+        let corners = painter.view.triangles[t].map(|v| projected[v as usize]);
+        samples(corners, self.size, |sample, w, weights| {
+            if w > self.depth[sample] {
+                self.depth[sample] = w;
+                self.colour[sample] = painter.colour(t, weights);
             }
-        }
+        });
     }
 
     /// The tile's pixels: means of the samples' light, as sRGB.
@@ -89,6 +79,37 @@ impl Canvas {
             }
             sum.map(|light| srgb(light / (samples * samples) as f32))
         })
+    }
+}
+
+/// The samples whose centres are in a triangle: number, one over the distance, coordinates on the triangle.
+fn samples([a, b, c]: [Projected; 3], size: [usize; 2], mut see: impl FnMut(usize, f64, [f64; 3])) {
+    let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    // What reaches behind the eye is left out.
+    if !area.is_finite() || area == 0.0 || [a, b, c].iter().any(|p| p.w <= 0.0) {
+        return;
+    }
+    let clip = |low: f64, high: f64, size: usize| {
+        let first = (low - 0.5).ceil().clamp(0.0, size as f64) as usize;
+        let end = (high - 0.5).floor() + 1.0;
+        first..end.clamp(0.0, size as f64) as usize
+    };
+    let columns = clip(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), size[0]);
+    for row in clip(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), size[1]) {
+        let y = row as f64 + 0.5;
+        for column in columns.clone() {
+            let x = column as f64 + 0.5;
+            let beta = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
+            let gamma = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+            let alpha = 1.0 - beta - gamma;
+            if alpha < 0.0 || beta < 0.0 || gamma < 0.0 {
+                continue;
+            }
+            // One over the distance is linear in the picture; the coordinates on the triangle are not.
+            let weights = [alpha * a.w, beta * b.w, gamma * c.w];
+            let w = weights[0] + weights[1] + weights[2];
+            see(row * size[0] + column, w, weights.map(|weight| weight / w));
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The light that a point of the surface sends to the eye.
 
 use super::camera::Camera;
+use super::image::linear;
 use super::{Shading, V3, View};
 use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
 
@@ -8,7 +9,7 @@ use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
 const LINES: f64 = 17.0;
 
 /// Linear light of what is marked.
-const MARK: [f32; 3] = [0.85, 0.25, 0.03];
+pub const MARK: [f32; 3] = [0.85, 0.25, 0.03];
 
 /// Light and material of one view.
 pub struct Painter<'a> {
@@ -43,9 +44,7 @@ impl<'a> Painter<'a> {
         let is_back = dot(flat, eye) < 0.0;
         let mut normal = match self.view.shading {
             Shading::Flat | Shading::Marked(_) => flat,
-            Shading::ReflectionLines | Shading::Values(..) => {
-                self.smooth_normal(corners, weights).unwrap_or(flat)
-            }
+            _ => self.smooth_normal(corners, weights).unwrap_or(flat),
         };
         if is_back {
             normal = normal.map(|c| -c);
@@ -55,10 +54,18 @@ impl<'a> Painter<'a> {
             Shading::Marked(is_marked) if is_marked[t] => self.tinted(MARK, normal, is_back),
             Shading::Marked(_) => self.matte(normal, eye, is_back),
             Shading::ReflectionLines => self.mirror(normal, eye, is_back),
-            Shading::Values(values, range) => {
+            Shading::Values(values, scale) => {
                 let value = (0..3).map(|k| weights[k] * values[corners[k] as usize]).sum();
-                self.tinted(scale_colour(value, range), normal, is_back)
+                self.tinted(scale.light(value), normal, is_back)
             }
+            Shading::VertexColours(values) => {
+                let light = corners.map(|v| values[v as usize].map(linear));
+                let mix =
+                    [0, 1, 2].map(|channel| (0..3).map(|k| weights[k] as f32 * light[k][channel]).sum());
+                self.tinted(mix, normal, is_back)
+            }
+            Shading::FaceColours(values) => self.tinted(values[t].map(linear), normal, is_back),
+            Shading::Textured(textured) => self.tinted(textured.light(t, weights), normal, is_back),
         }
     }
 
@@ -100,14 +107,4 @@ impl<'a> Painter<'a> {
         let (dark, bright) = ([0.025, 0.035, 0.06], [0.80, 0.82, 0.84]);
         [0, 1, 2].map(|channel| (shade * (dark[channel] + stripe * (bright[channel] - dark[channel]))) as f32)
     }
-}
-
-/// Linear light of a value on the scale; grey where there is no value.
-pub fn scale_colour(value: f64, [low, high]: [f64; 2]) -> [f32; 3] {
-    let share = (value - low) / (high - low);
-    if share.is_nan() {
-        return [0.3; 3];
-    }
-    let colour = colorous::TURBO.eval_continuous(share.clamp(0.0, 1.0));
-    [colour.r, colour.g, colour.b].map(|byte| (f32::from(byte) / 255.0).powf(2.2))
 }

@@ -40,6 +40,25 @@ impl Pixels {
         }
     }
 
+    /// Draws a rectangle of lines two pixels wide.
+    pub fn frame(&mut self, low: [i64; 2], high: [i64; 2], colour: Rgb) {
+        let mut dot = |x: i64, y: i64| {
+            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
+                self.set(x, y, colour);
+            }
+        };
+        for wide in 0..2 {
+            for x in low[0]..=high[0] {
+                dot(x, low[1] + wide);
+                dot(x, high[1] - wide);
+            }
+            for y in low[1]..=high[1] {
+                dot(low[0] + wide, y);
+                dot(high[0] - wide, y);
+            }
+        }
+    }
+
     /// Lays another picture over this one, which it has to fit in, with its upper left corner at this pixel.
     pub fn place(&mut self, picture: &Self, left: u32, top: u32) {
         let [width, height] = picture.size;

@@ -9,7 +9,7 @@ use crate::text::{self, Words};
 
 /// What the file says about its vertices besides where they are.
 #[derive(Default)]
-struct Attributes {
+pub(super) struct Attributes {
     /// Per vertex the colour behind its position.
     colours: Vec<Option<[f64; 3]>>,
     /// The `vt` lines; None where one cannot be read.
@@ -17,7 +17,7 @@ struct Attributes {
     /// Per vertex the `vt` of its first corner, from 0. A vertex on a seam has several; the first one counts.
     texture_of: Vec<Option<usize>>,
     /// Per triangle the texture coordinates of its corners.
-    wedges: Vec<Option<Corners>>,
+    pub(super) wedges: Vec<Option<Corners>>,
 }
 
 /// The file with lines for new vertices and faces behind its own.
@@ -96,7 +96,7 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
 
 impl Attributes {
     /// The same walk over the lines succeeded when the file was read.
-    fn read(bytes: &[u8], vertices: usize) -> Self {
+    pub(super) fn read(bytes: &[u8], vertices: usize) -> Self {
         let mut attributes = Self {
             texture_of: vec![None; vertices],
             ..Self::default()

@@ -159,7 +159,7 @@ impl Ply {
     }
 
     /// Per triangle the texture coordinates of its corners.
-    fn corners(&self, bytes: &[u8]) -> Vec<Option<Corners>> {
+    pub(super) fn corners(&self, bytes: &[u8]) -> Vec<Option<Corners>> {
         let element = &self.face.element;
         let texture = element.property("texcoord");
         let rows = self.rows(bytes, &self.face);

@@ -1,0 +1,243 @@
+//! What a command changed in a mesh, for pictures and reports: the triangles that are gone and those that are new.
+
+mod flags;
+mod histogram;
+mod markup;
+mod page;
+mod sheet;
+pub mod story;
+
+use fairmesh::{DistanceTo, Error, SurfaceDistance};
+
+use crate::formats::Geometry;
+use crate::normals::{cross, dot, sub, unit};
+
+pub use flags::PictureArgs;
+pub use page::Story;
+
+type V3 = [f64; 3];
+
+/// A mesh as it was or has become.
+#[derive(Clone, Copy)]
+pub struct Surface<'a> {
+    pub positions: &'a [V3],
+    pub triangles: &'a [[u32; 3]],
+}
+
+impl Surface<'_> {
+    fn corners(&self, t: usize) -> [V3; 3] {
+        self.triangles[t].map(|v| self.positions[v as usize])
+    }
+
+    /// The vertices of some triangles.
+    fn vertices_of(&self, marked: &[bool]) -> Vec<bool> {
+        let mut is_in = vec![false; self.positions.len()];
+        for (t, _) in self.triangles.iter().zip(marked).filter(|(_, marked)| **marked) {
+            t.iter().for_each(|&v| is_in[v as usize] = true);
+        }
+        is_in
+    }
+}
+
+impl Geometry {
+    /// The triangles of a file.
+    pub fn surface(&self) -> Surface<'_> {
+        Surface {
+            positions: &self.positions,
+            triangles: &self.triangles,
+        }
+    }
+}
+
+/// A mesh before and after.
+pub struct Comparison<'a> {
+    pub before: Surface<'a>,
+    pub after: Surface<'a>,
+    /// Per triangle of the mesh before, whether it is there no more.
+    pub gone: Vec<bool>,
+    /// Per triangle of the mesh after, whether it was not there.
+    pub new: Vec<bool>,
+    /// How far it has moved; None where nothing is gone: what fills a hole has moved from nowhere.
+    pub moved: Option<Moved>,
+}
+
+/// How far surfaces have moved, across themselves: both ways, as an ear that is taken away was farther from what there is now than that is
+/// from the ear.
+pub struct Moved {
+    /// What is new from the mesh before.
+    pub there: SurfaceDistance,
+    /// What is gone from the mesh after.
+    pub back: SurfaceDistance,
+}
+
+impl Moved {
+    /// The way that has the largest distance.
+    pub fn farthest(&self) -> &SurfaceDistance {
+        match self.back.largest > self.there.largest {
+            true => &self.back,
+            false => &self.there,
+        }
+    }
+
+    /// Root mean square over both.
+    pub fn rms(&self) -> f64 {
+        (0.5 * (self.there.rms.powi(2) + self.back.rms.powi(2))).sqrt()
+    }
+
+    /// Mean over both.
+    pub fn mean(&self) -> f64 {
+        0.5 * (self.there.mean + self.back.mean)
+    }
+}
+
+impl<'a> Comparison<'a> {
+    /// Triangles are told by the places of their corners, whatever their numbers are.
+    ///
+    /// # Errors
+    /// Of the measurement: positions that are not finite, threads that ran out.
+    pub fn new(before: Surface<'a>, after: Surface<'a>) -> Result<Self, Error> {
+        let [was, is] = [&before, &after].map(|of| {
+            let mut keys: Vec<Key> = (0..of.triangles.len()).map(|t| key(of.corners(t))).collect();
+            keys.sort_unstable();
+            keys
+        });
+        let without = |of: &Surface<'_>, others: &[Key]| -> Vec<bool> {
+            (0..of.triangles.len())
+                .map(|t| others.binary_search(&key(of.corners(t))).is_err())
+                .collect()
+        };
+        let (gone, new) = (without(&before, &is), without(&after, &was));
+        let moved = match gone.contains(&true) && new.contains(&true) {
+            true => Some(Moved {
+                there: moved(&after, &new, &before)?,
+                back: moved(&before, &gone, &after)?,
+            }),
+            false => None,
+        };
+        Ok(Self {
+            before,
+            after,
+            gone,
+            new,
+            moved,
+        })
+    }
+
+    /// Whether there is anything to be seen.
+    pub fn is_changed(&self) -> bool {
+        self.gone.contains(&true) || self.new.contains(&true)
+    }
+
+    /// The changed surface after, or before if there is none; and which triangles of it are changed.
+    fn changed(&self) -> (&Surface<'a>, &[bool]) {
+        match self.new.contains(&true) {
+            true => (&self.after, &self.new),
+            false => (&self.before, &self.gone),
+        }
+    }
+
+    /// The mean normal of what has changed; None where it looks in all directions.
+    fn mean_normal(&self) -> Option<V3> {
+        let (surface, marked) = self.changed();
+        let (mut sum, mut total) = ([0.0; 3], 0.0);
+        for t in (0..marked.len()).filter(|&t| marked[t]) {
+            let [a, b, c] = surface.corners(t);
+            let area = cross(sub(b, a), sub(c, a));
+            total += dot(area, area).sqrt();
+            (0..3).for_each(|k| sum[k] += area[k]);
+        }
+        unit(sum).filter(|_| dot(sum, sum).sqrt() > 0.05 * total)
+    }
+}
+
+/// The diagonal of the box around a surface.
+fn diagonal(surface: &Surface<'_>) -> f64 {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for t in 0..surface.triangles.len() {
+        for p in surface.corners(t) {
+            (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(p[k]), high[k].max(p[k])));
+        }
+    }
+    let side = sub(high, low);
+    let length = dot(side, side).sqrt();
+    if length.is_finite() { length } else { 0.0 }
+}
+
+/// The corners of a triangle from the least one on, in its order, bit by bit.
+type Key = [[u64; 3]; 3];
+
+fn key(corners: [V3; 3]) -> Key {
+    // Adding zero makes one of 0 and -0.
+    let [a, b, c] = corners.map(|p| p.map(|x| (x + 0.0).to_bits()));
+    [[a, b, c], [b, c, a], [c, a, b]]
+        .into_iter()
+        .min()
+        .unwrap_or([a, b, c])
+}
+
+/// How far some triangles are from another mesh; vertices by their numbers, 0 elsewhere.
+fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<SurfaceDistance, Error> {
+    let is_used = of.vertices_of(marked);
+    let mut number = vec![0u32; is_used.len()];
+    let mut positions = Vec::new();
+    for v in (0..is_used.len()).filter(|&v| is_used[v]) {
+        number[v] = positions.len() as u32;
+        positions.push(of.positions[v]);
+    }
+    let triangles: Vec<[u32; 3]> = (of.triangles.iter().zip(marked))
+        .filter(|(_, marked)| **marked)
+        .map(|(t, _)| t.map(|v| number[v as usize]))
+        .collect();
+    let mut found = DistanceTo::new(from.positions, from.triangles)?.of(&positions, &triangles)?;
+    let all = (0..is_used.len()).map(|v| match is_used[v] {
+        true => found.vertices[number[v] as usize],
+        false => 0.0,
+    });
+    found.vertices = all.collect();
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: [V3; 5] = [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [2.0, 2.0, 0.0],
+        [0.0, 2.0, 0.0],
+        [1.0, 1.0, 0.0],
+    ];
+    const FAN: [[u32; 3]; 4] = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+
+    fn surface<'a>(positions: &'a [V3], triangles: &'a [[u32; 3]]) -> Surface<'a> {
+        Surface { positions, triangles }
+    }
+
+    #[test]
+    fn a_vertex_that_moves_changes_the_triangles_around_it() {
+        let mut after = SQUARE;
+        after[4][2] = 0.25;
+        let same = Comparison::new(surface(&SQUARE, &FAN), surface(&SQUARE, &FAN)).unwrap();
+        assert!(!same.is_changed() && same.moved.is_none());
+        let found = Comparison::new(surface(&SQUARE, &FAN), surface(&after, &FAN)).unwrap();
+        assert!(found.gone.iter().all(|&gone| gone) && found.new.iter().all(|&new| new));
+        let moved = found.moved.as_ref().unwrap();
+        let there = &moved.there;
+        assert_eq!((there.largest, there.largest_at), (0.25, after[4]));
+        assert_eq!(there.vertices, [0.0, 0.0, 0.0, 0.0, 0.25]);
+        assert_eq!(found.mean_normal(), Some([0.0, 0.0, 1.0]));
+    }
+
+    #[test]
+    fn triangles_are_known_under_other_numbers() {
+        // The same corners in another order; a triangle that is filled in.
+        let order = [4, 3, 2, 1, 0];
+        let positions = order.map(|v: usize| SQUARE[v]);
+        let open: Vec<[u32; 3]> = FAN[..3].iter().map(|&[a, b, c]| [4 - b, 4 - c, 4 - a]).collect();
+        let filled = Comparison::new(surface(&positions, &open), surface(&SQUARE, &FAN)).unwrap();
+        assert_eq!(filled.gone, [false; 3]);
+        assert_eq!(filled.new, [false, false, false, true]);
+        assert!(filled.moved.is_none() && filled.is_changed());
+    }
+}

@@ -1,0 +1,230 @@
+//! Before and after on one sheet: what has changed from near, and where it is on the whole mesh.
+
+use super::{Comparison, Surface, V3};
+use crate::failure::Failure;
+use crate::figures::significant;
+use crate::formats::Geometry;
+use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};
+use crate::render::range::{self, Shown};
+
+/// Width and height of a picture.
+const TILE: [usize; 2] = [520, 440];
+/// Room around what has changed.
+const MARGIN: f64 = 0.18;
+/// Another direction has to show so many times more than that of the mean normal.
+const BETTER: f64 = 1.3;
+
+impl Comparison<'_> {
+    /// How the surface is seen: from above what has changed, or beside that if something else hides it.
+    pub fn direction(&self, up: V3) -> V3 {
+        let usual = PictureOptions::default().direction;
+        let Some(normal) = self.mean_normal() else {
+            return usual;
+        };
+        let (surface, marked) = self.changed();
+        let focus = surface.vertices_of(marked);
+        let seen = |direction: V3| {
+            let options = PictureOptions {
+                tile: [96, 96],
+                samples: 1,
+                margin: MARGIN,
+                direction,
+                up,
+            };
+            picture::seen(&view(surface, Shading::Marked(marked), &focus), &options, marked)
+        };
+        let [first, second] = tangents(normal);
+        let straight = seen(normal) as f64;
+        let mut best = (BETTER * straight, normal);
+        for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+            let tilted = [0, 1, 2].map(|k| normal[k] + 0.9 * (a * first[k] + b * second[k]));
+            let seen = seen(tilted) as f64;
+            if seen > best.0 {
+                best = (seen, tilted);
+            }
+        }
+        best.1
+    }
+
+    /// Before and after, painted.
+    pub fn sheet(&self, direction: Option<V3>, up: V3) -> Sheet {
+        let direction = direction.unwrap_or_else(|| self.direction(up));
+        let [before, after] = [
+            self.before.vertices_of(&self.gone),
+            self.after.vertices_of(&self.new),
+        ];
+        let none: &[bool] = &[];
+        let focus = match self.is_changed() {
+            true => [&before[..], &after[..]],
+            false => [none; 2],
+        };
+        let sides = [&self.before, &self.after];
+        let near = |side: usize, shading| view(sides[side], shading, focus[side]);
+        let (side, caption, values, scale) = self.values(focus[1]);
+        let views = [
+            near(0, Shading::Flat),
+            near(1, Shading::Flat),
+            near(0, Shading::ReflectionLines),
+            near(1, Shading::ReflectionLines),
+            near(side, Shading::Values(&values, &scale)),
+        ];
+        let options = PictureOptions {
+            tile: TILE,
+            margin: MARGIN,
+            direction,
+            up,
+            ..PictureOptions::default()
+        };
+        let all = PictureOptions {
+            margin: PictureOptions::default().margin,
+            ..options
+        };
+        // A place that would be lost on the whole mesh gets a frame.
+        let framed: Vec<V3> = (self.after.positions.iter().zip(&after))
+            .filter(|(_, is_in)| **is_in)
+            .map(|(p, _)| *p)
+            .collect();
+        let groups = [
+            Group {
+                views: &views,
+                options: &options,
+                framed: &[],
+            },
+            Group {
+                views: &[view(&self.after, Shading::Marked(&self.new), &[])],
+                options: &all,
+                framed: &framed,
+            },
+        ];
+        let captions = [
+            "before",
+            "after",
+            "before: reflection lines",
+            "after: reflection lines",
+            caption,
+            "the whole mesh: what is new",
+        ];
+        Sheet {
+            tiles: groups.iter().flat_map(picture::tiles).collect(),
+            captions: captions.map(str::to_owned),
+            scale,
+        }
+    }
+
+    /// Which side is painted by numbers, what these are, and their scale: how far it has moved, or its mean curvature.
+    fn values(&self, focus: &[bool]) -> (usize, &'static str, Vec<f64>, Scale) {
+        if let Some(moved) = &self.moved {
+            let farthest = moved.farthest();
+            let most = farthest.largest;
+            let (side, caption) = match std::ptr::eq(farthest, &moved.back) {
+                true => (0, "before: how far the surface after is"),
+                false => (1, "after: how far the surface before is"),
+            };
+            let scale = Scale {
+                title: "distance".to_owned(),
+                range: [0.0, if most > 0.0 { most } else { 1.0 }],
+                palette: Palette::Sequential,
+            };
+            return (side, caption, farthest.vertices.clone(), scale);
+        }
+        let h = curvature(&self.after);
+        let mesh = Geometry::of_triangles(self.after.positions.to_vec(), self.after.triangles.to_vec());
+        let shown = Shown {
+            mesh: &mesh,
+            values: &h,
+            focus,
+        };
+        let scale = range::usual("H", &[shown]);
+        (1, "after: mean curvature", h, scale)
+    }
+
+    /// How much has changed, in a line.
+    pub fn told(&self) -> String {
+        let [gone, new] = [&self.gone, &self.new].map(|of| of.iter().filter(|&&is| is).count());
+        match &self.moved {
+            _ if !self.is_changed() => "nothing has changed".to_owned(),
+            Some(moved) => {
+                let diagonal = super::diagonal(&self.before);
+                format!(
+                    "moved by at most {} ({} % of the mesh's diagonal), rms {}",
+                    significant(moved.farthest().largest),
+                    significant(100.0 * moved.farthest().largest / diagonal),
+                    significant(moved.rms())
+                )
+            }
+            None if gone == 0 => format!("{new} new triangles"),
+            None => format!("{gone} triangles are gone"),
+        }
+    }
+}
+
+/// The pictures of a comparison.
+pub struct Sheet {
+    tiles: Vec<Pixels>,
+    captions: [String; 6],
+    /// Of the picture that is painted by numbers.
+    scale: Scale,
+}
+
+/// Which picture that is.
+const PAINTED: usize = 4;
+
+impl Sheet {
+    /// All on one sheet as PNG, with lines above.
+    pub fn png(&self, head: &[String]) -> Result<Vec<u8>, Failure> {
+        let layout = Layout {
+            columns: 2,
+            head,
+            captions: &self.captions,
+            scales: &[(2..3, &self.scale)],
+        };
+        picture::sheet(&self.tiles, &layout)
+    }
+
+    /// Each by itself, with its caption.
+    pub fn pictures(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let painted = [(0..1, &self.scale)];
+        (0..self.tiles.len())
+            .map(|k| {
+                let layout = Layout {
+                    columns: 1,
+                    scales: if k == PAINTED { &painted } else { &[] },
+                    ..Layout::default()
+                };
+                let png = picture::sheet(&self.tiles[k..=k], &layout)?;
+                Ok((self.captions[k].clone(), png))
+            })
+            .collect()
+    }
+}
+
+/// The mean curvature of every vertex; NaN where none can be taken.
+pub fn curvature(surface: &Surface<'_>) -> Vec<f64> {
+    fairmesh::mean_curvature(surface.positions, surface.triangles)
+        .unwrap_or_else(|_| vec![f64::NAN; surface.positions.len()])
+}
+
+fn view<'a>(surface: &Surface<'a>, shading: Shading<'a>, focus: &'a [bool]) -> View<'a> {
+    View {
+        positions: surface.positions,
+        triangles: surface.triangles,
+        shading,
+        focus,
+    }
+}
+
+/// Two directions at right angles to one and to each other.
+fn tangents(normal: V3) -> [V3; 2] {
+    use crate::normals::{cross, unit};
+    let least = (0..3).fold(0, |least, k| {
+        if normal[k].abs() < normal[least].abs() {
+            k
+        } else {
+            least
+        }
+    });
+    let mut axis = [0.0; 3];
+    axis[least] = 1.0;
+    let first = unit(cross(axis, normal)).unwrap_or([1.0, 0.0, 0.0]);
+    [first, cross(normal, first)]
+}

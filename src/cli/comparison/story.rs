@@ -1,0 +1,141 @@
+//! What the commands have to say of a mesh, for its page.
+
+use fairmesh::{FillOutcome, LoopReport, Outcome, Report};
+
+use super::Story;
+use crate::continuity;
+use crate::explain;
+use crate::figures::{VERTICES, listed, range, significant};
+
+/// Where the eye finds what figures may hide.
+const LINES: &str = "Look at the reflection lines: they should run over the edge of what has changed without a break, which is a crease";
+const KINKS: &str = "; a kink there is a jump of curvature, which '--continuity g2' takes away.";
+
+/// Of a region that was faired.
+pub fn of_fairing(report: &Report, asks_continuity: bool, printed: String) -> Story {
+    let is_good = report.outcome == Outcome::Converged;
+    let mut facts = vec![("vertices that moved", report.free_vertices.to_string())];
+    facts.extend(surface(report, asks_continuity));
+    Story {
+        command: "fair",
+        is_good,
+        outcome: explain::outcome(report),
+        advice: advice([report], is_good, asks_continuity),
+        facts: named(facts),
+        printed,
+    }
+}
+
+/// Of holes that were filled, or a bridge; each with its name and how it ended.
+pub fn of_patches(
+    command: &'static str,
+    (is_good, outcome): (bool, String),
+    patches: &[(String, String, &LoopReport)],
+    asks_continuity: bool,
+    printed: String,
+) -> Story {
+    let mut facts = Vec::new();
+    for (name, told, report) in patches {
+        facts.push((name.clone(), told.trim_end().to_owned()));
+        if matches!(report.outcome, FillOutcome::LeftOpen(_)) {
+            continue;
+        }
+        let fairing = report.fairing.iter();
+        let mut about = fairing
+            .flat_map(|of| surface(of, asks_continuity))
+            .collect::<Vec<_>>();
+        // Of a patch the pairs are told by its own report.
+        about.retain(|(name, _)| *name != INTERSECTIONS);
+        let pairs = report.self_intersections.len();
+        about.push((INTERSECTIONS, counted(pairs)));
+        facts.extend(
+            about
+                .into_iter()
+                .map(|(what, text)| (format!("{name}: {what}"), text)),
+        );
+    }
+    let fairings = patches
+        .iter()
+        .filter_map(|(_, _, report)| report.fairing.as_ref());
+    Story {
+        command,
+        is_good,
+        outcome,
+        advice: advice(fairings, is_good, asks_continuity),
+        facts,
+        printed,
+    }
+}
+
+const INTERSECTIONS: &str = "self-intersections";
+
+fn counted(pairs: usize) -> String {
+    match pairs {
+        0 => "none found".to_owned(),
+        n => format!("{n} pairs of triangles"),
+    }
+}
+
+/// How sound a surface is, and how it meets what is around it.
+fn surface(report: &Report, asks_continuity: bool) -> Vec<(&'static str, String)> {
+    let quality = &report.quality;
+    let [kink, before] = [quality.boundary_kink, quality.boundary_kink_before].map(significant);
+    let mut rows = vec![
+        (
+            "kink across the boundary",
+            format!("at most {kink} degrees ({before} there in the input)"),
+        ),
+        (
+            "boundary normals",
+            format!(
+                "kept to {} degrees, root mean square {}",
+                significant(quality.normal_deviation),
+                significant(quality.normal_deviation_rms)
+            ),
+        ),
+        ("mean curvature inside", range(quality.h_inside)),
+        ("mean curvature at the boundary", range(quality.h_boundary)),
+    ];
+    if asks_continuity {
+        let lines = continuity::lines(&report.components);
+        rows.push(("continuous curvature", lines.join("; ")));
+    }
+    rows.push((
+        "smallest angle",
+        format!("{} degrees", significant(quality.worst_angle)),
+    ));
+    let pairs = report.self_intersections.as_ref();
+    rows.push((
+        INTERSECTIONS,
+        pairs.map_or("not checked".to_owned(), |found| counted(found.pairs.len())),
+    ));
+    if !report.suspicious_normals.is_empty() {
+        rows.push(("suspicious normals", listed(&report.suspicious_normals, VERTICES)));
+    }
+    rows
+}
+
+/// The remedies of all outcomes, each once; what to look at where all is well.
+fn advice<'a>(
+    reports: impl IntoIterator<Item = &'a Report>,
+    is_good: bool,
+    asks_continuity: bool,
+) -> Vec<String> {
+    let mut advice: Vec<String> = Vec::new();
+    for report in reports {
+        let remedy = report.outcome.remedy().to_owned();
+        if !remedy.is_empty() && !advice.contains(&remedy) {
+            advice.push(remedy);
+        }
+    }
+    if is_good {
+        advice.push(LINES.to_owned() + if asks_continuity { "." } else { KINKS });
+    }
+    advice
+}
+
+fn named(rows: Vec<(&'static str, String)>) -> Vec<(String, String)> {
+    rows.into_iter()
+        .map(|(name, text)| (name.to_owned(), text))
+        .collect()
+}

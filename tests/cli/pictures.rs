@@ -1,0 +1,624 @@
+//! Pictures, distances and reports: what they show and what they say.
+
+use std::f64::consts::PI;
+use std::fs;
+use std::io::BufReader;
+use std::path::Path;
+
+use crate::common::{cap, directory, expect, obj, write_lists};
+
+/// A picture's pixels, as red, green and blue, and its size.
+struct Shown {
+    rgb: Vec<u8>,
+    size: [usize; 2],
+}
+
+fn shown(path: &Path) -> Shown {
+    let file = BufReader::new(fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut rgb).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    Shown {
+        rgb,
+        size: [info.width as usize, info.height as usize],
+    }
+}
+
+impl Shown {
+    fn at(&self, x: usize, y: usize) -> [u8; 3] {
+        let at = 3 * (y * self.size[0] + x);
+        [self.rgb[at], self.rgb[at + 1], self.rgb[at + 2]]
+    }
+}
+
+/// A sphere about the origin as OFF.
+fn sphere(radius: f64, round: usize) -> String {
+    let rows = round / 2;
+    let mut text = format!("OFF\n{} {} 0\n", round * (rows - 1) + 2, 2 * round * (rows - 1));
+    for i in 1..rows {
+        let (r, z) = (PI * i as f64 / rows as f64).sin_cos();
+        for j in 0..round {
+            let (y, x) = (2.0 * PI * j as f64 / round as f64).sin_cos();
+            text += &format!("{} {} {}\n", radius * r * x, radius * r * y, radius * z);
+        }
+    }
+    let poles = round * (rows - 1);
+    text += &format!("0 0 {radius}\n0 0 {}\n", -radius);
+    for j in 0..round {
+        let next = (j + 1) % round;
+        text += &format!(
+            "3 {poles} {j} {next}\n3 {} {} {}\n",
+            poles + 1,
+            poles - round + next,
+            poles - round + j
+        );
+        for i in 0..rows - 2 {
+            let [a, b] = [i * round + j, i * round + next];
+            text += &format!("3 {a} {} {b}\n3 {b} {} {}\n", a + round, a + round, b + round);
+        }
+    }
+    text
+}
+
+#[test]
+fn concentric_spheres_are_as_far_as_their_radii_differ() {
+    let directory = directory("pictures-spheres");
+    fs::write(directory.join("inner.off"), sphere(1.0, 64)).unwrap();
+    fs::write(directory.join("outer.off"), sphere(1.25, 48)).unwrap();
+    let args = [
+        "render",
+        "inner.off",
+        "outer.off",
+        "-o",
+        "d.png",
+        "--shade",
+        "distance",
+        "--size",
+        "100x90",
+        "--json",
+        "d.json",
+    ];
+    let (out, _) = expect(&directory, &args, 0);
+    assert!(out.starts_with("outer.off against inner.off:\n"), "{out}");
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(directory.join("d.json")).unwrap()).unwrap();
+    let found = &report["distances"][0];
+    for way in ["to_first", "from_first"] {
+        let figure = |name: &str| found[way][name].as_f64().unwrap();
+        for name in ["largest", "largest_bound", "rms", "mean"] {
+            // The facets lie inside the spheres, by less than 0.003 of the radius.
+            assert!((figure(name) - 0.25).abs() < 0.005, "{way} {name}: {found}");
+        }
+        assert!(figure("mean") <= figure("rms") && figure("rms") <= figure("largest"));
+        assert!(figure("largest_bound") <= 1.0101 * figure("largest"), "{found}");
+    }
+    let diagonal = found["diagonal"].as_f64().unwrap();
+    assert!((diagonal - 12f64.sqrt()).abs() < 1e-9, "{found}");
+    // Two tiles, the scale and the captions; the second sphere is painted by what is nearly the largest distance.
+    let picture = shown(&directory.join("d.png"));
+    assert!(
+        picture.size[0] > 200 && picture.size[1] == 90 + 24,
+        "{:?}",
+        picture.size
+    );
+    let [red, green, blue] = picture.at(150, 45);
+    assert!(red > 2 * green && red > 2 * blue, "{red} {green} {blue}");
+    let [red, _, blue] = picture.at(50, 45);
+    assert!(blue > red);
+    // A mesh and itself, of another format.
+    let (out, _) = expect(
+        &directory,
+        &[
+            "render",
+            "inner.off",
+            "inner.off",
+            "-o",
+            "d.png",
+            "--shade",
+            "distance",
+            "--json",
+            "-",
+        ],
+        0,
+    );
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert!(report["distances"][0]["to_first"]["largest"].as_f64().unwrap() < 1e-12);
+}
+
+/// Exactly this message, with exit code 2.
+fn refused(directory: &Path, args: &[&str], message: &str) {
+    let (out, err) = expect(directory, args, 2);
+    assert_eq!((out.as_str(), err.trim_end()), ("", message), "{args:?}");
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused() {
+    let directory = directory("pictures-refused");
+    fs::write(directory.join("a.obj"), obj(&cap())).unwrap();
+    fs::write(
+        directory.join("nan.obj"),
+        "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n",
+    )
+    .unwrap();
+    let render = |more: &[&'static str], message: &str| {
+        let mut args = vec!["render", "a.obj", "-o", "a.png"];
+        args.extend(more);
+        refused(&directory, &args, message);
+    };
+    render(
+        &["--shade", "distance"],
+        "fairmesh: --shade distance: one mesh has nothing to be measured against; name the other one, too",
+    );
+    render(
+        &["--json", "a.json"],
+        "fairmesh: --json: nothing is measured without --shade distance",
+    );
+    render(
+        &["a.obj", "--shade", "curvature,distance", "--range", "0,1"],
+        "fairmesh: --range: curvature and distance have a scale each; make a picture of each",
+    );
+    render(
+        &["nan.obj", "--shade", "distance"],
+        "fairmesh: nan.obj: vertex 2 has a coordinate that is not finite",
+    );
+    assert!(!directory.join("a.png").exists() && !directory.join("a.json").exists());
+}
+
+#[test]
+fn before_and_after_are_on_one_sheet() {
+    let directory = directory("pictures-sheet");
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
+    let fair = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "fair.obj",
+        "--free",
+        "free.txt",
+        "--picture",
+    ];
+    let with = |more: &[&'static str]| [&fair[..], more].concat();
+    let (out, _) = expect(&directory, &with(&["sheet.png"]), 0);
+    assert!(out.starts_with("converged"), "{out}");
+    let sheet = shown(&directory.join("sheet.png"));
+    // Two columns and the scale; two lines of text, and three rows with captions.
+    assert_eq!(sheet.size, [2 * 520 + 93, 48 + 3 * (440 + 24)]);
+    // Before and after differ in the middle of what has changed; the last picture has it in orange.
+    assert_ne!(sheet.at(260, 48 + 220), sheet.at(520 + 260, 48 + 220));
+    let [red, green, blue] = sheet.at(520 + 260, 48 + 2 * 464 + 220);
+    assert!(red > green && green > blue, "{red} {green} {blue}");
+    // Another view, with the mesh and the report on stdout.
+    let to_stdout = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "-",
+        "--format",
+        "obj",
+        "--free",
+        "free.txt",
+        "--picture",
+        "other.png",
+        "--view",
+        "top",
+        "--up",
+        "0,1,0",
+    ];
+    let (mesh, _) = expect(&directory, &to_stdout, 0);
+    assert_eq!(mesh, fs::read_to_string(directory.join("fair.obj")).unwrap());
+    assert_eq!(shown(&directory.join("other.png")).size, sheet.size);
+
+    refused(
+        &directory,
+        &with(&["sheet.jpg"]),
+        "fairmesh: --picture sheet.jpg: only .png is written; let the name end so",
+    );
+    refused(
+        &directory,
+        &with(&["-"]),
+        "fairmesh: --picture -: name a file; stdout is for the mesh or the report",
+    );
+    refused(
+        &directory,
+        &with(&["none/sheet.png"]),
+        "fairmesh: none/sheet.png: cannot write: no file can be made in 'none': it does not exist",
+    );
+    refused(
+        &directory,
+        &with(&["sheet.png", "--view", "above"]),
+        "fairmesh: --view above: give x,y,z or front, back, left, right, top, bottom, corner",
+    );
+    refused(
+        &directory,
+        &[
+            "fair", "cap.obj", "-o", "fair.obj", "--free", "free.txt", "--up", "0,1,0",
+        ],
+        "fairmesh: --up: no picture is made; give --picture or --report, too",
+    );
+}
+
+#[test]
+fn several_meshes_have_a_picture_each() {
+    let directory = directory("pictures-several");
+    for name in ["a.obj", "b.obj"] {
+        fs::write(directory.join(name), obj(&cap())).unwrap();
+    }
+    fs::create_dir(directory.join("more")).unwrap();
+    fs::write(directory.join("more/a.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
+    let fair = ["fair", "a.obj", "b.obj", "--free", "free.txt"];
+    expect(
+        &directory,
+        &[&fair[..], &["-o", "out/", "--picture", "shown/"]].concat(),
+        0,
+    );
+    expect(
+        &directory,
+        &[&fair[..], &["--in-place", "--picture", "placed/"]].concat(),
+        0,
+    );
+    for name in ["shown/a.png", "shown/b.png", "placed/a.png", "placed/b.png"] {
+        assert_eq!(shown(&directory.join(name)).size[1], 48 + 3 * 464);
+    }
+    refused(
+        &directory,
+        &[&fair[..], &["-o", "out/", "--picture", "one.png"]].concat(),
+        "fairmesh: --picture one.png: several meshes need a directory; make it before, or end its name in /",
+    );
+    refused(
+        &directory,
+        &[
+            "fair",
+            "a.obj",
+            "more/a.obj",
+            "--in-place",
+            "--free",
+            "free.txt",
+            "--picture",
+            "shown/",
+        ],
+        "fairmesh: --picture: a.obj and more/a.obj would both be shown in shown/a.png; do them one by one",
+    );
+}
+
+#[test]
+fn a_hole_that_is_filled_and_a_bridge_are_shown() {
+    let directory = directory("pictures-filled");
+    let open: String = obj(&cap())
+        .lines()
+        .enumerate()
+        .filter(|(k, _)| !(320..324).contains(k))
+        .map(|(_, line)| format!("{line}\n"))
+        .collect();
+    fs::write(directory.join("open.obj"), open).unwrap();
+    expect(
+        &directory,
+        &["fill", "open.obj", "-o", "filled.obj", "--picture", "filled.png"],
+        0,
+    );
+    assert_eq!(shown(&directory.join("filled.png")).size[1], 48 + 3 * 464);
+    // Nothing is left to be filled.
+    expect(
+        &directory,
+        &["fill", "filled.obj", "-o", "same.obj", "--picture", "same.png"],
+        0,
+    );
+    assert_eq!(shown(&directory.join("same.png")).size[1], 48 + 3 * 464);
+}
+
+/// The elements of a page in their order, each closed where it has to be; panics where the page is no well-formed XML.
+fn elements(page: &str) -> Vec<String> {
+    let body = page.strip_prefix("<!DOCTYPE html>\n").unwrap();
+    let (mut open, mut all): (Vec<&str>, Vec<String>) = (Vec::new(), Vec::new());
+    for piece in body.split('<').skip(1) {
+        let (tag, text) = piece
+            .split_once('>')
+            .unwrap_or_else(|| panic!("not closed: <{piece}"));
+        assert!(!text.contains('>'), "{text}");
+        for entity in text.split('&').skip(1).chain(tag.split('&').skip(1)) {
+            let name = entity.split(';').next().unwrap();
+            assert!(["amp", "lt", "gt", "quot", "#39"].contains(&name), "&{entity}");
+        }
+        match tag.strip_prefix('/') {
+            Some(name) => assert_eq!(open.pop(), Some(name)),
+            None => {
+                let name = tag.split([' ', '/']).next().unwrap();
+                assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
+                all.push(name.to_owned());
+                if !tag.ends_with('/') {
+                    open.push(name);
+                }
+            }
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    all
+}
+
+#[test]
+fn a_report_is_one_page_that_says_what_was_done() {
+    let directory = directory("pictures-report");
+    let odd = "a & <b>'s.obj";
+    fs::write(directory.join(odd), obj(&cap())).unwrap();
+    write_lists(&directory);
+    let args = [
+        "fair",
+        odd,
+        "-o",
+        "fair.obj",
+        "--free",
+        "free.txt",
+        "--report",
+        "report.html",
+        "--continuity",
+        "g2",
+    ];
+    expect(&directory, &args, 0);
+    let page = fs::read_to_string(directory.join("report.html")).unwrap();
+    let elements = elements(&page);
+    let count = |name: &str| elements.iter().filter(|e| *e == name).count();
+    assert_eq!(
+        (count("img"), count("figure"), count("svg"), count("script")),
+        (6, 6, 1, 0)
+    );
+    // Nothing is asked from elsewhere.
+    for outside in ["http", "src=\"/", "url(", "@import", "<link", "<script", "href"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert_eq!(
+        page.matches(" src=\"data:image/png;base64,iVBORw0KGgo").count(),
+        6
+    );
+    assert_eq!(page.matches(" alt=\"").count(), 6);
+    let name = "a &amp; &lt;b&gt;&#39;s.obj";
+    for said in [
+        &format!("<title>fair: {name}</title>"),
+        "<p class=\"outcome good\">converged: tolerance met, and the surface is sound</p>",
+        "fairmesh fair &#39;a &amp; &lt;b&gt;&#39;\\&#39;&#39;s.obj&#39; -o fair.obj --free free.txt",
+        "kink across the boundary",
+        "moved at most",
+        "continuous curvature",
+        "self-intersections</th><td>none found",
+        "prefers-color-scheme:dark",
+        concat!("<footer>fairmesh ", env!("CARGO_PKG_VERSION")),
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    // Letters of pictures may spell anything.
+    let text: String = page.lines().filter(|line| !line.contains("base64")).collect();
+    assert!(!text.contains("<b>") && !text.contains("NaN"));
+
+    refused(
+        &directory,
+        &[
+            "fair",
+            odd,
+            "-o",
+            "fair.obj",
+            "--free",
+            "free.txt",
+            "--report",
+            "report.pdf",
+        ],
+        "fairmesh: --report report.pdf: only .html is written; let the name end so",
+    );
+}
+
+#[test]
+fn a_report_of_holes_names_each() {
+    let directory = directory("pictures-report-holes");
+    expect(
+        &directory,
+        &["generate", "sphere-hole", "--vertices", "400", "-o", "open.ply"],
+        0,
+    );
+    let args = [
+        "fill", "open.ply", "-o", "-", "--format", "ply", "--report", "r.html", "--json", "r.json", "--quiet",
+    ];
+    let output = crate::common::fairmesh(&directory, &args);
+    assert_eq!(output.status.code(), Some(0));
+    let page = fs::read_to_string(directory.join("r.html")).unwrap();
+    elements(&page);
+    for said in [
+        "<p class=\"outcome good\">1 filled</p>",
+        "loop 0",
+        "triangles that are gone</th><td>0<",
+        "after: mean curvature",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains("moved at most"));
+}
+
+/// Four squares of eight by eight pixels as JPEG: red, green; blue, white.
+const JPEG: &str = "\
+    ffd8ffe000104a46494600010100000100010000ffdb0043000d090a0b0a080d0b0a0b0e0e0d0f13201513121213271c1e17\
+    202e2931302e292d2c333a4a3e333646372c2d405741464c4e525352323e5a615a50604a51524fffdb0043010e0e0e131113\
+    261515264f352d354f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f\
+    4f4f4f4f4f4f4f4fffc00011080010001003012200021101031101ffc4001600010101000000000000000000000000000607\
+    08ffc40014100100000000000000000000000000000000ffc40014010100000000000000000000000000000000ffc4002211\
+    00010203090000000000000000000000110012056171030613141521234151ffda000c03010002110311003f003e5c9a3459\
+    16bbd97672127aa4d2396bace1ecc6199229e2ffd9";
+
+/// A picture of the same four squares, a pixel each, as PNG.
+fn four_pixels() -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 2, 2);
+    encoder.set_color(png::ColorType::Rgb);
+    let mut writer = encoder.write_header().unwrap();
+    writer
+        .write_image_data(&[255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255])
+        .unwrap();
+    writer.finish().unwrap();
+    bytes
+}
+
+/// The colour names of a picture's quarters: upper left, upper right, lower left, lower right.
+fn quarters(shown: &Shown, left: usize) -> [&'static str; 4] {
+    let side = shown.size[1];
+    let at = |x: usize, y: usize| {
+        let [red, green, blue] = shown.at(left + x * side / 4, y * side / 4).map(|byte| byte > 100);
+        match (red, green, blue) {
+            (true, false, false) => "red",
+            (false, true, false) => "green",
+            (false, false, true) => "blue",
+            (true, true, true) => "white",
+            _ => "another",
+        }
+    };
+    [at(1, 1), at(3, 1), at(1, 3), at(3, 3)]
+}
+
+/// Flags that show a mesh of the plane z = 0 from above.
+const ABOVE: [&str; 8] = [
+    "--view",
+    "top",
+    "--up",
+    "0,1,0",
+    "--size",
+    "80x80",
+    "--caption",
+    "",
+];
+
+#[test]
+fn textures_lie_as_their_coordinates_say() {
+    let directory = directory("pictures-textured");
+    let bytes = |text: &str| -> Vec<u8> {
+        let digits = text.as_bytes().chunks(2);
+        digits
+            .map(|two| u8::from_str_radix(std::str::from_utf8(two).unwrap(), 16).unwrap())
+            .collect()
+    };
+    fs::create_dir(directory.join("my maps")).unwrap();
+    fs::write(directory.join("my maps/four.png"), four_pixels()).unwrap();
+    fs::write(directory.join("four.jpg"), bytes(JPEG)).unwrap();
+    fs::write(
+        directory.join("quad.mtl"),
+        "newmtl plain\nKd 0 0 1\nnewmtl four\nmap_Kd -s 1 1 1 my maps/four.png\n",
+    )
+    .unwrap();
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let quad = |uv: [f64; 4], library: &str| {
+        let [a, b, c, d] = uv;
+        format!(
+            "mtllib {library}\n{square}vt {a} {b}\nvt {c} {b}\nvt {c} {d}\nvt {a} {d}\nusemtl four\nf 1/1 2/2 3/3 4/4\n"
+        )
+    };
+    let all = ["red", "green", "blue", "white"];
+    let painted = |name: &str, text: &str| {
+        fs::write(directory.join(name), text).unwrap();
+        let args = [&["render", name, "-o", "t.png", "--shade", "texture"], &ABOVE[..]].concat();
+        expect(&directory, &args, 0);
+        quarters(&shown(&directory.join("t.png")), 0)
+    };
+    assert_eq!(painted("quad.obj", &quad([0.0, 0.0, 1.0, 1.0], "quad.mtl")), all);
+    // Repeated, and turned around.
+    assert_eq!(
+        painted("quad.obj", &quad([5.0, -2.0, 6.0, -1.0], "quad.mtl")),
+        all
+    );
+    assert_eq!(
+        painted("quad.obj", &quad([1.0, 1.0, 0.0, 0.0], "quad.mtl")),
+        ["white", "blue", "green", "red"]
+    );
+    // A material of one colour.
+    let plain = quad([0.0, 0.0, 1.0, 1.0], "quad.mtl").replace("usemtl four", "usemtl plain");
+    assert_eq!(painted("quad.obj", &plain), ["blue"; 4]);
+    // PLY: coordinates of faces, and of vertices; JPEG.
+    let header = "ply\nformat ascii 1.0\ncomment TextureFile four.jpg\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    let of_faces = format!(
+        "{header}element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n\
+         0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"
+    );
+    assert_eq!(painted("faces.ply", &of_faces), all);
+    let of_vertices = format!(
+        "{header}property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n4 0 1 2 3\n"
+    );
+    assert_eq!(painted("vertices.ply", &of_vertices), all);
+
+    let wrong = |name: &str, text: &str, message: &str| {
+        fs::write(directory.join(name), text).unwrap();
+        let args = ["render", name, "-o", "w.png", "--shade", "texture"];
+        refused(
+            &directory,
+            &args,
+            &format!("fairmesh: {message}; --shade flat or colors needs none"),
+        );
+    };
+    wrong(
+        "a.obj",
+        &quad([0.0; 4], "none.mtl"),
+        "a.obj: its materials none.mtl cannot be read in .: No such file or directory (os error 2)",
+    );
+    wrong(
+        "a.obj",
+        &format!("{square}f 1 2 3 4\n"),
+        "a.obj: it names no materials (mtllib), and so no texture",
+    );
+    wrong(
+        "a.ply",
+        &of_faces.replace("four.jpg", "lost.png"),
+        "a.ply: the texture lost.png was not found in .; put it there, or correct its name in a.ply",
+    );
+    wrong(
+        "a.obj",
+        &format!("mtllib quad.mtl\n{square}usemtl four\nf 1 2 3 4\n"),
+        "a.obj: its faces have no texture coordinates",
+    );
+    wrong("a.off", &sphere(1.0, 4), "a.off: OFF has no textures");
+    fs::write(directory.join("four.jpg"), "GIF89a").unwrap();
+    refused(
+        &directory,
+        &["render", "faces.ply", "-o", "w.png", "--shade", "texture"],
+        "fairmesh: ./four.jpg: only PNG and JPEG are read as textures; convert it",
+    );
+    assert!(!directory.join("w.png").exists());
+}
+
+#[test]
+fn colours_are_those_of_the_file() {
+    let directory = directory("pictures-coloured");
+    // A square of four quarters, of vertices of their own.
+    let colours = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]];
+    let corners = [(0, 1), (1, 1), (0, 0), (1, 0)];
+    let square =
+        |k: usize| [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(x, y)| (corners[k].0 + x, corners[k].1 + y));
+    let faces = |first: usize| (0..4).map(move |k| [0, 1, 2, 3].map(|i| 4 * k + i + first));
+    let mut obj = String::new();
+    let mut off = "COFF\n16 4 0\n".to_owned();
+    let mut ply = "ply\nformat ascii 1.0\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n\
+                   property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+        .to_owned();
+    for k in 0..4 {
+        let [r, g, b] = colours[k];
+        for (x, y) in square(k) {
+            obj += &format!("v {x} {y} 0 {} {} {}\n", r / 255, g / 255, b / 255);
+            off += &format!("{x} {y} 0 {r} {g} {b} 255\n");
+            ply += &format!("{x} {y} 0\n");
+        }
+    }
+    for [a, b, c, d] in faces(1) {
+        obj += &format!("f {a} {b} {c} {d}\n");
+    }
+    for ([a, b, c, d], [red, green, blue]) in faces(0).zip(colours) {
+        off += &format!("4 {a} {b} {c} {d}\n");
+        ply += &format!("4 {a} {b} {c} {d} {red} {green} {blue}\n");
+    }
+    for (name, text) in [("a.obj", &obj), ("a.off", &off), ("a.ply", &ply)] {
+        fs::write(directory.join(name), text).unwrap();
+        let args = [&["render", name, "-o", "c.png", "--shade", "colors"], &ABOVE[..]].concat();
+        expect(&directory, &args, 0);
+        let shown = shown(&directory.join("c.png"));
+        assert_eq!(quarters(&shown, 0), ["red", "green", "blue", "white"], "{name}");
+    }
+    fs::write(directory.join("b.off"), sphere(1.0, 6)).unwrap();
+    refused(
+        &directory,
+        &["render", "b.off", "-o", "b.png", "--shade", "colors"],
+        "fairmesh: b.off: it has no colours; --shade flat needs none, texture takes those of its pictures",
+    );
+}
