@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "target/gallery"
 PICTURES = ROOT / "docs/gallery"
 # Lines of a report that the page quotes.
-TOLD = ("converged", "loop", "  free vertices", "  iterations", "  continuity")
+TOLD = ("converged", "loop", "  free vertices", "  iterations", "  continuity", "  distance", "  to the first", "  from the first")
 # Bytes of a picture.
 LARGEST = 200_000
 
@@ -79,12 +79,13 @@ def make_inputs(scans: Path) -> None:
     # They face inwards there. The piece is at the side, above the temple; the scan is in millimetres.
     corners = [tuple(map(int, reversed(face))) for face in read_columns(folder / "triangles.txt")]
     skull = (read_columns(folder / "vertices.txt"), corners)
-    write_obj("skull.obj", opened(skull, (62.0, 10.0, 40.0), 34.0))
+    write_obj("skull.obj", skull)
+    write_obj("open.obj", opened(skull, (62.0, 10.0, 40.0), 34.0))
     (WORK / "mannequin.off").write_bytes((scans / "data/meshes/mannequin-devil.off").read_bytes())
 
 
 class Picture(NamedTuple):
-    """Two meshes beside each other: the picture's name, the files, their captions with a bar between, and how they are shown."""
+    """Meshes beside each other: the picture's name, the files, their captions with bars between, and how they are shown."""
 
     name: str
     meshes: str
@@ -110,15 +111,15 @@ class Page:
 
     def entry(self, title: str, words: str, commands: list[str], picture: Picture) -> None:
         """A section: a picture of some meshes, the commands that made them, and what the last one said."""
-        said = [self.run(command) for command in commands][-1].splitlines()
-        left, right = picture.captions.split("|")
+        said = "".join(self.run(command) for command in commands).splitlines()
+        shown = picture.captions.split("|")
         path = PICTURES / f"{picture.name}.png"
-        captions = f"--caption {shlex.quote(left)} --caption {shlex.quote(right)}"
+        captions = " ".join(f"--caption {shlex.quote(caption)}" for caption in shown)
         self.run(f"fairmesh render {picture.meshes} -o {shlex.quote(str(path))} {captions} {picture.look}")
         size = path.stat().st_size
         if size > LARGEST:
             sys.exit(f"{path.name} has {size} bytes")
-        self.text += f"\n## {title}\n\n{words}\n\n![{title}: left, {left}; right, {right}](gallery/{path.name})\n"
+        self.text += f"\n## {title}\n\n{words}\n\n![{title}: from left to right, {'; '.join(shown)}](gallery/{path.name})\n"
         for lines in (commands, [line for line in said if line.startswith(TOLD)]):
             self.text += "\n```console\n" + "\n".join(lines) + "\n```\n"
 
@@ -179,9 +180,18 @@ def main(program: str, scans: Path) -> None:
     )
     page.entry(
         "A skull, closed",
-        "The outer surface of a skull, from a scan of a head; a piece nearly seven centimetres wide was cut out, and is filled.",
-        ["fairmesh fill skull.obj -o whole.obj"],
-        Picture("skull", "skull.obj whole.obj", "a piece is missing|closed", f"{both} --view 1,0.2,0.45 --size 300x280"),
+        "The outer surface of a skull, from a scan of a head; a piece nearly seven centimetres wide was cut out, and is filled.\n"
+        "How near is that to what had been there? Colours are the distance from it; lengths are millimetres.",
+        [
+            "fairmesh fill open.obj -o closed.obj",
+            "fairmesh render skull.obj closed.obj -o distance.png --shade distance",
+        ],
+        Picture(
+            "skull",
+            "skull.obj open.obj closed.obj",
+            "the skull|a piece cut out|closed",
+            "--shade flat,distance --view 1,0.2,0.45 --size 240x220",
+        ),
     )
     page.entry(
         "The tetra thing",

@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from check import defects
-from gather import links
+from gather import links, titled
 
 GOOD = {
     "toc.html": '<a href="a.html">A</a><a href="docs/b.html">B</a>',
@@ -62,6 +62,13 @@ class Planted(unittest.TestCase):
         """Brackets and parentheses of code are no links."""
         text = "[a](b.md#c) `d[e](f)`\n```cpp\nauto g = [h](i) {};\n```\n![j](k.png) [l](https://m.n) [o](#p)"
         self.assertEqual(links(text), ["b.md", "k.png"])
+
+    def test_links_by_name_get_titles(self) -> None:
+        """The name of a file becomes the title of its page, and other words stay."""
+        titles = {Path("docs/b.md"): "All of B"}
+        text = "[b.md](b.md#end) [docs/b.md](b.md) [that](b.md) [c.md](c.md)"
+        expected = "[All of B](b.md#end) [All of B](b.md) [that](b.md) [c.md](c.md)"
+        self.assertEqual(titled(text, Path("docs/a.md"), titles), expected)
 
 
 if __name__ == "__main__":
