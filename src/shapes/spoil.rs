@@ -54,11 +54,11 @@ mod tests {
     fn a_bump_is_as_high_as_asked_at_its_place_and_ends() {
         let shape = sphere_with_hole(30.0, 4_000, Sampling::Regular, 4);
         let mut raised = shape.positions.clone();
-        shape.raise(&mut raised, [0.0, 0.0, -1.0], 0.4, 0.1);
+        shape.raise(&mut raised, [0.0, 0.0, 1.0], 0.4, 0.1);
         let highest = raised.iter().map(radius).fold(0.0, f64::max);
         assert!((highest - 1.1).abs() < 2e-3, "{highest}");
         for (p, q) in raised.iter().zip(&shape.positions) {
-            let away = (q[0].powi(2) + q[1].powi(2) + (q[2] + 1.0).powi(2)).sqrt();
+            let away = (q[0].powi(2) + q[1].powi(2) + (q[2] - 1.0).powi(2)).sqrt();
             assert_eq!(p == q, away >= 0.4);
         }
     }
