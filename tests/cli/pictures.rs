@@ -422,7 +422,7 @@ fn a_report_of_holes_names_each() {
     let page = fs::read_to_string(directory.join("r.html")).unwrap();
     elements(&page);
     for said in [
-        "<p class=\"outcome good\">1 filled</p>",
+        "<p class=\"outcome good\">holes: 1 filled</p>",
         "loop 0",
         "triangles that are gone</th><td>0<",
         "after: mean curvature",
