@@ -1,5 +1,6 @@
 //! Pictures of surfaces: a small software renderer, supersampled, as PNG.
 
+mod animation;
 mod camera;
 mod canvas;
 mod image;
@@ -12,6 +13,7 @@ use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::formats::textures::Textured;
+pub use animation::Animation;
 use camera::Camera;
 use canvas::Canvas;
 pub use image::{Image, linear};
@@ -92,6 +94,17 @@ pub fn render(views: &[View<'_>], options: &PictureOptions, layout: &Layout<'_>)
         framed: &[],
     };
     sheet(&tiles(&group), layout)
+}
+
+/// The views as they turn around the picture's vertical, in so many frames.
+pub fn turning(
+    views: &[View<'_>],
+    options: &PictureOptions,
+    layout: &Layout<'_>,
+    frames: (usize, Animation),
+) -> Result<Vec<u8>, Failure> {
+    animation::turning(views, options, layout, frames)
+        .map_err(|why| Failure::new(format!("cannot make the picture: {why}")))
 }
 
 /// Tiles of one size in rows, as PNG.

@@ -3,6 +3,7 @@
 mod distances;
 pub mod range;
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -16,7 +17,7 @@ use crate::formats::pipes::PipeArgs;
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
-use crate::picture::{self, Layout, Palette, PictureOptions, Scale, Shading, View};
+use crate::picture::{self, Animation, Layout, Palette, PictureOptions, Scale, Shading, View};
 use crate::selection;
 use distances::Distances;
 use range::Shown;
@@ -46,8 +47,9 @@ pub struct RenderArgs {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     pipe: PipeArgs,
-    /// Where the picture goes: a .png file; '-': to stdout
-    #[arg(short, long, value_name = "FILE")]
+    /// Where the picture goes: a .png file, with --turntable .gif or .png; '-': to
+    /// stdout, as PNG
+    #[arg(short, long, value_name = "FILE", verbatim_doc_comment)]
     output: PathBuf,
     /// From where: x,y,z (from the surface to the eye), front, back, left, right,
     /// top, bottom or corner
@@ -85,13 +87,17 @@ pub struct RenderArgs {
     #[arg(long, value_name = "WxH", default_value = "480x480")]
     size: String,
     /// Ends of the scale. By default, of curvature, those that the middle 98 per cent of
-    /// the area have, without outliers, the same on both sides of 0 where both signs
-    /// occur; of distance, 0 and the largest
+    /// the area have, without outliers, the same on both sides of 0 unless all are far from
+    /// that; of distance, 0 and the largest
     #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, verbatim_doc_comment)]
     range: Option<String>,
     /// Text below each picture, once per mesh; the file names by default, '' for none
     #[arg(long, value_name = "TEXT")]
     caption: Vec<String>,
+    /// An animation of so many frames, in which the meshes turn once around what points up,
+    /// from 2 to 360: GIF or animated PNG, by the output's name
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=360), verbatim_doc_comment)]
+    turntable: Option<u16>,
     /// Vertices that have to be in the picture: a text file with one number per
     /// line, from 0; for all meshes. By default all vertices
     #[arg(long, value_name = "FILE", verbatim_doc_comment)]
@@ -109,6 +115,7 @@ const SIZES: std::ops::RangeInclusive<usize> = 16..=4096;
 pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let options = options(args)?;
     let captions = captions(args)?;
+    let animation = encoding(args)?;
     let asked_range = args.range.as_deref().map(range).transpose()?;
     let output = Output::prepare_or_stdout(&args.output)?;
     let inputs: Vec<&Path> = args.inputs.iter().map(PathBuf::as_path).collect();
@@ -184,7 +191,10 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
         scales: &scales,
         ..Layout::default()
     };
-    output.write(&picture::render(&views, &options, &layout)?)?;
+    output.write(&match args.turntable {
+        Some(frames) => picture::turning(&views, &options, &layout, (usize::from(frames), animation))?,
+        None => picture::render(&views, &options, &layout)?,
+    })?;
     if !distances.is_empty() {
         let all = || json!({ "distances": distances.iter().map(Distances::json).collect::<Vec<Value>>() });
         let told = || distances.iter().map(Distances::readable).collect();
@@ -247,6 +257,26 @@ fn distance_scale(asked: Option<[f64; 2]>, distances: &[Distances<'_>]) -> Scale
         palette: Palette::Sequential,
     }
 }
+
+/// How the picture is encoded, by the name of its file.
+fn encoding(args: &RenderArgs) -> Result<Animation, Failure> {
+    let extension = args.output.extension().map(|e| e.to_ascii_lowercase());
+    let is = |ending: &str| extension.as_deref() == Some(OsStr::new(ending));
+    if args.turntable.is_some() && is("gif") {
+        return Ok(Animation::Gif);
+    }
+    let told = |what: &str| Err(Failure::new(format!("{}: {what}", args.output.display())));
+    match &extension {
+        _ if is("gif") => told("GIF is written with --turntable only; let the name end in .png"),
+        Some(_) if OTHERS.iter().any(|other| is(other)) => {
+            told("only PNG is written, and GIF with --turntable; let the name end in .png")
+        }
+        _ => Ok(Animation::Png),
+    }
+}
+
+/// Endings of pictures that would not be what their names say.
+const OTHERS: [&str; 7] = ["jpg", "jpeg", "webp", "bmp", "tif", "tiff", "svg"];
 
 /// Flags that go with some shades only.
 fn check_use(args: &RenderArgs) -> Result<(), Failure> {

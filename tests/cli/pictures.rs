@@ -422,7 +422,7 @@ fn a_report_of_holes_names_each() {
     let page = fs::read_to_string(directory.join("r.html")).unwrap();
     elements(&page);
     for said in [
-        "<p class=\"outcome good\">1 filled</p>",
+        "<p class=\"outcome good\">holes: 1 filled</p>",
         "loop 0",
         "triangles that are gone</th><td>0<",
         "after: mean curvature",
@@ -593,8 +593,7 @@ fn colours_are_those_of_the_file() {
     let mut ply = "ply\nformat ascii 1.0\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n\
                    property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
         .to_owned();
-    for k in 0..4 {
-        let [r, g, b] = colours[k];
+    for (k, [r, g, b]) in colours.into_iter().enumerate() {
         for (x, y) in square(k) {
             obj += &format!("v {x} {y} 0 {} {} {}\n", r / 255, g / 255, b / 255);
             off += &format!("{x} {y} 0 {r} {g} {b} 255\n");
@@ -621,4 +620,57 @@ fn colours_are_those_of_the_file() {
         &["render", "b.off", "-o", "b.png", "--shade", "colors"],
         "fairmesh: b.off: it has no colours; --shade flat needs none, texture takes those of its pictures",
     );
+}
+
+#[test]
+fn a_turntable_has_as_many_frames_as_asked() {
+    let directory = directory("pictures-turning");
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    let render = |output: &str, more: &[&str]| {
+        let args = ["render", "cap.obj", "-o", output, "--size", "60x50"];
+        expect(&directory, &[&args[..], more].concat(), 0);
+        fs::read(directory.join(output)).unwrap()
+    };
+    let still = render("still.png", &["--caption", ""]);
+    let gif = render("turning.gif", &["--turntable", "5", "--caption", ""]);
+    assert!(gif.starts_with(b"GIF89a"));
+    // Every frame has its own size and palette; it is repeated without end.
+    let frames = gif
+        .windows(9)
+        .filter(|w| w[..5] == [0x2c, 0, 0, 0, 0] && w[5..] == [60, 0, 50, 0]);
+    assert_eq!(frames.count(), 5);
+    assert!(gif.windows(11).any(|w| w == b"NETSCAPE2.0"));
+    let png = render("turning.png", &["--turntable", "7", "--shade", "curvature"]);
+    let mut reader = png::Decoder::new(std::io::Cursor::new(&png)).read_info().unwrap();
+    let control = *reader.info().animation_control().unwrap();
+    assert_eq!((control.num_frames, control.num_plays), (7, 0));
+    let mut frames = Vec::new();
+    for _ in 0..7 {
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        frames.push(pixels);
+    }
+    assert!(frames.windows(2).all(|two| two[0] != two[1]));
+    assert!(still.starts_with(b"\x89PNG"));
+
+    let wrong = |output: &str, more: &[&str], message: &str| {
+        let args = ["render", "cap.obj", "-o", output];
+        refused(
+            &directory,
+            &[&args[..], more].concat(),
+            &format!("fairmesh: {output}: {message}"),
+        );
+        assert!(!directory.join(output).exists());
+    };
+    wrong(
+        "a.gif",
+        &[],
+        "GIF is written with --turntable only; let the name end in .png",
+    );
+    let only = "only PNG is written, and GIF with --turntable; let the name end in .png";
+    wrong("a.jpg", &[], only);
+    wrong("a.webp", &["--turntable", "5"], only);
+    let args = ["render", "cap.obj", "-o", "a.png", "--turntable", "1"];
+    let (_, err) = expect(&directory, &args, 2);
+    assert!(err.contains("2..=360"), "{err}");
 }

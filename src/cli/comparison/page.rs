@@ -30,11 +30,11 @@ const STYLE: &str = "\
 @media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--dim:#a3adb6;--paper:#16191d;--line:#3a424a;--good:#5fd3a8;--reserved:#ffab66;--before:#ff9248;--after:#56b4e9}}
 body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:70rem;margin:2rem auto;padding:0 1rem;overflow-wrap:anywhere}
 h1{font-size:1.6rem;margin:0}h2{font-size:1.2rem;margin:2rem 0 .5rem}
-.outcome{border-left:.4rem solid var(--reserved);padding:.3rem .8rem;font-size:1.1rem}.outcome.good{border-color:var(--good)}
+.outcome{box-shadow:inset .4rem 0 var(--reserved);padding:.3rem 1rem;font-size:1.1rem}.outcome.good{box-shadow:inset .4rem 0 var(--good)}
 .pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,24rem),1fr));gap:1rem}
-figure{margin:0}img{max-width:100%;height:auto;border:1px solid var(--line);border-radius:.3rem}figcaption{color:var(--dim)}
+figure{margin:0}img{max-width:100%;height:auto;box-shadow:0 0 0 1px var(--line)}figcaption{color:var(--dim)}
 th{text-align:left;font-weight:normal;color:var(--dim);padding:.15rem 1.5rem .15rem 0;vertical-align:top;white-space:nowrap}td{padding:.15rem 0}
-pre{overflow-x:auto;white-space:pre-wrap;border:1px solid var(--line);border-radius:.3rem;padding:.6rem;font-size:.85rem}
+pre{overflow-x:auto;white-space:pre-wrap;box-shadow:0 0 0 1px var(--line);padding:.6rem;font-size:.85rem}
 svg{max-width:44rem;width:100%;font-size:13px}svg text{fill:var(--ink)}.axis{stroke:var(--ink);fill:none}
 .before{fill:var(--before);fill-opacity:.25;stroke:var(--before);stroke-dasharray:5 3}.after{fill:var(--after);fill-opacity:.3;stroke:var(--after)}
 .key{font-weight:bold}.key.b{color:var(--before)}.key.a{color:var(--after)}footer{color:var(--dim);margin-top:2rem}

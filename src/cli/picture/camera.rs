@@ -55,18 +55,52 @@ impl Camera {
             scale: 1.0,
             size: options.tile.map(|pixels| pixels * options.samples),
         };
-        camera.fit(used(), options.margin);
+        let extent = camera.extent(views);
+        camera.fit(extent, options.margin);
         camera
     }
 
-    /// Places the picture so that all points are in it.
-    fn fit(&mut self, points: impl Iterator<Item = V3>, margin: f64) {
+    /// So many around the picture's vertical, at equal angles, the first as [`around`](Self::around) has it. Nothing changes its size or
+    /// its height from one to the next, and the middle stays where it is.
+    pub fn turning(views: &[View<'_>], options: &PictureOptions, count: usize) -> Vec<Self> {
+        let axis = unit(options.up).unwrap_or([0.0, 0.0, 1.0]);
+        let mut cameras: Vec<Self> = (0..count)
+            .map(|k| {
+                let angle = std::f64::consts::TAU * k as f64 / count as f64;
+                let direction = turned(options.direction, axis, angle);
+                Self::around(
+                    views,
+                    &PictureOptions {
+                        direction,
+                        ..*options
+                    },
+                )
+            })
+            .collect();
+        let (mut wide, mut low, mut high) = (0.0f64, f64::INFINITY, f64::NEG_INFINITY);
+        for [[left, bottom], [right, top]] in cameras.iter().map(|camera| camera.extent(views)) {
+            wide = wide.max(-left).max(right);
+            (low, high) = (low.min(bottom), high.max(top));
+        }
+        for camera in &mut cameras {
+            camera.fit([[-wide, low], [wide, high]], options.margin);
+        }
+        cameras
+    }
+
+    /// The least and greatest picture coordinates.
+    fn extent(&self, views: &[View<'_>]) -> [[f64; 2]; 2] {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for p in points {
+        for p in views.iter().flat_map(used_positions) {
             let [x, y, _] = self.plane(p);
             low = [low[0].min(x), low[1].min(y)];
             high = [high[0].max(x), high[1].max(y)];
         }
+        [low, high]
+    }
+
+    /// Places the picture so that all of this extent is in it.
+    fn fit(&mut self, [low, high]: [[f64; 2]; 2], margin: f64) {
         let room = self.size.map(|pixels| pixels as f64 * (1.0 - 2.0 * margin));
         self.middle = [0, 1].map(|axis| finite(0.5 * (low[axis] + high[axis])));
         let scales = [0, 1].map(|axis| room[axis] / (high[axis] - low[axis]));
@@ -104,6 +138,14 @@ impl Camera {
         let sum = [0, 1, 2].map(|axis| r * self.right[axis] + u * self.up[axis] + b * self.back[axis]);
         unit(sum).unwrap_or(self.back)
     }
+}
+
+/// A direction turned around a unit axis, counter-clockwise seen from its end.
+fn turned(v: V3, axis: V3, angle: f64) -> V3 {
+    let (sin, cos) = angle.sin_cos();
+    let along = (1.0 - cos) * dot(axis, v);
+    let across = cross(axis, v);
+    [0, 1, 2].map(|k| cos * v[k] + sin * across[k] + along * axis[k])
 }
 
 fn finite(value: f64) -> f64 {

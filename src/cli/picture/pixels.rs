@@ -69,16 +69,26 @@ impl Pixels {
         }
     }
 
-    /// The picture as a PNG file.
-    pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
-        let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, self.size[0], self.size[1]);
+    /// Row after row, three bytes a pixel.
+    pub fn bytes(&self) -> &[u8] {
+        self.rgb.as_flattened()
+    }
+
+    /// An encoder for PNG files of this size.
+    pub fn encoder<'a>(&self, bytes: &'a mut Vec<u8>) -> Encoder<'static, &'a mut Vec<u8>> {
+        let mut encoder = Encoder::new(bytes, self.size[0], self.size[1]);
         encoder.set_color(ColorType::Rgb);
         encoder.set_depth(BitDepth::Eight);
         encoder.set_compression(Compression::High);
         encoder.set_filter(Filter::Adaptive);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(self.rgb.as_flattened())?;
+        encoder
+    }
+
+    /// The picture as a PNG file.
+    pub fn png(&self) -> Result<Vec<u8>, EncodingError> {
+        let mut bytes = Vec::new();
+        let mut writer = self.encoder(&mut bytes).write_header()?;
+        writer.write_image_data(self.bytes())?;
         writer.finish()?;
         Ok(bytes)
     }
