@@ -15,6 +15,8 @@ fi
 rm -rf target/site target/site-source
 python3 site/gather.py target/site-source/pages
 cp site/book.toml site/fairmesh.css target/site-source/
+mkdir target/site-source/theme
+cp site/favicon.svg target/site-source/theme/
 "$home/bin/mdbook" build target/site-source --dest-dir "$PWD/target/site"
 # mdBook would copy its first page there, whose links are those of docs/.
 cp site/index.html target/site/index.html
