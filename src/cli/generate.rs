@@ -176,6 +176,9 @@ pub struct GenerateArgs {
     /// Writes the exact boundary normals, for 'fair --normals'
     #[arg(long, value_name = "FILE")]
     normals: Option<PathBuf>,
+    /// No summary; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
     /// Writes the same mesh with all vertices on the exact surface
     #[arg(long, value_name = "FILE")]
     exact: Option<PathBuf>,
@@ -229,7 +232,9 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
     ];
     let written: Vec<&Path> = paths.into_iter().flatten().map(PathBuf::as_path).collect();
     let tell = if is_piped(&args.output) { say_aside } else { say };
-    tell(&summary(args, &shape), &written)?;
+    if !args.quiet {
+        tell(&summary(args, &shape), &written)?;
+    }
     Ok(true)
 }
 

@@ -259,6 +259,19 @@ impl Ply {
         )
     }
 
+    /// The names of the properties with one number per row.
+    pub fn names(&self, kind: Kind) -> impl Iterator<Item = &str> {
+        let table = match kind {
+            Kind::Vertex => &self.vertex,
+            Kind::Face => &self.face,
+        };
+        let is_scalar = |kind: &PropertyKind| matches!(kind, PropertyKind::Scalar(_));
+        let properties = table.element.properties.iter();
+        properties
+            .filter(move |of| is_scalar(&of.kind))
+            .map(|of| of.name.as_str())
+    }
+
     /// The property `name` of every row, and whether it is a floating-point number by its type.
     pub fn numbers(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<(Vec<f64>, bool)> {
         let table = match kind {
