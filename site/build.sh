@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 version=0.5.4
 home=target/mdbook
 if [ "$("$home/bin/mdbook" --version 2>/dev/null)" != "mdbook v$version" ]; then
-    # Unoptimized: it builds in a third of the time, and writes this site in two seconds.
+    # Unoptimized: that builds in a minute, and writes this site in a second.
     CARGO_TARGET_DIR=$home/build cargo install mdbook --version $version --locked --debug \
         --no-default-features --features search --root $home --force --quiet
     rm -rf $home/build
