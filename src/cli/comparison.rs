@@ -99,17 +99,25 @@ impl<'a> Comparison<'a> {
     /// # Errors
     /// Of the measurement: positions that are not finite, threads that ran out.
     pub fn new(before: Surface<'a>, after: Surface<'a>) -> Result<Self, Error> {
-        let [was, is] = [&before, &after].map(|of| {
-            let mut keys: Vec<Key> = (0..of.triangles.len()).map(|t| key(of.corners(t))).collect();
+        // Most of a mesh stands where it stood, under the same number.
+        let stays: Vec<bool> = (before.triangles.iter().zip(after.triangles).enumerate())
+            .map(|(t, _)| key(before.corners(t)) == key(after.corners(t)))
+            .collect();
+        let others = |of: &Surface<'_>| -> Vec<(Key, usize)> {
+            let changed = (0..of.triangles.len()).filter(|&t| stays.get(t) != Some(&true));
+            let mut keys: Vec<_> = changed.map(|t| (key(of.corners(t)), t)).collect();
             keys.sort_unstable();
             keys
-        });
-        let without = |of: &Surface<'_>, others: &[Key]| -> Vec<bool> {
-            (0..of.triangles.len())
-                .map(|t| others.binary_search(&key(of.corners(t))).is_err())
-                .collect()
         };
-        let (gone, new) = (without(&before, &is), without(&after, &was));
+        let [was, is] = [&before, &after].map(others);
+        let without = |of: &Surface<'_>, own: &[(Key, usize)], others: &[(Key, usize)]| {
+            let mut is_without = vec![false; of.triangles.len()];
+            for (key, t) in own {
+                is_without[*t] = others.binary_search_by_key(key, |other| other.0).is_err();
+            }
+            is_without
+        };
+        let (gone, new) = (without(&before, &was, &is), without(&after, &is, &was));
         let moved = match gone.contains(&true) && new.contains(&true) {
             true => {
                 let (there, painted_after) = moved(&after, &new, &before)?;
@@ -206,7 +214,13 @@ fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<(Surfa
         .filter(|(_, marked)| **marked)
         .map(|(t, _)| t.map(|v| number[v as usize]))
         .collect();
-    let mut found = DistanceTo::new(from.positions, from.triangles)?.of(&positions, &triangles)?;
+    // What is not finite elsewhere in the file is nowhere near.
+    let is_finite = |t: &&[u32; 3]| {
+        t.iter()
+            .all(|&v| from.positions[v as usize].iter().all(|x| x.is_finite()))
+    };
+    let sound: Vec<[u32; 3]> = from.triangles.iter().filter(is_finite).copied().collect();
+    let mut found = DistanceTo::new(from.positions, &sound)?.of(&positions, &triangles)?;
     let all = (0..is_used.len()).map(|v| match is_used[v] {
         true => found.vertices[number[v] as usize],
         false => 0.0,
