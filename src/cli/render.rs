@@ -158,9 +158,14 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
                     Some(other) => Shading::Values(&distances[other].there.vertices, &distance),
                 },
             };
+            let (mut positions, mut triangles) = (&mesh.positions, &mesh.triangles);
+            if let (Shade::Distance, Some(other)) = (shade, k.checked_sub(1)) {
+                let painted = &distances[other].painted;
+                (positions, triangles) = (&painted.positions, &painted.triangles);
+            }
             views.push(View {
-                positions: &mesh.positions,
-                triangles: &mesh.triangles,
+                positions,
+                triangles,
                 shading,
                 focus,
             });
