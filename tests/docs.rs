@@ -23,7 +23,7 @@ mod measurements;
 #[allow(dead_code, reason = "the example uses the rest")]
 mod tool;
 
-use document::{blocks, same_number, same_text};
+use document::{blocks, same_line, same_number, same_text};
 
 const FAIRMESH: &str = env!("CARGO_BIN_EXE_fairmesh");
 

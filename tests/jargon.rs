@@ -178,6 +178,18 @@ fn names_labels_and_tooltips_of_meshlab() {
     none_says(heads.chain(shown).map(|text| ("MeshLab".to_owned(), text)));
 }
 
+/// The dialogs of MeshLab 2020.09 show two lines of a help text: its first sentence says what the filter is for, and fits.
+#[test]
+fn helps_of_meshlab_begin_with_what_the_filter_is_for() {
+    let texts = literals(&read(&root().join("meshlab_plugin/src/texts.cpp")), "//");
+    let helps: Vec<&String> = texts.iter().filter(|text| text.starts_with("<b>")).collect();
+    assert_eq!(helps.len(), 5);
+    for help in helps {
+        let (first, _) = help["<b>".len()..].split_once("</b>").unwrap();
+        assert!(first.ends_with('.') && first.len() < 100, "{first}");
+    }
+}
+
 /// Functions and classes that users see. `_abi.py` is generated from the C interface.
 #[test]
 fn first_lines_of_help_in_python() {

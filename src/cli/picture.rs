@@ -6,6 +6,7 @@ mod canvas;
 mod image;
 mod paint;
 mod pixels;
+mod refined;
 mod scale;
 mod sheet;
 
@@ -18,6 +19,7 @@ use camera::Camera;
 use canvas::Canvas;
 pub use image::{Image, linear};
 pub use pixels::Pixels;
+pub use refined::Refined;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
 

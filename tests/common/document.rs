@@ -34,7 +34,7 @@ pub(crate) fn same_number(shown: &str, found: &str) -> Option<bool> {
 }
 
 /// `...` stands for any word.
-fn same_line(shown: &str, found: &str) -> bool {
+pub(crate) fn same_line(shown: &str, found: &str) -> bool {
     let inner = |word: &str| word.trim_matches(['(', ')', ',', ';']).to_owned();
     let words = |line: &str| line.split_whitespace().map(inner).collect::<Vec<String>>();
     let (shown, found) = (words(shown), words(found));
@@ -66,7 +66,7 @@ pub(crate) fn same_text(shown: &[String], found: &[String]) -> bool {
     same_lines(&untimed(shown), &untimed(found))
 }
 
-fn same_lines(shown: &[String], found: &[String]) -> bool {
+pub(crate) fn same_lines(shown: &[String], found: &[String]) -> bool {
     match shown.split_first() {
         None => found.is_empty(),
         Some((dots, rest)) if dots.trim() == "..." => {

@@ -1,5 +1,6 @@
 //! Guides for other programs: Python, Blender, MeshLab, a C compiler. What is missing is installed by the guides, or an error.
 
+use crate::assert_picture;
 use crate::mesh::{Mesh, off_sphere};
 use crate::runner;
 
@@ -10,6 +11,7 @@ pub(crate) fn python_textured_obj() {
     let read = |name: &str| Mesh::read(&folder.join(name));
     assert!(read("dented.obj").largest(off_sphere) > 0.1);
     assert!(read("mended.obj").largest(off_sphere) < 1e-5);
+    assert_picture(&folder.join("both.png"), Some("python-textured-obj"));
 }
 
 #[test]

@@ -61,12 +61,19 @@ impl Comparison<'_> {
         let sides = [&self.before, &self.after];
         let near = |side: usize, shading| view(sides[side], shading, focus[side]);
         let (side, caption, values, scale) = self.values(focus[1]);
+        let painted = match &self.moved {
+            Some(moved) => Surface {
+                positions: &moved.painted[side].positions,
+                triangles: &moved.painted[side].triangles,
+            },
+            None => *sides[side],
+        };
         let views = [
             near(0, Shading::Flat),
             near(1, Shading::Flat),
             near(0, Shading::ReflectionLines),
             near(1, Shading::ReflectionLines),
-            near(side, Shading::Values(&values, &scale)),
+            view(&painted, Shading::Values(&values, &scale), focus[side]),
         ];
         let options = PictureOptions {
             tile: TILE,
@@ -144,7 +151,7 @@ impl Comparison<'_> {
         match &self.moved {
             _ if !self.is_changed() => "nothing has changed".to_owned(),
             Some(moved) => {
-                let diagonal = super::diagonal(&self.before);
+                let diagonal = super::diagonal(&self.before, |_| true);
                 format!(
                     "moved by at most {} ({} % of the mesh's diagonal), rms {}",
                     significant(moved.farthest().largest),
