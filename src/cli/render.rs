@@ -73,8 +73,8 @@ pub struct RenderArgs {
     /// by commas, give a row each. 'distance' paints every mesh after the first by its distance from the
     /// first one and prints the distances, both ways: of vertices and over whole triangles,
     /// always from a point to the nearest one of the other surface, without sign. The
-    /// largest is right to 1 %, mean and rms are over the area, of points no farther apart
-    /// than a 200th of the diagonal
+    /// largest is right to 1 %; mean and rms are over the area, at one point of every
+    /// triangle or more, so many as squares of a 200th of the diagonal have room in it
     #[arg(
         long,
         value_enum,

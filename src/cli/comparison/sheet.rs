@@ -11,8 +11,8 @@ use crate::render::range::{self, Shown};
 const TILE: [usize; 2] = [520, 440];
 /// Room around what has changed.
 const MARGIN: f64 = 0.18;
-/// Another direction has to show so many times more than that of the mean normal.
-const BETTER: f64 = 1.3;
+/// Where more than this share of what has changed is in front of the rest, it is seen from above.
+const ENOUGH: f64 = 0.7;
 
 impl Comparison<'_> {
     /// How the surface is seen: from above what has changed, or beside that if something else hides it.
@@ -34,11 +34,13 @@ impl Comparison<'_> {
             picture::seen(&view(surface, Shading::Marked(marked), &focus), &options, marked)
         };
         let [first, second] = tangents(normal);
-        let straight = seen(normal) as f64;
-        let mut best = (BETTER * straight, normal);
+        let mut best = (seen(normal), normal);
+        if best.0 > ENOUGH {
+            return normal;
+        }
         for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
             let tilted = [0, 1, 2].map(|k| normal[k] + 0.9 * (a * first[k] + b * second[k]));
-            let seen = seen(tilted) as f64;
+            let seen = seen(tilted);
             if seen > best.0 {
                 best = (seen, tilted);
             }
