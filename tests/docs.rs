@@ -347,6 +347,12 @@ fn differences_are_seen() {
     ));
     assert!(!same_line("flipped: none", "flipped: 3"));
     assert!(!same_line("flipped: none", "flipped: none at all"));
+    let lines = |text: &str| -> Vec<String> { text.lines().map(str::to_owned).collect() };
+    let same = |shown: &str, found: &str| same_text(&lines(shown), &lines(found));
+    assert!(same("a\n  ...\nd", "a\nb\nc\nd") && same("a\n...", "a") && !same("a\n...\nd", "a\nb"));
+    assert!(same("at ... of 7", "at 0.1 of 7") && !same("at ... of 7", "at 0.1 of 8"));
+    let table = "file  outcome  seconds\na.ply  filled  0.02\nb.ply  refused  0.10";
+    assert!(same(table, &table.replace("0.10", "7.00")) && !same(table, &table.replace("refused", "filled")));
     assert!(is_stated(1.04e-5, "1.0e-5 to 2.0e-5") && !is_stated(2.2e-5, "1.0e-5 to 2.0e-5"));
     assert!(is_stated(9e-10, "1.0e-10 to 2.0e-10") && !is_stated(9e-10, "5.0e-11"));
 }
