@@ -144,6 +144,11 @@ impl<'a> Comparison<'a> {
         self.gone.contains(&true) || self.new.contains(&true)
     }
 
+    /// Whether vertices have moved, and that is all.
+    fn has_same_triangles(&self) -> bool {
+        self.before.triangles == self.after.triangles
+    }
+
     /// The changed surface after, or before if there is none; and which triangles of it are changed.
     fn changed(&self) -> (&Surface<'a>, &[bool]) {
         match self.new.contains(&true) {

@@ -378,6 +378,7 @@ fn a_report_is_one_page_that_says_what_was_done() {
         "<p class=\"outcome good\">converged: tolerance met, and the surface is sound</p>",
         "fairmesh fair &#39;a &amp; &lt;b&gt;&#39;\\&#39;&#39;s.obj&#39; -o fair.obj --free free.txt",
         "kink across the boundary",
+        "triangles that changed",
         "moved at most",
         "continuous curvature",
         "self-intersections</th><td>none found",

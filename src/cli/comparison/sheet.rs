@@ -111,7 +111,7 @@ impl Comparison<'_> {
             "before: reflection lines",
             "after: reflection lines",
             caption,
-            "the whole mesh: what is new",
+            "the whole mesh: what has changed",
         ];
         Sheet {
             tiles: groups.iter().flat_map(picture::tiles).collect(),
