@@ -11,7 +11,7 @@ use crate::mesh::input;
 
 /// The largest distance is found to this part of itself.
 const TOLERANCE: f64 = 0.01;
-/// Points are not farther apart, in diagonals, where the mean is taken over large triangles.
+/// The mean is taken at so many points of large triangles as squares of this side, in diagonals, have room in them.
 const SPACING: f64 = 1.0 / 200.0;
 /// At most so many points along the side of a triangle.
 const MOST_ALONG: f64 = 512.0;

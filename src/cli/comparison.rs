@@ -11,6 +11,7 @@ use fairmesh::{DistanceTo, Error, SurfaceDistance};
 
 use crate::formats::Geometry;
 use crate::normals::{cross, dot, sub, unit};
+use crate::picture::Refined;
 
 pub use flags::PictureArgs;
 pub use page::Story;
@@ -65,9 +66,11 @@ pub struct Comparison<'a> {
 /// from the ear.
 pub struct Moved {
     /// What is new from the mesh before.
-    pub there: SurfaceDistance,
+    there: SurfaceDistance,
     /// What is gone from the mesh after.
-    pub back: SurfaceDistance,
+    back: SurfaceDistance,
+    /// The meshes before and after, with the vertices that these are of: enough to paint them by.
+    painted: [Refined; 2],
 }
 
 impl Moved {
@@ -96,22 +99,35 @@ impl<'a> Comparison<'a> {
     /// # Errors
     /// Of the measurement: positions that are not finite, threads that ran out.
     pub fn new(before: Surface<'a>, after: Surface<'a>) -> Result<Self, Error> {
-        let [was, is] = [&before, &after].map(|of| {
-            let mut keys: Vec<Key> = (0..of.triangles.len()).map(|t| key(of.corners(t))).collect();
+        // Most of a mesh stands where it stood, under the same number.
+        let stays: Vec<bool> = (before.triangles.iter().zip(after.triangles).enumerate())
+            .map(|(t, _)| key(before.corners(t)) == key(after.corners(t)))
+            .collect();
+        let others = |of: &Surface<'_>| -> Vec<(Key, usize)> {
+            let changed = (0..of.triangles.len()).filter(|&t| stays.get(t) != Some(&true));
+            let mut keys: Vec<_> = changed.map(|t| (key(of.corners(t)), t)).collect();
             keys.sort_unstable();
             keys
-        });
-        let without = |of: &Surface<'_>, others: &[Key]| -> Vec<bool> {
-            (0..of.triangles.len())
-                .map(|t| others.binary_search(&key(of.corners(t))).is_err())
-                .collect()
         };
-        let (gone, new) = (without(&before, &is), without(&after, &was));
+        let [was, is] = [&before, &after].map(others);
+        let without = |of: &Surface<'_>, own: &[(Key, usize)], others: &[(Key, usize)]| {
+            let mut is_without = vec![false; of.triangles.len()];
+            for (key, t) in own {
+                is_without[*t] = others.binary_search_by_key(key, |other| other.0).is_err();
+            }
+            is_without
+        };
+        let (gone, new) = (without(&before, &was, &is), without(&after, &is, &was));
         let moved = match gone.contains(&true) && new.contains(&true) {
-            true => Some(Moved {
-                there: moved(&after, &new, &before)?,
-                back: moved(&before, &gone, &after)?,
-            }),
+            true => {
+                let (there, painted_after) = moved(&after, &new, &before)?;
+                let (back, painted_before) = moved(&before, &gone, &after)?;
+                Some(Moved {
+                    there,
+                    back,
+                    painted: [painted_before, painted_after],
+                })
+            }
             false => None,
         };
         Ok(Self {
@@ -126,6 +142,11 @@ impl<'a> Comparison<'a> {
     /// Whether there is anything to be seen.
     pub fn is_changed(&self) -> bool {
         self.gone.contains(&true) || self.new.contains(&true)
+    }
+
+    /// Whether vertices have moved, and that is all.
+    fn has_same_triangles(&self) -> bool {
+        self.before.triangles == self.after.triangles
     }
 
     /// The changed surface after, or before if there is none; and which triangles of it are changed.
@@ -150,10 +171,13 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// The diagonal of the box around a surface.
-fn diagonal(surface: &Surface<'_>) -> f64 {
+/// Points that are painted are no farther apart, in diagonals of what has changed.
+const SPACING: f64 = 1.0 / 100.0;
+
+/// The diagonal of the box around triangles of a surface.
+fn diagonal(surface: &Surface<'_>, is_in: impl Fn(usize) -> bool) -> f64 {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for t in 0..surface.triangles.len() {
+    for t in (0..surface.triangles.len()).filter(|&t| is_in(t)) {
         for p in surface.corners(t) {
             (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(p[k]), high[k].max(p[k])));
         }
@@ -175,26 +199,39 @@ fn key(corners: [V3; 3]) -> Key {
         .unwrap_or([a, b, c])
 }
 
-/// How far some triangles are from another mesh; vertices by their numbers, 0 elsewhere.
-fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<SurfaceDistance, Error> {
-    let is_used = of.vertices_of(marked);
+/// How far some triangles are from another mesh, and the surface with these refined, whose vertices it is of; 0 elsewhere.
+fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<(SurfaceDistance, Refined), Error> {
+    let longest = SPACING * diagonal(of, |t| marked[t]);
+    let refined = Refined::new(of.positions, of.triangles, |t| marked[t], longest);
+    let of = Surface {
+        positions: &refined.positions,
+        triangles: &refined.triangles,
+    };
+    let marked: Vec<bool> = refined.part_of.iter().map(|&t| marked[t as usize]).collect();
+    let is_used = of.vertices_of(&marked);
     let mut number = vec![0u32; is_used.len()];
     let mut positions = Vec::new();
     for v in (0..is_used.len()).filter(|&v| is_used[v]) {
         number[v] = positions.len() as u32;
         positions.push(of.positions[v]);
     }
-    let triangles: Vec<[u32; 3]> = (of.triangles.iter().zip(marked))
+    let triangles: Vec<[u32; 3]> = (of.triangles.iter().zip(&marked))
         .filter(|(_, marked)| **marked)
         .map(|(t, _)| t.map(|v| number[v as usize]))
         .collect();
-    let mut found = DistanceTo::new(from.positions, from.triangles)?.of(&positions, &triangles)?;
+    // What is not finite elsewhere in the file is nowhere near.
+    let is_finite = |t: &&[u32; 3]| {
+        t.iter()
+            .all(|&v| from.positions[v as usize].iter().all(|x| x.is_finite()))
+    };
+    let sound: Vec<[u32; 3]> = from.triangles.iter().filter(is_finite).copied().collect();
+    let mut found = DistanceTo::new(from.positions, &sound)?.of(&positions, &triangles)?;
     let all = (0..is_used.len()).map(|v| match is_used[v] {
         true => found.vertices[number[v] as usize],
         false => 0.0,
     });
     found.vertices = all.collect();
-    Ok(found)
+    Ok((found, refined))
 }
 
 #[cfg(test)]
@@ -225,7 +262,7 @@ mod tests {
         let moved = found.moved.as_ref().unwrap();
         let there = &moved.there;
         assert_eq!((there.largest, there.largest_at), (0.25, after[4]));
-        assert_eq!(there.vertices, [0.0, 0.0, 0.0, 0.0, 0.25]);
+        assert_eq!(there.vertices[..5], [0.0, 0.0, 0.0, 0.0, 0.25]);
         assert_eq!(found.mean_normal(), Some([0.0, 0.0, 1.0]));
     }
 

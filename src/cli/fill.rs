@@ -211,7 +211,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
             triangles: &filled.triangles,
         };
         let told = filled.loops.iter().map(|l| (named(l), with_size(l), l));
-        let (ended, continued) = ((is_good, counted(&filled)), args.continuity.is_asked());
+        let ended = (is_good, format!("holes: {}", counted(&filled)));
+        let continued = args.continuity.is_asked();
         let story = story::of_patches("fill", ended, &told.collect::<Vec<_>>(), continued, in_words());
         pictures.write(before.surface(), after, &story)?;
     }

@@ -6,6 +6,7 @@ mod canvas;
 mod image;
 mod paint;
 mod pixels;
+mod refined;
 mod scale;
 mod sheet;
 
@@ -18,6 +19,7 @@ use camera::Camera;
 use canvas::Canvas;
 pub use image::{Image, linear};
 pub use pixels::Pixels;
+pub use refined::Refined;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
 
@@ -147,13 +149,26 @@ fn frame(camera: &Camera, group: &Group<'_>) -> Option<[[i64; 2]; 2]> {
 const LOST: f64 = 0.3;
 const FRAME: i64 = 8;
 
-/// How many pixels show marked triangles.
-pub fn seen(view: &View<'_>, options: &PictureOptions, marked: &[bool]) -> usize {
+/// Which share of the pixels that marked triangles would have alone they have in front of all others; 0 if none.
+pub fn seen(view: &View<'_>, options: &PictureOptions, marked: &[bool]) -> f64 {
     let camera = Camera::around(std::slice::from_ref(view), options);
-    Canvas::seen(view, &camera, options)
-        .into_iter()
-        .filter(|&t| marked.get(t as usize) == Some(&true))
-        .count()
+    let triangles: Vec<[u32; 3]> = (view.triangles.iter().zip(marked))
+        .filter(|(_, marked)| **marked)
+        .map(|(t, _)| *t)
+        .collect();
+    let alone = View {
+        triangles: &triangles,
+        ..*view
+    };
+    let count = |view: &View<'_>, is_counted: &dyn Fn(usize) -> bool| {
+        let seen = Canvas::seen(view, &camera, options).into_iter();
+        seen.filter(|&t| t != u32::MAX && is_counted(t as usize)).count() as f64
+    };
+    let most = count(&alone, &|_| true);
+    match most > 0.0 {
+        true => count(view, &|t| marked[t]) / most,
+        false => 0.0,
+    }
 }
 
 #[cfg(test)]
@@ -228,6 +243,32 @@ mod tests {
         assert_ne!(pixel(&front, 25, 25), pixel(&front, 8, 8));
         assert_eq!(pixel(&behind, 25, 25), pixel(&behind, 24, 26));
         assert_eq!(pixel(&front, 8, 8), pixel(&behind, 8, 8));
+    }
+
+    #[test]
+    fn what_others_hide_is_not_seen() {
+        let share = |near: f64, is_marked: [bool; 4]| {
+            let (positions, triangles) = squares(near);
+            let view = View {
+                positions: &positions,
+                triangles: &triangles,
+                shading: Shading::Flat,
+                focus: &[],
+            };
+            let options = PictureOptions {
+                tile: [50, 50],
+                direction: [0.0, 0.0, 1.0],
+                up: [0.0, 1.0, 0.0],
+                ..PictureOptions::default()
+            };
+            seen(&view, &options, &is_marked)
+        };
+        let inner = [false, false, true, true];
+        assert_eq!((share(0.1, inner), share(-0.1, inner)), (1.0, 0.0));
+        // The inner square has a quarter of the outer one's area, and a little more, as it is nearer.
+        let outer = share(0.01, [true, true, false, false]);
+        assert!((outer - 0.75).abs() < 0.02, "{outer}");
+        assert_eq!(share(0.1, [false; 4]), 0.0);
     }
 
     #[test]

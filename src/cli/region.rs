@@ -18,6 +18,10 @@ pub use flags::RegionSteps;
 /// A place further than this from the surface is told, in diagonals of the mesh.
 const OFF: f64 = 0.02;
 
+/// A bump of more than this part of the mesh may be no bump.
+const LARGE: f64 = 0.2;
+const TOO_LARGE: &str = "this is a large part of the mesh for a bump: look at it ('fairmesh select --picture'), or say the region by --geodesic PLACE,RADIUS";
+
 /// What the steps have come to.
 pub struct Found {
     pub selected: Selected,
@@ -117,7 +121,12 @@ impl Faces<'_> {
         self.tell(told, &all);
         let misses: Vec<String> = found.misses.iter().filter_map(|&miss| self.miss(miss)).collect();
         self.report.told.extend(misses);
+        let count = self.mesh.geometry.triangles.len();
         self.report.told.extend(found.bumps.iter().map(taken));
+        let is_large = |of: &Bump| of.triangles as f64 > LARGE * count as f64;
+        if found.bumps.iter().any(is_large) {
+            self.report.told.push(TOO_LARGE.to_owned());
+        }
         self.report.bumps.extend(found.bumps);
         for (is_in, named) in self.is_in.iter_mut().zip(all) {
             *is_in = match how {

@@ -73,8 +73,8 @@ pub struct RenderArgs {
     /// by commas, give a row each. 'distance' paints every mesh after the first by its distance from the
     /// first one and prints the distances, both ways: of vertices and over whole triangles,
     /// always from a point to the nearest one of the other surface, without sign. The
-    /// largest is right to 1 %, mean and rms are over the area, of points no farther apart
-    /// than a 200th of the diagonal
+    /// largest is right to 1 %; mean and rms are over the area, at one point of every
+    /// triangle or more, so many as squares of a 200th of the diagonal have room in it
     #[arg(
         long,
         value_enum,
@@ -87,8 +87,8 @@ pub struct RenderArgs {
     #[arg(long, value_name = "WxH", default_value = "480x480")]
     size: String,
     /// Ends of the scale. By default, of curvature, those that the middle 98 per cent of
-    /// the area have, without outliers, the same on both sides of 0 where both signs
-    /// occur; of distance, 0 and the largest
+    /// the area have, without outliers, the same on both sides of 0 unless all are far from
+    /// that; of distance, 0 and the largest
     #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, verbatim_doc_comment)]
     range: Option<String>,
     /// Text below each picture, once per mesh; the file names by default, '' for none
@@ -158,9 +158,14 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
                     Some(other) => Shading::Values(&distances[other].there.vertices, &distance),
                 },
             };
+            let (mut positions, mut triangles) = (&mesh.positions, &mesh.triangles);
+            if let (Shade::Distance, Some(other)) = (shade, k.checked_sub(1)) {
+                let painted = &distances[other].painted;
+                (positions, triangles) = (&painted.positions, &painted.triangles);
+            }
             views.push(View {
-                positions: &mesh.positions,
-                triangles: &mesh.triangles,
+                positions,
+                triangles,
                 shading,
                 focus,
             });

@@ -378,6 +378,7 @@ fn a_report_is_one_page_that_says_what_was_done() {
         "<p class=\"outcome good\">converged: tolerance met, and the surface is sound</p>",
         "fairmesh fair &#39;a &amp; &lt;b&gt;&#39;\\&#39;&#39;s.obj&#39; -o fair.obj --free free.txt",
         "kink across the boundary",
+        "triangles that changed",
         "moved at most",
         "continuous curvature",
         "self-intersections</th><td>none found",
@@ -422,7 +423,7 @@ fn a_report_of_holes_names_each() {
     let page = fs::read_to_string(directory.join("r.html")).unwrap();
     elements(&page);
     for said in [
-        "<p class=\"outcome good\">1 filled</p>",
+        "<p class=\"outcome good\">holes: 1 filled</p>",
         "loop 0",
         "triangles that are gone</th><td>0<",
         "after: mean curvature",
@@ -673,4 +674,49 @@ fn a_turntable_has_as_many_frames_as_asked() {
     let args = ["render", "cap.obj", "-o", "a.png", "--turntable", "1"];
     let (_, err) = expect(&directory, &args, 2);
     assert!(err.contains("2..=360"), "{err}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_picture_that_cannot_be_written_is_told_with_what_was() {
+    let directory = directory("pictures-full");
+    fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
+    write_lists(&directory);
+    for (flag, name) in [("--picture", "full.png"), ("--report", "full.html")] {
+        std::os::unix::fs::symlink("/dev/full", directory.join(name)).unwrap();
+        let output = format!("{name}.obj");
+        let args = ["fair", "cap.obj", "-o", &output, "--free", "free.txt", flag, name];
+        let (_, err) = expect(&directory, &args, 5);
+        assert_eq!(
+            err,
+            format!(
+                "fairmesh: {name}: cannot write: No space left on device (os error 28); the result was written to {output}\n"
+            )
+        );
+        assert!(directory.join(output).exists());
+    }
+}
+
+#[test]
+fn what_is_not_finite_elsewhere_in_the_file_does_not_count() {
+    let directory = directory("pictures-not-finite");
+    let text = obj(&cap()).replace("f 1 2 17 16\n", "v nan 0 0\nf 1 2 17 226\n");
+    assert!(text.contains("226"));
+    fs::write(directory.join("cap.obj"), text).unwrap();
+    write_lists(&directory);
+    let args = [
+        "fair",
+        "cap.obj",
+        "-o",
+        "fair.obj",
+        "--free",
+        "free.txt",
+        "--picture",
+        "a.png",
+        "--report",
+        "a.html",
+    ];
+    expect(&directory, &args, 0);
+    let page = fs::read_to_string(directory.join("a.html")).unwrap();
+    assert!(page.contains("moved at most</th><td>0.09981 (at"));
 }

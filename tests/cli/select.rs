@@ -216,3 +216,27 @@ fn errors_propose_what_there_is() {
          'chosen'\n",
     );
 }
+
+#[test]
+fn a_bump_that_is_a_large_part_of_the_mesh_is_told() {
+    let d = directory("a_bump_that_is_a_large_part_of_the_mesh_is_told");
+    for (radius, is_large) in [("0.1", false), ("0.36", true)] {
+        let raise = format!("0,0,1,{radius},0.05");
+        let cap = [
+            "generate",
+            "sphere-cap",
+            "--angle",
+            "30",
+            "--vertices",
+            "2000",
+            "-q",
+        ];
+        expect(&d, &[&cap[..], &["-o", "cap.ply", "--raise", &raise]].concat(), 0);
+        let (told, _) = expect(&d, &["select", "cap.ply", "--bump", "0,0,1.05"], 0);
+        assert_eq!(
+            told.contains("this is a large part of the mesh for a bump"),
+            is_large,
+            "{told}"
+        );
+    }
+}

@@ -66,7 +66,7 @@ pub(crate) fn same_text(shown: &[String], found: &[String]) -> bool {
     same_lines(&untimed(shown), &untimed(found))
 }
 
-fn same_lines(shown: &[String], found: &[String]) -> bool {
+pub(crate) fn same_lines(shown: &[String], found: &[String]) -> bool {
     match shown.split_first() {
         None => found.is_empty(),
         Some((dots, rest)) if dots.trim() == "..." => {

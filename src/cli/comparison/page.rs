@@ -102,10 +102,13 @@ pub fn page(
 /// What a comparison of both meshes shows.
 fn measures(of: &Comparison<'_>) -> Vec<(String, String)> {
     let count = |marked: &[bool]| marked.iter().filter(|&&is| is).count().to_string();
-    let mut rows = vec![
-        ("triangles that are gone", count(&of.gone)),
-        ("triangles that are new", count(&of.new)),
-    ];
+    let mut rows = match of.has_same_triangles() {
+        true => vec![("triangles that changed", count(&of.new))],
+        false => vec![
+            ("triangles that are gone", count(&of.gone)),
+            ("triangles that are new", count(&of.new)),
+        ],
+    };
     if let Some(moved) = &of.moved {
         let farthest = moved.farthest();
         let [x, y, z] = farthest.largest_at.map(significant);

@@ -11,8 +11,8 @@ use crate::render::range::{self, Shown};
 const TILE: [usize; 2] = [520, 440];
 /// Room around what has changed.
 const MARGIN: f64 = 0.18;
-/// Another direction has to show so many times more than that of the mean normal.
-const BETTER: f64 = 1.3;
+/// Where more than this share of what has changed is in front of the rest, it is seen from above.
+const ENOUGH: f64 = 0.7;
 
 impl Comparison<'_> {
     /// How the surface is seen: from above what has changed, or beside that if something else hides it.
@@ -34,11 +34,13 @@ impl Comparison<'_> {
             picture::seen(&view(surface, Shading::Marked(marked), &focus), &options, marked)
         };
         let [first, second] = tangents(normal);
-        let straight = seen(normal) as f64;
-        let mut best = (BETTER * straight, normal);
+        let mut best = (seen(normal), normal);
+        if best.0 > ENOUGH {
+            return normal;
+        }
         for (a, b) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
             let tilted = [0, 1, 2].map(|k| normal[k] + 0.9 * (a * first[k] + b * second[k]));
-            let seen = seen(tilted) as f64;
+            let seen = seen(tilted);
             if seen > best.0 {
                 best = (seen, tilted);
             }
@@ -61,12 +63,19 @@ impl Comparison<'_> {
         let sides = [&self.before, &self.after];
         let near = |side: usize, shading| view(sides[side], shading, focus[side]);
         let (side, caption, values, scale) = self.values(focus[1]);
+        let painted = match &self.moved {
+            Some(moved) => Surface {
+                positions: &moved.painted[side].positions,
+                triangles: &moved.painted[side].triangles,
+            },
+            None => *sides[side],
+        };
         let views = [
             near(0, Shading::Flat),
             near(1, Shading::Flat),
             near(0, Shading::ReflectionLines),
             near(1, Shading::ReflectionLines),
-            near(side, Shading::Values(&values, &scale)),
+            view(&painted, Shading::Values(&values, &scale), focus[side]),
         ];
         let options = PictureOptions {
             tile: TILE,
@@ -102,7 +111,7 @@ impl Comparison<'_> {
             "before: reflection lines",
             "after: reflection lines",
             caption,
-            "the whole mesh: what is new",
+            "the whole mesh: what has changed",
         ];
         Sheet {
             tiles: groups.iter().flat_map(picture::tiles).collect(),
@@ -144,7 +153,7 @@ impl Comparison<'_> {
         match &self.moved {
             _ if !self.is_changed() => "nothing has changed".to_owned(),
             Some(moved) => {
-                let diagonal = super::diagonal(&self.before);
+                let diagonal = super::diagonal(&self.before, |_| true);
                 format!(
                     "moved by at most {} ({} % of the mesh's diagonal), rms {}",
                     significant(moved.farthest().largest),

@@ -33,7 +33,11 @@ impl Scale {
         }
         let share = share.clamp(0.0, 1.0);
         let colour = match self.palette {
-            Palette::Sequential => colorous::YELLOW_ORANGE_RED.eval_continuous(share),
+            // The darker, the farther from zero.
+            Palette::Sequential => colorous::YELLOW_ORANGE_RED.eval_continuous(match self.range[1] <= 0.0 {
+                true => 1.0 - share,
+                false => share,
+            }),
             Palette::Diverging => colorous::RED_BLUE.eval_continuous(1.0 - share),
         };
         [colour.r, colour.g, colour.b].map(|byte| (f32::from(byte) / 255.0).powf(2.2))

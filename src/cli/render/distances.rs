@@ -10,6 +10,10 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::figures::significant;
 use crate::formats::Geometry;
+use crate::picture::Refined;
+
+/// Points that are painted are no farther apart, in diagonals.
+const SPACING: f64 = 1.0 / 150.0;
 
 /// A mesh against the first one.
 pub struct Distances<'a> {
@@ -19,6 +23,8 @@ pub struct Distances<'a> {
     diagonal: f64,
     /// Of the other one from the first.
     pub there: SurfaceDistance,
+    /// The other one, with the vertices that `there` is of: enough to paint it by.
+    pub painted: Refined,
     /// Of the first one from the other.
     back: SurfaceDistance,
 }
@@ -34,19 +40,25 @@ pub fn measured<'a>(paths: &'a [PathBuf], meshes: &[&Geometry]) -> Result<Vec<Di
     let surface = |k: usize| {
         DistanceTo::new(&meshes[k].positions, &meshes[k].triangles).map_err(|e| refused(&paths[k], e))
     };
-    let from = |to: &DistanceTo, k: usize| {
-        to.of(&meshes[k].positions, &meshes[k].triangles)
-            .map_err(|error| refused(&paths[k], error))
-    };
     let first = surface(0)?;
     (1..meshes.len())
         .map(|k| {
+            // First, as its errors name vertices of the file.
+            let surface = surface(k)?;
+            let other = meshes[k];
+            let longest = diagonal(other) * SPACING;
+            let painted = Refined::new(&other.positions, &other.triangles, |_| true, longest);
+            let there =
+                (first.of(&painted.positions, &painted.triangles)).map_err(|e| refused(&paths[k], e))?;
             Ok(Distances {
                 first: &paths[0],
                 other: &paths[k],
                 diagonal: diagonal(meshes[0]),
-                there: from(&first, k)?,
-                back: from(&surface(k)?, 0)?,
+                there,
+                back: surface
+                    .of(&meshes[0].positions, &meshes[0].triangles)
+                    .map_err(|e| refused(&paths[0], e))?,
+                painted,
             })
         })
         .collect()

@@ -8,8 +8,8 @@ const BEYOND: f64 = 0.01;
 /// The ends are not farther from the median than this many times what the middle 80 per cent of the area are: a few
 /// places of strong curvature would take all colours.
 const FARTHEST: f64 = 4.0;
-/// A side of zero with less than this share of the other side is rounding or noise.
-const SIDE: f64 = 0.02;
+/// Where the end that is nearer to zero is less than this share of the other one, zero belongs to the scale.
+const NEAR: f64 = 0.3;
 
 /// Values of a mesh's vertices, and what of it is in the picture.
 pub struct Shown<'a> {
@@ -58,14 +58,15 @@ pub fn asked(title: &str, range: [f64; 2]) -> Scale {
     }
 }
 
-/// Zero is the middle where both signs occur; a surface of constant curvature is all in the middle of a scale that does not show
+/// Zero is the middle where both signs occur, or nearly; a surface of constant curvature is all in the middle of a scale that does not show
 /// rounding.
 fn ends([low, high]: [f64; 2], median: f64) -> ([f64; 2], Palette) {
     let largest = low.abs().max(high.abs());
     if largest == 0.0 {
         return ([-1.0, 1.0], Palette::Diverging);
     }
-    if low < 0.0 && high > 0.0 && low.abs().min(high) > SIDE * largest {
+    let has_both = low < 0.0 && high > 0.0;
+    if has_both || low.abs().min(high.abs()) < NEAR * largest {
         return ([-largest, largest], Palette::Diverging);
     }
     let least = 1e-3 * largest;
@@ -186,6 +187,8 @@ mod tests {
             (one_sided.range, one_sided.palette),
             ([2.0, 6.0], Palette::Sequential)
         );
+        let nearly = scale(|v| -0.5 - (v % 5) as f64);
+        assert_eq!((nearly.range, nearly.palette), ([-4.5, 4.5], Palette::Diverging));
         let skewed = scale(|v| (v % 7) as f64 - 1.0);
         assert_eq!((skewed.range, skewed.palette), ([-5.0, 5.0], Palette::Diverging));
         assert_eq!(scale(|_| 0.0).range, [-1.0, 1.0]);
