@@ -50,6 +50,7 @@ install_c_tools() {
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v doxygen >/dev/null || missing+=(doxygen)
     command -v c++ >/dev/null || missing+=(g++)
+    command -v python3 >/dev/null || missing+=(python3)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
     compgen -G '/usr/lib/llvm-*/lib/libclang[.-][0-9s]*' >/dev/null &&
@@ -102,6 +103,7 @@ full() {
     step lint lint --workspace --features fairmesh-capi/hooks
     step demo demo
     step rust cargo test --release --locked --workspace -- --include-ignored --skip long::
+    step site site/build.sh
     # On two cores; each lane goes on when the other one has failed.
     trap 'kill 0' INT
     hosts &
@@ -114,6 +116,7 @@ full() {
 
 long() {
     step gallery bindings/python/test.sh long
+    step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
     step long cargo test --release --locked --test library -- --ignored long::
     step torture tests/torture/run.sh --json target/test/torture.json
     step long_fuzzing env FUZZ_SEED=0 fuzz/run.sh "${FUZZ_SECONDS:-600}"

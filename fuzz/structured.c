@@ -75,8 +75,34 @@ static void ask(Bytes *bytes, Asked *asked, uint32_t vertices) {
     if (flags & 128) fill->density = 1.5 + 1.4 * unit(bytes);
 }
 
-/* What concerns holes, and needs no fairing of a region. */
-static fairmesh_status holes(Bytes *bytes, int task, const fairmesh_mesh *mesh, const fairmesh_selection *selection, const fairmesh_options *options,
+/* A region, step by step. */
+static fairmesh_status choose(Bytes *bytes, const fairmesh_mesh *mesh, fairmesh_result **result, fairmesh_error *error) {
+    enum { STEPS = 4 };
+    fairmesh_region_step steps[STEPS];
+    List lists[STEPS];
+    size_t k, i, count = next(bytes) % (STEPS + 1);
+    uint32_t elements = (uint32_t)(mesh->positions.count + mesh->triangles.count);
+    memset(steps, 0, sizeof steps);
+    for (k = 0; k < count; k++) {
+        fairmesh_region_step *step = &steps[k];
+        uint8_t flags = next(bytes);
+        /* Those that name triangles, then those that change them, from GROW on. */
+        step->kind = flags % 16u <= 10u ? flags % 16u : FAIRMESH_REGION_KIND_GROW + flags % 16u - 11u;
+        step->combine = flags / 16u % 4u;
+        step->seed_kind = flags / 64u;
+        step->seed_vertex = next(bytes);
+        for (i = 0; i < 3; i++) step->point[i] = unit(bytes);
+        for (i = 0; i < 3; i++) step->vector[i] = unit(bytes);
+        flags = next(bytes);
+        step->value = flags % 8u == 0 ? NAN : flags % 8u == 1 ? 90.0 * unit(bytes) : unit(bytes);
+        step->rings = flags % 16u == 8 ? UINT64_MAX : flags / 8u;
+        step->list = list(bytes, &lists[k], elements, LISTED, 1);
+    }
+    return fairmesh_select_region(mesh, steps, count, result, error);
+}
+
+/* What needs no fairing of a region. */
+static fairmesh_status other(Bytes *bytes, int task, const fairmesh_mesh *mesh, const fairmesh_selection *selection, const fairmesh_options *options,
                              fairmesh_result **result, fairmesh_error *error) {
     uint32_t vertices = (uint32_t)mesh->positions.count, triangles = (uint32_t)mesh->triangles.count;
     Asked asked;
@@ -84,6 +110,7 @@ static fairmesh_status holes(Bytes *bytes, int task, const fairmesh_mesh *mesh, 
     fairmesh_indices from, to;
     fairmesh_bridge_options how;
     uint8_t flags;
+    if (task == 10) return choose(bytes, mesh, result, error);
     memset(&asked, 0, sizeof asked);
     ask(bytes, &asked, vertices);
     from = list(bytes, &first, task == 3 || task == 6 ? triangles : task == 5 ? 3 : vertices, 6, 1);
@@ -112,17 +139,22 @@ static void read_all(const fairmesh_result *result) {
     fairmesh_info info;
     fairmesh_fill_report filled;
     fairmesh_loop boundary;
+    fairmesh_bump bump;
     uint64_t k;
     uint32_t which;
     size_t count;
     info.struct_size = sizeof info;
     filled.struct_size = sizeof filled;
     boundary.struct_size = sizeof boundary;
+    bump.struct_size = sizeof bump;
     if (fairmesh_result_info(result, &info, NULL) != FAIRMESH_STATUS_OK) abort();
+    for (k = 0; k < 5; k++) {
+        if (fairmesh_result_bump(result, k, &bump, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
+    }
     for (k = 0; k <= info.loop_count; k++) {
         if (fairmesh_result_fill_report(result, k, &filled, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
         if (fairmesh_result_loop(result, k, &boundary, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
-        for (which = 0; which <= FAIRMESH_LIST_CARRIED_TRIANGLES; which++) {
+        for (which = 0; which <= FAIRMESH_LIST_REGION_COUNTS; which++) {
             if (fairmesh_result_list(result, which, k, indices, 1 << 16, &count, NULL) == FAIRMESH_STATUS_INTERNAL) abort();
         }
     }
@@ -222,7 +254,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     /* 0 where the bytes have run out. */
     task = next(&bytes) % 16;
     if (task > 0 || what & 64) {
-        status = holes(&bytes, task > 9 || task == 0 ? 1 : task, &mesh, &selection, &options, &result, &error);
+        status = other(&bytes, task > 10 || task == 0 ? 1 : task, &mesh, &selection, &options, &result, &error);
     } else {
         status = fairmesh_fair(&mesh, what & 32 ? NULL : &selection, &options, &to, &report, &result, &error);
     }

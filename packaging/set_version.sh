@@ -45,7 +45,9 @@ for part in MAJOR=$major MINOR=$minor PATCH=$patch; do
         include/fairmesh.h src/capi/about.rs bindings/python/src/fairmesh/_abi.py
 done
 replace '^version: .*' "version: $version" CITATION.cff
-replace 'fairmesh_blender-[0-9.]+\.zip' "fairmesh_blender-$version.zip" README.md bindings/blender/README.md
+replace 'fairmesh_blender-[0-9.]+\.zip' "fairmesh_blender-$version.zip" \
+    README.md bindings/blender/README.md docs/start.md
+replace "^Version [0-9.]+[0-9]\\." "Version $version." docs/README.md
 replace 'fairmesh-[0-9.]+-py3' "fairmesh-$version-py3" bindings/python/README.md
 replace 'find_package\(fairmesh [0-9.]+ ' "find_package(fairmesh $major.$minor " \
     docs/c-api.md examples/*/CMakeLists.txt meshlab_plugin/CMakeLists.txt

@@ -40,7 +40,7 @@ pub use report::{
     SelfIntersections, Solution,
 };
 pub use session::Session;
-use shares::Shares;
+use shares::{PREPARED, Shares};
 
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
 /// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.
@@ -166,7 +166,7 @@ fn run<'a>(
     )?;
     let setup = clock.elapsed().as_secs_f64();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
-    let mut shares = Shares::new(progress, interrupt, undone);
+    let mut shares = Shares::new(progress, interrupt, PREPARED, undone);
     let mut solutions = Vec::with_capacity(components.len());
     for prepared in components {
         solutions.push(component(&prepared, options, &mut shares, interrupt)?);

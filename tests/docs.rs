@@ -14,12 +14,16 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
 
+#[path = "common/document.rs"]
+mod document;
 #[path = "../examples/reproduce/measurements.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
 mod measurements;
 #[path = "../examples/reproduce/tool.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
 mod tool;
+
+use document::{blocks, same_line, same_number, same_text};
 
 const FAIRMESH: &str = env!("CARGO_BIN_EXE_fairmesh");
 
@@ -51,26 +55,6 @@ fn scratch(name: &str) -> PathBuf {
     path
 }
 
-/// A fenced block: its language, and its lines from the one behind the fence to the closing fence.
-struct Block {
-    language: String,
-    begin: usize,
-    end: usize,
-}
-
-fn blocks(lines: &[String]) -> Vec<Block> {
-    let fences: Vec<usize> = (0..lines.len())
-        .filter(|&i| lines[i].starts_with("```"))
-        .collect();
-    assert!(fences.len().is_multiple_of(2), "a fence is not closed");
-    let block = |pair: &[usize]| Block {
-        language: lines[pair[0]][3..].to_owned(),
-        begin: pair[0] + 1,
-        end: pair[1],
-    };
-    fences.chunks(2).map(block).collect()
-}
-
 /// The words behind `fairmesh` of a line that runs the program.
 fn command(line: &str) -> Option<Vec<&str>> {
     let line = line.split(" #").next().unwrap();
@@ -90,37 +74,6 @@ fn run(folder: &Path, words: &[&str]) -> String {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "fairmesh {}: {errors}", words.join(" "));
     String::from_utf8(output.stdout).unwrap().replace("\r\n", "\n")
-}
-
-/// Whether two numbers agree as far as they are written; None if they are not numbers.
-fn same_number(shown: &str, found: &str) -> Option<bool> {
-    let (a, b): (f64, f64) = (shown.parse().ok()?, found.parse().ok()?);
-    let decimals = |text: &str| text.split_once('.').map_or(0, |(_, digits)| digits.len() as i32);
-    Some(if shown.contains('e') && found.contains('e') {
-        a == b || (0.1..10.0).contains(&(a / b))
-    } else if shown.contains('.') && found.contains('.') {
-        (a - b).abs() < 1.01 * 10f64.powi(-decimals(shown).min(decimals(found)))
-    } else {
-        shown == found
-    })
-}
-
-fn same_line(shown: &str, found: &str) -> bool {
-    let inner = |word: &str| word.trim_matches(['(', ')', ',', ';']).to_owned();
-    let words = |line: &str| line.split_whitespace().map(inner).collect::<Vec<String>>();
-    let (shown, found) = (words(shown), words(found));
-    if shown.first().is_some_and(|word| word == "seconds:") {
-        return found.first() == shown.first();
-    }
-    let same = |i: usize| {
-        let named = i > 0 && ["face", "vertex"].contains(&shown[i - 1].as_str());
-        named || same_number(&shown[i], &found[i]).unwrap_or(shown[i] == found[i])
-    };
-    shown.len() == found.len() && (0..shown.len()).all(same)
-}
-
-fn same_text(shown: &[String], found: &[String]) -> bool {
-    shown.len() == found.len() && shown.iter().zip(found).all(|(a, b)| same_line(a, b))
 }
 
 /// Held by a test that may write a document.
@@ -394,6 +347,12 @@ fn differences_are_seen() {
     ));
     assert!(!same_line("flipped: none", "flipped: 3"));
     assert!(!same_line("flipped: none", "flipped: none at all"));
+    let lines = |text: &str| -> Vec<String> { text.lines().map(str::to_owned).collect() };
+    let same = |shown: &str, found: &str| same_text(&lines(shown), &lines(found));
+    assert!(same("a\n  ...\nd", "a\nb\nc\nd") && same("a\n...", "a") && !same("a\n...\nd", "a\nb"));
+    assert!(same("at ... of 7", "at 0.1 of 7") && !same("at ... of 7", "at 0.1 of 8"));
+    let table = "file  outcome  seconds\na.ply  filled  0.02\nb.ply  refused  0.10";
+    assert!(same(table, &table.replace("0.10", "7.00")) && !same(table, &table.replace("refused", "filled")));
     assert!(is_stated(1.04e-5, "1.0e-5 to 2.0e-5") && !is_stated(2.2e-5, "1.0e-5 to 2.0e-5"));
     assert!(is_stated(9e-10, "1.0e-10 to 2.0e-10") && !is_stated(9e-10, "5.0e-11"));
 }

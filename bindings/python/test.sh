@@ -51,8 +51,8 @@ environment "$target/python/test" "${packages[@]}"
 environment "$target/python/numpy1" numpy==1.24.2 pytest==9.2.0    # those of Debian 12
 bin=$target/python/test/bin
 
-"$bin/ruff" format --check .
-"$bin/ruff" check .
+"$bin/ruff" format --check . ../../site
+"$bin/ruff" check . ../../site
 "$bin/mypy" src
 MYPYPATH=src "$bin/mypy" tests/typed.py
 MYPYPATH=src:examples/gallery "$bin/mypy" examples/*.py examples/gallery/*.py

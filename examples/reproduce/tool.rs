@@ -314,7 +314,7 @@ fn header(bytes: &[u8]) -> io::Result<(String, &[u8])> {
 /// Positions and triangles.
 type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
-/// A PLY file as this program writes it: doubles, then triangles with 32-bit counts and numbers.
+/// A PLY file as this program writes it: doubles, then triangles with counts of one byte and 32-bit numbers.
 pub fn read_ply(path: &Path) -> io::Result<Mesh> {
     let bytes = fs::read(path)?;
     let (text, mut body) = header(&bytes)?;
@@ -340,8 +340,8 @@ pub fn read_ply(path: &Path) -> io::Result<Mesh> {
     }
     let mut triangles = Vec::with_capacity(faces);
     for _ in 0..faces {
-        let t = take(16)?;
-        triangles.push([1, 2, 3].map(|k| {
+        let t = &take(13)?[1..];
+        triangles.push([0, 1, 2].map(|k| {
             let mut four = [0; 4];
             four.copy_from_slice(&t[4 * k..4 * k + 4]);
             u32::from_le_bytes(four)
@@ -353,7 +353,7 @@ pub fn read_ply(path: &Path) -> io::Result<Mesh> {
 fn ply(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-         property double z\nelement face {}\nproperty list uint int vertex_indices\nend_header\n",
+         property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
         positions.len(),
         triangles.len()
     )
@@ -363,7 +363,7 @@ fn ply(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<u8> {
         .iter()
         .for_each(|x| bytes.extend(x.to_le_bytes()));
     for t in triangles {
-        bytes.extend(3u32.to_le_bytes());
+        bytes.push(3);
         t.iter().for_each(|v| bytes.extend(v.to_le_bytes()));
     }
     bytes

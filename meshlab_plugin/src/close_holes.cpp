@@ -54,7 +54,7 @@ std::vector<std::uint32_t> chosen(const CMeshO &mesh, const fairmesh::result &lo
         if (!selected.empty() && std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return selected[v] != 0; }))
             continue;
         if (loop.kind == FAIRMESH_LOOP_KIND_NON_MANIFOLD) {
-            host.warn(text("Warning, the hole at vertex %u is left open: its boundary runs into the non-manifold edge (%u, %u).",
+            host.warn(text("Warning, the hole at vertex %u is left open: its boundary runs into the edge (%u, %u), where faces do not fit.",
                            vertices.front(), loop.edge_a, loop.edge_b));
             continue;
         }

@@ -50,21 +50,20 @@ void add_solver_parameters(RichParameterList &list) {
     const fairmesh::options standard;
     list.addParam(
         RichFloat("continuity", static_cast<Scalar>(standard.continuity), "Match curvature",
-                  "How far the surface goes on as curved as its surroundings, between 0 and 1. 0: it goes on smoothly (G1). 1: its "
-                  "curvature does, too (G2), so that no edge shows in reflections. Only as far as the surroundings are smooth enough to "
+                  "How far the surface goes on as curved as its surroundings, between 0 and 1. 0: it goes on smoothly. 1: its "
+                  "curvature does, too, so that no edge shows in reflections. Only as far as the surroundings are smooth enough to "
                   "tell it; the log says how far."));
-    list.addParam(
-        RichEnum("target", static_cast<int>(standard.target.kind), {"Natural", "Bulged", "Elastic sheet"}, "Shape",
-                 "Natural: curved as evenly as it can be (its mean curvature H is harmonic), so that parts of spheres and cylinders come "
-                 "back. Bulged: pushed out or in by the number below. Elastic sheet: bent as little as it can be (minimal energy)."));
+    list.addParam(RichEnum("target", static_cast<int>(standard.target.kind), {"Natural", "Bulged", "Elastic sheet"}, "Shape",
+                           "Natural: curved as evenly as it can be, so that parts of spheres and cylinders come "
+                           "back. Bulged: pushed out or in by the number below. Elastic sheet: bent as little as it can be."));
     list.addParam(RichFloat("target_constant", static_cast<Scalar>(standard.target.constant), "Bulge",
-                            "For the shape 'Bulged' only: positive pushes the surface out, negative in. It is the Laplacian of H, in "
+                            "For the shape 'Bulged' only: positive pushes the surface out, negative in. In "
                             "1 / length^3: start with 100 over the cube of the region's size."));
-    list.addParam(RichEnum(
-        "inner_fairness", static_cast<int>(standard.inner_fairness), {"Even", "Keep shapes", "Keep shapes, robust"}, "Vertex distribution",
-        "How vertices are spread within the surface; the surface hardly depends on it. Even: evenly (uniform weights). Keep "
-        "shapes: with the least distortion of the present triangles (conformal). Keep shapes, robust: nearly so, and safe for "
-        "any triangles (convex)." ADVANCED));
+    list.addParam(RichEnum("inner_fairness", static_cast<int>(standard.inner_fairness), {"Even", "Keep shapes", "Keep shapes, robust"},
+                           "Vertex distribution",
+                           "How vertices are spread within the surface; the surface hardly depends on it. Even: evenly. Keep "
+                           "shapes: with the least distortion of the present triangles. Keep shapes, robust: nearly so, and safe for "
+                           "any triangles." ADVANCED));
     list.addParam(RichFloat("tolerance", static_cast<Scalar>(standard.tolerance), "Accuracy",
                             "Stop when vertices move by less than this, over the diagonal of the region's bounding box. Greater than 0, "
                             "less than 1; 1e-6 is enough to look at." ADVANCED));

@@ -121,6 +121,10 @@ def folder(plugin):
     return host
 
 
+#: In ../scripts, to begin with: each a filter with all its defaults.
+SCRIPTS = {"close_holes": CLOSE, "fair_selection": FAIR, "erase_and_fill": ERASE, "bridge_boundaries": BRIDGE}
+
+
 class Server:
     def __init__(self, plugin):
         self.host = folder(plugin)

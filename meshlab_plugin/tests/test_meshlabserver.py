@@ -10,7 +10,7 @@ import unittest
 
 import meshes
 import numpy as np
-from server import BRIDGE, CLOSE, CURVATURE, ERASE, FAIR, Server
+from server import BRIDGE, CLOSE, CURVATURE, ERASE, FAIR, SCRIPTS, Server, script
 
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 FLOAT = 1.2e-7  # half a unit in the last place of 1, rounded up for sums
@@ -85,6 +85,17 @@ class Sphere(Case):
         old = meshes.points(mesh)[: len(self.vertices)]
         self.assertEqual(np.abs(old - self.vertices.astype(np.float32)).max(), 0)
         self.on_sphere(mesh, len(self.faces), "Close Holes Smoothly")
+
+
+class Scripts(Case):
+    """The scripts that come with the plugin list every parameter, or the program would abort."""
+
+    def test_scripts_are_those_that_the_tests_run(self):
+        folder = pathlib.Path(__file__).parents[1] / "scripts"
+        self.assertEqual({file.stem for file in folder.iterdir()}, set(SCRIPTS))
+        for name, filter_name in SCRIPTS.items():
+            # Written by: python -c 'import server; ...script((filter, {}))'.
+            self.assertEqual((folder / f"{name}.mlx").read_text(), script((filter_name, {})), name)
 
 
 class Join(Case):

@@ -162,7 +162,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     };
     let loops = match &erased {
         Some(erased) => Loops::Chosen(erased.loops.clone()),
-        None => args.which.loops(&groups),
+        None => args.which.loops(&groups, &mesh.geometry),
     };
     let filled = solve(args, (loops, groups), &mesh, boundary_curvature, precision)
         .map_err(|error| refusal(args, &job.input, &mesh, &error))?;

@@ -302,6 +302,14 @@ impl MeshFile {
         }
     }
 
+    /// The names that [`MeshFile::selected`] knows.
+    pub fn property_names(&self, kind: Kind) -> Vec<&str> {
+        match &self.places {
+            Places::Ply(places) => places.names(kind).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// The mesh with what was added, in this format. PLY and OBJ of the same format: the file as it is, with rows added;
     /// otherwise the vertices and faces and nothing else.
     pub fn with_added(&self, format: Format, added: &Added<'_>) -> Vec<u8> {

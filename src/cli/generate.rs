@@ -163,12 +163,22 @@ pub struct GenerateArgs {
     /// tetra thing have none
     #[arg(long, default_value_t = OUTSIDE, value_name = "N", verbatim_doc_comment)]
     outside: usize,
+    /// Raises a bump of this height at a place, along the exact normals; a dent where
+    /// it is negative. May be repeated; --exact is without
+    #[arg(long, value_name = "X,Y,Z,RADIUS,HEIGHT", value_parser = spoiling::<5>, allow_hyphen_values = true, verbatim_doc_comment)]
+    raise: Vec<[f64; 5]>,
+    /// Cuts out the triangles that lie in a ball with all corners; may be repeated
+    #[arg(long, value_name = "X,Y,Z,RADIUS", value_parser = spoiling::<4>, allow_hyphen_values = true)]
+    cut: Vec<[f64; 4]>,
     /// Writes the free vertices, one number per line, for 'fair --free'
     #[arg(long, value_name = "FILE")]
     free: Option<PathBuf>,
     /// Writes the exact boundary normals, for 'fair --normals'
     #[arg(long, value_name = "FILE")]
     normals: Option<PathBuf>,
+    /// No summary; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
     /// Writes the same mesh with all vertices on the exact surface
     #[arg(long, value_name = "FILE")]
     exact: Option<PathBuf>,
@@ -177,18 +187,24 @@ pub struct GenerateArgs {
 /// Runs the command.
 pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
     check(args)?;
-    let shape = make(args)?;
+    let shape = cut(make(args)?, &args.cut)?;
     if args.exact.is_some() && shape.surface.is_none() {
         return Err(Failure::new(
             "--exact: there is no exact surface of this kind; its start is smooth, the result is what 'fair' finds",
         ));
     }
-    let positions = match args.start {
+    if !args.raise.is_empty() && shape.surface.is_none() {
+        return Err(Failure::new("--raise: there are no exact normals of this kind"));
+    }
+    let mut positions = match args.start {
         Start::Exact => shape.positions.clone(),
         Start::Flat => shape.flat(),
         Start::Noise => shape.noise(args.seed, args.noise),
         Start::Random => shape.random(args.seed),
     };
+    for &[x, y, z, radius, height] in &args.raise {
+        shape.raise(&mut positions, [x, y, z], radius, height);
+    }
     // All names are checked before anything is written.
     let format = Format::of(&args.output, args.pipe.of(&[&args.output])?)?;
     let mut files = vec![(
@@ -216,8 +232,35 @@ pub fn run(args: &GenerateArgs) -> Result<bool, Failure> {
     ];
     let written: Vec<&Path> = paths.into_iter().flatten().map(PathBuf::as_path).collect();
     let tell = if is_piped(&args.output) { say_aside } else { say };
-    tell(&summary(args, &shape), &written)?;
+    if !args.quiet {
+        tell(&summary(args, &shape), &written)?;
+    }
     Ok(true)
+}
+
+/// The shape without what the balls hold.
+fn cut(shape: Shape, balls: &[[f64; 4]]) -> Result<Shape, Failure> {
+    let mut rest = shape;
+    for &[x, y, z, radius] in balls {
+        rest = rest.cut([x, y, z], radius);
+    }
+    if rest.triangles.is_empty() {
+        return Err(Failure::new("--cut: nothing is left"));
+    }
+    Ok(rest)
+}
+
+/// Reads a value of `--raise` or `--cut`: a place, a radius, and what else there is.
+fn spoiling<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    let numbers = numbers.ok().filter(|n| n.iter().all(|x: &f64| x.is_finite()));
+    let numbers: Option<[f64; N]> = numbers.and_then(|numbers| numbers.try_into().ok());
+    let numbers = numbers.ok_or_else(|| format!("expected {N} numbers with commas between"))?;
+    if numbers[3] > 0.0 {
+        Ok(numbers)
+    } else {
+        Err(format!("the radius {} is not above 0", numbers[3]))
+    }
 }
 
 /// The free vertices, for `fair --free`.

@@ -36,7 +36,7 @@ written, but not the report about it. Of several files, the worst in the order 4
 
 /// Before the flags of `fair --help`.
 pub const FAIR_ABOUT: &str = "\
-Fairs a region of a mesh file: the free vertices move until the surface has harmonic mean curvature,
+Fairs a region of a mesh file: the free vertices move until the surface is curved as evenly as it can be,
 meets the fixed vertices and has the tangent planes of its surroundings there.
 
 Say which vertices may move by places and shapes (--ball to --bump; 'fairmesh select' shows what they take), or by --free,

@@ -37,12 +37,15 @@ pub struct HolesArgs {
     /// Writes the list as JSON, too; '-': to stdout, instead of the readable one
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// No list, where JSON is enough; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
 }
 
 /// Runs the command.
 pub fn run(args: &HolesArgs) -> Result<bool, Failure> {
     let mesh = MeshFile::read(&args.input, args.pipe.of(&[&args.input])?)?;
-    let answer = Answer::prepare(args.json.as_deref(), false, None, &[&args.input])?;
+    let answer = Answer::prepare(args.json.as_deref(), args.quiet, None, &[&args.input])?;
     let geometry = &mesh.geometry;
     let loops = boundary_loops_joined(&geometry.positions, &geometry.triangles, args.mesh.coincident)
         .map_err(|error| explain::refusal(&args.input, &mesh, &error))?;

@@ -37,6 +37,7 @@ mod report;
 mod rim;
 mod select;
 mod selection;
+mod similar;
 mod solver;
 mod surface;
 mod temporary;
@@ -47,7 +48,7 @@ use std::io::{IsTerminal, Write};
 
 use fairmesh_process::OrExit;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use failure::{ExitCode, Failure};
 
@@ -108,8 +109,23 @@ fn main() -> std::process::ExitCode {
     std::process::ExitCode::from(code as u8)
 }
 
+/// The commands. A number below zero is a value that its flag may refuse, never a flag of its own.
+fn command() -> clap::Command {
+    Cli::command().mut_subcommands(|command| {
+        command.mut_args(
+            |arg| match arg.get_action().takes_values() && !arg.is_positional() {
+                true => arg.allow_negative_numbers(true),
+                false => arg,
+            },
+        )
+    })
+}
+
 fn run() -> Result<ExitCode, Failure> {
-    let cli = match Cli::try_parse() {
+    let read = command()
+        .try_get_matches()
+        .and_then(|found| Cli::from_arg_matches(&found));
+    let cli = match read {
         Ok(cli) => cli,
         // To a terminal clap itself writes, in colours.
         Err(help) if !help.use_stderr() && !std::io::stdout().is_terminal() => {
@@ -127,8 +143,8 @@ fn run() -> Result<ExitCode, Failure> {
         Command::Holes(args) => holes::run(&args),
         Command::Bridge(args) => bridge::run(&args),
         Command::Demo(args) => demo::run(&args),
-        Command::Completions(args) => completions::run(&args, Cli::command()),
-        Command::Man(args) => man::run(&args, Cli::command()),
+        Command::Completions(args) => completions::run(&args, command()),
+        Command::Man(args) => man::run(&args, command()),
     }?;
     Ok(ExitCode::of(is_good))
 }

@@ -15,6 +15,9 @@ use crate::selection::Selected;
 use flags::Part;
 pub use flags::RegionSteps;
 
+/// A place further than this from the surface is told, in diagonals of the mesh.
+const OFF: f64 = 0.02;
+
 /// What the steps have come to.
 pub struct Found {
     pub selected: Selected,
@@ -112,7 +115,9 @@ impl Faces<'_> {
             return Err(Failure::new(nothing(told, &step, &self.mesh.geometry)));
         }
         self.tell(told, &all);
-        self.report.told.extend(found.bumps.iter().map(extent));
+        let misses: Vec<String> = found.misses.iter().filter_map(|&miss| self.miss(miss)).collect();
+        self.report.told.extend(misses);
+        self.report.told.extend(found.bumps.iter().map(taken));
         self.report.bumps.extend(found.bumps);
         for (is_in, named) in self.is_in.iter_mut().zip(all) {
             *is_in = match how {
@@ -150,6 +155,17 @@ impl Faces<'_> {
             .map_err(|error| refusal(self.name, self.mesh, told, &error))
     }
 
+    /// That a place is not on the surface.
+    fn miss(&self, distance: f64) -> Option<String> {
+        let [low, high] = extent(&self.mesh.geometry);
+        let diagonal = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+        let said = || {
+            let distance = significant(distance);
+            format!("its place is {distance} from the surface; the nearest point there was taken")
+        };
+        (distance > OFF * diagonal).then(said)
+    }
+
     fn tell(&mut self, told: &str, faces: &[bool]) {
         let count = faces.iter().filter(|&&is_in| is_in).count();
         self.report.told.push(format!("{told}: {count} faces"));
@@ -179,7 +195,7 @@ pub fn polygons(geometry: &Geometry, triangles: &[u32]) -> [Vec<bool>; 2] {
 }
 
 /// What was taken for a bump.
-fn extent(bump: &Bump) -> String {
+fn taken(bump: &Bump) -> String {
     format!(
         "bump: {} faces up to {} from its place along the surface; H departs by up to {} from {} around it (which scatters by {})",
         bump.triangles,
@@ -190,19 +206,24 @@ fn extent(bump: &Bump) -> String {
     )
 }
 
-/// Why a step names no face.
-fn nothing(told: &str, step: &RegionStep, geometry: &Geometry) -> String {
-    let used = geometry.triangles.iter().flatten();
-    let places = used.map(|&v| geometry.positions[v as usize]);
+/// The smallest and the largest coordinates of the mesh.
+fn extent(geometry: &Geometry) -> [[f64; 3]; 2] {
     let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for p in places {
+    for &v in geometry.triangles.iter().flatten() {
+        let p = geometry.positions[v as usize];
         for k in 0..3 {
             ends[0][k] = ends[0][k].min(p[k]);
             ends[1][k] = ends[1][k].max(p[k]);
         }
     }
+    ends
+}
+
+/// Why a step names no face.
+fn nothing(told: &str, step: &RegionStep, geometry: &Geometry) -> String {
+    let ends = extent(geometry);
     let point = |p: [f64; 3]| p.map(significant).join(" ");
-    let extent = format!("the mesh lies between {} and {}", point(ends[0]), point(ends[1]));
+    let bounds = format!("the mesh lies between {} and {}", point(ends[0]), point(ends[1]));
     match step {
         RegionStep::With(_, Region::Within(Place::Ball { centre, .. })) => {
             let distance = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();
@@ -219,10 +240,10 @@ fn nothing(told: &str, step: &RegionStep, geometry: &Geometry) -> String {
                     significant(distance(&p))
                 )
             });
-            format!("{told}: no face lies in it with all corners{near}; {extent}")
+            format!("{told}: no face lies in it with all corners{near}; {bounds}")
         }
         RegionStep::With(_, Region::Within(_) | Region::HalfSpace { .. }) => {
-            format!("{told}: no face lies in it with all corners; {extent}")
+            format!("{told}: no face lies in it with all corners; {bounds}")
         }
         RegionStep::With(_, Region::Geodesic { .. }) => {
             format!("{told}: no face lies within it with all corners; give a larger radius")

@@ -41,6 +41,9 @@ pub struct SelectArgs {
     /// Writes what was found as JSON, too; '-': to stdout, instead of the readable list
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// No report; errors are still told
+    #[arg(short, long)]
+    quiet: bool,
     #[command(flatten)]
     mesh: MeshArgs,
     #[command(flatten)]
@@ -60,7 +63,7 @@ pub fn run(args: &SelectArgs) -> Result<bool, Failure> {
     let picture = args.picture.as_deref().map(Output::prepare).transpose()?;
     let answer = Answer::prepare(
         args.json.as_deref(),
-        false,
+        args.quiet,
         args.output.as_deref(),
         &[&args.input],
     )?;

@@ -10,6 +10,7 @@ use crate::formats::packed;
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals;
 use crate::region::{Found, RegionReport, RegionSteps};
+use crate::similar::similar;
 use crate::text::{self, Words};
 
 /// What the user selected: vertices, or faces, which are the polygons of a file or the triangles of a mesh.
@@ -172,10 +173,17 @@ fn named(mesh: &MeshFile, property: &str) -> Result<Selected, String> {
     match found {
         Some((kind, elements)) if !elements.is_empty() => Ok(Selected { kind, elements }),
         Some(_) => Err(format!("nothing is selected in property '{property}'")),
-        None => Err(format!(
-            "there is no property '{property}' with one number per vertex or face (only PLY files have them)"
-        )),
+        None => Err(no_property(mesh, kinds, property, bare)),
     }
+}
+
+/// That there is none of this name, and which one may have been meant.
+fn no_property(mesh: &MeshFile, kinds: &[Kind], property: &str, bare: &str) -> String {
+    let names = kinds.iter().flat_map(|&kind| mesh.property_names(kind));
+    let meant = similar(bare, names).map_or(String::new(), |meant| format!("; there is '{meant}'"));
+    format!(
+        "there is no property '{property}' with one number per vertex or face (only PLY files have them){meant}"
+    )
 }
 
 /// The selection that MeshLab stores in `flags`.

@@ -4,6 +4,7 @@ use clap::{ArgGroup, Args, ValueEnum};
 use fairmesh::{Join, LoopFilter, Loops, OnFailure, Place};
 
 use crate::failure::Failure;
+use crate::formats::Geometry;
 use crate::join::{self, JoinArg};
 
 /// What becomes of a loop for which no fair patch is found.
@@ -34,15 +35,16 @@ pub struct WhichArgs {
     /// Only holes of at most this many edges [default: all]
     #[arg(long, value_name = "N", group = "which")]
     max_edges: Option<usize>,
-    /// Only holes not longer than this
-    #[arg(long, value_name = "X", group = "which")]
-    max_length: Option<f64>,
+    /// Only holes not longer than this, or than so much of the mesh's diagonal, as 20%
+    #[arg(long, value_name = "X", group = "which", value_parser = length)]
+    max_length: Option<Length>,
     /// Only holes of no more than this area
     #[arg(long, value_name = "X", group = "which")]
     max_area: Option<f64>,
-    /// Only holes with a bounding box of no more than this diagonal
-    #[arg(long, value_name = "X", group = "which")]
-    max_diagonal: Option<f64>,
+    /// Only holes with a bounding box of no more than this diagonal, or than so much of
+    /// the mesh's own, as 5%
+    #[arg(long, value_name = "X", group = "which", value_parser = length, verbatim_doc_comment)]
+    max_diagonal: Option<Length>,
     /// All holes but so many, the longest
     #[arg(long, value_name = "K", group = "which")]
     except_longest: Option<usize>,
@@ -80,12 +82,13 @@ impl WhichArgs {
     }
 
     /// Groups that are named bring no others with them, unless these are asked for, too.
-    pub fn loops(&self, join: &Join) -> Loops {
+    pub fn loops(&self, join: &Join, geometry: &Geometry) -> Loops {
+        let measured = |length: Option<Length>| length.map(|length| length.in_units_of(geometry));
         let filter = LoopFilter {
             max_edges: self.max_edges,
-            max_length: self.max_length,
+            max_length: measured(self.max_length),
             max_area: self.max_area,
-            max_diagonal: self.max_diagonal,
+            max_diagonal: measured(self.max_diagonal),
             except_longest: self.except_longest.unwrap_or(0),
             components: (!self.component.is_empty()).then(|| self.component.clone()),
             within: self.within,
@@ -101,6 +104,49 @@ impl WhichArgs {
             _ => Loops::Where(filter),
         }
     }
+}
+
+/// A length, in the file's unit or in parts of the mesh.
+#[derive(Debug, Clone, Copy)]
+enum Length {
+    Units(f64),
+    /// Of the diagonal of the box around all faces.
+    OfDiagonal(f64),
+}
+
+impl Length {
+    fn in_units_of(self, geometry: &Geometry) -> f64 {
+        let part = match self {
+            Length::Units(length) => return length,
+            Length::OfDiagonal(part) => part,
+        };
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for p in geometry
+            .triangles
+            .iter()
+            .flatten()
+            .map(|&v| &geometry.positions[v as usize])
+        {
+            low = std::array::from_fn(|i| low[i].min(p[i]));
+            high = std::array::from_fn(|i| high[i].max(p[i]));
+        }
+        let sides = (0..3).map(|i| high[i] - low[i]);
+        // Nothing has no diagonal, and no holes.
+        part * sides.fold(0.0, f64::hypot).max(0.0)
+    }
+}
+
+/// Reads a length: 0.3, or 5%.
+fn length(text: &str) -> Result<Length, String> {
+    let (digits, unit): (&str, fn(f64) -> Length) = match text.strip_suffix('%') {
+        Some(digits) => (digits, |percent| Length::OfDiagonal(0.01 * percent)),
+        None => (text, Length::Units),
+    };
+    let number = digits
+        .trim()
+        .parse()
+        .map_err(|_| "expected a number, or a percentage as 5%")?;
+    Ok(unit(number))
 }
 
 /// Reads a value of `--within`.

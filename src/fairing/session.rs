@@ -160,7 +160,7 @@ impl Components {
         told: Option<&'a mut Callback<'a>>,
     ) -> Result<(), Error> {
         let stand = self.cursors.iter().map(|c| (c.free(), c.fraction()));
-        let mut shares = Shares::new(told, &Interrupt::default(), stand);
+        let mut shares = Shares::new(told, &Interrupt::default(), 0.0, stand);
         for (cursor, solution) in self.cursors.iter_mut().zip(&mut self.solutions) {
             if cursor.is_over() {
                 continue;

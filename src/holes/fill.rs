@@ -18,6 +18,7 @@ use super::piece::{Piece, Task};
 use super::rim::Rims;
 use super::surroundings::Surroundings;
 use super::units::local_options;
+use super::work::Work;
 use crate::error::Error;
 use crate::fairing::{
     Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, check_loops, in_given,
@@ -176,7 +177,6 @@ fn run<'a>(
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
     order.sort_by_key(|&i| edges(i));
-    let total: usize = order.iter().map(|&i| edges(i)).sum();
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
     let workers = Workers::new(options.fairing.threads)?;
@@ -203,8 +203,7 @@ fn run<'a>(
         progress,
         asked,
         guides,
-        done: 0.0,
-        total: total as f64,
+        work: Work::new(triangles.len(), options.density, (0..groups.len()).map(edges)),
         cancelled: false,
     };
     let mut pieces: Vec<Option<(Piece, f64)>> = groups.iter().map(|_| None).collect();
@@ -216,7 +215,7 @@ fn run<'a>(
             let copies: Vec<u32> = boundary.iter().flat_map(|of| of.copies(triangles)).collect();
             piece.name_copies(&copies);
         }
-        run.done += edges(i) as f64;
+        run.work.end(edges(i));
         pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
     }
     let open = |i: &usize| {
@@ -316,9 +315,7 @@ struct Run<'m, 'o> {
     asked: Vec<bool>,
     /// Per group its guides, by the places of their ends.
     guides: Vec<Vec<[u32; 2]>>,
-    /// Edges of loops done, and of all.
-    done: f64,
-    total: f64,
+    work: Work,
     cancelled: bool,
 }
 
@@ -346,7 +343,7 @@ impl Run<'_, '_> {
             self.add_made(&mut surroundings);
         }
         let edges = surroundings.loop_vertices;
-        let (done, total) = (self.done / self.total, edges as f64 / self.total);
+        let (done, share) = self.work.share(edges);
         let callback = &mut self.progress;
         let (mut cancelled, mut reached) = (false, 0.0_f64);
         let mut tell = |progress: &Progress| {
@@ -360,7 +357,7 @@ impl Run<'_, '_> {
             // A patch may be faired more than once.
             reached = reached.max(progress.fraction);
             let answer = callback(&Progress {
-                fraction: done + total * reached,
+                fraction: done + share * reached,
                 ..*progress
             });
             cancelled |= answer.is_break();

@@ -40,6 +40,7 @@ mod thinned;
 mod triangulate;
 mod trim;
 mod units;
+mod work;
 
 pub use bridge::{BridgeOptions, Bridged, bridge, bridge_with_progress};
 pub use carry_over::{Carried, carry_over};

@@ -77,7 +77,22 @@ table!(Place {
 impl Place {
     pub(crate) fn validate(&self) -> Result<(), Error> {
         let number = self.numbers().find(|number| number.is_nan());
-        Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")
+        Error::check_option("within", number.unwrap_or(0.0), number.is_none(), "numbers")?;
+        match self {
+            Self::Ball { radius, .. } => {
+                Error::check_option("within", *radius, *radius >= 0.0, "a radius of at least 0")
+            }
+            Self::Box { low, high } => {
+                let reversed = (0..3).find(|&k| low[k] > high[k]);
+                let value = reversed.map_or(0.0, |k| low[k]);
+                Error::check_option(
+                    "within",
+                    value,
+                    reversed.is_none(),
+                    "a low corner that is not above the high one",
+                )
+            }
+        }
     }
 
     fn numbers(&self) -> impl Iterator<Item = f64> {

@@ -21,8 +21,9 @@ use crate::fairing::{
     Solution, fair_with_progress,
 };
 
-/// What of the progress the coarse patch is.
-pub(super) const COARSE_SHARE: f64 = 0.2;
+/// The fraction at which the coarse patch is faired, and the one at which it is refined: shares of the time, measured.
+pub(super) const COARSE_SHARE: f64 = 0.1;
+const REFINED: f64 = 0.4;
 /// First growth when the vertices do not suffice, and the last.
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
@@ -206,7 +207,7 @@ impl Task<'_> {
         }
         let mut last = |p: &Progress| {
             tell(&Progress {
-                fraction: COARSE_SHARE + (1.0 - COARSE_SHARE) * p.fraction,
+                fraction: REFINED + (1.0 - REFINED) * p.fraction,
                 ..*p
             })
         };

@@ -1,8 +1,10 @@
 //! A region made step by step: shapes and spreads, added, taken away, cut with each other.
 
+use nalgebra::Vector3;
+
 use super::bump::{self, Bump};
 use super::neighbours::Neighbours;
-use super::seed::Seed;
+use super::seed::{Foot, Seed};
 use super::{geodesic, spread};
 use crate::error::Error;
 use crate::fairing::Workers;
@@ -84,6 +86,8 @@ pub struct SelectedRegion {
     pub counts: Vec<usize>,
     /// What was taken for each [`Region::Bump`], in their order.
     pub bumps: Vec<Bump>,
+    /// How far each [`Seed::Point`] is from the surface, in their order.
+    pub misses: Vec<f64>,
 }
 
 /// Chooses triangles of a mesh step by step, beginning with none. `positions` is #V by 3, `triangles` #T by 3; the mesh need not be a
@@ -118,12 +122,13 @@ pub fn select_region(
     let joined = Joined::new(positions, triangles, coincident)?;
     let mesh = Neighbours::new(positions, &joined.triangles);
     let mut region = vec![false; triangles.len()];
-    let (mut counts, mut bumps) = (Vec::new(), Vec::new());
+    let mut counts = Vec::new();
+    let mut found = Seeds::default();
     let count = |region: &[bool]| region.iter().filter(|&&is_in| is_in).count();
     for step in steps {
         match step {
             RegionStep::With(how, named) => {
-                let named = find(&mesh, &joined, named, &mut bumps)?;
+                let named = find(&mesh, &joined, named, &mut found)?;
                 counts.push(count(&named));
                 combine(&mut region, *how, &named);
                 continue;
@@ -138,8 +143,27 @@ pub fn select_region(
     Ok(SelectedRegion {
         triangles: all.filter(|&t| region[t as usize]).collect(),
         counts,
-        bumps,
+        bumps: found.bumps,
+        misses: found.misses,
     })
+}
+
+/// What was found at seeds.
+#[derive(Default)]
+struct Seeds {
+    bumps: Vec<Bump>,
+    misses: Vec<f64>,
+}
+
+impl Seeds {
+    /// Where a region begins.
+    fn foot(&mut self, seed: &Seed, mesh: &Neighbours<'_>) -> Result<Foot, Error> {
+        let foot = seed.foot(mesh)?;
+        if let Seed::Point(point) = seed {
+            self.misses.push((foot.place - Vector3::from(*point)).norm());
+        }
+        Ok(foot)
+    }
 }
 
 fn combine(region: &mut [bool], how: Combine, named: &[bool]) {
@@ -157,7 +181,7 @@ fn find(
     mesh: &Neighbours<'_>,
     joined: &Joined<'_>,
     region: &Region,
-    bumps: &mut Vec<Bump>,
+    seeds: &mut Seeds,
 ) -> Result<Vec<bool>, Error> {
     Ok(match region {
         Region::Triangles(list) => listed(list.iter().copied(), mesh.triangles.len())?,
@@ -188,10 +212,10 @@ fn find(
         }
         Region::Geodesic { seed, radius } => {
             Error::check_option("radius", *radius, *radius >= 0.0, "at least 0")?;
-            let distance = geodesic::distances(mesh, &seed.foot(mesh)?);
+            let distance = geodesic::distances(mesh, &seeds.foot(seed, mesh)?);
             spread::whole(mesh, |v| distance[v as usize] <= *radius)
         }
-        Region::Component(seed) => spread::connected(mesh, seed.foot(mesh)?.triangle, |_, _| true),
+        Region::Component(seed) => spread::connected(mesh, seeds.foot(seed, mesh)?.triangle, |_, _| true),
         Region::Patch { seed, angle } => {
             Error::check_option(
                 "angle",
@@ -199,13 +223,13 @@ fn find(
                 (0.0..=180.0).contains(angle),
                 "from 0 to 180 degrees",
             )?;
-            spread::patch(mesh, seed.foot(mesh)?.triangle, *angle)
+            spread::patch(mesh, seeds.foot(seed, mesh)?.triangle, *angle)
         }
         Region::Bump(seed) => {
-            let foot = seed.foot(mesh)?;
+            let foot = seeds.foot(seed, mesh)?;
             // Not on the global pool, whose threads would outlive a library that is unloaded.
             let (found, region) = Workers::new(0)?.install(|| bump::find(mesh, &foot))?;
-            bumps.push(found);
+            seeds.bumps.push(found);
             region
         }
         Region::All => vec![true; mesh.triangles.len()],

@@ -22,6 +22,7 @@ mod sampling;
 mod shape;
 mod size;
 mod sphere;
+mod spoil;
 mod surface;
 mod tetra;
 mod torus;

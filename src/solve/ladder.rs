@@ -261,6 +261,7 @@ impl Ladder {
                 return Ok(None);
             }
             if let Some(x) = self.set_up(attempt, system, control) {
+                control.begin_attempt();
                 let (underway, next) =
                     attempt
                         .procedure

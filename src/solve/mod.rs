@@ -43,6 +43,7 @@ use std::time::Instant;
 use crate::discrete::equations::State;
 pub(crate) use boundary_curvature::AskedContinuity;
 pub(crate) use control::Control;
+use control::{ANALYSED, ITERATED};
 use ladder::{Ladder, Step};
 pub(crate) use problem::{Domain, Problem};
 pub(crate) use result::{LoopContinuity, SolveResult, SolveStatus, Trial, TrialEnd};
@@ -82,11 +83,13 @@ fn solve_by(
     let mut system = System::new(problem);
     let analysis_seconds = clock.elapsed().as_secs_f64();
     system.set_interrupt(&control.interrupt);
+    control.phase(ANALYSED, initial::PHASE);
     loop {
         match ladder.advance(&mut system, control)? {
             Step::Iterated => {}
             Step::Ended(mut result) => {
                 result.start_seconds += analysis_seconds;
+                control.phase(ITERATED, "checks");
                 return Ok((result, system.into_state()));
             }
             Step::Unmoved => return Ok(problem.unmoved()),

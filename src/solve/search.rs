@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::coarse::CoarseLevel;
-use super::control::Control;
+use super::control::{Control, SEARCHED};
 use super::initial::PHASE;
 use super::result::{SolveStatus, Trial};
 use super::system::System;
@@ -38,7 +38,7 @@ impl Search {
         let Some(level) = CoarseLevel::new(&fine) else {
             return (Self::NoCoarseMesh, Vec::new());
         };
-        let found = control.within(PHASE, TOLERANCE, ITERATIONS, |control| {
+        let found = control.within((PHASE, SEARCHED), TOLERANCE, ITERATIONS, |control| {
             super::solve_on_coarsest(&level.problem(&fine), control)
         });
         let Ok((mut result, state)) = found else {

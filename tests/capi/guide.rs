@@ -90,6 +90,24 @@ fn pieces_of_the_guide_go_on_from_its_first_program() {
     assert!(said.contains("796 triangles and 1 loops are left"), "{said}");
 }
 
+/// What programmers looked for in vain before: the pieces of code that have it are compiled and run above.
+#[test]
+fn the_guide_has_what_programs_need() {
+    let guide = fs::read_to_string(root().join("docs/c-api.md")).unwrap();
+    let needed = [
+        "fairmesh_fill_holes(",
+        "fairmesh_remesh(",
+        "options.target.kind = ",
+        "export PKG_CONFIG_PATH=",
+        "export CMAKE_PREFIX_PATH=",
+        "export LD_LIBRARY_PATH=",
+        "**`error` may be NULL** in every call",
+    ];
+    for words in needed {
+        assert!(guide.contains(words), "{words}");
+    }
+}
+
 /// Doxygen stops at the first comment that it cannot make sense of, and every function has its place on the page.
 #[test]
 fn the_reference_is_made_without_warnings() {

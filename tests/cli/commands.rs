@@ -659,6 +659,14 @@ fn what_cannot_be_generated_or_shown_is_refused() {
         refused(&[&["generate", kind, "-o", "a.ply"], more].concat(), what);
     };
     generate("saddle", &["--exact", "b.ply"], "no exact surface");
+    generate(
+        "tetra-thing",
+        &["--raise", "0,0,1,1,1"],
+        "--raise: there are no exact normals",
+    );
+    generate("cylinder", &["--raise", "0,0,1,1"], "expected 5 numbers");
+    generate("cylinder", &["--cut", "0,0,0,-1"], "the radius -1 is not above 0");
+    generate("cylinder", &["--cut", "0,0,0,9"], "--cut: nothing is left");
     generate("cylinder", &["--angle", "3"], "--angle");
     generate(
         "sphere-cap",

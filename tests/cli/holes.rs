@@ -519,6 +519,12 @@ fn holes_are_chosen_by_what_they_are_and_where() {
     assert_eq!(filled(&["--within", "0,0,1.8,1.5"]), (vec![1, 2], 0));
     assert_eq!(filled(&["--within", "-2,-2,-1,2,2,1"]), (vec![0], 0));
     assert_eq!(filled(&["--max-length", "3"]).0, [0; 0]);
+    assert_eq!(filled(&["--max-length", "1%"]).0, [0; 0]);
+    assert_eq!(filled(&["--max-diagonal", "10%"]).0, [0; 0]);
+    assert_eq!(filled(&["--max-diagonal", "99%"]).0, [0, 1, 2, 3]);
+    let unknown = ["fill", "in.obj", "-o", "out.obj", "--max-diagonal", "5mm"];
+    let (_, err) = expect(&directory, &unknown, 2);
+    assert!(err.contains("expected a number, or a percentage as 5%"), "{err}");
     assert_eq!(filled(&["--except-longest", "4"]).0, [0; 0]);
     assert_eq!(
         filled(&["--drop-components-below", "2", "--loop", "3"]),

@@ -12,7 +12,10 @@ mod files;
 mod formats;
 mod holes;
 mod installed;
+#[path = "../common/jargon.rs"]
+mod jargon;
 mod pictures;
 mod pipes;
 mod references;
 mod select;
+mod words;

@@ -162,3 +162,57 @@ fn where_nothing_is_taken_it_is_told_why() {
     let (told, _) = expect(&d, &["select", "cap.obj", "--ball", "0,0,1,2"], 0);
     assert!(told.contains("this is the whole mesh"), "{told}");
 }
+
+#[test]
+fn a_place_far_from_the_surface_is_told() {
+    let d = directory("a_place_far_from_the_surface_is_told");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    let (told, _) = expect(&d, &["select", "cap.obj", "--geodesic", "0,0,5,0.45"], 0);
+    let line = "its place is 4.042 from the surface; the nearest point there was taken\n";
+    assert!(told.contains(line), "{told}");
+    let (told, _) = expect(&d, &["select", "cap.obj", "--geodesic", "0,0,0.91,0.45"], 0);
+    assert!(!told.contains("from the surface"), "{told}");
+    let (told, _) = expect(&d, &["select", "cap.obj", "--ball", "0,0,1,0.45", "--quiet"], 0);
+    assert_eq!(told, "");
+}
+
+/// What may have been meant is said: files, properties, numbers below zero.
+#[test]
+fn errors_propose_what_there_is() {
+    let d = directory("errors_propose_what_there_is");
+    fs::write(d.join("cap.obj"), obj()).unwrap();
+    let refused = |args: &[&str], message: &str| {
+        let (_, told) = expect(&d, args, 2);
+        assert!(told.contains(message), "{told}");
+    };
+    refused(
+        &["fair", "cup.obj", "-o", "out.obj", "--ball", "0,0,1,0.45"],
+        "cup.obj: cannot read: No such file or directory (os error 2); there is 'cap.obj'\n",
+    );
+    refused(
+        &[
+            "fair",
+            "cap.obj",
+            "-o",
+            "out.obj",
+            "--ball",
+            "0,0,1,0.45",
+            "--tolerance",
+            "-1",
+        ],
+        "--tolerance -1: it must be at least 1e-15",
+    );
+    refused(
+        &["select", "cap.obj", "--ball", "0,0,1,-1"],
+        "the radius -1 is below 0",
+    );
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               property int chosen\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+               0 0 0 1\n1 0 0 0\n0 1 0 0\n3 0 1 2\n";
+    fs::write(d.join("one.ply"), ply).unwrap();
+    refused(
+        &["fair", "one.ply", "-o", "out.ply", "--selection", "choosen"],
+        "one.ply: there is no property 'choosen' with one number per vertex or face (only PLY files have them); there is \
+         'chosen'\n",
+    );
+}

@@ -397,15 +397,19 @@ fn the_order_of_the_vertices_does_not_matter() {
 fn a_run_that_is_stopped_keeps_the_components_that_are_done() {
     let case = Case::of(&scattered());
     let free = case.all();
-    let share = case.components[0].len() as f64 / free.len() as f64;
+    let mut most = 0;
     let stopped = fair_with_progress(
         &case.positions,
         &case.triangles,
         Selection::Vertices(&free),
         &options(TOLERANCE),
-        &mut |progress| match progress.fraction > share + 0.01 {
+        // The iterations are counted anew when the second one begins.
+        &mut |progress| match progress.iterations < most {
             true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
+            false => {
+                most = progress.iterations;
+                ControlFlow::Continue(())
+            }
         },
     )
     .unwrap();

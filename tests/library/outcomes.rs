@@ -94,6 +94,27 @@ fn cancelling_at_any_call() {
     assert!(last > 15, "{last} calls");
 }
 
+/// The fraction follows the work: the start surface is worth as much as the iterations, none of which is worth a third of the run.
+#[test]
+fn progress_moves_evenly_over_its_phases() {
+    for (n, seed) in [(1_000, 1), (13_000, 2)] {
+        let shape = cylinder_band(n, irregular(seed), OUTSIDE);
+        let (solution, told) = run_with(&shape, &shape.random(seed), |_| false);
+        assert_eq!(solution.report.outcome, Outcome::Converged);
+        let phases: Vec<&str> = told.iter().map(|p| p.phase).collect();
+        for phase in ["start surface", "fairing", "checks"] {
+            assert!(phases.contains(&phase), "{phase}");
+        }
+        let before = told.iter().rfind(|p| p.iterations == 0).unwrap();
+        assert!((0.4..0.6).contains(&before.fraction), "{}", before.fraction);
+        assert!(told[0].fraction < 0.15, "{}", told[0].fraction);
+        assert!(told.last().unwrap().fraction > 0.85);
+        let jumps = told.windows(2).map(|w| w[1].fraction - w[0].fraction);
+        let largest = jumps.fold(0.0, f64::max);
+        assert!(largest < 0.3, "a jump of {largest}");
+    }
+}
+
 #[test]
 fn a_callback_that_panics_ends_the_run() {
     let shape = cylinder_band(500, irregular(1), OUTSIDE);

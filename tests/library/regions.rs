@@ -314,3 +314,46 @@ fn a_bump_that_ends_is_not_taken_for_more_than_it_is() {
         assert_eq!((missed.count(), taken < 2.0), (0, true), "reach {reach}: {taken}");
     }
 }
+
+#[test]
+fn a_place_beside_the_surface_is_taken_on_it_and_told() {
+    let shape = sphere(2000, irregular(3));
+    let east = |x: f64| {
+        add(Region::Geodesic {
+            seed: Seed::Point([x, 0.0, 0.0]),
+            radius: 0.3,
+        })
+    };
+    let on = select(&shape, &[east(1.0)]);
+    let beside = select(&shape, &[east(4.0), add(Region::Component(Seed::Vertex(0)))]);
+    // The nearest points of a polyhedron to both are a little apart.
+    assert!(on.counts[0].abs_diff(beside.counts[0]) * 10 < on.counts[0]);
+    assert!(on.misses[0] < 0.01, "{:?}", on.misses);
+    assert_eq!(beside.misses.len(), 1);
+    assert!((beside.misses[0] - 3.0).abs() < 0.01, "{:?}", beside.misses);
+}
+
+#[test]
+fn balls_and_boxes_turned_inside_out_are_refused() {
+    let shape = sphere(500, irregular(1));
+    let refused = |place: Place| {
+        let steps = [add(Region::Within(place))];
+        select_region(&shape.positions, &shape.triangles, &steps, Coincident::default()).unwrap_err()
+    };
+    let error = refused(Place::Ball {
+        centre: [0.0; 3],
+        radius: -1.0,
+    });
+    assert_eq!(
+        error.to_string(),
+        "option within is -1: it must be a radius of at least 0"
+    );
+    let error = refused(Place::Box {
+        low: [0.0, 2.0, 0.0],
+        high: [1.0; 3],
+    });
+    assert_eq!(
+        error.to_string(),
+        "option within is 2: it must be a low corner that is not above the high one"
+    );
+}

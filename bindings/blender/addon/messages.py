@@ -25,7 +25,7 @@ _FIGURES = {
     Outcome.SELF_INTERSECTING: " ({r.intersection_count} pairs, {r.intersections_in_input} before the fairing)",
     Outcome.NORMALS_NOT_REACHABLE: " ({reached:.0f} % of the way)",
     Outcome.TARGET_NOT_REACHABLE: " ({reached:.0f} % of it)",
-    Outcome.NEAREST_MEMBER: " (w = {r.member_weight:.3g} between harmonic, 0, and minimal energy, 1)",
+    Outcome.NEAREST_MEMBER: " (w = {r.member_weight:.3g} between the shapes Natural, 0, and Elastic Sheet, 1)",
 }
 
 

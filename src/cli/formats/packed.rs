@@ -9,6 +9,7 @@ use flate2::write::GzEncoder;
 
 use super::pipes::is_piped;
 use crate::failure::Failure;
+use crate::similar::similar_file;
 
 /// The first bytes of whatever gzip has packed.
 const MARK: &[u8] = b"\x1f\x8b";
@@ -43,7 +44,14 @@ pub fn read_mesh(path: &Path) -> Result<Vec<u8>, Failure> {
 /// The bytes of a file, unpacked if its name says so.
 pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|why| Failure::new(format!("{name}: cannot read: {why}")))?;
+    let bytes = std::fs::read(path).map_err(|why| {
+        let meant = match why.kind() {
+            io::ErrorKind::NotFound => similar_file(path),
+            _ => None,
+        };
+        let meant = meant.map_or(String::new(), |meant| format!("; there is '{}'", meant.display()));
+        Failure::new(format!("{name}: cannot read: {why}{meant}"))
+    })?;
     match (is_named_so(path), bytes.starts_with(MARK)) {
         (false, _) => Ok(bytes),
         (true, true) => unpacked(&name, &bytes),

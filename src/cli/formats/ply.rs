@@ -259,6 +259,19 @@ impl Ply {
         )
     }
 
+    /// The names of the properties with one number per row.
+    pub fn names(&self, kind: Kind) -> impl Iterator<Item = &str> {
+        let table = match kind {
+            Kind::Vertex => &self.vertex,
+            Kind::Face => &self.face,
+        };
+        let is_scalar = |kind: &PropertyKind| matches!(kind, PropertyKind::Scalar(_));
+        let properties = table.element.properties.iter();
+        properties
+            .filter(move |of| is_scalar(&of.kind))
+            .map(|of| of.name.as_str())
+    }
+
     /// The property `name` of every row, and whether it is a floating-point number by its type.
     pub fn numbers(&self, bytes: &[u8], kind: Kind, name: &str) -> Option<(Vec<f64>, bool)> {
         let table = match kind {
@@ -312,20 +325,25 @@ impl Ply {
     }
 }
 
-/// A binary file with doubles.
+/// A binary file with doubles. Numbers of corners have one byte, if that is enough: MeshLab reads no others.
 pub fn plain(positions: &[[f64; 3]], polygons: &[impl AsRef<[u32]>]) -> Vec<u8> {
+    let is_short = polygons
+        .iter()
+        .all(|polygon| u8::try_from(polygon.as_ref().len()).is_ok());
     let header = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-         property double z\nelement face {}\nproperty list uint int vertex_indices\nend_header\n",
+         property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
         positions.len(),
-        polygons.len()
+        polygons.len(),
+        if is_short { "uchar" } else { "uint" }
     );
     let mut bytes = header.into_bytes();
     for coordinate in positions.iter().flatten() {
         bytes.extend_from_slice(&coordinate.to_le_bytes());
     }
     for polygon in polygons.iter().map(AsRef::as_ref) {
-        bytes.extend_from_slice(&(polygon.len() as u32).to_le_bytes());
+        let count = (polygon.len() as u32).to_le_bytes();
+        bytes.extend_from_slice(&count[..if is_short { 1 } else { 4 }]);
         polygon
             .iter()
             .for_each(|corner| bytes.extend_from_slice(&corner.to_le_bytes()));

@@ -488,6 +488,22 @@ fn plain_files_read_back_the_same() {
     assert_eq!(corners(positions, triangles), corners(&moved(), &FANS));
 }
 
+/// MeshLab opens no PLY file whose numbers of corners have more than a byte.
+#[test]
+fn corners_are_counted_in_a_byte_where_that_is_enough() {
+    let round: Vec<[f64; 3]> = (0..300).map(|k| [f64::from(k), f64::from(k * k), 1.0]).collect();
+    for (corners, kind) in [
+        (3, "list uchar int"),
+        (255, "list uchar int"),
+        (256, "list uint int"),
+    ] {
+        let polygons = [(0..corners).collect::<Vec<u32>>()];
+        let bytes = plain(Format::Ply, &round, &polygons);
+        assert!(String::from_utf8_lossy(&bytes).contains(kind));
+        assert_eq!(read(Format::Ply, &bytes).geometry.polygons(), polygons);
+    }
+}
+
 #[test]
 fn degenerate_polygons_count_but_have_no_triangles() {
     let text = "OFF 4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0\n3 0 1 2\n0\n4 0 1 2 3\n";

@@ -3,7 +3,7 @@
 use super::camera::Camera;
 use super::image::linear;
 use super::{Shading, V3, View};
-use crate::normals::{all as vertex_normals, dot, of_triangle, sub, unit};
+use crate::normals::{all_seen, dot, of_triangle, sub, unit};
 
 /// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.
 const LINES: f64 = 17.0;
@@ -26,7 +26,7 @@ impl<'a> Painter<'a> {
     pub fn new(view: &'a View<'a>, camera: &Camera) -> Self {
         Self {
             view,
-            normals: vertex_normals(view.positions, view.triangles),
+            normals: all_seen(view.positions, view.triangles),
             eye: camera.eye(),
             key: camera.direction([-0.55, 0.75, 0.8]),
             fill: camera.direction([0.9, -0.1, 0.45]),

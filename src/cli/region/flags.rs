@@ -223,6 +223,7 @@ fn ball(text: &str) -> Result<Part, String> {
             centre: [x, y, z],
             radius,
         }))),
+        [_, _, _, radius] => Err(format!("the radius {radius} is below 0")),
         _ => Err("expected X,Y,Z,RADIUS".to_owned()),
     }
 }
@@ -252,7 +253,10 @@ fn half_space(text: &str) -> Result<Part, String> {
 fn geodesic(text: &str) -> Result<Part, String> {
     let numbers = numbers(text)?;
     match numbers.split_last() {
-        Some((&radius, at)) if matches!(at.len(), 1 | 3) && radius >= 0.0 => {
+        Some((&radius, at)) if matches!(at.len(), 1 | 3) && radius < 0.0 => {
+            Err(format!("the radius {radius} is below 0"))
+        }
+        Some((&radius, at)) if matches!(at.len(), 1 | 3) => {
             let seed = place(at)?;
             Ok(Part::Region(Region::Geodesic { seed, radius }))
         }

@@ -10,7 +10,7 @@ use crate::discrete::curvature::NO_TILT;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::solve::attempt::{Attempt, Curvature, Start, Weights};
-use crate::solve::control::Control;
+use crate::solve::control::{Control, STARTED};
 use crate::solve::initial::PHASE;
 use crate::solve::problem::diagonal;
 use crate::solve::search::Search;
@@ -57,13 +57,12 @@ impl Ladder {
         }
         let clock = Instant::now();
         system.use_asked_weights();
-        control.phase(0.05, PHASE);
         let linear = system.start(control);
         if !control.checkpoint(PHASE) {
             return Ok(false);
         }
         self.linear = Some(linear?);
-        control.phase(0.3, PHASE);
+        control.phase(STARTED, PHASE);
         self.start_seconds += clock.elapsed().as_secs_f64();
         Ok(true)
     }

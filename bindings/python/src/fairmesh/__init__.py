@@ -1,4 +1,4 @@
-"""Fairing of triangle meshes: moves the free vertices of a region until its mean curvature is harmonic."""
+"""Fairing of triangle meshes: regions get the smoothest shape that goes on from what is around them."""
 
 from __future__ import annotations
 

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Writes docs/gallery.md and docs/gallery/*.png anew. The scans that it shows come from Debian's libcgal-demo, which is installed
+# where it is missing, and from PyPI's tvb-data (50 MB), into target/gallery.
+#   site/gallery.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cargo build --release --locked --quiet -p fairmesh-cli
+scans=target/gallery/scans
+mkdir -p $scans
+archive=/usr/share/doc/libcgal-demo/data.tar.gz
+if [ ! -e $archive ]; then
+    as_root=""
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -qq
+    $as_root apt-get install -y -qq --no-install-recommends libcgal-demo
+fi
+[ -e $scans/data/meshes ] || tar -xzf $archive -C $scans
+skull=$scans/tvb_data/surfaceData/outer_skull_4096
+if [ ! -e $skull ]; then
+    python3 -m venv target/gallery/venv
+    target/gallery/venv/bin/pip download -q --disable-pip-version-check --no-deps -d $scans tvb-data==3.0.0
+    python3 -m zipfile -e $scans/tvb_data-3.0.0-*.whl $scans
+    python3 -m zipfile -e $skull.zip $skull
+fi
+python3 site/gallery.py "${CARGO_TARGET_DIR:-target}/release/fairmesh" $scans

@@ -1,0 +1,61 @@
+//! What a run of filling has done, of what it has to do: in new vertices, each of which takes about the same time.
+
+/// The work of looking at one triangle of the mesh: measured on spheres of 13,000 to 100,000 vertices.
+const PER_TRIANGLE: f64 = 0.03;
+/// The work of one edge of a loop: what is done once for a small loop.
+const PER_EDGE: f64 = 2.0;
+
+/// How far a run is.
+pub(super) struct Work {
+    density: f64,
+    done: f64,
+    total: f64,
+}
+
+impl Work {
+    /// Of groups of loops with so many edges each, in a mesh of so many triangles, which have been looked at.
+    pub(super) fn new(triangles: usize, density: f64, edges: impl Iterator<Item = usize>) -> Self {
+        let done = PER_TRIANGLE * triangles as f64;
+        Self {
+            density,
+            done,
+            total: done + edges.map(|edges| patch(edges, density)).sum::<f64>(),
+        }
+    }
+
+    /// The fraction that is done, and the share of a patch of so many edges.
+    pub(super) fn share(&self, edges: usize) -> (f64, f64) {
+        (self.done / self.total, patch(edges, self.density) / self.total)
+    }
+
+    /// Such a patch is made.
+    pub(super) fn end(&mut self, edges: usize) {
+        self.done += patch(edges, self.density);
+    }
+}
+
+/// The new vertices of a disc with so many edges around, each with an area of `sqrt(3)/2` edges squared, and those edges.
+fn patch(edges: usize, density: f64) -> f64 {
+    let edges = edges as f64;
+    let area = edges * edges / (4.0 * std::f64::consts::PI);
+    area * density * density * 2.0 / 3.0_f64.sqrt() + PER_EDGE * edges
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shares_make_the_whole() {
+        let edges = [5, 40, 12];
+        let mut work = Work::new(1000, 1.5, edges.into_iter());
+        let mut last = 0.0;
+        for edges in edges {
+            let (done, share) = work.share(edges);
+            assert!(done > last && share > 0.0);
+            last = done;
+            work.end(edges);
+        }
+        assert!((work.share(0).0 - 1.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,119 @@
+//! The guides in docs/guides: their commands run as they stand, print what is shown, and do what the page says.
+//!
+//! Those that need other programs than this one are in `long`, and run as a step of `./test.sh long`.
+#![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
+
+#[path = "../common/document.rs"]
+#[allow(dead_code, reason = "the other documents use the rest")]
+mod document;
+mod long;
+mod mesh;
+mod runner;
+
+use std::path::Path;
+
+use mesh::{Mesh, off_cylinder, off_sphere};
+
+/// Every guide, with the test that runs it.
+const GUIDES: [(&str, fn()); 10] = [
+    ("a-folder-of-scans", a_folder_of_scans),
+    ("blender-headless", long::blender_headless),
+    ("c-program", long::c_program),
+    ("close-small-holes", close_small_holes),
+    ("compare-in-a-picture", compare_in_a_picture),
+    ("erase-and-fill", erase_and_fill),
+    ("join-tubes", join_tubes),
+    ("meshlab-script", long::meshlab_script),
+    ("python-textured-obj", long::python_textured_obj),
+    ("remove-a-bump", remove_a_bump),
+];
+
+#[test]
+fn every_guide_has_its_test_and_its_place_in_the_list() {
+    let names: Vec<&str> = GUIDES.iter().map(|(name, _)| *name).collect();
+    assert_eq!(runner::guides(), names);
+    let list = std::fs::read_to_string(runner::root().join("docs/guides/README.md")).unwrap();
+    for name in names {
+        assert!(list.contains(&format!("({name}.md)")), "{name}");
+    }
+}
+
+/// A picture that is not empty; it stands in the guide of this name, or in none.
+fn assert_picture(path: &Path, guide: Option<&str>) {
+    let bytes = std::fs::read(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    assert!(
+        bytes.starts_with(b"\x89PNG") && bytes.len() > 5_000,
+        "{}",
+        path.display()
+    );
+    let Some(guide) = guide else {
+        return;
+    };
+    let shown = runner::root().join(format!("docs/guides/{guide}.png"));
+    if std::env::var_os("FAIRMESH_WRITE_DOCS").is_some() {
+        std::fs::write(&shown, bytes).unwrap();
+    }
+    assert!(shown.exists(), "{}", shown.display());
+}
+
+#[test]
+fn remove_a_bump() {
+    let folder = runner::run("remove-a-bump");
+    let read = |name: &str| Mesh::read(&folder.join(name));
+    assert!(read("part.stl").largest(off_sphere) > 0.04);
+    let smooth = read("smooth.stl");
+    assert!(smooth.largest(off_sphere) < 1e-5);
+    assert_eq!(smooth.triangles.len(), read("plain.stl").triangles.len());
+    assert_picture(&folder.join("bump.png"), Some("remove-a-bump"));
+}
+
+#[test]
+fn close_small_holes() {
+    let folder = runner::run("close-small-holes");
+    let [scan, closed] = ["scan.ply", "closed.ply"].map(|name| Mesh::read(&folder.join(name)));
+    let [mut before, mut after] = [scan.holes(), closed.holes()];
+    before.sort_unstable();
+    after.sort_unstable();
+    assert_eq!(after, before[2..]);
+    assert!(closed.largest(off_sphere) < 1e-3);
+}
+
+#[test]
+fn erase_and_fill() {
+    let folder = runner::run("erase-and-fill");
+    let read = |name: &str| Mesh::read(&folder.join(name));
+    assert!(read("spoiled.ply").largest(off_sphere) > 0.02);
+    let mended = read("mended.ply");
+    assert!(mended.largest(off_sphere) < 1e-4);
+    assert_eq!(mended.holes().len(), 1, "only the outer edge of the cap is open");
+    assert_picture(&folder.join("ball.png"), None);
+}
+
+#[test]
+fn join_tubes() {
+    let folder = runner::run("join-tubes");
+    let [tubes, joined] = ["tubes.ply", "joined.ply"].map(|name| Mesh::read(&folder.join(name)));
+    assert_eq!([tubes.holes().len(), joined.holes().len()], [4, 2]);
+    assert!(joined.largest(off_cylinder) < 1e-3);
+    assert_picture(&folder.join("blend/blend.png"), None);
+}
+
+#[test]
+fn compare_in_a_picture() {
+    let folder = runner::run("compare-in-a-picture");
+    assert_picture(&folder.join("compare.png"), None);
+    assert_picture(&folder.join("both.png"), Some("compare-in-a-picture"));
+    let [before, after] = ["before.ply", "after.ply"].map(|name| Mesh::read(&folder.join(name)));
+    assert!(before.largest(off_sphere) > 0.05 && after.largest(off_sphere) < 1e-5);
+}
+
+#[test]
+fn a_folder_of_scans() {
+    let folder = runner::run("a-folder-of-scans");
+    for name in ["ball1.ply", "ball2.ply", "ball3.ply"] {
+        let filled = Mesh::read(&folder.join("filled").join(name));
+        assert!(filled.holes().is_empty(), "{name}");
+        assert!(filled.largest(off_sphere) < 1e-3, "{name}");
+    }
+    assert!(!folder.join("filled/notes.ply").exists());
+}
