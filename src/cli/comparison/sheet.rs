@@ -126,8 +126,8 @@ impl Comparison<'_> {
             let farthest = moved.farthest();
             let most = farthest.largest;
             let (side, caption) = match std::ptr::eq(farthest, &moved.back) {
-                true => (0, "before: how far the surface after is"),
-                false => (1, "after: how far the surface before is"),
+                true => (0, "before: distance from the surface after"),
+                false => (1, "after: distance from the surface before"),
             };
             let scale = Scale {
                 title: "distance".to_owned(),

@@ -84,7 +84,9 @@ impl Distances<'_> {
         let mut text = format!("{other} against {first}:\n");
         let mut row = |name: &str, cells: [String; 5]| {
             let [a, b, c, d, e] = cells;
-            let _ = writeln!(text, "  {name:<24} {a:>10} {b:>10} {c:>10} {d:>12}  {e}");
+            let line = format!("  {name:<24} {a:>10} {b:>10} {c:>10} {d:>12}  {e}");
+            text += line.trim_end();
+            text.push('\n');
         };
         row(
             "distance",
