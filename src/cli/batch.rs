@@ -62,9 +62,18 @@ impl Row<'_> {
     fn outcome(&self) -> &str {
         match &self.ended {
             Ok(done) => &done.outcome,
-            Err(failure) if failure.code() == ExitCode::Exhausted => "exhausted",
-            Err(_) => "refused",
+            Err(failure) => match failure.code() {
+                ExitCode::Exhausted => "exhausted",
+                ExitCode::Untold => "written, not told",
+                _ => "refused",
+            },
         }
+    }
+
+    /// Whether the result stands.
+    fn is_written(&self) -> bool {
+        let told = self.ended.as_ref().err().map(Failure::code);
+        told.is_none_or(|code| code == ExitCode::Untold)
     }
 
     fn json(&self) -> Value {
@@ -105,7 +114,7 @@ pub fn run(
     let worst = worst.unwrap_or(ExitCode::Done);
     let written: Vec<&Path> = rows
         .iter()
-        .filter(|row| row.ended.is_ok())
+        .filter(|row| row.is_written())
         .map(|row| row.job.output.as_path())
         .collect();
     let told = answer.tell(
@@ -155,7 +164,7 @@ fn table(rows: &[Row<'_>], is_verbose: bool) -> String {
     }
     let count = |code: &dyn Fn(ExitCode) -> bool| rows.iter().filter(|row| code(row.code())).count();
     let good = count(&|code| code == ExitCode::Done);
-    let imperfect = count(&|code| code == ExitCode::Imperfect);
+    let imperfect = count(&|code| matches!(code, ExitCode::Imperfect | ExitCode::Untold));
     let _ = writeln!(
         text,
         "{} files: {good} as asked, {imperfect} written with a reservation, {} not written",

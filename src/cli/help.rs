@@ -10,6 +10,7 @@ Examples:
   fairmesh fair part.obj -o fair.obj --faces f.txt    the faces listed in f.txt
   fairmesh fair scan.stl -o scan.stl --free v.txt --json report.json
   fairmesh fair part.ply -o fair.ply --selection vertex:quality
+  fairmesh fair scan.stl -o fair.stl --bump 12.5,3,40 --picture seen.png --report told.html
   fairmesh fair scans/*.ply -o fair/                  several files into a directory
 
 "

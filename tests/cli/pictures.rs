@@ -695,6 +695,28 @@ fn a_picture_that_cannot_be_written_is_told_with_what_was() {
         );
         assert!(directory.join(output).exists());
     }
+    // Of several meshes the other one is not concerned.
+    fs::copy(directory.join("cap.obj"), directory.join("second.obj")).unwrap();
+    fs::create_dir(directory.join("seen")).unwrap();
+    std::os::unix::fs::symlink("/dev/full", directory.join("seen/cap.png")).unwrap();
+    let both = [
+        "fair",
+        "cap.obj",
+        "second.obj",
+        "-o",
+        "out/",
+        "--free",
+        "free.txt",
+    ];
+    let (told, err) = expect(&directory, &[&both[..], &["--picture", "seen"]].concat(), 5);
+    assert!(told.contains("written, not told"), "{told}");
+    assert!(
+        told.ends_with("2 files: 1 as asked, 1 written with a reservation, 0 not written\n"),
+        "{told}"
+    );
+    assert_eq!(err.lines().count(), 1, "{err}");
+    assert!(directory.join("seen/second.png").exists());
+    assert!(directory.join("out/cap.obj").exists() && directory.join("out/second.obj").exists());
 }
 
 #[test]
