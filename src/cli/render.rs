@@ -4,6 +4,7 @@ mod distances;
 pub mod range;
 
 use std::ffi::OsStr;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -14,6 +15,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::colours::Colours;
 use crate::formats::pipes::PipeArgs;
+use crate::formats::textures::Textured;
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals::unit;
 use crate::output::Output;
@@ -124,88 +126,124 @@ pub fn run(args: &RenderArgs) -> Result<bool, Failure> {
     let piped = args.pipe.of(&inputs)?;
     let files = (args.inputs.iter().map(|path| MeshFile::read(path, piped)))
         .collect::<Result<Vec<MeshFile>, Failure>>()?;
-    let colours = needed(args, Shade::Colors, &files, colours)?;
-    let textures = needed(args, Shade::Texture, &files, |path, file| file.textured(path))?;
-    let meshes: Vec<Geometry> = files.into_iter().map(|file| file.geometry).collect();
-    let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
-    let distances = match args.shade.contains(&Shade::Distance) {
-        true => distances::measured(&args.inputs, &meshes.iter().collect::<Vec<_>>())?,
-        false => Vec::new(),
-    };
-    let curvatures = match args.shade.contains(&Shade::Curvature) {
-        true => curvatures(args, &meshes)?,
-        false => vec![Vec::new(); meshes.len()],
-    };
-    let h = match asked_range {
-        Some(ends) => range::asked("H", ends),
-        None => range::usual("H", &shown(&meshes, &curvatures, &focus)),
-    };
-    let distance = distance_scale(asked_range, &distances);
-    let mut views = Vec::new();
-    for shade in &args.shade {
-        for (k, (mesh, focus)) in meshes.iter().zip(&focus).enumerate() {
-            let shading = match shade {
-                Shade::Flat => Shading::Flat,
-                Shade::Reflection => Shading::ReflectionLines,
-                Shade::Curvature => Shading::Values(&curvatures[k], &h),
-                Shade::Colors => match colours[k].kind {
-                    Kind::Vertex => Shading::VertexColours(&colours[k].values),
-                    Kind::Face => Shading::FaceColours(&colours[k].values),
-                },
-                Shade::Texture => Shading::Textured(&textures[k]),
-                Shade::Distance => match k.checked_sub(1) {
-                    None => Shading::Flat,
-                    Some(other) => Shading::Values(&distances[other].there.vertices, &distance),
-                },
-            };
-            let (mut positions, mut triangles) = (&mesh.positions, &mesh.triangles);
-            if let (Shade::Distance, Some(other)) = (shade, k.checked_sub(1)) {
-                let painted = &distances[other].painted;
-                (positions, triangles) = (&painted.positions, &painted.triangles);
-            }
-            views.push(View {
-                positions,
-                triangles,
-                shading,
-                focus,
-            });
-        }
-    }
+    let scene = Scene::new(args, files, asked_range)?;
+    let views = scene.views(&args.shade);
     let columns = match args.shade.len() {
-        0 | 1 => meshes.len().min(MOST_COLUMNS),
-        _ => meshes.len(),
+        0 | 1 => args.inputs.len().min(MOST_COLUMNS),
+        _ => args.inputs.len(),
     };
-    let rows = |of: usize| match args.shade.len() {
-        0 | 1 => 0..meshes.len().div_ceil(columns),
-        _ => of..of + 1,
-    };
-    let scales = args
-        .shade
-        .iter()
-        .enumerate()
-        .filter_map(|(row, shade)| match shade {
-            Shade::Curvature => Some((rows(row), &h)),
-            Shade::Distance => Some((rows(row), &distance)),
-            _ => None,
-        });
-    let scales: Vec<_> = scales.collect();
     let captions: Vec<String> = captions.iter().cycle().take(views.len()).cloned().collect();
     let layout = Layout {
         columns,
         captions: &captions,
-        scales: &scales,
+        scales: &scene.scales(&args.shade, columns),
         ..Layout::default()
     };
     output.write(&match args.turntable {
         Some(frames) => picture::turning(&views, &options, &layout, (usize::from(frames), animation))?,
         None => picture::render(&views, &options, &layout)?,
     })?;
+    let distances = &scene.distances;
     if !distances.is_empty() {
         let all = || json!({ "distances": distances.iter().map(Distances::json).collect::<Vec<Value>>() });
         let told = || distances.iter().map(Distances::readable).collect();
         answer.tell(&[&args.output], all, told)?;
     }
     Ok(true)
+}
+
+/// The meshes, with what the shades that are asked for need.
+struct Scene<'a> {
+    meshes: Vec<Geometry>,
+    focus: Vec<Vec<bool>>,
+    colours: Vec<Colours>,
+    textures: Vec<Textured>,
+    curvatures: Vec<Vec<f64>>,
+    /// Of all meshes but the first.
+    distances: Vec<Distances<'a>>,
+    curvature_scale: Scale,
+    distance_scale: Scale,
+}
+
+impl<'a> Scene<'a> {
+    fn new(
+        args: &'a RenderArgs,
+        files: Vec<MeshFile>,
+        asked_range: Option<[f64; 2]>,
+    ) -> Result<Self, Failure> {
+        let colours = needed(args, Shade::Colors, &files, colours)?;
+        let textures = needed(args, Shade::Texture, &files, |path, file| file.textured(path))?;
+        let meshes: Vec<Geometry> = files.into_iter().map(|file| file.geometry).collect();
+        let focus = (meshes.iter().map(|mesh| focus(args, mesh))).collect::<Result<Vec<_>, Failure>>()?;
+        let distances = match args.shade.contains(&Shade::Distance) {
+            true => distances::measured(&args.inputs, &meshes.iter().collect::<Vec<_>>())?,
+            false => Vec::new(),
+        };
+        let curvatures = match args.shade.contains(&Shade::Curvature) {
+            true => curvatures(args, &meshes)?,
+            false => vec![Vec::new(); meshes.len()],
+        };
+        Ok(Self {
+            curvature_scale: match asked_range {
+                Some(ends) => range::asked("H", ends),
+                None => range::usual("H", &shown(&meshes, &curvatures, &focus)),
+            },
+            distance_scale: distance_scale(asked_range, &distances),
+            meshes,
+            focus,
+            colours,
+            textures,
+            curvatures,
+            distances,
+        })
+    }
+
+    /// A row of all meshes for each shade.
+    fn views(&self, shades: &[Shade]) -> Vec<View<'_>> {
+        let row = |&shade: &Shade| (0..self.meshes.len()).map(move |k| self.view(shade, k));
+        shades.iter().flat_map(row).collect()
+    }
+
+    fn view(&self, shade: Shade, k: usize) -> View<'_> {
+        let measured = k.checked_sub(1).filter(|_| shade == Shade::Distance);
+        let measured = measured.map(|other| &self.distances[other]);
+        let shading = match (shade, measured) {
+            (Shade::Distance, Some(found)) => Shading::Values(&found.there.vertices, &self.distance_scale),
+            (Shade::Flat | Shade::Distance, _) => Shading::Flat,
+            (Shade::Reflection, _) => Shading::ReflectionLines,
+            (Shade::Curvature, _) => Shading::Values(&self.curvatures[k], &self.curvature_scale),
+            (Shade::Colors, _) => match self.colours[k].kind {
+                Kind::Vertex => Shading::VertexColours(&self.colours[k].values),
+                Kind::Face => Shading::FaceColours(&self.colours[k].values),
+            },
+            (Shade::Texture, _) => Shading::Textured(&self.textures[k]),
+        };
+        let mesh = &self.meshes[k];
+        let (positions, triangles) = match measured {
+            Some(found) => (&found.painted.positions, &found.painted.triangles),
+            None => (&mesh.positions, &mesh.triangles),
+        };
+        View {
+            positions,
+            triangles,
+            shading,
+            focus: &self.focus[k],
+        }
+    }
+
+    /// The scales, and the rows of pictures that they are beside.
+    fn scales(&self, shades: &[Shade], columns: usize) -> Vec<(Range<usize>, &Scale)> {
+        let rows = |row: usize| match shades.len() {
+            0 | 1 => 0..self.meshes.len().div_ceil(columns),
+            _ => row..row + 1,
+        };
+        let scale = |(row, shade): (usize, &Shade)| match shade {
+            Shade::Curvature => Some((rows(row), &self.curvature_scale)),
+            Shade::Distance => Some((rows(row), &self.distance_scale)),
+            _ => None,
+        };
+        shades.iter().enumerate().filter_map(scale).collect()
+    }
 }
 
 /// Of every mesh what a shade needs, if it is asked for.
