@@ -18,7 +18,7 @@ use super::piece::{Piece, Task};
 use super::rim::Rims;
 use super::surroundings::Surroundings;
 use super::units::local_options;
-use super::work::Work;
+use super::work::{Tries, Work};
 use crate::error::Error;
 use crate::fairing::{
     Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, check_loops, in_given,
@@ -345,7 +345,7 @@ impl Run<'_, '_> {
         let edges = surroundings.loop_vertices;
         let (done, share) = self.work.share(edges);
         let callback = &mut self.progress;
-        let (mut cancelled, mut reached) = (false, 0.0_f64);
+        let (mut cancelled, mut tries) = (false, Tries::new());
         let mut tell = |progress: &Progress| {
             // Who has asked to stop is not asked again.
             if cancelled {
@@ -354,10 +354,8 @@ impl Run<'_, '_> {
             let Some(callback) = callback else {
                 return ControlFlow::Continue(());
             };
-            // A patch may be faired more than once.
-            reached = reached.max(progress.fraction);
             let answer = callback(&Progress {
-                fraction: done + share * reached,
+                fraction: done + share * tries.reached(progress.fraction),
                 ..*progress
             });
             cancelled |= answer.is_break();

@@ -8,7 +8,7 @@ use super::creases::normals;
 use super::patch::Patch;
 use super::piece::{Piece, Task};
 use crate::discrete::boundary_normals::slerp;
-use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, ProgressCallback};
+use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, Progress, ProgressCallback};
 
 /// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
 const PARTS: [f64; 2] = [0.5, 0.0];
@@ -84,7 +84,13 @@ impl Task<'_> {
             continuity: 0.0,
             ..self.options.clone()
         };
-        let mut solution = self.faired(&gentle.patch, &options, tell).ok()?;
+        let mut named = |progress: &Progress| {
+            tell(&Progress {
+                phase: "gentler normals",
+                ..*progress
+            })
+        };
+        let mut solution = self.faired(&gentle.patch, &options, &mut named).ok()?;
         if matches!(solution.report.outcome, Outcome::Converged) {
             solution.report.outcome = Outcome::ConvergedLoosely {
                 reason: LooseReason::DrawnNormals,

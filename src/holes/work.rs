@@ -5,6 +5,41 @@ const PER_TRIANGLE: f64 = 0.03;
 /// The work of one edge of a loop: what is done once for a small loop.
 const PER_EDGE: f64 = 2.0;
 
+/// What of a patch's share its first fairing is: few are faired more often.
+const FIRST: f64 = 0.9;
+/// A fraction that falls by more than this begins anew.
+const ANEW: f64 = 0.3;
+
+/// How far one patch is, that may be faired more than once: each time but the first takes half of what is left.
+pub(super) struct Tries {
+    from: f64,
+    to: f64,
+    last: f64,
+    reached: f64,
+}
+
+impl Tries {
+    pub(super) fn new() -> Self {
+        Self {
+            from: 0.0,
+            to: FIRST,
+            last: 0.0,
+            reached: 0.0,
+        }
+    }
+
+    /// The fraction of the patch that is done at this fraction of a fairing; it never falls.
+    pub(super) fn reached(&mut self, fraction: f64) -> f64 {
+        if fraction < self.last - ANEW {
+            self.from = self.reached;
+            self.to = (1.0 + self.from) / 2.0;
+        }
+        self.last = fraction;
+        self.reached = self.reached.max(self.from + (self.to - self.from) * fraction);
+        self.reached
+    }
+}
+
 /// How far a run is.
 pub(super) struct Work {
     density: f64,
@@ -57,5 +92,15 @@ mod tests {
             work.end(edges);
         }
         assert!((work.share(0).0 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_patch_that_is_tried_again_goes_on_and_never_ends_before() {
+        let mut tries = Tries::new();
+        let told: Vec<f64> = [0.0, 0.5, 1.0, 0.1, 0.9, 0.2, 1.0]
+            .map(|f| tries.reached(f))
+            .to_vec();
+        assert!(told.is_sorted() && told[2] == 0.9, "{told:?}");
+        assert!(told[4] > 0.92 && told[6] > told[4] && told[6] < 1.0, "{told:?}");
     }
 }
