@@ -84,16 +84,15 @@ impl<'a> Control<'a> {
         }
     }
 
-    /// Reports a phase of the preparation, `fraction` of the whole; returns whether to go on.
+    /// Reports a phase between iterations, at `fraction` of the whole; returns whether to go on.
     pub(crate) fn phase(&mut self, fraction: f64, phase: &'static str) -> bool {
-        self.tell(fraction, f64::NAN, phase);
+        self.tell(fraction, self.tally.step, phase);
         !self.cancelled
     }
 
     /// Shows within a phase that it goes on, so that it can be stopped; returns whether to go on.
     pub(crate) fn checkpoint(&mut self, phase: &'static str) -> bool {
-        self.tell(self.tally.fraction, self.tally.step, phase);
-        !self.cancelled
+        self.phase(self.tally.fraction, phase)
     }
 
     /// An attempt begins. The first one is likely to be the last; each further one is given half of what is left.

@@ -109,6 +109,8 @@ fn progress_moves_evenly_over_its_phases() {
         assert!((0.4..0.6).contains(&before.fraction), "{}", before.fraction);
         assert!(told[0].fraction < 0.15, "{}", told[0].fraction);
         assert!(told.last().unwrap().fraction > 0.85);
+        // What is told between iterations has the step norm of the last one.
+        assert!(told.iter().all(|p| p.step.is_nan() == (p.iterations == 0)));
         let jumps = told.windows(2).map(|w| w[1].fraction - w[0].fraction);
         let largest = jumps.fold(0.0, f64::max);
         assert!(largest < 0.3, "a jump of {largest}");
