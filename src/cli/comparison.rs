@@ -7,8 +7,11 @@ mod page;
 mod sheet;
 pub mod story;
 
+use std::cell::OnceCell;
+
 use fairmesh::{DistanceTo, Error, SurfaceDistance};
 
+use crate::bounds::Bounds;
 use crate::formats::Geometry;
 use crate::normals::{cross, dot, sub, unit};
 use crate::picture::Refined;
@@ -28,6 +31,12 @@ pub struct Surface<'a> {
 impl Surface<'_> {
     fn corners(&self, t: usize) -> [V3; 3] {
         self.triangles[t].map(|v| self.positions[v as usize])
+    }
+
+    /// The box around some triangles.
+    fn bounds(&self, is_in: impl Fn(usize) -> bool) -> Bounds {
+        let some = self.triangles.iter().enumerate().filter(|(t, _)| is_in(*t));
+        Bounds::of(self.positions, some.map(|(_, t)| t))
     }
 
     /// The vertices of some triangles.
@@ -60,6 +69,8 @@ pub struct Comparison<'a> {
     pub new: Vec<bool>,
     /// How far it has moved; None where nothing is gone: what fills a hole has moved from nowhere.
     pub moved: Option<Moved>,
+    /// The mean curvature before and after, once it is asked for.
+    curvature: [OnceCell<Vec<f64>>; 2],
 }
 
 /// How far surfaces have moved, across themselves: both ways, as an ear that is taken away was farther from what there is now than that is
@@ -136,6 +147,16 @@ impl<'a> Comparison<'a> {
             gone,
             new,
             moved,
+            curvature: Default::default(),
+        })
+    }
+
+    /// The mean curvature of every vertex before (0) or after (1); NaN where none can be taken.
+    fn curvature(&self, side: usize) -> &[f64] {
+        let surface = [&self.before, &self.after][side];
+        self.curvature[side].get_or_init(|| {
+            fairmesh::mean_curvature(surface.positions, surface.triangles)
+                .unwrap_or_else(|_| vec![f64::NAN; surface.positions.len()])
         })
     }
 
@@ -174,19 +195,6 @@ impl<'a> Comparison<'a> {
 /// Points that are painted are no farther apart, in diagonals of what has changed.
 const SPACING: f64 = 1.0 / 100.0;
 
-/// The diagonal of the box around triangles of a surface.
-fn diagonal(surface: &Surface<'_>, is_in: impl Fn(usize) -> bool) -> f64 {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for t in (0..surface.triangles.len()).filter(|&t| is_in(t)) {
-        for p in surface.corners(t) {
-            (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(p[k]), high[k].max(p[k])));
-        }
-    }
-    let side = sub(high, low);
-    let length = dot(side, side).sqrt();
-    if length.is_finite() { length } else { 0.0 }
-}
-
 /// The corners of a triangle from the least one on, in its order, bit by bit.
 type Key = [[u64; 3]; 3];
 
@@ -201,7 +209,7 @@ fn key(corners: [V3; 3]) -> Key {
 
 /// How far some triangles are from another mesh, and the surface with these refined, whose vertices it is of; 0 elsewhere.
 fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<(SurfaceDistance, Refined), Error> {
-    let longest = SPACING * diagonal(of, |t| marked[t]);
+    let longest = SPACING * of.bounds(|t| marked[t]).diagonal();
     let refined = Refined::new(of.positions, of.triangles, |t| marked[t], longest);
     let of = Surface {
         positions: &refined.positions,

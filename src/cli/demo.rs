@@ -17,6 +17,7 @@ use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::region::RegionReport;
 use crate::report::{Summary, Times};
+use crate::shell::quoted;
 
 /// What `fairmesh demo` is asked.
 #[derive(Debug, Args)]
@@ -43,14 +44,7 @@ normals at the three circles. The result can be made again with
 
 /// The command that makes the result from the files.
 fn again(directory: &Path) -> String {
-    let quoted = |name: &str| {
-        let path = directory.join(name).display().to_string();
-        if path.contains(|c: char| !c.is_alphanumeric() && !"/._-".contains(c)) {
-            format!("'{path}'")
-        } else {
-            path
-        }
-    };
+    let quoted = |name: &str| quoted(&directory.join(name).display().to_string());
     let [start, free, normals, result] = [FILES[0], FILES[1], FILES[2], FILES[3]].map(quoted);
     format!("  fairmesh fair {start} -o {result} --free {free} --normals {normals}\n")
 }

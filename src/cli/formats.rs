@@ -20,6 +20,7 @@ use std::path::Path;
 
 use fairmesh::{OutputPrecision, Parents};
 
+use crate::bounds::Bounds;
 use crate::failure::{Failure, Malformed};
 use crate::formats::carry::Carry;
 use crate::formats::patches::Patches;
@@ -51,6 +52,11 @@ impl Geometry {
             triangles,
             ..Self::default()
         }
+    }
+
+    /// The box around all faces.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of(&self.positions, &self.triangles)
     }
 
     /// Adds a polygon found at byte `at`. Fewer than three corners: a polygon without triangles.

@@ -210,6 +210,15 @@ mod tests {
         (positions, vec![[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]])
     }
 
+    fn from_above() -> PictureOptions {
+        PictureOptions {
+            tile: [50, 50],
+            direction: [0.0, 0.0, 1.0],
+            up: [0.0, 1.0, 0.0],
+            ..PictureOptions::default()
+        }
+    }
+
     fn picture(near: f64, shading: Shading<'_>) -> (Vec<u8>, [usize; 2]) {
         let (positions, triangles) = squares(near);
         let view = View {
@@ -218,13 +227,7 @@ mod tests {
             shading,
             focus: &[],
         };
-        let options = PictureOptions {
-            tile: [50, 50],
-            direction: [0.0, 0.0, 1.0],
-            up: [0.0, 1.0, 0.0],
-            ..PictureOptions::default()
-        };
-        decode(&render(&[view], &options, &Layout::default()).unwrap())
+        decode(&render(&[view], &from_above(), &Layout::default()).unwrap())
     }
 
     fn pixel((pixels, [width, _]): &(Vec<u8>, [usize; 2]), x: usize, y: usize) -> [u8; 3] {
@@ -255,13 +258,7 @@ mod tests {
                 shading: Shading::Flat,
                 focus: &[],
             };
-            let options = PictureOptions {
-                tile: [50, 50],
-                direction: [0.0, 0.0, 1.0],
-                up: [0.0, 1.0, 0.0],
-                ..PictureOptions::default()
-            };
-            seen(&view, &options, &is_marked)
+            seen(&view, &from_above(), &is_marked)
         };
         let inner = [false, false, true, true];
         assert_eq!((share(0.1, inner), share(-0.1, inner)), (1.0, 0.0));

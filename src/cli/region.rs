@@ -166,8 +166,7 @@ impl Faces<'_> {
 
     /// That a place is not on the surface.
     fn miss(&self, distance: f64) -> Option<String> {
-        let [low, high] = extent(&self.mesh.geometry);
-        let diagonal = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+        let diagonal = self.mesh.geometry.bounds().diagonal();
         let said = || {
             let distance = significant(distance);
             format!("its place is {distance} from the surface; the nearest point there was taken")
@@ -215,24 +214,15 @@ fn taken(bump: &Bump) -> String {
     )
 }
 
-/// The smallest and the largest coordinates of the mesh.
-fn extent(geometry: &Geometry) -> [[f64; 3]; 2] {
-    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for &v in geometry.triangles.iter().flatten() {
-        let p = geometry.positions[v as usize];
-        for k in 0..3 {
-            ends[0][k] = ends[0][k].min(p[k]);
-            ends[1][k] = ends[1][k].max(p[k]);
-        }
-    }
-    ends
-}
-
 /// Why a step names no face.
 fn nothing(told: &str, step: &RegionStep, geometry: &Geometry) -> String {
-    let ends = extent(geometry);
+    let bounds = geometry.bounds();
     let point = |p: [f64; 3]| p.map(significant).join(" ");
-    let bounds = format!("the mesh lies between {} and {}", point(ends[0]), point(ends[1]));
+    let bounds = format!(
+        "the mesh lies between {} and {}",
+        point(bounds.low),
+        point(bounds.high)
+    );
     match step {
         RegionStep::With(_, Region::Within(Place::Ball { centre, .. })) => {
             let distance = |p: &[f64; 3]| (0..3).map(|k| (p[k] - centre[k]).powi(2)).sum::<f64>().sqrt();

@@ -287,8 +287,13 @@ fn colours(path: &Path, file: &MeshFile) -> Result<Colours, Failure> {
 /// What scales of curvature are made for.
 fn shown<'a>(meshes: &'a [Geometry], values: &'a [Vec<f64>], focus: &'a [Vec<bool>]) -> Vec<Shown<'a>> {
     let all = meshes.iter().zip(values).zip(focus);
-    all.map(|((mesh, values), focus)| Shown { mesh, values, focus })
-        .collect()
+    all.map(|((mesh, values), focus)| Shown {
+        positions: &mesh.positions,
+        triangles: &mesh.triangles,
+        values,
+        focus,
+    })
+    .collect()
 }
 
 /// From 0 to the largest distance from the first mesh.

@@ -116,23 +116,10 @@ enum Length {
 
 impl Length {
     fn in_units_of(self, geometry: &Geometry) -> f64 {
-        let part = match self {
-            Length::Units(length) => return length,
-            Length::OfDiagonal(part) => part,
-        };
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for p in geometry
-            .triangles
-            .iter()
-            .flatten()
-            .map(|&v| &geometry.positions[v as usize])
-        {
-            low = std::array::from_fn(|i| low[i].min(p[i]));
-            high = std::array::from_fn(|i| high[i].max(p[i]));
+        match self {
+            Length::Units(length) => length,
+            Length::OfDiagonal(part) => part * geometry.bounds().diagonal(),
         }
-        let sides = (0..3).map(|i| high[i] - low[i]);
-        // Nothing has no diagonal, and no holes.
-        part * sides.fold(0.0, f64::hypot).max(0.0)
     }
 }
 

@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use super::{Comparison, Surface, markup};
-use crate::formats::Geometry;
 use crate::normals::{cross, dot, sub};
 use crate::render::range::{self, Shown};
 
@@ -19,20 +18,19 @@ type Bars = [f64; BARS];
 /// The histogram; None where there is no curvature to be shown.
 pub fn histogram(of: &Comparison<'_>) -> Option<String> {
     let sides = [(&of.before, &of.gone), (&of.after, &of.new)];
-    let values = sides.map(|(surface, _)| super::sheet::curvature(surface));
+    let values = [0, 1].map(|side| of.curvature(side));
     let focus = sides.map(|(surface, marked)| surface.vertices_of(marked));
-    let meshes = sides
-        .map(|(surface, _)| Geometry::of_triangles(surface.positions.to_vec(), surface.triangles.to_vec()));
     let shown: Vec<Shown<'_>> = (0..2)
         .filter(|&k| focus[k].contains(&true))
         .map(|k| Shown {
-            mesh: &meshes[k],
-            values: &values[k],
+            positions: sides[k].0.positions,
+            triangles: sides[k].0.triangles,
+            values: values[k],
             focus: &focus[k],
         })
         .collect();
     let ends = range::usual("H", &shown).range;
-    let bars = [0, 1].map(|k| bars(sides[k].0, sides[k].1, &values[k], ends));
+    let bars = [0, 1].map(|k| bars(sides[k].0, sides[k].1, values[k], ends));
     bars.iter().any(|bars| bars.is_some()).then(|| svg(&bars, ends))
 }
 

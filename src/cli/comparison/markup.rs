@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::shell::quoted;
+
 /// Text that means itself in HTML and XML, in elements and in attributes.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -51,14 +53,6 @@ pub fn command_line() -> String {
     })
 }
 
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-,=:+@%".contains(c);
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', "'\\''")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,10 +62,6 @@ mod tests {
         assert_eq!(
             escaped("a<b> & \"c\" 'd'\u{1}\u{7f}\n\u{e9}"),
             "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;\u{fffd}\u{fffd}\n\u{e9}"
-        );
-        assert_eq!(
-            ["a.ply", "a b", "it's", "", "-1,2"].map(quoted),
-            ["a.ply", "'a b'", "'it'\\''s'", "''", "-1,2"]
         );
     }
 

@@ -3,7 +3,6 @@
 use super::{Comparison, Surface, V3};
 use crate::failure::Failure;
 use crate::figures::significant;
-use crate::formats::Geometry;
 use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};
 use crate::render::range::{self, Shown};
 
@@ -136,15 +135,15 @@ impl Comparison<'_> {
             };
             return (side, caption, farthest.vertices.clone(), scale);
         }
-        let h = curvature(&self.after);
-        let mesh = Geometry::of_triangles(self.after.positions.to_vec(), self.after.triangles.to_vec());
+        let h = self.curvature(1);
         let shown = Shown {
-            mesh: &mesh,
-            values: &h,
+            positions: self.after.positions,
+            triangles: self.after.triangles,
+            values: h,
             focus,
         };
         let scale = range::usual("H", &[shown]);
-        (1, "after: mean curvature", h, scale)
+        (1, "after: mean curvature", h.to_vec(), scale)
     }
 
     /// How much has changed, in a line.
@@ -153,7 +152,7 @@ impl Comparison<'_> {
         match &self.moved {
             _ if !self.is_changed() => "nothing has changed".to_owned(),
             Some(moved) => {
-                let diagonal = super::diagonal(&self.before, |_| true);
+                let diagonal = self.before.bounds(|_| true).diagonal();
                 format!(
                     "moved by at most {} ({} % of the mesh's diagonal), rms {}",
                     significant(moved.farthest().largest),
@@ -205,12 +204,6 @@ impl Sheet {
             })
             .collect()
     }
-}
-
-/// The mean curvature of every vertex; NaN where none can be taken.
-pub fn curvature(surface: &Surface<'_>) -> Vec<f64> {
-    fairmesh::mean_curvature(surface.positions, surface.triangles)
-        .unwrap_or_else(|_| vec![f64::NAN; surface.positions.len()])
 }
 
 fn view<'a>(surface: &Surface<'a>, shading: Shading<'a>, focus: &'a [bool]) -> View<'a> {

@@ -46,14 +46,14 @@ pub fn measured<'a>(paths: &'a [PathBuf], meshes: &[&Geometry]) -> Result<Vec<Di
             // First, as its errors name vertices of the file.
             let surface = surface(k)?;
             let other = meshes[k];
-            let longest = diagonal(other) * SPACING;
+            let longest = other.bounds().diagonal() * SPACING;
             let painted = Refined::new(&other.positions, &other.triangles, |_| true, longest);
             let there =
                 (first.of(&painted.positions, &painted.triangles)).map_err(|e| refused(&paths[k], e))?;
             Ok(Distances {
                 first: &paths[0],
                 other: &paths[k],
-                diagonal: diagonal(meshes[0]),
+                diagonal: meshes[0].bounds().diagonal(),
                 there,
                 back: surface
                     .of(&meshes[0].positions, &meshes[0].triangles)
@@ -62,19 +62,6 @@ pub fn measured<'a>(paths: &'a [PathBuf], meshes: &[&Geometry]) -> Result<Vec<Di
             })
         })
         .collect()
-}
-
-/// That of the box around all triangles.
-pub fn diagonal(mesh: &Geometry) -> f64 {
-    let used = || mesh.triangles.as_flattened().iter();
-    let side = |axis: usize| {
-        let values = used().map(|&v| mesh.positions[v as usize][axis]);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
-        (high - low).powi(2)
-    };
-    (0..3).map(side).sum::<f64>().sqrt()
 }
 
 impl Distances<'_> {

@@ -1,6 +1,5 @@
 //! The ends of a scale that shows the surface, whatever a few vertices have.
 
-use crate::formats::Geometry;
 use crate::picture::{Palette, Scale};
 
 /// Shares of the area that may lie below and above the scale.
@@ -13,7 +12,8 @@ const NEAR: f64 = 0.3;
 
 /// Values of a mesh's vertices, and what of it is in the picture.
 pub struct Shown<'a> {
-    pub mesh: &'a Geometry,
+    pub positions: &'a [[f64; 3]],
+    pub triangles: &'a [[u32; 3]],
     pub values: &'a [f64],
     /// Empty: all.
     pub focus: &'a [bool],
@@ -78,17 +78,16 @@ fn ends([low, high]: [f64; 2], median: f64) -> ([f64; 2], Palette) {
 
 /// The finite values inside a mesh, as shares of its area. At its boundary the curvature is that of one side, and rough.
 fn shares(of: &Shown<'_>) -> Vec<Share> {
-    let mesh = of.mesh;
-    let mut areas = vec![0.0; mesh.positions.len()];
-    for t in &mesh.triangles {
-        let [a, b, c] = t.map(|v| mesh.positions[v as usize]);
+    let mut areas = vec![0.0; of.positions.len()];
+    for t in of.triangles {
+        let [a, b, c] = t.map(|v| of.positions[v as usize]);
         let cross = crate::normals::cross(crate::normals::sub(b, a), crate::normals::sub(c, a));
         let area = crate::normals::dot(cross, cross).sqrt();
         if area.is_finite() {
             t.iter().for_each(|&v| areas[v as usize] += area);
         }
     }
-    let is_boundary = boundary(mesh);
+    let is_boundary = boundary(of);
     let with = |skips_boundary: bool| -> Vec<Share> {
         let is_shown = |v: &usize| {
             (of.focus.is_empty() || of.focus[*v])
@@ -111,16 +110,16 @@ fn shares(of: &Shown<'_>) -> Vec<Share> {
 }
 
 /// Whether each vertex is at an edge that has one triangle only.
-fn boundary(mesh: &Geometry) -> Vec<bool> {
-    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * mesh.triangles.len());
-    for t in &mesh.triangles {
+fn boundary(of: &Shown<'_>) -> Vec<bool> {
+    let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * of.triangles.len());
+    for t in of.triangles {
         for k in 0..3 {
             let (a, b) = (t[k], t[(k + 1) % 3]);
             edges.push([a.min(b), a.max(b)]);
         }
     }
     edges.sort_unstable();
-    let mut is_boundary = vec![false; mesh.positions.len()];
+    let mut is_boundary = vec![false; of.positions.len()];
     for same in edges.chunk_by(|a, b| a == b) {
         if let [edge] = same {
             edge.iter().for_each(|&v| is_boundary[v as usize] = true);
@@ -132,6 +131,7 @@ fn boundary(mesh: &Geometry) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats::Geometry;
 
     /// A strip of squares, ten by so many.
     fn strip(length: usize) -> Geometry {
@@ -152,7 +152,8 @@ mod tests {
         let mesh = strip(50);
         let values: Vec<f64> = (0..mesh.positions.len()).map(values).collect();
         let shown = Shown {
-            mesh: &mesh,
+            positions: &mesh.positions,
+            triangles: &mesh.triangles,
             values: &values,
             focus: &[],
         };
