@@ -562,6 +562,29 @@ fn the_demo_makes_its_three_files() {
     assert_eq!(result.len(), start.len());
 }
 
+/// Also where the directory has a name that a shell would take apart.
+#[test]
+#[cfg(unix)]
+fn the_demo_names_a_command_that_a_shell_understands() {
+    let directory = directory("demo-quoted");
+    let (out, _) = expect(&directory, &["demo", "it's a demo"], 0);
+    let result = directory.join("it's a demo/result.ply");
+    let made = fs::read(&result).unwrap();
+    fs::remove_file(&result).unwrap();
+    let again = out
+        .lines()
+        .find_map(|line| line.strip_prefix("  fairmesh "))
+        .unwrap();
+    let line = format!("'{}' {again}", env!("CARGO_BIN_EXE_fairmesh"));
+    let ran = std::process::Command::new("sh")
+        .args(["-c", &line])
+        .current_dir(&directory)
+        .output()
+        .unwrap();
+    assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+    assert_eq!(fs::read(&result).unwrap().len(), made.len());
+}
+
 #[test]
 fn flags_are_named_as_they_are_written() {
     let directory = prepared("flags");

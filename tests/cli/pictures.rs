@@ -165,21 +165,15 @@ fn what_cannot_be_measured_is_refused() {
     assert!(!directory.join("a.png").exists() && !directory.join("a.json").exists());
 }
 
+/// What makes the cap's dent fair.
+const FAIR: [&str; 6] = ["fair", "cap.obj", "-o", "fair.obj", "--free", "free.txt"];
+
 #[test]
 fn before_and_after_are_on_one_sheet() {
     let directory = directory("pictures-sheet");
     fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
     write_lists(&directory);
-    let fair = [
-        "fair",
-        "cap.obj",
-        "-o",
-        "fair.obj",
-        "--free",
-        "free.txt",
-        "--picture",
-    ];
-    let with = |more: &[&'static str]| [&fair[..], more].concat();
+    let with = |more: &[&'static str]| [&FAIR[..], &["--picture"], more].concat();
     let (out, _) = expect(&directory, &with(&["sheet.png"]), 0);
     assert!(out.starts_with("converged"), "{out}");
     let sheet = shown(&directory.join("sheet.png"));
@@ -232,9 +226,7 @@ fn before_and_after_are_on_one_sheet() {
     );
     refused(
         &directory,
-        &[
-            "fair", "cap.obj", "-o", "fair.obj", "--free", "free.txt", "--up", "0,1,0",
-        ],
+        &[&FAIR[..], &["--up", "0,1,0"]].concat(),
         "fairmesh: --up: no picture is made; give --picture or --report, too",
     );
 }
@@ -726,18 +718,7 @@ fn what_is_not_finite_elsewhere_in_the_file_does_not_count() {
     assert!(text.contains("226"));
     fs::write(directory.join("cap.obj"), text).unwrap();
     write_lists(&directory);
-    let args = [
-        "fair",
-        "cap.obj",
-        "-o",
-        "fair.obj",
-        "--free",
-        "free.txt",
-        "--picture",
-        "a.png",
-        "--report",
-        "a.html",
-    ];
+    let args = [&FAIR[..], &["--picture", "a.png", "--report", "a.html"]].concat();
     expect(&directory, &args, 0);
     let page = fs::read_to_string(directory.join("a.html")).unwrap();
     assert!(page.contains("moved at most</th><td>0.09981 (at"));
