@@ -71,6 +71,22 @@ demo() {
         cargo run --release --locked --quiet -- fair docs/dented.ply -o $out/sphere.ply --selection free
 }
 
+# What is published for each target, built and run.
+packaging() {
+    packaging/manifest.sh && packaging/check.sh
+}
+
+# For other systems: their compilers, and what runs their programs.
+install_packaging_tools() {
+    local missing=()
+    command -v x86_64-w64-mingw32-gcc >/dev/null || missing+=(gcc-mingw-w64-x86-64)
+    command -v aarch64-linux-gnu-gcc >/dev/null || missing+=(gcc-aarch64-linux-gnu libc6-dev-arm64-cross)
+    command -v qemu-aarch64-static >/dev/null || missing+=(qemu-user-static)
+    command -v debootstrap >/dev/null || missing+=(debootstrap)
+    command -v node >/dev/null || missing+=(nodejs)
+    [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
+
 # lint OPTIONS...: of clippy.
 lint() {
     cargo --version &&
@@ -115,6 +131,8 @@ full() {
 }
 
 long() {
+    install_packaging_tools
+    step packaging packaging
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
     step long cargo test --release --locked --test library -- --ignored long::

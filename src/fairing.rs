@@ -8,13 +8,12 @@ mod normalization;
 mod normals;
 mod options;
 mod prepared;
+#[cfg_attr(target_family = "wasm", path = "fairing/relay_alone.rs")]
 mod relay;
 mod report;
 mod session;
 mod shares;
 mod whole_intersections;
-
-use std::time::Instant;
 
 pub use crate::discrete::target::Target;
 use crate::error::Error;
@@ -25,6 +24,7 @@ use crate::paper::{self, PaperResult};
 use crate::profile;
 use crate::solve::control::{Callback, Interrupt};
 use crate::solve::{self, Control};
+use crate::stopwatch::Stopwatch;
 use component_solution::{ComponentSolution, whole};
 use conclusion::Found;
 pub(crate) use continuity::check_loops;
@@ -124,14 +124,14 @@ fn run_joined<'a>(
     progress: Option<&'a mut Callback<'a>>,
     interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     let joined = {
         let _clock = profile::clock("coincident vertices");
         Joined::new(positions, triangles, options.coincident)?
     };
     let selected = joined.copies.selection(selection);
     let asked = joined_options(&joined.copies, options);
-    let seconds = clock.elapsed().as_secs_f64();
+    let seconds = clock.seconds();
     let mut solution = run(
         positions,
         &joined.triangles,
@@ -155,7 +155,7 @@ fn run<'a>(
     progress: Option<&'a mut Callback<'a>>,
     interrupt: &Interrupt,
 ) -> Result<Solution, Error> {
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     let _clock = profile::clock("rest");
     let components = Prepared::of_components(
         positions,
@@ -164,7 +164,7 @@ fn run<'a>(
         options,
         options.asks_continuity(),
     )?;
-    let setup = clock.elapsed().as_secs_f64();
+    let setup = clock.seconds();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
     let mut shares = Shares::new(progress, interrupt, PREPARED, undone);
     let mut solutions = Vec::with_capacity(components.len());
@@ -183,7 +183,7 @@ fn component(
     shares: &mut Shares<'_>,
     interrupt: &Interrupt,
 ) -> Result<ComponentSolution, Error> {
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     let problem = prepared.problem();
     let mut tell =
         |fraction, iterations, step, phase| shares.tell(prepared.free(), (fraction, iterations, step, phase));
@@ -207,7 +207,7 @@ fn component(
     };
     let seconds = Seconds {
         start: result.start_seconds,
-        iterate: clock.elapsed().as_secs_f64() - result.start_seconds,
+        iterate: clock.seconds() - result.start_seconds,
         ..Seconds::default()
     };
     let found = Found {

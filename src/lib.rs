@@ -23,6 +23,7 @@ mod quality;
 mod regions;
 mod self_intersections;
 mod solve;
+mod stopwatch;
 mod table;
 
 pub use curvature::{mean_curvature, mean_curvature_joined};

@@ -20,7 +20,7 @@ top=$tree/fairmesh_blender
 mkdir -p "$top/lib/linux-x64" "$top/fairmesh"
 cp bindings/blender/addon/*.py bindings/blender/addon/blender_manifest.toml bindings/blender/addon/LICENSE "$top"
 cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
-python3 bindings/blender/third_party.py >"$top/lib/THIRD-PARTY.txt"
+python3 packaging/third_party.py fairmesh-capi x86_64-unknown-linux-gnu >"$top/lib/THIRD-PARTY.txt"
 cp "$library" "$top/lib/linux-x64/libfairmesh.so"
 . bindings/blender/tools.sh
 venv manual markdown==3.7

@@ -2,7 +2,7 @@
 
 use core::ffi::CStr;
 
-use libc::c_char;
+use std::ffi::c_char;
 
 use super::bridge::default_bridge_options;
 use super::fill_options::{default_fill_options, default_remesh_options};

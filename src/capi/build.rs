@@ -13,6 +13,11 @@ fn main() {
         "macos" => {
             println!("cargo::rustc-cdylib-link-arg=-Wl,-install_name,@rpath/libfairmesh.{major}.dylib")
         }
+        _ if env::var("CARGO_CFG_TARGET_FAMILY").is_ok_and(|family| family == "wasm") => {
+            // A host adds its progress callback to the table.
+            println!("cargo::rustc-cdylib-link-arg=--export-table");
+            println!("cargo::rustc-cdylib-link-arg=--growable-table");
+        }
         _ => {}
     }
 }

@@ -1,6 +1,6 @@
 //! The callback, and the watch on the memory.
 
-use libc::{c_char, c_void};
+use std::ffi::{c_char, c_void};
 use std::ops::ControlFlow;
 
 use super::memory;

@@ -51,6 +51,8 @@ mod texts;
 mod types;
 mod versioned;
 mod views;
+#[cfg(target_family = "wasm")]
+mod wasm;
 
 pub use about::*;
 pub use bridge::fairmesh_bridge;

@@ -1,7 +1,7 @@
 //! Options of the fairing: the struct, its defaults, and how it becomes the library's.
 
 use core::mem::offset_of;
-use libc::c_void;
+use std::ffi::c_void;
 
 use super::callback::{HostCallback, fairmesh_progress_fn};
 use super::input::{CurvatureIn, LoopsIn, NormalsIn};

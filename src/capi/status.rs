@@ -1,6 +1,6 @@
 //! Status numbers, the error detail, and what of the library's errors becomes which.
 
-use libc::c_char;
+use std::ffi::c_char;
 use std::fmt::{self, Write};
 
 use fairmesh::Error;

@@ -106,7 +106,7 @@ fn size_of_struct<T: Versioned>(pointer: *const T, argument: Argument) -> CallRe
 }
 
 pub(crate) fn check_size<T: Versioned>(size: usize, place: FieldPath) -> CallResult<usize> {
-    if size < T::FIRST || size > LARGEST || !size.is_multiple_of(8) {
+    if size < T::FIRST || size > LARGEST || !size.is_multiple_of(size_of::<usize>()) {
         let (first, known) = (T::FIRST, size_of::<T>());
         return Err(place.refuse(
             Status::BadStructSize,

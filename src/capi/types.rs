@@ -1,6 +1,6 @@
 //! The structs of the header. Fields of enumerations are plain integers: what comes in is checked.
 
-use libc::c_void;
+use std::ffi::c_void;
 
 pub use super::bridge::fairmesh_bridge_options;
 pub use super::callback::{fairmesh_progress, fairmesh_progress_fn};

@@ -1,7 +1,7 @@
 //! Arrays of the caller: checked before they are read, and read or written element by element.
 
-use libc::c_void;
 use std::borrow::Cow;
+use std::ffi::c_void;
 
 use super::memory;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};

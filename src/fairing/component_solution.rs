@@ -1,13 +1,12 @@
 //! What came of one component, in the host's numbers and units, and how the whole is made of the components.
 
-use std::time::Instant;
-
 use super::options::Options;
 use super::report::{ComponentReport, Outcome, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
 use crate::paper::LevelReport;
 use crate::profile;
 use crate::quality::Quality;
+use crate::stopwatch::Stopwatch;
 
 /// One component, faired.
 pub(super) struct ComponentSolution {
@@ -34,7 +33,7 @@ pub(super) fn whole(
     options: &Options,
     components: &[ComponentSolution],
 ) -> Solution {
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     let _clock = profile::clock("solution");
     let mut positions = given.to_vec();
     for &(v, p) in components.iter().flat_map(|c| &c.moved) {
@@ -45,8 +44,8 @@ pub(super) fn whole(
     boundary_normals.dedup();
     let crossings = Crossings::new((given, &positions), triangles, options, components);
     let mut report = report(options, components, crossings);
-    report.seconds.quality += clock.elapsed().as_secs_f64();
-    report.seconds.total += clock.elapsed().as_secs_f64();
+    report.seconds.quality += clock.seconds();
+    report.seconds.total += clock.seconds();
     Solution {
         positions,
         boundary_normals,

@@ -1,7 +1,5 @@
 //! From the solver's surface back to the host's numbers and units, with all that is reported of it.
 
-use std::time::Instant;
-
 use nalgebra::Vector3;
 
 use super::component_solution::ComponentSolution;
@@ -17,6 +15,7 @@ use crate::quality::{Quality, Surface};
 use crate::solve::candidate::bending_energy;
 use crate::solve::problem::diagonal;
 use crate::solve::{SolveResult, SolveStatus};
+use crate::stopwatch::Stopwatch;
 
 /// What was found, and what it is measured against.
 pub(super) struct Found<'a> {
@@ -33,7 +32,7 @@ pub(super) struct Found<'a> {
 impl Found<'_> {
     /// Measures the surface, and takes it back.
     pub(super) fn conclude(self) -> ComponentSolution {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let _clock = profile::clock("figures");
         let (surface, written) = (self.surface(), self.written());
         let domain = &self.prepared.domain;
@@ -51,7 +50,7 @@ impl Found<'_> {
         let report = self.report(quality, &suspicious_normals, &creases);
         let (moved, boundary_normals) = (self.moved(), self.boundary_normals());
         let mut seconds = self.seconds;
-        seconds.quality = clock.elapsed().as_secs_f64();
+        seconds.quality = clock.seconds();
         ComponentSolution {
             moved,
             triangles: self.triangles_that_move(),

@@ -2,8 +2,6 @@
 
 mod cursor;
 
-use std::time::Instant;
-
 use super::component_solution::{ComponentSolution, whole};
 use super::continuity::{check_loops, on_loops};
 use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
@@ -19,6 +17,7 @@ use crate::error::Error;
 use crate::mesh::coincident::{Copies, Selected};
 use crate::mesh::{Joined, Region};
 use crate::solve::control::{Callback, Interrupt};
+use crate::stopwatch::Stopwatch;
 use cursor::Cursor;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
@@ -137,9 +136,9 @@ struct Components {
 
 impl Components {
     fn new(input: &Input) -> Result<Self, Error> {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let prepared = input.prepared()?;
-        let seconds = clock.elapsed().as_secs_f64() / prepared.len() as f64;
+        let seconds = clock.seconds() / prepared.len() as f64;
         let begun = prepared
             .into_iter()
             .map(|prepared| Cursor::new(prepared, input.options.output_precision, seconds));

@@ -1,7 +1,6 @@
 //! The strip of a bridge: its sides, its boundary as a loop of which the mesh has a part, and the patch in it.
 
 use std::f64::consts::{SQRT_2, TAU};
-use std::time::Instant;
 
 use nalgebra::Vector3;
 
@@ -22,6 +21,7 @@ use super::units::local_options;
 use crate::error::Error;
 use crate::fairing::{BoundaryNormals, Intersections, Options, ProgressCallback, Workers, joined_options};
 use crate::mesh::{Joined, NONE};
+use crate::stopwatch::Stopwatch;
 
 /// A strip that is twisted by more than this (degrees) would have to be turned over: its ends face opposite ways.
 const OPPOSITE: f64 = 120.0;
@@ -180,7 +180,7 @@ impl<'m> Strip<'m> {
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
     ) -> Result<Bridged, Error> {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let positions = self.all_positions();
         let boundary = self.boundary();
         let piece = match self.twist.abs().to_degrees() > OPPOSITE {
@@ -214,7 +214,7 @@ impl<'m> Strip<'m> {
             is_named: true,
             reason: None,
         };
-        let mut pieces = vec![(piece, clock.elapsed().as_secs_f64())];
+        let mut pieces = vec![(piece, clock.seconds())];
         let pairs = crossings(&pieces, triangles.len() as u32).pop();
         if let Some((piece, seconds)) = pieces.pop() {
             filled.append(piece, &group, boundary.vertices.len(), seconds);

@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use super::attempts::Check;
 use super::crossing::{Neighbours, Owned};
@@ -25,6 +24,7 @@ use crate::fairing::{
     joined_options,
 };
 use crate::mesh::{Joined, NONE};
+use crate::stopwatch::Stopwatch;
 
 /// The filled mesh.
 #[derive(Debug, Clone)]
@@ -208,7 +208,7 @@ fn run<'a>(
     };
     let mut pieces: Vec<Option<(Piece, f64)>> = groups.iter().map(|_| None).collect();
     for i in order {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let boundary = of_group(i);
         let mut piece = run.fill(i, &groups[i], &boundary);
         if !joined.copies.is_empty() {
@@ -216,7 +216,7 @@ fn run<'a>(
             piece.name_copies(&copies);
         }
         run.work.end(edges(i));
-        pieces[i] = Some((piece, clock.elapsed().as_secs_f64()));
+        pieces[i] = Some((piece, clock.seconds()));
     }
     let open = |i: &usize| {
         pieces[*i]

@@ -1,7 +1,6 @@
 //! The whole scheme (paper 7.4, Figure 6).
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use nalgebra::Vector3;
 
@@ -17,6 +16,7 @@ use crate::solve::curvature_bounds::Judged;
 use crate::solve::problem::diagonal;
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, Problem, SolveResult, SolveStatus, System};
+use crate::stopwatch::Stopwatch;
 
 /// What was found.
 #[derive(Debug)]
@@ -50,7 +50,7 @@ pub(crate) fn solve(
     options: &PaperOptions,
     control: &mut Control<'_>,
 ) -> Result<PaperResult, Collapsed> {
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     control.phase(0.02, "hierarchy");
     let mut run = Run {
         problem,
@@ -129,7 +129,7 @@ impl Run<'_> {
     fn coarse(
         &mut self,
         control: &mut Control<'_>,
-        clock: &Instant,
+        clock: &Stopwatch,
     ) -> Result<Option<Vec<Vector3<f64>>>, Collapsed> {
         let Domain { region, input, .. } = &**self.problem.domain;
         let sizes = self.sizes();
@@ -165,7 +165,7 @@ impl Run<'_> {
         progressive: &ProgressiveMesh,
         surface: &mut Prolongation<'_>,
         control: &mut Control<'_>,
-        clock: &Instant,
+        clock: &Stopwatch,
     ) -> Result<(), Collapsed> {
         let given = &self.problem.domain.input;
         let region = progressive.region(given).map_err(|_| Collapsed)?;
@@ -209,12 +209,12 @@ impl Run<'_> {
     fn linear_start(
         &mut self,
         problem: &Problem<'_>,
-        clock: &Instant,
+        clock: &Stopwatch,
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let x = linear_start(problem, control)?;
         self.diagonal = diagonal(&x);
-        self.start_seconds = clock.elapsed().as_secs_f64();
+        self.start_seconds = clock.seconds();
         Ok(x)
     }
 

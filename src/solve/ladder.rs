@@ -3,8 +3,6 @@
 
 mod starts;
 
-use std::time::Instant;
-
 use nalgebra::Vector3;
 
 use super::attempt::{Attempt, Curvature, Kept, LADDER, Mesh, Start};
@@ -17,6 +15,7 @@ use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
 use super::system::{Collapsed, System};
 use crate::quality::NEEDLE;
+use crate::stopwatch::Stopwatch;
 
 /// What a call of [`Ladder::advance`] has led to.
 #[derive(Debug)]
@@ -297,7 +296,7 @@ impl Ladder {
     /// Whether there is no coarser mesh. Searches it the first time.
     fn is_coarsest(&mut self, system: &System, control: &mut Control<'_>) -> bool {
         if self.coarse.is_none() {
-            let clock = Instant::now();
+            let clock = Stopwatch::start();
             let (search, trials) = Search::of_coarse_mesh(system, control);
             if let Search::Missed(status) = &search
                 && status.is_linear()
@@ -306,7 +305,7 @@ impl Ladder {
             }
             self.coarse = Some(search);
             self.trials.extend(trials);
-            self.start_seconds += clock.elapsed().as_secs_f64();
+            self.start_seconds += clock.seconds();
         }
         matches!(self.coarse, Some(Search::NoCoarseMesh))
     }

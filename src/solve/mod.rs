@@ -38,9 +38,8 @@ pub(crate) mod untangle;
 mod ways;
 pub(crate) mod weight_repair;
 
-use std::time::Instant;
-
 use crate::discrete::equations::State;
+use crate::stopwatch::Stopwatch;
 pub(crate) use boundary_curvature::AskedContinuity;
 pub(crate) use control::Control;
 use control::{ANALYSED, ITERATED};
@@ -79,9 +78,9 @@ fn solve_by(
     if !control.phase(0.01, initial::PHASE) {
         return Ok(problem.unmoved());
     }
-    let clock = Instant::now();
+    let clock = Stopwatch::start();
     let mut system = System::new(problem);
-    let analysis_seconds = clock.elapsed().as_secs_f64();
+    let analysis_seconds = clock.seconds();
     system.set_interrupt(&control.interrupt);
     control.phase(ANALYSED, initial::PHASE);
     loop {

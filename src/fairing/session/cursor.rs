@@ -3,7 +3,6 @@
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use nalgebra::Vector3;
 
@@ -21,6 +20,7 @@ use crate::solve::control::Tally;
 use crate::solve::ladder::{Ladder, Step};
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
+use crate::stopwatch::Stopwatch;
 
 /// A solve under way.
 pub(super) struct Cursor {
@@ -40,12 +40,12 @@ impl Cursor {
         output_precision: OutputPrecision,
         preparation: f64,
     ) -> (Self, ComponentSolution) {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let problem = prepared.problem();
         let (result, state) = problem.unmoved();
         let system = System::new(&problem);
         let seconds = Seconds {
-            setup: preparation + clock.elapsed().as_secs_f64(),
+            setup: preparation + clock.seconds(),
             ..Seconds::default()
         };
         let found = Found {
@@ -99,11 +99,11 @@ impl Cursor {
         iterations: usize,
         shares: &mut Shares<'_>,
     ) -> Result<ComponentSolution, Error> {
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         let result = self.advance(options, iterations, shares);
         let result = result.map_err(|Collapsed| self.prepared.nothing_fixed())?;
         self.seconds.start += result.start_seconds;
-        self.seconds.iterate += clock.elapsed().as_secs_f64() - result.start_seconds;
+        self.seconds.iterate += clock.seconds() - result.start_seconds;
         let found = Found {
             prepared: &self.prepared,
             output_precision: options.output_precision,

@@ -1,7 +1,6 @@
 //! Where attempts begin, and with what.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use nalgebra::Vector3;
 
@@ -16,6 +15,7 @@ use crate::solve::problem::diagonal;
 use crate::solve::search::Search;
 use crate::solve::soft_mode::second_surface;
 use crate::solve::system::{Collapsed, System};
+use crate::stopwatch::Stopwatch;
 
 impl Ladder {
     /// The coarse mesh's surface, if it is harmonic or not, as asked; where that was found along the normals, the system goes on so.
@@ -55,7 +55,7 @@ impl Ladder {
         if self.linear.is_some() {
             return Ok(true);
         }
-        let clock = Instant::now();
+        let clock = Stopwatch::start();
         system.use_asked_weights();
         let linear = system.start(control);
         if !control.checkpoint(PHASE) {
@@ -63,7 +63,7 @@ impl Ladder {
         }
         self.linear = Some(linear?);
         control.phase(STARTED, PHASE);
-        self.start_seconds += clock.elapsed().as_secs_f64();
+        self.start_seconds += clock.seconds();
         Ok(true)
     }
 
