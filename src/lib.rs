@@ -9,6 +9,9 @@
 //!
 //! Sign convention: with outward normals the mean curvature `H` is negative on a sphere (paper (8)).
 
+// The same bits on every system: clippy.toml has the list.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod curvature;
 mod discrete;
 mod distance;

@@ -85,7 +85,7 @@ pub(crate) struct Surface<'a> {
 
 /// The tangent of an angle in degrees.
 fn tangent(degrees: f64) -> f64 {
-    degrees.to_radians().tan()
+    libm::tan(degrees.to_radians())
 }
 
 /// The worst angle of a triangle in degrees.
@@ -154,7 +154,7 @@ impl Surface<'_> {
                 quality.needles.push(id);
             }
         }
-        quality.worst_angle = worst.atan().to_degrees();
+        quality.worst_angle = libm::atan(worst).to_degrees();
         if self.h.len() == self.x.len() {
             quality.h_inside = range(&self.h[..free]);
             quality.h_boundary = range(&self.h[free..]);

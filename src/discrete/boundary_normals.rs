@@ -170,7 +170,7 @@ fn blend(piece: &[u32], fits: &[Option<Fit>], normals: &mut [Vector3<f64>]) {
 
 /// The angle between two unit vectors.
 pub(crate) fn angle(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    a.cross(b).norm().atan2(a.dot(b))
+    libm::atan2(a.cross(b).norm(), a.dot(b))
 }
 
 /// The unit vector a fraction `s` of the way from `a` to `b` along their great circle.
@@ -179,7 +179,7 @@ pub(crate) fn slerp(a: &Vector3<f64>, b: &Vector3<f64>, s: f64) -> Vector3<f64> 
     if phi < 1e-9 || s >= 1.0 {
         return *b;
     }
-    let mixed = a * ((1.0 - s) * phi).sin() + b * (s * phi).sin();
+    let mixed = a * libm::sin((1.0 - s) * phi) + b * libm::sin(s * phi);
     mixed.try_normalize(1e-12).unwrap_or(*b)
 }
 

@@ -36,9 +36,9 @@ impl LoopModes {
             let wave = m.div_ceil(2) as f64;
             let value = |a: &f64| {
                 if m % 2 == 1 {
-                    (wave * a).cos()
+                    libm::cos(wave * a)
                 } else {
-                    (wave * a).sin()
+                    libm::sin(wave * a)
                 }
             };
             let mode = if m == 0 {

@@ -25,13 +25,13 @@ impl Normalization {
         };
         let diagonal = (high - low).norm();
         let exponent = if diagonal > 0.0 && diagonal.is_finite() {
-            diagonal.log2().round()
+            libm::log2(diagonal).round()
         } else {
             0.0
         };
         Self {
             centre: low + (high - low) * 0.5,
-            scale: exponent.exp2(),
+            scale: libm::exp2(exponent),
         }
     }
 

@@ -136,10 +136,8 @@ fn sum_of<'e>(edges: impl IntoIterator<Item = &'e Edge>) -> Edge {
 /// by more of the boundary than the chain.
 fn is_tooth(chain: &Edge, beside: &[Vec<Edge>; 2]) -> bool {
     let turn = |a: &Edge, b: &Edge| {
-        chain
-            .normal
-            .dot(&a.along.cross(&b.along))
-            .atan2(chain.normal.norm() * a.along.dot(&b.along))
+        let across = chain.normal.dot(&a.along.cross(&b.along));
+        libm::atan2(across, chain.normal.norm() * a.along.dot(&b.along))
     };
     let [Some(before), Some(behind)] = beside.each_ref().map(|list| list.first()) else {
         return false;
@@ -151,8 +149,8 @@ fn is_tooth(chain: &Edge, beside: &[Vec<Edge>; 2]) -> bool {
 /// A direction perpendicular to `normal` turned about it towards another one, by no more than an angle.
 fn turned_towards(from: &Vector3<f64>, to: &Vector3<f64>, normal: &Vector3<f64>, most: f64) -> Vector3<f64> {
     let across = normal.cross(from);
-    let angle = to.dot(&across).atan2(to.dot(from)).clamp(-most, most);
-    from * angle.cos() + across * angle.sin()
+    let angle = libm::atan2(to.dot(&across), to.dot(from)).clamp(-most, most);
+    from * libm::cos(angle) + across * libm::sin(angle)
 }
 
 /// The normal of the mesh at a boundary vertex: that of a paraboloid through it, fitted to what is around. Where there is too little
@@ -259,7 +257,7 @@ impl Side {
     /// The angle about the curve from the normal that is carried along it to that at its end.
     pub(super) fn twist(&self, end: &Vector3<f64>) -> f64 {
         let (normal, tangent) = (&self.normals[STEPS], &self.tangents[STEPS]);
-        normal.cross(end).dot(tangent).atan2(normal.dot(end))
+        libm::atan2(normal.cross(end).dot(tangent), normal.dot(end))
     }
 
     /// Twists the normals by this angle in all.
@@ -268,7 +266,7 @@ impl Side {
         for i in 0..=STEPS {
             let angle = twist * self.way[i] / total;
             let (normal, tangent) = (self.normals[i], self.tangents[i]);
-            self.normals[i] = normal * angle.cos() + tangent.cross(&normal) * angle.sin();
+            self.normals[i] = normal * libm::cos(angle) + tangent.cross(&normal) * libm::sin(angle);
         }
         self
     }

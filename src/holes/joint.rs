@@ -102,7 +102,7 @@ pub(super) fn bends(set: &LoopSet, triangles: Vec<[u32; 3]>) -> Bends {
             NONE => set.normals[patch.origin(h) as usize],
             o => patch.cross(o as usize / 3),
         };
-        let angle = cross.cross(&beyond).norm().atan2(cross.dot(&beyond));
+        let angle = libm::atan2(cross.cross(&beyond).norm(), cross.dot(&beyond));
         let bend = patch.length(h) * angle;
         let theirs = if o == NONE { cross.norm() } else { beyond.norm() };
         let areas = 0.5 * (cross.norm() + theirs);

@@ -419,7 +419,7 @@ impl<'a> Links<'a> {
         let exterior = |i: usize| PI - self.angle(run[i], run[(i + 1) % n], positions);
         // Seen from the mesh.
         let turning: f64 = (0..n).map(exterior).sum();
-        (-turning / TAU).clamp(-1.0, 1.0).acos()
+        libm::acos((-turning / TAU).clamp(-1.0, 1.0))
     }
 
     /// The kind of a loop whose walk met a `bad` edge, or none.
@@ -444,7 +444,7 @@ impl<'a> Links<'a> {
         let v = at(self.origin(h));
         let between = |a: u32, b: u32| {
             let (a, b) = (at(a) - v, at(b) - v);
-            a.cross(&b).norm().atan2(a.dot(&b))
+            libm::atan2(a.cross(&b).norm(), a.dot(&b))
         };
         let mut sum = 0.0;
         let last = self.follow(h, |g| sum += between(self.origin(g), self.origin(previous(g))));

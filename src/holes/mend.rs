@@ -82,7 +82,7 @@ impl Refiner<'_> {
     }
 
     fn narrow(&self) -> Vec<u32> {
-        let limit = GOAL.to_radians().cos();
+        let limit = libm::cos(GOAL.to_radians());
         let is_narrow = |t: &[u32; 3]| {
             let x = t.map(|v| self.patch.x[v as usize]);
             let edge = [x[1] - x[0], x[2] - x[1], x[0] - x[2]];

@@ -108,7 +108,7 @@ impl Surroundings {
         let diagonal = (high - low).norm();
         self.centre = (low + high) * 0.5;
         if diagonal > 0.0 && diagonal.is_finite() {
-            self.scale = diagonal.log2().round().exp2();
+            self.scale = libm::exp2(libm::log2(diagonal).round());
         }
         for p in &mut self.x {
             *p = (*p - self.centre) / self.scale;

@@ -248,7 +248,7 @@ fn unit(members: &[Member]) -> f64 {
     let coordinates = members.iter().flat_map(|m| m.corners.iter().flatten());
     let largest = coordinates.fold(0.0_f64, |largest, x| largest.max(x.abs()));
     if largest > 0.0 {
-        (-largest.log2().round()).clamp(-1000.0, 1000.0).exp2()
+        libm::exp2((-libm::log2(largest).round()).clamp(-1000.0, 1000.0))
     } else {
         1.0
     }

@@ -13,7 +13,7 @@ pub(crate) fn circles(rings: &Rings) -> Vec<f64> {
     let widest = (0..rings.free()).map(|i| rings.ring(i).len()).max();
     // By valence, the sine of half the angle between two neighbours where all of them are alike.
     let full: Vec<f64> = (0..=widest.unwrap_or(0))
-        .map(|m| (std::f64::consts::PI / m as f64).sin())
+        .map(|m| libm::sin(std::f64::consts::PI / m as f64))
         .collect();
     let mut radius = vec![1.0f64; rings.free() + rings.boundary()];
     for (i, r) in radius[..rings.free()].iter_mut().enumerate() {

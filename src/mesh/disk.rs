@@ -70,7 +70,7 @@ impl Disk {
     pub(super) fn lay_flat(&mut self) -> bool {
         let m = self.edges.len();
         let missing = PI - self.half_turn();
-        let more = (missing / m as f64).tan();
+        let more = libm::tan(missing / m as f64);
         self.points.clear();
         let mut direction = [1.0, 0.0];
         for (t, r) in self.half_tangents.iter_mut().zip(&self.edge_lengths) {
@@ -99,7 +99,7 @@ impl Disk {
                 (sum, at) = (sum + PI, at.map(|x| -x));
             }
         }
-        sum + at[1].atan2(at[0])
+        sum + libm::atan2(at[1], at[0])
     }
 
     /// Mean value coordinates of the vertex in its ring, as another row.

@@ -118,7 +118,7 @@ pub(crate) fn level_sizes(base: usize, vertices: usize, levels: usize) -> Vec<us
     let ratio = (vertices as f64 / base.max(1) as f64).max(1.0);
     let size = |k: usize| {
         let part = k as f64 / (levels.max(2) - 1) as f64;
-        (base as f64 * ratio.powf(part)).round() as usize
+        (base as f64 * libm::pow(ratio, part)).round() as usize
     };
     let mut sizes: Vec<usize> = (0..levels).map(size).collect();
     if let Some(last) = sizes.last_mut() {

@@ -87,7 +87,7 @@ fn least(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     // Squares would overflow far away.
     let [x, y, z] = [0, 1, 2].map(|k| a[k] - b[k]);
-    x.hypot(y).hypot(z)
+    libm::hypot(libm::hypot(x, y), z)
 }
 
 #[cfg(test)]

@@ -116,7 +116,7 @@ impl Run<'_> {
             automatic
         };
         let base = base.clamp(region.boundary + 1, vertices);
-        let fitting = 1 + (vertices as f64 / base as f64).log(GROWTH).round() as usize;
+        let fitting = 1 + (libm::log(vertices as f64 / base as f64) / libm::log(GROWTH)).round() as usize;
         let levels = if self.options.levels > 0 {
             self.options.levels
         } else {
@@ -230,7 +230,7 @@ impl Run<'_> {
         let is_last = count == self.problem.domain.region.region_vertices();
         let from = 0.05 + 0.25 * count as f64 / self.problem.domain.region.region_vertices() as f64;
         let mut tell = |control: &mut Control<'_>, step: f64, residual: &Residual| {
-            let digits = residual.defect.max(goal.defect).log10() / goal.defect.log10();
+            let digits = libm::log10(residual.defect.max(goal.defect)) / libm::log10(goal.defect);
             let gained = if is_last {
                 0.69 * digits.clamp(0.0, 1.0)
             } else {

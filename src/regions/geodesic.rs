@@ -68,7 +68,7 @@ fn across(mesh: &Neighbours<'_>, [u, v]: [u32; 2], w: u32, distance: &[f64]) -> 
     let sy = depth.sqrt();
     let crossing = sx + (wx - sx) * sy / (wy + sy);
     match (0.0..=c).contains(&crossing) {
-        true => (wx - sx).hypot(wy + sy),
+        true => libm::hypot(wx - sx, wy + sy),
         false => along,
     }
 }

@@ -29,7 +29,7 @@ pub(super) fn connected(mesh: &Neighbours<'_>, from: u32, may_pass: impl Fn(u32,
 
 /// The triangles around one up to edges at which the surface bends by more than `degrees`.
 pub(super) fn patch(mesh: &Neighbours<'_>, from: u32, degrees: f64) -> Vec<bool> {
-    let least = degrees.to_radians().cos();
+    let least = libm::cos(degrees.to_radians());
     // A triangle without area bends nowhere.
     let is_smooth = |a: u32, b: u32| {
         let [a, b] = [a, b].map(|t| mesh.normal(t));

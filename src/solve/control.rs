@@ -120,7 +120,7 @@ impl<'a> Control<'a> {
         });
         // `max` and `min` pass over a NaN.
         attempt.first = attempt.first.max(d).max(goal);
-        let digits = |d: f64| (d.max(goal) / goal).log10();
+        let digits = |d: f64| libm::log10(d.max(goal) / goal);
         let gained = 1.0 - digits(d.min(attempt.first)) / digits(attempt.first).max(1.0);
         let fraction = attempt.from + gained.clamp(0.0, 1.0) * (attempt.to - attempt.from);
         self.update(fraction, d, phase);

@@ -57,7 +57,7 @@ fn best_place(ring: &[Vector3<f64>], mut p: Vector3<f64>) -> Vector3<f64> {
     while distance > DISTANCES[1] && moves < MOVES {
         let tried = (0..DIRECTIONS).map(|k| {
             let phi = k as f64 * std::f64::consts::TAU / DIRECTIONS as f64;
-            let place = p + (b_x * phi.cos() + b_y * phi.sin()) * (distance * radius);
+            let place = p + (b_x * libm::cos(phi) + b_y * libm::sin(phi)) * (distance * radius);
             (least_quality(ring, &place, &n), place)
         });
         match tried.max_by(|a, b| a.0.total_cmp(&b.0)) {

@@ -67,7 +67,7 @@ impl Sheet {
 
     /// The angle of a direction from the first tangent.
     pub(super) fn direction(&self, d: Vector3<f64>) -> f64 {
-        d.dot(&self.tangents[1]).atan2(d.dot(&self.tangents[0]))
+        libm::atan2(d.dot(&self.tangents[1]), d.dot(&self.tangents[0]))
     }
 
     /// A point of the surface, a step along the tangents from one near it.

@@ -73,7 +73,7 @@ impl Untangling<'_> {
         let first = sheet.direction(self.x[*neighbour as usize] - self.x[v]);
         for step in STEPS {
             for k in 0..DIRECTIONS {
-                let (sin, cos) = (first + TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+                let (sin, cos) = libm::sincos(first + TAU * k as f64 / DIRECTIONS as f64);
                 let x = sheet.near(self.x[v], [cos, sin].map(|c| c * step * self.edge));
                 if (x - self.band.x[v]).norm() <= self.within {
                     let worst = self.worst(v, x, sheet);
@@ -99,7 +99,7 @@ impl Untangling<'_> {
                 let d = at(corners[(k + i) % 3]) - x;
                 d - normal * d.dot(normal)
             });
-            sum += normal.dot(&a.cross(&b)).atan2(a.dot(&b));
+            sum += libm::atan2(normal.dot(&a.cross(&b)), a.dot(&b));
         }
         // What the triangles leave of a full turn.
         match v < self.on_loops {
