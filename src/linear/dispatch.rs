@@ -9,10 +9,3 @@ use multiversion::multiversion;
 pub fn vectorized<R, F: FnOnce() -> R>(f: F) -> R {
     f()
 }
-
-/// Runs `f` in the same way and tells it whether the processor has a fused multiply-add: without that instruction `mul_add` is a
-/// slow function.
-#[multiversion(targets("x86_64+avx2+fma"))]
-pub(crate) fn vectorized_with_fma<R, F: FnOnce(bool) -> R>(f: F) -> R {
-    f(cfg!(target_arch = "aarch64") || multiversion::target::target_cfg_f!(target_feature = "fma"))
-}

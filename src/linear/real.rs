@@ -38,8 +38,6 @@ pub trait Real:
     fn to_f64(self) -> f64;
     /// The positive square root.
     fn root(self) -> Self;
-    /// `self * factor + term`, rounded once.
-    fn fused(self, factor: Self, term: Self) -> Self;
     /// Neither infinite nor not a number, and greater than zero.
     fn is_pivot(self) -> bool;
 }
@@ -60,10 +58,6 @@ macro_rules! real {
             #[inline(always)]
             fn root(self) -> Self {
                 <$t>::sqrt(self)
-            }
-            #[inline(always)]
-            fn fused(self, factor: Self, term: Self) -> Self {
-                <$t>::mul_add(self, factor, term)
             }
             #[inline(always)]
             fn is_pivot(self) -> bool {

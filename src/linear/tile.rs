@@ -16,12 +16,12 @@ pub(crate) type Lanes<T> = [T; LANES];
 pub(crate) type Tile<T, const G: usize, const N: usize> = [[Lanes<T>; N]; G];
 
 /// `A B^T`, where `a` has the packed groups of rows of A and `b` the packed group of rows of B, of which the `part`-th `N` are
-/// taken. The products are added in the order of the columns, with one rounding each if `FUSED`.
+/// taken. The products are added in the order of the columns.
 ///
 /// They are taken from a front by [`minus`] as one sum: a sum of many small products would lose its last digits in the large
 /// numbers that it is taken from, one by one, and a 32-bit factor its lowest modes.
 #[inline(always)]
-pub(crate) fn products<T: Real, const FUSED: bool, const G: usize, const N: usize>(
+pub(crate) fn products<T: Real, const G: usize, const N: usize>(
     a: [&[Lanes<T>]; G],
     b: &[Lanes<T>],
     part: usize,
@@ -33,7 +33,7 @@ pub(crate) fn products<T: Real, const FUSED: bool, const G: usize, const N: usiz
         let b = &b[k].as_chunks::<N>().0[part];
         for n in 0..N {
             for g in 0..G {
-                sum[g][n] = plus_product::<T, FUSED>(sum[g][n], a[g][k], b[n]);
+                sum[g][n] = plus_product(sum[g][n], a[g][k], b[n]);
             }
         }
     }
@@ -58,24 +58,12 @@ pub(crate) fn minus<T: Real, const G: usize, const N: usize>(
 
 /// `c + a f`.
 #[inline(always)]
-fn plus_product<T: Real, const FUSED: bool>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
-    std::array::from_fn(|l| {
-        if FUSED {
-            a[l].fused(f, c[l])
-        } else {
-            c[l] + a[l] * f
-        }
-    })
+fn plus_product<T: Real>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    std::array::from_fn(|l| c[l] + a[l] * f)
 }
 
 /// `c - a f`.
 #[inline(always)]
-pub(crate) fn minus_product<T: Real, const FUSED: bool>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
-    std::array::from_fn(|l| {
-        if FUSED {
-            (-a[l]).fused(f, c[l])
-        } else {
-            c[l] - a[l] * f
-        }
-    })
+pub(crate) fn minus_product<T: Real>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    std::array::from_fn(|l| c[l] - a[l] * f)
 }
