@@ -189,7 +189,11 @@ wasi_client() {
     "$out/wasmtime/bin/pip" --disable-pip-version-check install -q wasmtime==50.0.1
     answers=$work/answers.wasm
     zig cc -target wasm32-wasi -O2 -ffp-contract=off "$root/packaging/answers.c" -o "$answers" "-I$tree/include" "$tree/lib/libfairmesh.a"
-    say "a C program for WASI is linked"
+    # Its callback is told of the progress, on the only thread.
+    zig cc -target wasm32-wasi "$root/examples/c/smooth_dent.c" -o "$work/client.wasm" "-I$tree/include" "$tree/lib/libfairmesh.a"
+    run "$work/client.wasm" >"$work/client.log"
+    if ! tail -1 "$work/client.log" | grep '^converged' || ! grep -q '%' "$work/client.log"; then bad "the C program for WASI has failed"; fi
+    say "a C program for WASI has run"
 }
 
 # The command line fairs the file that README.md begins with.
