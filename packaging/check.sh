@@ -213,6 +213,19 @@ command_line() {
     say "the command line has run; SHA-256 of its result $(sha256sum <"$work/faired.ply" | cut -c1-16)"
 }
 
+# The Debian package, if deb.sh has made it: the same program, and all that it lists.
+debian_package() {
+    local architecture=amd64 package
+    [ "$target" = linux-x86_64 ] || architecture=arm64
+    package=$dist/fairmesh_${version}_$architecture.deb
+    [ -e "$package" ] || return 0
+    dpkg-deb -R "$package" "$work/deb"
+    cmp "$work/deb/usr/bin/fairmesh" "$program/fairmesh" || bad "the Debian package has another program: packaging/deb.sh $target"
+    (cd "$work/deb" && md5sum --quiet -c DEBIAN/md5sums) || bad "the Debian package is damaged"
+    [ "$(dpkg-deb -f "$package" Version)-$(dpkg-deb -f "$package" Architecture)" = "$version-$architecture" ] || bad "the Debian package is another"
+    say "the Debian package has the same program"
+}
+
 # answer WHERE COMMAND...: what the library answers, in answers/WHERE. Every other target that was checked before has answered the same.
 answer() {
     local folder=$out/answers/$1 k other
@@ -260,6 +273,7 @@ wasm32) wasi_client ;;
 *)
     clients
     command_line
+    [[ $target != linux-* ]] || debian_package
     ;;
 esac
 answer "$target" run

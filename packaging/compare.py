@@ -19,8 +19,10 @@ def main():
         if texts[0] == texts[1]:
             continue
         x, y = map(coordinates, texts)
-        same = len(x) == len(y)
-        wrong.append(f"{case} by {max(abs(p - q) for p, q in zip(x, y)):.1e}" if same else f"{case} in its size")
+        if len(x) == len(y):
+            wrong.append(f"{case} by {max(abs(p - q) for p, q in zip(x, y)):.1e}")
+        else:
+            wrong.append(f"{case} in its size")
     print(f"{a.name} and {b.name}: {10 - len(wrong)} of 10 answers are equal")
     if wrong:
         sys.exit(f"answers that differ: {', '.join(wrong)}")
