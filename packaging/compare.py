@@ -1,4 +1,4 @@
-"""Compares what answers.c has printed on two targets, bit by bit: compare.py FOLDER FOLDER, each with the files 1 to 10."""
+"""Compares what answers.c has printed on two targets, bit by bit: compare.py FOLDER FOLDER, each with files 1 to 10."""
 
 import struct
 import sys

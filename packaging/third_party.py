@@ -12,8 +12,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 COMMAND = ["cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform"]
 TEXTS = ("LICENSE", "LICENCE", "COPYING", "NOTICE", "UNLICENSE")
-RUST = """The standard library of Rust is in it, too: MIT OR Apache-2.0, the Rust project, https://www.rust-lang.org; the
-texts of its parts are in its COPYRIGHT-library.html, which comes with Rust.
+RUST = """The standard library of Rust is in it, too: MIT OR Apache-2.0, the Rust project, https://www.rust-lang.org;
+the texts of its parts are in its COPYRIGHT-library.html, which comes with Rust.
 """
 
 
