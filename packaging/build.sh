@@ -20,6 +20,17 @@ stage=$out/stage/$target
 name=fairmesh-$version-$target
 program=fairmesh-cli-$version-$target
 
+# zig leaves out the list of exported names, so Rust's own linker is taken, and of zig what names the functions of macOS. That linker does not know
+# the newest kind of processor there, and the names for it are those for all arm64.
+install_apple_linker() {
+    install_zig
+    mkdir -p "$out/apple"
+    sed 's/arm64e\.x1-/arm64-/g' "$(zig env | sed -nE 's/.*lib_dir *[=:] *"([^"]*)".*/\1/p' | head -1)/libc/darwin/libSystem.tbd" \
+        >"$out/apple/libSystem.tbd"
+    export APPLE_LLD=$llvm/gcc-ld/ld64.lld APPLE_LIBRARIES=$out/apple
+    export "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$1")_LINKER=$root/packaging/apple_linker.py"
+}
+
 # build TARGET PACKAGE...: with the linker of that system.
 build() {
     local target=$1 triple packages=()
@@ -29,11 +40,12 @@ build() {
     for package in "$@"; do packages+=(-p "$package"); done
     local command=(build)
     case $target in
-    linux-* | macos-*)
+    linux-*)
         install_zig
         command=(zigbuild)
-        [[ $target != linux-* ]] || triple=$triple.$GLIBC
+        triple=$triple.$GLIBC
         ;;
+    macos-*) [ "$(uname -s)" = Darwin ] || install_apple_linker "$triple" ;;
     windows-*)
         need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
         RUSTFLAGS="$RUSTFLAGS -C link-arg=-Wl,--no-insert-timestamp"
@@ -43,27 +55,17 @@ build() {
 }
 
 # One object of all members, whose only global symbols are those of the header: two Rust libraries in one program do not meet.
-# For macOS no linker but Apple's does that: there the archive stays as rustc has made it.
+# For Windows and macOS the archive stays as rustc has made it: there GNU's linker makes an object whose thread-locals are broken, and Rust's none.
 static_library() {
     local whole=$out/whole-$target.o keep=$out/keep-$target
-    rm -f "$whole" "$1/lib/libfairmesh.a"
-    case $target in
-    linux-*)
-        header_functions >"$keep"
-        "$llvm/rust-lld" -flavor gnu -r -o "$whole" --whole-archive "$built/libfairmesh.a"
-        "$llvm/llvm-objcopy" --strip-debug --remove-section=.llvmbc --remove-section=.llvmcmd --keep-global-symbols="$keep" "$whole"
-        ;;
-    windows-*)
-        header_functions >"$keep"
-        x86_64-w64-mingw32-ld -r -o "$whole" --whole-archive "$built/libfairmesh.a"
-        x86_64-w64-mingw32-objcopy --strip-debug --keep-global-symbols="$keep" "$whole"
-        ;;
-    *)
-        cp "$built/libfairmesh.a" "$1/lib/libfairmesh.a"
-        "$llvm/llvm-objcopy" --strip-debug "$1/lib/libfairmesh.a"
+    if [[ $target != linux-* ]]; then
+        "$llvm/llvm-objcopy" --strip-debug "$built/libfairmesh.a" "$1/lib/libfairmesh.a"
         return
-        ;;
-    esac
+    fi
+    rm -f "$whole"
+    header_functions >"$keep"
+    "$llvm/rust-lld" -flavor gnu -r -o "$whole" --whole-archive "$built/libfairmesh.a"
+    "$llvm/llvm-objcopy" --strip-debug --remove-section=.llvmbc --remove-section=.llvmcmd --keep-global-symbols="$keep" "$whole"
     "$llvm/llvm-ar" rcsD "$1/lib/libfairmesh.a" "$whole"
     rm "$whole"
 }
