@@ -357,7 +357,7 @@ fn fitted_normals() {
     bars.finish();
 }
 
-/// Most of a sphere from what is around one hole.
+/// Most of a sphere from what is around one hole: the tolerance is how far the surface may be off.
 #[test]
 fn sphere_with_one_hole() {
     let mut bars = Bars::default();
@@ -369,14 +369,14 @@ fn sphere_with_one_hole() {
         (20.0, 5_000),
     ];
     for (half_angle, n) in cases {
-        for seed in 1..=6 {
+        for (seed, tolerance) in (1..=6).flat_map(|seed| [(seed, 1e-8), (seed, 1e-10)]) {
             let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
-            let solution = solve(&shape, &flat(&shape), options(1e-8));
+            let solution = solve(&shape, &flat(&shape), options(tolerance));
             let e = errors(&shape, &solution);
             row("hole", n, &format!("{half_angle} degrees"), e, &solution);
-            let what = format!("hole of {half_angle} degrees, {n}, seed {seed}");
+            let what = format!("hole of {half_angle} degrees, {n}, seed {seed}, {tolerance:e}");
             bars.converged(&what, &solution);
-            bars.at_most(&what, e.max, 2e-9);
+            bars.at_most(&what, e.max, tolerance);
         }
     }
     bars.finish();
