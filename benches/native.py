@@ -2,8 +2,8 @@
 
     packaging/build.sh linux-x86_64 && python3 benches/native.py
 
-Builds the program with -C target-cpu=native into target/native, runs both in turn on the same meshes with one thread, and prints the shortest
-processor time of each and their ratio. Both have to write the same bytes.
+Builds the program with -C target-cpu=native into target/native, runs both in turn on the same meshes with one thread,
+and prints the shortest processor time of each and their ratio. Both have to write the same bytes.
 """
 
 import filecmp
