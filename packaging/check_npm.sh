@@ -66,6 +66,9 @@ for other in "$out/answers"/*/; do
 done
 for k in 1 2 3 4 5 6 7 8 9 10; do say "$k $(sha256sum <"$work/answers/$k" | cut -d' ' -f1) $(head -1 "$work/answers/$k")"; done
 
+program=$out/stage/linux-x86_64/fairmesh-cli-$version-linux-x86_64/fairmesh
+[ ! -x "$program" ] || node speed.mjs "$program"
+
 "$bin/deno" run --allow-read --node-modules-dir=manual readme.mjs | diff readme.log -
 "$bin/bun" readme.mjs | diff readme.log -
 say "Deno and Bun have run the program of the README"
