@@ -105,7 +105,9 @@ test("what is no mesh and no option is told before", () => {
     told(() => library.selectBall(mesh, [0, 0], 1), "point: three numbers are needed, not 2", RangeError);
 });
 
-test("memory is given back in all ways that a call ends", () => {
+test("memory is given back in all ways that a call ends", async () => {
+    // One whose memory no larger call has made room in.
+    const library = await load();
     const once = () => {
         library.fair(mesh, mesh.free);
         assert.throws(() => library.fair(mesh, [0]));

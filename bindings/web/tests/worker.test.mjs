@@ -7,6 +7,8 @@ import { dent, offSphere } from "./meshes.mjs";
 
 const mesh = dent();
 const large = dent(161, 10);
+/** A run that would not end. */
+const ENDLESS = { solver: "paper", discretization: "paper", paperDefect: 1e-300, paperMaxUpdates: 1e12 };
 
 test("a worker finds the same, and tells of progress", async () => {
     const [library, worker] = await Promise.all([load(), createWorker()]);
@@ -53,23 +55,21 @@ test("arrays are copied, or handed over", async () => {
 async function aborted() {
     const worker = await createWorker();
     const controller = new AbortController();
-    const begin = performance.now();
-    const run = worker.fair(large, large.free, { signal: controller.signal, progress: () => controller.abort() });
+    const run = worker.fair(large, large.free, { ...ENDLESS, signal: controller.signal, progress: () => controller.abort() });
     const next = worker.fair(mesh, mesh.free);
     const later = new AbortController();
     const never = worker.fair(mesh, mesh.free, { signal: later.signal });
     later.abort(new Error("not wanted"));
     await assert.rejects(never, { message: "not wanted" });
     await assert.rejects(run, { name: "AbortError" });
-    assert.ok(performance.now() - begin < 5000);
     assert.ok((await next).report.isSuccess);
     await assert.rejects(worker.fair(mesh, mesh.free, { signal: controller.signal }), { name: "AbortError" });
     worker.close();
 }
 
-test("a signal stops the run, and the next one is done", aborted);
+test("a signal stops the run, and the next one is done", { timeout: 60000 }, aborted);
 
-test("so it does where no memory can be shared", async () => {
+test("so it does where no memory can be shared", { timeout: 60000 }, async () => {
     const shared = globalThis.SharedArrayBuffer;
     delete globalThis.SharedArrayBuffer;
     try {
@@ -79,10 +79,10 @@ test("so it does where no memory can be shared", async () => {
     }
 });
 
-test("a number in shared memory stops the run with the best surface so far", async () => {
+test("a number in shared memory stops the run with the best surface so far", { timeout: 60000 }, async () => {
     const worker = await createWorker();
     const cancel = new Int32Array(new SharedArrayBuffer(4));
-    const result = await worker.fair(large, large.free, { cancel, progress: ({ iterations }) => void (iterations > 0 && Atomics.store(cancel, 0, 1)) });
+    const result = await worker.fair(large, large.free, { ...ENDLESS, cancel, progress: ({ iterations }) => void (iterations > 0 && Atomics.store(cancel, 0, 1)) });
     assert.equal(result.outcome, "cancelled");
     worker.close();
 });
