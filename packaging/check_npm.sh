@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Checks the npm package that npm.sh has made, from the archive alone: its size and entries, its tests in node, as Chromium, Firefox,
-# Deno, Bun and a bundler see it, the places of all fields as a C compiler has them, and that its ten answers are those of the other targets.
+# Node 18, Deno, Bun and a bundler see it, the places of all fields as a C compiler has them, and that its ten answers are those of the other targets.
 #   packaging/check_npm.sh
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 # Those of its dependencies are what npm finds: they judge the package, and do not get into it.
-TOOLS="publint@0.3.25 @arethetypeswrong/cli@0.18.5 puppeteer-core@24.8.2 vite@8.3.8 deno@2.9.6 bun@1.4.5"
+TOOLS="publint@0.3.25 @arethetypeswrong/cli@0.18.5 puppeteer-core@24.8.2 vite@8.3.8 deno@2.9.6 bun@1.4.5 node@18.20.8"
 GZIPPED=$((1500 * 1000))
 archive=$dist/fairmesh-$version.tgz
 work=$out/check/npm
@@ -69,9 +69,17 @@ for k in 1 2 3 4 5 6 7 8 9 10; do say "$k $(sha256sum <"$work/answers/$k" | cut 
 program=$out/stage/linux-x86_64/fairmesh-cli-$version-linux-x86_64/fairmesh
 [ ! -x "$program" ] || node speed.mjs "$program"
 
-"$bin/deno" run --allow-read --node-modules-dir=manual readme.mjs | diff readme.log -
-"$bin/bun" readme.mjs | diff readme.log -
-say "Deno and Bun have run the program of the README"
+# The oldest Node that package.json promises.
+"$tools/node_modules/node/bin/node" --test calls.test.mjs runs.test.mjs worker.test.mjs >old.log || { cat old.log; exit 1; }
+say "$("$tools/node_modules/node/bin/node" --version): $(grep '^# pass' old.log)"
+deno="$bin/deno run --allow-read --node-modules-dir=manual"
+for host in "$deno" "$bin/bun"; do
+    # shellcheck disable=SC2086
+    $host readme.mjs | diff readme.log -
+    # shellcheck disable=SC2086
+    [ "$($host host.mjs)" = "converged true AbortError" ] || fail "$host has not faired a mesh in a worker"
+done
+say "Deno and Bun have faired meshes, here and in a worker"
 
 mkdir -p bundled
 cp bundled.html bundled/index.html
