@@ -140,8 +140,14 @@ export class FairmeshWorker {
             }
             delete request.options?.["cancel"];
             const mesh = given[0] as Mesh;
-            const job: Job = { request, transfer: transfer ? buffers(mesh) : [], progress, signal, done, failed };
-            signal?.addEventListener("abort", () => this.#abort(job), { once: true });
+            // A signal may outlive the call: nobody listens to it after that.
+            const over = new AbortController();
+            const job: Job = {
+                ...{ request, transfer: transfer ? buffers(mesh) : [], progress, signal },
+                done: (result) => (over.abort(), done(result)),
+                failed: (why) => (over.abort(), failed(why)),
+            };
+            signal?.addEventListener("abort", () => this.#abort(job), { once: true, signal: over.signal });
             this.#waiting.push(job);
             this.#next();
         });

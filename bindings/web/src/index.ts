@@ -31,7 +31,9 @@ export const version = `${VERSION_MAJOR}.${VERSION_MINOR}.${VERSION_PATCH}`;
 
 /** Loads the library. Each call makes a copy with a memory of its own; a module that is handed in is not compiled again. */
 export async function load(source?: Source): Promise<Fairmesh> {
-    const library = new Library(await WebAssembly.instantiate((await compile(source)) as WebAssembly.Module));
+    const instance = await WebAssembly.instantiate((await compile(source)) as WebAssembly.Module);
+    if (!("fairmesh_version_string" in instance.exports)) throw new Error("this is not the module of fairmesh");
+    const library = new Library(instance);
     const told = library.string(library.invoke("fairmesh_version_string") >>> 0);
     if (told !== version) throw new Error(`the module is of version ${told}, this package is of version ${version}`);
     return new Fairmesh(library);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { compile, FairmeshError, InputError, load, TrapError } from "fairmesh";
+import { compile, createWorker, FairmeshError, InputError, load, TrapError } from "fairmesh";
 import { dent, sheets } from "./meshes.mjs";
 
 const library = await load();
@@ -157,5 +157,10 @@ test("after a trap nothing is called any more, and another copy works", async ()
 
 test("a module of another version, or none, is refused", async () => {
     await assert.rejects(load(new Uint8Array([0, 1, 2, 3])), WebAssembly.CompileError);
+    const empty = new WebAssembly.Module(new Uint8Array([0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0]));
+    await assert.rejects(load(empty), { message: "this is not the module of fairmesh" });
+    const worker = await createWorker({ source: empty });
+    await assert.rejects(worker.components(mesh), { message: "this is not the module of fairmesh" });
+    worker.close();
     await assert.rejects(load(new URL("file:///nowhere/fairmesh.wasm")), { code: "ENOENT" });
 });
