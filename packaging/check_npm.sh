@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Checks the npm package that npm.sh has made, from the archive alone: its size and entries, its tests in node, as Chromium, Firefox,
-# Node 18, Deno, Bun and a bundler see it, the places of all fields as a C compiler has them, and that its ten answers are those of the other targets.
+# Node 18, Deno, Bun and two bundlers see it, the places of all fields as a C compiler has them, and that its ten answers are those of the other targets.
 #   packaging/check_npm.sh
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 # Those of its dependencies are what npm finds: they judge the package, and do not get into it.
-TOOLS="publint@0.3.25 @arethetypeswrong/cli@0.18.5 puppeteer-core@24.8.2 vite@8.3.8 deno@2.9.6 bun@1.4.5 node@18.20.8"
+TOOLS="publint@0.3.25 @arethetypeswrong/cli@0.18.5 puppeteer-core@24.8.2 vite@8.3.8 webpack@5.112.2 webpack-cli@7.3.1 deno@2.9.6 bun@1.4.5 node@18.20.8"
 GZIPPED=$((1500 * 1000))
 archive=$dist/fairmesh-$version.tgz
 work=$out/check/npm
@@ -84,6 +84,9 @@ say "Deno and Bun have faired meshes, here and in a worker"
 mkdir -p bundled
 cp bundled.html bundled/index.html
 "$bin/vite" build --logLevel warn --base ./ --outDir ../bundle --emptyOutDir bundled
+sed -n '/import/,/^<.script>/p' bundled.html | sed '$d' >bundled/main.mjs
+"$bin/webpack" --mode production --entry ./bundled/main.mjs -o webpack >webpack.log || { cat webpack.log; exit 1; }
+echo '<!doctype html><title>bundled</title><script defer src="main.js"></script>' >webpack/index.html
 ln -sfn "$tools/node_modules/puppeteer-core" node_modules/puppeteer-core
 for browser in chrome firefox; do node browser.mjs $browser; done
 say "passed"

@@ -10,7 +10,9 @@ export type Source = URL | string | ArrayBuffer | ArrayBufferView | Response | C
 export async function compile(source: Source = new URL("./fairmesh.wasm", import.meta.url)): Promise<CompiledModule> {
     if (source instanceof WebAssembly.Module) return source;
     if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source as BufferSource);
-    if (typeof source === "string" || source instanceof URL) return fromAddress(new URL(source, import.meta.url));
+    // Relative to the page. Not to this file: bundlers take that for one of their own.
+    if (typeof source === "string") return fromAddress(new URL(source, globalThis.location?.href));
+    if (source instanceof URL) return fromAddress(source);
     if (!(source instanceof Response)) throw new TypeError("a module, its bytes, its address, or an answer of fetch is needed");
     if (!source.ok) throw new Error(`${source.url}: ${source.status} ${source.statusText}`);
     // There are servers that do not know the type.

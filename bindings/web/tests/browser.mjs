@@ -1,6 +1,6 @@
 /**
  * The package in a browser: node browser.mjs chrome|firefox. Serves this folder; pages with and without shared memory load it into a worker,
- * and so do the page of the README and one that a bundler has made.
+ * and so do the page of the README and those that two bundlers have made.
  */
 
 import assert from "node:assert/strict";
@@ -61,9 +61,11 @@ try {
         assert.deepEqual(positions, Array.from(library.fair(mesh, mesh.free).positions), "the bits of node");
     }
     await opened("/readme.html", "document.getElementById('says')?.textContent === 'converged'");
-    const bundled = await opened("/bundle/index.html", "document.title !== 'bundled'");
-    assert.equal(await bundled.title(), "converged");
-    console.log(`npm: ${await browser.version()}: a page, an isolated one, the README's, and a bundled one have faired meshes in a worker`);
+    for (const bundler of ["bundle", "webpack"]) {
+        const bundled = await opened(`/${bundler}/index.html`, "document.title !== 'bundled'");
+        assert.equal(await bundled.title(), "converged", bundler);
+    }
+    console.log(`npm: ${await browser.version()}: a page, an isolated one, the README's, and two bundled ones have faired meshes in a worker`);
 } finally {
     await browser.close();
     server.close();
