@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createWorker, InputError, load } from "fairmesh";
+import { createWorker, InputError, load, TrapError, version } from "fairmesh";
 import { dent, offSphere } from "./meshes.mjs";
 
 const mesh = dent();
@@ -48,6 +48,29 @@ test("arrays are copied, or handed over", async () => {
     const { positions } = await worker.fair(given, mesh.free, { transfer: true });
     assert.equal(given.positions.length, 0);
     assert.ok(offSphere(positions) < 1e-9);
+    worker.close();
+});
+
+/** A module that says the version and traps at the first allocation. */
+function trapping() {
+    const text = (name) => [name.length, ...Buffer.from(name)];
+    const section = (id, bytes) => [id, bytes.length, ...bytes];
+    return new Uint8Array([
+        ...[0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
+        ...section(1, [2, 0x60, 0, 1, 0x7f, 0x60, 1, 0x7f, 1, 0x7f]),
+        ...section(3, [2, 0, 1]),
+        ...section(5, [1, 0, 1]),
+        ...section(7, [3, ...text("memory"), 2, 0, ...text("fairmesh_version_string"), 0, 0, ...text("fairmesh_wasm_allocate"), 0, 1]),
+        ...section(10, [2, 4, 0, 0x41, 16, 0x0b, 3, 0, 0x00, 0x0b]),
+        ...section(11, [1, 0, 0x41, 16, 0x0b, ...text(`${version}\0`)]),
+    ]);
+}
+
+test("a trap comes through, and calls after it are answered", async () => {
+    const worker = await createWorker({ source: trapping() });
+    const told = { name: "TrapError", message: "the WebAssembly module has stopped (unreachable) and cannot be used any more; load() makes a new one" };
+    await assert.rejects(worker.components(mesh), told);
+    await Promise.all([assert.rejects(worker.components(mesh), told), assert.rejects(worker.components(mesh), TrapError)]);
     worker.close();
 });
 
