@@ -73,7 +73,7 @@ demo() {
 
 # What is published for each target, built and run.
 packaging() {
-    packaging/manifest.sh && packaging/check.sh
+    packaging/manifest.sh && packaging/check.sh && packaging/check_npm.sh
 }
 
 # For other systems: their compilers, and what runs their programs.
@@ -84,6 +84,9 @@ install_packaging_tools() {
     command -v qemu-aarch64-static >/dev/null || missing+=(qemu-user-static)
     command -v debootstrap >/dev/null || missing+=(debootstrap)
     command -v node >/dev/null || missing+=(nodejs)
+    command -v npm >/dev/null || missing+=(npm)
+    command -v chromium >/dev/null || missing+=(chromium)
+    command -v firefox-esr >/dev/null || missing+=(firefox-esr)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -103,6 +106,7 @@ quick() {
 # The programs that carry the library. They build in target/release and so come one after the other.
 hosts() {
     step python bindings/python/test.sh
+    step web bindings/web/test.sh
     step blender bindings/blender/test.sh
     step meshlab meshlab_plugin/test.sh gui
 }

@@ -10,6 +10,7 @@ if [ "${1-}" != --list ]; then
         begin=$SECONDS
         "$root/packaging/build.sh" "$target" >&2
         [[ $target != linux-* ]] || "$root/packaging/deb.sh" "$target" >&2
+        [ "$target" != wasm32 ] || "$root/packaging/npm.sh" >&2
         echo "$target: $((SECONDS - begin)) s" >&2
     done
 fi

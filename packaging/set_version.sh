@@ -42,12 +42,13 @@ replace '^version = ".*"' "version = \"$version\"" bindings/blender/addon/blende
 replace '^(    "version": ).*' "\1($major, $minor, $patch)," bindings/blender/addon/__init__.py
 for part in MAJOR=$major MINOR=$minor PATCH=$patch; do
     replace "(VERSION_${part%=*}( |: u32 = | = ))[0-9]+" "\\1${part#*=}" \
-        include/fairmesh.h src/capi/about.rs bindings/python/src/fairmesh/_abi.py
+        include/fairmesh.h src/capi/about.rs bindings/python/src/fairmesh/_abi.py bindings/web/src/abi.ts
 done
 replace '^version: .*' "version: $version" CITATION.cff
 replace 'fairmesh_blender-[0-9.]+\.zip' "fairmesh_blender-$version.zip" \
     README.md bindings/blender/README.md docs/start.md
 replace "^Version [0-9.]+[0-9]\\." "Version $version." docs/README.md
+replace 'fairmesh-[0-9.]+\.tgz' "fairmesh-$version.tgz" bindings/web/README.md docs/start.md
 replace 'fairmesh-[0-9.]+-py3' "fairmesh-$version-py3" bindings/python/README.md
 replace 'find_package\(fairmesh [0-9.]+ ' "find_package(fairmesh $major.$minor " \
     docs/c-api.md examples/*/CMakeLists.txt meshlab_plugin/CMakeLists.txt

@@ -13,3 +13,4 @@ mod numbers;
 mod programs;
 mod python;
 mod tables;
+mod web;

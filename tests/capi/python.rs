@@ -133,11 +133,11 @@ fn member(made: &mut String, number: u32, name: &str, text: &str, remedy: &str, 
     );
 }
 
-fn is_c_name(name: &str) -> bool {
+pub(crate) fn is_c_name(name: &str) -> bool {
     name.starts_with("fairmesh_") && !name.starts_with("fairmesh_test_")
 }
 
-fn number(expression: &Expr) -> String {
+pub(crate) fn number(expression: &Expr) -> String {
     match expression {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) => number.base10_digits().to_owned(),
@@ -176,7 +176,7 @@ fn enumeration(made: &mut String, item: &Item) {
 }
 
 /// `FreeMask`: `FREE_MASK`; `Float32`: `FLOAT32`.
-fn constant(variant: &str) -> String {
+pub(crate) fn constant(variant: &str) -> String {
     let mut made = String::new();
     for c in variant.chars() {
         if c.is_ascii_uppercase() && !made.is_empty() {
@@ -220,11 +220,11 @@ fn structure(made: &mut String, item: &Item, items: &[Item], known: &mut BTreeSe
     known.insert(name);
 }
 
-fn is_opaque(name: &str) -> bool {
+pub(crate) fn is_opaque(name: &str) -> bool {
     matches!(name, "fairmesh_solver" | "fairmesh_result")
 }
 
-fn last_name(of: &Type) -> String {
+pub(crate) fn last_name(of: &Type) -> String {
     match of {
         Type::Path(path) => path.path.segments.last().expect("a name").ident.to_string(),
         _ => String::new(),

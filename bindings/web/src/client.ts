@@ -1,0 +1,252 @@
+/** The library in a worker: the same calls, as promises. */
+
+import type { Progress } from "./abi.js";
+import type { Indices, Mesh, Out, Selection } from "./arrays.js";
+import { compile, type CompiledModule, type Source } from "./compile.js";
+import { received, type SentError, TrapError } from "./errors.js";
+import type { RefillOptions, RemeshResult } from "./erase.js";
+import type { FairOptions, FairResult } from "./fairing.js";
+import type { BridgeOptions, BridgeResult, FillOptions, FillResult } from "./holes.js";
+import type { Fairmesh } from "./index.js";
+import { newWorker, type Port } from "./ports.js";
+
+/** What a call in a worker can be handed besides its options. */
+export interface Handed {
+    /**
+     * Aborts the call: the promise is refused with the signal's reason. Where memory can be shared (pages that are cross-origin isolated,
+     * Node) the run ends before its next iteration; elsewhere the worker is ended and a new one is started.
+     */
+    signal?: AbortSignal | undefined;
+    /** Hands the arrays of the mesh over in place of copying them: they are empty afterwards. */
+    transfer?: boolean | undefined;
+}
+
+/** Calls that take long, and can be watched. */
+interface LongCalls {
+    fair<M extends Mesh>(mesh: M, free?: Selection | null, options?: FairOptions & Handed): Promise<FairResult<Out<M>>>;
+    fillHoles<M extends Mesh>(mesh: M, options?: FillOptions & Handed): Promise<FillResult<Out<M>>>;
+    bridge<M extends Mesh>(mesh: M, start: Indices, end: Indices, options?: BridgeOptions & Handed): Promise<BridgeResult<Out<M>>>;
+    refill<M extends Mesh>(mesh: M, free?: Selection | null, options?: RefillOptions & Handed): Promise<RemeshResult<Out<M>>>;
+}
+
+/** Where the options of the long calls are among their arguments. */
+const LONG = { fair: 2, fillHoles: 1, bridge: 3, refill: 2 } as const satisfies Record<keyof LongCalls, number>;
+
+const SHORT = [
+    ...(["boundaryLoops", "suggestJoins", "erase", "trimBoundary", "carryOver", "components", "remesh", "meanCurvature"] as const),
+    ...(["selfIntersections", "selectRegion", "selectBall", "selectBox", "selectHalfspace", "selectGeodesic", "selectComponent"] as const),
+    ...(["selectPatch", "selectBump", "grow", "shrink", "defaultOptions", "defaultFillOptions", "defaultRemeshOptions", "describe"] as const),
+];
+
+/** The other calls. */
+type ShortCalls = { [K in (typeof SHORT)[number]]: (...given: Parameters<Fairmesh[K]>) => Promise<ReturnType<Fairmesh[K]>> };
+
+/** What can be called in a worker. */
+export type Method = keyof LongCalls | keyof ShortCalls;
+
+/** A call, as it is sent. */
+export interface Request {
+    id: number;
+    module: CompiledModule;
+    method: Method;
+    given: unknown[];
+    /** Of the long calls; what watches them stays here. */
+    options: Record<string, unknown> | null;
+    isWatched: boolean;
+    cancel?: Int32Array | undefined;
+}
+
+type Answer = { id: number } & ({ progress: Progress } | { result: unknown } | { error: SentError });
+
+interface Job {
+    request: Request;
+    transfer: Transferable[];
+    progress: ((progress: Progress) => unknown) | undefined;
+    signal: AbortSignal | undefined;
+    done: (result: unknown) => void;
+    failed: (why: unknown) => void;
+}
+
+/** How a worker is made. */
+export interface WorkerOptions {
+    /** The module, if not that of this package. */
+    source?: Source | undefined;
+}
+
+/** Starts a worker with the library in it. */
+export async function createWorker(options: WorkerOptions = {}): Promise<FairmeshWorker> {
+    return new FairmeshWorker(await compile(options.source), await newWorker());
+}
+
+export interface FairmeshWorker extends LongCalls, ShortCalls {}
+
+/**
+ * The library in a worker, which does one call after the other. All functions of `Fairmesh` but `solver` are there as promises, with
+ * the same arguments, results and errors; what the progress callback returns is not looked at.
+ */
+export class FairmeshWorker {
+    readonly #module: CompiledModule;
+    #port: Promise<Port> | null;
+    #running: Job | null = null;
+    readonly #waiting: Job[] = [];
+    #last = 0;
+    #isClosed = false;
+
+    /** Made by `createWorker`. @internal */
+    constructor(module: CompiledModule, port: Port) {
+        this.#module = module;
+        this.#port = Promise.resolve(this.#listening(port));
+    }
+
+    static {
+        for (const method of [...SHORT, ...(Object.keys(LONG) as (keyof LongCalls)[])]) {
+            Object.defineProperty(this.prototype, method, {
+                value(this: FairmeshWorker, ...given: unknown[]) {
+                    return this.#call(method, given);
+                },
+            });
+        }
+    }
+
+    #listening(port: Port): Port {
+        port.listen(
+            (answer: Answer) => this.#answered(answer),
+            (why) => this.#end(port, why),
+        );
+        port.hold(false);
+        return port;
+    }
+
+    #call(method: Method, given: unknown[]): Promise<unknown> {
+        const place: number | undefined = (LONG as Partial<Record<Method, number>>)[method];
+        const all = place === undefined ? null : ((given[place] ?? {}) as FairOptions & Handed);
+        const { progress, signal, transfer = false, ...options } = all ?? {};
+        return new Promise((done, failed) => {
+            if (this.#isClosed) throw new Error("the worker is closed");
+            if (progress !== undefined && typeof progress !== "function") throw new TypeError("progress: a function is needed");
+            signal?.throwIfAborted();
+            const request: Request = {
+                id: ++this.#last,
+                module: this.#module,
+                method,
+                given: place === undefined ? given : Array.from({ length: place }, (_, k) => given[k]),
+                options: all === null ? null : { ...options },
+                isWatched: progress !== undefined,
+            };
+            if (signal !== undefined && typeof SharedArrayBuffer !== "undefined" && options.cancel === undefined) {
+                request.cancel = new Int32Array(new SharedArrayBuffer(4));
+            } else {
+                request.cancel = options.cancel;
+            }
+            delete request.options?.["cancel"];
+            const mesh = given[0] as Mesh;
+            // A signal may outlive the call: nobody listens to it after that.
+            const over = new AbortController();
+            const job: Job = {
+                ...{ request, transfer: transfer ? buffers(mesh) : [], progress, signal },
+                done: (result) => (over.abort(), done(result)),
+                failed: (why) => (over.abort(), failed(why)),
+            };
+            signal?.addEventListener("abort", () => this.#abort(job), { once: true, signal: over.signal });
+            this.#waiting.push(job);
+            this.#next();
+        });
+    }
+
+    #next(): void {
+        if (this.#running !== null) return;
+        const job = this.#waiting.shift();
+        if (job === undefined) return;
+        this.#running = job;
+        this.#port ??= newWorker().then((port) => this.#listening(port));
+        this.#port.then(
+            (port) => {
+                // It may have been aborted meanwhile.
+                if (this.#running !== job) return;
+                port.hold(true);
+                try {
+                    port.post(job.request, job.transfer);
+                } catch (why) {
+                    this.#settle(job, () => job.failed(why));
+                }
+            },
+            (why: unknown) => this.#settle(job, () => job.failed(why)),
+        );
+    }
+
+    #answered(answer: Answer): void {
+        const job = this.#running;
+        if (job === null || job.request.id !== answer.id) return;
+        if ("progress" in answer) {
+            if (job.signal?.aborted) return;
+            try {
+                job.progress?.(answer.progress);
+            } catch (why) {
+                this.#replace();
+                this.#settle(job, () => job.failed(why));
+            }
+            return;
+        }
+        const why = "error" in answer ? received(answer.error) : null;
+        if (why instanceof TrapError) this.#replace();
+        this.#settle(job, () => {
+            if (job.signal?.aborted) job.failed(job.signal.reason);
+            else if (why !== null) job.failed(why);
+            else if ("result" in answer) job.done(answer.result);
+        });
+    }
+
+    #settle(job: Job, say: () => void): void {
+        if (this.#running === job) this.#running = null;
+        void this.#port?.then((port) => port.hold(this.#running !== null));
+        say();
+        this.#next();
+    }
+
+    /** The worker is gone: the call that it was doing has failed, others wait for the next one. */
+    #end(port: Port, why: Error): void {
+        port.close();
+        this.#port = null;
+        const job = this.#running;
+        if (job !== null) this.#settle(job, () => job.failed(why));
+    }
+
+    /** Ends the worker; the next call starts another one. */
+    #replace(): void {
+        void this.#port?.then((port) => port.close());
+        this.#port = null;
+    }
+
+    #abort(job: Job): void {
+        const at = this.#waiting.indexOf(job);
+        if (at >= 0) {
+            this.#waiting.splice(at, 1);
+            job.failed(job.signal!.reason);
+        } else if (this.#running === job) {
+            if (job.request.cancel?.buffer instanceof ArrayBuffer || job.request.cancel === undefined) {
+                this.#replace();
+                this.#settle(job, () => job.failed(job.signal!.reason));
+            } else {
+                Atomics.store(job.request.cancel, 0, 1);
+            }
+        }
+    }
+
+    /** Ends the worker. Calls that are not done fail. */
+    close(): void {
+        this.#isClosed = true;
+        this.#replace();
+        const all = [...(this.#running === null ? [] : [this.#running]), ...this.#waiting.splice(0)];
+        this.#running = null;
+        for (const job of all) job.failed(new Error("the worker is closed"));
+    }
+}
+
+/** The memory of a mesh's arrays. */
+function buffers(mesh: Mesh): Transferable[] {
+    const found = new Set<ArrayBuffer>();
+    for (const array of [mesh.positions, mesh.triangles]) {
+        if (ArrayBuffer.isView(array) && array.buffer instanceof ArrayBuffer) found.add(array.buffer);
+    }
+    return [...found];
+}

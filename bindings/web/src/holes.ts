@@ -1,0 +1,273 @@
+/** Boundary loops, filling of holes, bridges, and which loops to join. */
+
+import type * as abi from "./abi.js";
+import { type Floats, type Indices, indices, indicesIn, type Mesh, MeshIn, numbers, shown } from "./arrays.js";
+import { type Host, isSingle, watched } from "./fairing.js";
+import { type Scope, type Values, within, write } from "./library.js";
+import { FAIRING, type FairingOptions, fairingIn, fieldOf, known, real, whole, withDefaults } from "./options.js";
+import { type LoopReport, type Report, type ResultHandle, resultOf } from "./reports.js";
+
+/** A boundary loop of a mesh. Angles are in degrees. */
+export interface Loop extends abi.Loop {
+    /** The vertices in the direction of triangles that fill it. */
+    vertices: Uint32Array;
+    /** Vertices that belong to another loop, too. */
+    touching: Uint32Array;
+}
+
+/** Three numbers. */
+export type Point = readonly [number, number, number] | readonly number[] | Float32Array | Float64Array;
+
+/** Which holes are filled, or looked at: those that meet every bound. */
+export interface LoopChoice {
+    /** These loops only, as `boundaryLoops` numbers them, outer boundaries included; bounds are not read then. "all": all holes. */
+    loops?: Indices | "all" | undefined;
+    /** Holes of more edges stay open, longer ones, those of a larger area, and with a longer diagonal of the bounding box. */
+    maxEdges?: number | undefined;
+    maxLength?: number | undefined;
+    maxArea?: number | undefined;
+    maxDiagonal?: number | undefined;
+    /** All but so many holes, the longest. Default 0. */
+    exceptLongest?: number | undefined;
+    /** Only holes of these components of the mesh, as `components` numbers them. */
+    ofComponents?: Indices | undefined;
+    /** Only holes whose vertices all lie in a ball or a box. */
+    within?: { centre: Point; radius: number } | { low: Point; high: Point } | undefined;
+}
+
+/** What patches shall be. */
+export interface PatchOptions {
+    /** False: patches are triangulated and refined only. Default true. */
+    fair?: boolean | undefined;
+    /** What a loop gets for which no fair patch is found: "linear" (default), "flat" or "open". */
+    onFailure?: abi.OnFailure | undefined;
+    /** Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those beside the boundary. */
+    density?: number | undefined;
+    /** At most this many new vertices in all. Default 200000. */
+    maxNewVertices?: number | undefined;
+}
+
+/** Options of `fillHoles`. */
+export interface FillOptions extends FairingOptions, LoopChoice, PatchOptions {
+    /** Which loops get one patch together: "none" (default); groups of them; or "auto", as `suggestJoins` finds them. */
+    join?: "none" | "auto" | readonly Indices[] | undefined;
+    /** Pairs of vertices of the boundary, one after the other, that the triangulation shall have an edge between. */
+    guides?: Indices | readonly (readonly [number, number])[] | undefined;
+    /** So many rings of vertices around a loop may move onto the surface that the mesh has there on average. Default 0. */
+    relaxRim?: number | undefined;
+    /** No vertex moves further than this. Default: the mean length of the edges around the loop. */
+    relaxWithin?: number | undefined;
+}
+
+/** Options of `bridge`. */
+export interface BridgeOptions extends FairingOptions, PatchOptions {
+    /** How long the runs shall be: each is made longer or shorter about its middle. Default: as they are. */
+    width?: number | undefined;
+    /** True: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. */
+    fill?: boolean | undefined;
+}
+
+/** A mesh with new vertices at the end of its arrays. */
+export interface NewMesh<P extends Floats = Floats> {
+    positions: P;
+    triangles: Uint32Array;
+    /** The last so many of the vertices, and of the triangles, are new. */
+    newVertexCount: number;
+    newTriangleCount: number;
+    /** Per new vertex the three vertices of the mesh given that it comes from, and their weights, whose sum is 1. */
+    parents: Uint32Array;
+    parentWeights: Float64Array;
+}
+
+/** A mesh with filled holes. Vertices and triangles given keep their numbers and bits (but for `relaxRim`); new ones follow. */
+export interface FillResult<P extends Floats = Floats> extends NewMesh<P> {
+    /** What became of each loop. */
+    loops: LoopReport[];
+}
+
+/** A mesh with a bridge. */
+export interface BridgeResult<P extends Floats = Floats> extends NewMesh<P>, abi.BridgeReport {
+    /** What became of the strip, and of the holes beside it, if they were to be filled. */
+    strip: LoopReport;
+    rest: LoopReport[];
+    /** The fairing of all new vertices together, if holes were filled. */
+    whole: Report | null;
+    /** The vertices that the strip begins and ends at, in the direction in which its triangles run through them. */
+    chains: [Uint32Array, Uint32Array];
+    /** The new vertices on its two sides: from the first chain to the second, and back. */
+    sides: [Uint32Array, Uint32Array];
+}
+
+/** Loops whose joint patch bends less than patches of their own would. */
+export interface JoinSuggestion extends abi.JoinSuggestion {
+    /** As `boundaryLoops` numbers them, ascending. */
+    loops: Uint32Array;
+}
+
+/** A new mesh, out of a result. */
+export function newMesh(result: ResultHandle, mesh: MeshIn): NewMesh {
+    const info = result.info();
+    return {
+        positions: result.positions(mesh.newPositions(info.vertexCount)),
+        triangles: result.triangles(info.triangleCount),
+        newVertexCount: info.newVertexCount,
+        newTriangleCount: info.newTriangleCount,
+        parents: result.list("parents"),
+        parentWeights: result.vectors("parent_weights", info.newVertexCount),
+    };
+}
+
+/** Three numbers of a point. */
+export function point(given: unknown, name: string): number[] {
+    const values = numbers(given, name);
+    if (values.length !== 3) throw new RangeError(`${name}: three numbers are needed, not ${values.length}`);
+    return [...values];
+}
+
+const CHOICE = ["loops", "maxEdges", "maxLength", "maxArea", "maxDiagonal", "exceptLongest", "ofComponents", "within"];
+/** The names of the options of patches. */
+export const PATCH = ["fair", "onFailure", "density", "maxNewVertices"];
+
+/** For the library, 0 is no bound; here it is one that nothing meets. */
+function bound(given: unknown, name: string): number {
+    return real(given, name) || Number.MIN_VALUE;
+}
+
+function place(given: NonNullable<LoopChoice["within"]>): Values {
+    if (typeof given === "object" && given !== null && "centre" in given) {
+        return { kind: "ball", centre: point(given.centre, "within"), radius: real(given.radius, "within") };
+    }
+    if (typeof given !== "object" || given === null || !("low" in given)) {
+        throw new TypeError("within: a ball { centre, radius } or a box { low, high } is needed");
+    }
+    return { kind: "box", low: point(given.low, "within"), high: point(given.high, "within") };
+}
+
+function joinIn(scope: Scope, given: NonNullable<FillOptions["join"]>): Values {
+    if (given === "none" || given === "auto") return { kind: given };
+    if (!Array.isArray(given)) throw new TypeError(`join: ${shown(given)} is neither "none" nor "auto" nor groups of loops`);
+    const groups = (given as readonly Indices[]).map((group) => indices(group, "join"));
+    const starts = new Uint32Array(groups.length);
+    groups.slice(0, -1).forEach((group, k) => (starts[k + 1] = starts[k]! + group.length));
+    const loops = Uint32Array.from(groups.flatMap((group) => [...group]));
+    return { kind: "groups", loops: indicesIn(scope, loops), starts: indicesIn(scope, starts) };
+}
+
+/** Which loops; and with them the plain options of filling. */
+function fillIn(scope: Scope, given: LoopChoice & PatchOptions & Pick<FillOptions, "join" | "guides" | "relaxRim" | "relaxWithin">): number {
+    const plain = { ...given, relaxRings: given.relaxRim };
+    const at = withDefaults(scope, "fillOptions", "fairmesh_fill_options_init", plain);
+    const set = (values: Values) => write(scope.library, at, "fillOptions", values);
+    if (given.join !== undefined) set({ join: joinIn(scope, given.join) });
+    const isGrouped = Array.isArray(given.join);
+    if (given.loops === undefined) {
+        set({ onlyListed: Number(isGrouped) });
+    } else if (given.loops !== "all") {
+        const listed = indices(given.loops, "loops");
+        if (listed.length === 0 && !isGrouped) throw new RangeError("loops: no loop is named; without it all holes are filled");
+        set({ onlyListed: 1, loops: indicesIn(scope, listed) });
+    }
+    const filter: Record<string, unknown> = {};
+    for (const name of ["maxLength", "maxArea", "maxDiagonal"] as const) if (given[name] !== undefined) filter[name] = bound(given[name], name);
+    if (given.exceptLongest !== undefined) filter["exceptLongest"] = whole(given.exceptLongest, "exceptLongest");
+    if (given.ofComponents !== undefined) {
+        const named = indices(given.ofComponents, "ofComponents");
+        if (named.length === 0) throw new RangeError("ofComponents: no component is named");
+        filter["components"] = indicesIn(scope, named);
+    }
+    if (given.within !== undefined) filter["within"] = place(given.within);
+    write(scope.library, fieldOf(at, "fillOptions", "filter"), "loopFilter", filter);
+    if (given.guides !== undefined) {
+        const listed = Array.isArray(given.guides) ? (given.guides as readonly (number | readonly number[])[]).flat() : given.guides;
+        const pairs = indices(listed, "guides");
+        if (pairs.length % 2 !== 0) throw new RangeError(`guides: pairs are needed, not ${pairs.length} vertices`);
+        set({ guides: indicesIn(scope, pairs, 2) });
+    }
+    return at;
+}
+
+/** What patches shall be, for functions that do not choose loops. */
+export function patchesIn(scope: Scope, { fair, onFailure, density, maxNewVertices }: PatchOptions): number {
+    return fillIn(scope, { fair, onFailure, density, maxNewVertices });
+}
+
+/** See `Fairmesh.boundaryLoops`. */
+export function boundaryLoops(host: Host, given: Mesh, options: { roughness?: boolean } = {}): Loop[] {
+    known(options, ["roughness"]);
+    const mesh = new MeshIn(given);
+    const name = options.roughness ? "fairmesh_rim_roughness" : "fairmesh_boundary_loops";
+    return withMesh(host, mesh, (address) =>
+        resultOf(host.library, name, [address], (result) =>
+            Array.from({ length: result.info().loopCount }, (_, k) => ({
+                ...result.struct<abi.Loop>("fairmesh_result_loop", "loop", k),
+                vertices: result.list("loop_vertices", k),
+                touching: result.list("loop_touching", k),
+            })),
+        ),
+    );
+}
+
+/** See `Fairmesh.suggestJoins`. */
+export function suggestJoins(host: Host, given: Mesh, choice: LoopChoice = {}): JoinSuggestion[] {
+    known(choice, CHOICE);
+    const mesh = new MeshIn(given);
+    return withMesh(host, mesh, (address, scope) =>
+        resultOf(host.library, "fairmesh_suggest_joins", [address, fillIn(scope, choice)], (result) =>
+            Array.from({ length: result.info().loopCount }, (_, k) => ({
+                ...result.struct<abi.JoinSuggestion>("fairmesh_result_suggestion", "joinSuggestion", k),
+                loops: result.list("joined_loops", k),
+            })),
+        ),
+    );
+}
+
+/** See `Fairmesh.fillHoles`. */
+export function fillHoles(host: Host, given: Mesh, options: FillOptions = {}): FillResult {
+    known(options, [...FAIRING, ...CHOICE, ...PATCH, "join", "guides", "relaxRim", "relaxWithin"]);
+    const mesh = new MeshIn(given);
+    return watched(host, options, (told) =>
+        withMesh(host, mesh, (address, scope) => {
+            const fairing = fairingIn(scope, options, isSingle(mesh), mesh.vertexCount, told);
+            return resultOf(host.library, "fairmesh_fill_holes", [address, fillIn(scope, options), fairing], (result) => ({
+                ...newMesh(result, mesh),
+                loops: Array.from({ length: result.info().loopCount }, (_, k) => result.loopReport(k)),
+            }));
+        }),
+    );
+}
+
+/** See `Fairmesh.bridge`. */
+export function bridge(host: Host, given: Mesh, start: Indices, end: Indices, options: BridgeOptions = {}): BridgeResult {
+    known(options, [...FAIRING, ...PATCH, "width", "fill"]);
+    if (options.width === 0) throw new RangeError("width: it has to be positive");
+    const mesh = new MeshIn(given);
+    const ends = [indices(start, "start"), indices(end, "end")];
+    return watched(host, options, (told) =>
+        withMesh(host, mesh, (address, scope) => {
+            const chains = ends.map((each) => scope.struct("indices", indicesIn(scope, each)));
+            const how = withDefaults(scope, "bridgeOptions", "fairmesh_bridge_options_init", options);
+            const fairing = fairingIn(scope, options, isSingle(mesh), mesh.vertexCount, told);
+            return resultOf(host.library, "fairmesh_bridge", [address, ...chains, how, patchesIn(scope, options), fairing], (result) =>
+                bridged(result, mesh),
+            );
+        }),
+    );
+}
+
+function bridged(result: ResultHandle, mesh: MeshIn): BridgeResult {
+    const report = result.struct<abi.BridgeReport>("fairmesh_result_bridge", "bridgeReport");
+    return {
+        ...newMesh(result, mesh),
+        ...report,
+        strip: result.loopReport(0),
+        rest: Array.from({ length: report.restCount }, (_, k) => result.loopReport(1 + k)),
+        whole: report.hasWhole ? result.report(1 + report.restCount) : null,
+        chains: [result.list("bridge_chain", 0), result.list("bridge_chain", 1)],
+        sides: [result.list("bridge_side", 0), result.list("bridge_side", 1)],
+    };
+}
+
+/** Something with a mesh in the library's memory. */
+export function withMesh<T>(host: Host, mesh: MeshIn, work: (address: number, scope: Scope) => T): T {
+    return within(host.library, (scope) => work(mesh.struct(scope), scope));
+}

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Tests the npm package: builds the WebAssembly module, makes the package, and runs its tests with node, in target/web.
+# Installs what it needs (Debian, Ubuntu).
+set -euo pipefail
+cd "$(dirname "$0")"
+root=$(cd ../.. && pwd)
+mkdir -p "${CARGO_TARGET_DIR:-$root/target}/web"
+target=$(cd "${CARGO_TARGET_DIR:-$root/target}" && pwd)
+
+install_packages() {
+    local as_root=""
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -qq
+    $as_root apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=300 "$@"
+}
+
+missing=()
+command -v node >/dev/null || missing+=(nodejs)
+command -v npm >/dev/null || missing+=(npm)
+[ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+triple=wasm32-unknown-unknown
+rustup target list --installed | grep -qx $triple || rustup target add $triple
+
+# As packaging/build.sh does.
+(cd "$root" && RUSTFLAGS="-C target-feature=+simd128" cargo build --release --locked --quiet --target $triple -p fairmesh-capi)
+run=$target/web/run
+rm -rf "$run"
+mkdir -p "$run/node_modules/fairmesh"
+./build.sh "$target/$triple/release/fairmesh.wasm" "$run/node_modules/fairmesh"
+./run_tests.sh "$run"

@@ -1,0 +1,253 @@
+/** Every call, by what is known of its answer. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load, version } from "fairmesh";
+import { dent, offSphere, sheets, tubes } from "./meshes.mjs";
+
+const library = await load();
+const mesh = dent();
+
+test("a dented sphere comes back, from arrays of all kinds", () => {
+    const result = library.fair(mesh, mesh.free);
+    assert.equal(result.outcome, "converged");
+    assert.ok(result.report.isSuccess);
+    assert.ok(result.positions instanceof Float64Array);
+    assert.ok(offSphere(result.positions) < 1e-9, `${offSphere(result.positions)}`);
+    const fixed = Array.from(mesh.free).findIndex((is) => !is);
+    assert.deepEqual(result.positions.subarray(3 * fixed, 3 * fixed + 3), mesh.positions.subarray(3 * fixed, 3 * fixed + 3));
+    const middle = mesh.free.length >> 1;
+    assert.ok(Math.abs(result.meanCurvature[middle] + 1) < 1e-6);
+    assert.ok(Math.abs(result.gaussianCurvature[middle] - 1) < 1e-2);
+    assert.equal(result.boundaryNormals.length, 3 * result.boundaryVertices.length);
+
+    const indices = Array.from(mesh.free.keys()).filter((v) => mesh.free[v]);
+    const rows = (values) => Array.from({ length: values.length / 3 }, (_, k) => Array.from(values.subarray(3 * k, 3 * k + 3)));
+    const same = [
+        [{ positions: Array.from(mesh.positions), triangles: Uint16Array.from(mesh.triangles) }, indices],
+        [{ positions: rows(mesh.positions), triangles: rows(mesh.triangles) }, Array.from(mesh.free, Boolean)],
+        [mesh, Uint16Array.from(indices)],
+        [mesh, null, { fixed: Uint8Array.from(mesh.free, (is) => 1 - is) }],
+        [mesh, undefined, { fixed: Array.from(mesh.free.keys()).filter((v) => !mesh.free[v]) }],
+    ];
+    for (const [other, free, options] of same) assert.deepEqual(library.fair(other, free, options).positions, result.positions);
+});
+
+test("triangles select what lies inside, and without a selection all of the inside is free", () => {
+    const all = library.fair(mesh);
+    assert.equal(all.report.freeVertices, 23 * 23);
+    const mask = new Uint8Array(mesh.triangles.length / 3).fill(1);
+    assert.deepEqual(library.fair(mesh, null, { freeTriangles: mask }).positions, all.positions);
+});
+
+test("single precision stays, and so do triangle soups", () => {
+    const positions = Float32Array.from(mesh.positions);
+    const result = library.fair({ positions, triangles: mesh.triangles }, mesh.free);
+    assert.ok(result.positions instanceof Float32Array);
+    assert.ok(offSphere(result.positions) < 1e-6);
+    const soup = Float32Array.from(Array.from(mesh.triangles).flatMap((v) => Array.from(positions.subarray(3 * v, 3 * v + 3))));
+    const free = Uint8Array.from(mesh.triangles, (v) => mesh.free[v]);
+    const apart = library.fair({ positions: soup }, free);
+    assert.equal(apart.outcome, "converged");
+    assert.ok(offSphere(apart.positions) < 1e-6);
+    assert.throws(() => library.fair({ positions: soup, coincident: "separate" }, free), { status: "free_vertex_on_boundary" });
+});
+
+test("a report tells all of its components", () => {
+    const { report } = library.fair(sheets([{ dent: 0.1 }, { dent: 0.1, height: 5 }]), sheets([{ dent: 0.1 }, { dent: 0.1 }]).free);
+    assert.equal(report.componentCount, 2);
+    assert.equal(report.components.length, 2);
+    for (const component of report.components) {
+        assert.equal(component.outcome, "converged");
+        assert.equal(component.attempts.length, component.attemptCount);
+        assert.ok(component.attempts.every(({ name, end }) => name.length > 3 && end === "sound"));
+    }
+    assert.equal(report.components[1].vertex - report.components[0].vertex, 625);
+    assert.ok(report.worstAngle > 30 && report.hInside[0] <= report.hInside[1] && report.intersectionsChecked);
+    assert.equal(report.text, library.describe("outcome", "converged").text);
+});
+
+test("continuity, targets and given normals reach the solver", () => {
+    const saddle = sheets([{ shape: 1, reach: 1, dent: 0.2, side: 33 }]);
+    const g2 = library.fair(saddle, saddle.free, { continuity: "g2" });
+    assert.ok(g2.report.components[0].continuity.length === 1 && g2.report.components[0].continuity[0].reached > 0);
+    const flat = { ...sheets([{ shape: 1, reach: 1 }]) };
+    for (let k = 2; k < flat.positions.length; k += 3) flat.positions[k] = 0;
+    const pushed = library.fair(flat, flat.free, { target: 10 });
+    const middle = 3 * 312 + 2;
+    assert.ok(pushed.positions[middle] > 0.001);
+    const normals = new Float64Array(flat.positions.length).fill(NaN);
+    const rim = library.fair(flat, flat.free).boundaryVertices;
+    const tilted = [0.1, 0, Math.sqrt(0.99)];
+    rim.forEach((v) => normals.set(tilted, 3 * v));
+    const given = library.fair(flat, flat.free, { boundaryNormals: normals });
+    const vectors = Array.from(rim).flatMap(() => tilted);
+    const listed = library.fair(flat, flat.free, { boundaryNormals: { vertices: rim, vectors } });
+    assert.deepEqual(given.positions, listed.positions);
+    assert.deepEqual(Array.from(given.boundaryNormals.subarray(0, 3)), tilted);
+    const curvature = { vertices: rim, values: new Float64Array(rim.length).fill(-1) };
+    assert.notDeepEqual(
+        library.fair(flat, flat.free, { continuity: 1, boundaryCurvature: curvature }).positions,
+        library.fair(flat, flat.free, { continuity: 1, boundaryCurvature: curvature, loopContinuity: [[rim[0], 0]] }).positions,
+    );
+});
+
+test("in steps it finds the same", () => {
+    const whole = library.fair(mesh, mesh.free);
+    const solver = library.solver(mesh, mesh.free);
+    let runs = 1;
+    while (solver.run(1).outcome === "iteration_limit") runs++;
+    assert.equal(runs, whole.report.iterations);
+    assert.deepEqual(solver.positions, whole.positions);
+    assert.deepEqual(solver.result().boundaryVertices, whole.boundaryVertices);
+    assert.deepEqual(solver.meanCurvature, whole.meanCurvature);
+    solver.setTarget(1);
+    assert.ok(solver.run().isSuccess);
+    assert.notDeepEqual(solver.positions, whole.positions);
+    solver.setTarget("harmonic");
+    solver.setContinuity("g1");
+    solver.setBoundaryNormals("averaged");
+    solver.setBoundaryCurvature("estimated");
+    assert.equal(solver.run().outcome, solver.report.outcome);
+    solver.close();
+    solver.close();
+    assert.throws(() => solver.run(), { name: "FairmeshError", message: "the solver is closed", status: "bad_handle" });
+});
+
+test("holes are found and filled", () => {
+    const open = sheets([{ side: 25, frame: 9, shape: 2, reach: 0.6 }], { hole: true });
+    const loops = library.boundaryLoops(open, { roughness: true });
+    assert.deepEqual(loops.map(({ kind }) => kind).sort(), ["hole", "outer_boundary"]);
+    const at = loops.findIndex(({ kind }) => kind === "hole");
+    assert.equal(loops[at].vertices.length, loops[at].vertexCount);
+    assert.ok(loops[at].hasRoughness && !loops[at].isRough);
+    const filled = library.fillHoles(open);
+    const done = filled.loops.find(({ loopIndex }) => loopIndex === at);
+    assert.equal(done.outcome, "faired");
+    assert.ok(done.report.isSuccess && done.vertexCount === filled.newVertexCount && filled.newVertexCount > 10);
+    // A bowl of the fourth degree: the patch is near it, and below its rim.
+    assert.ok(filled.positions.subarray(open.positions.length).every((x, k) => k % 3 !== 2 || (x > -0.05 && x < 0.05)));
+    assert.deepEqual(filled.positions.subarray(0, open.positions.length), open.positions);
+    assert.deepEqual(filled.triangles.subarray(0, open.triangles.length), open.triangles);
+    assert.equal(filled.parents.length, 3 * filled.newVertexCount);
+    assert.ok(filled.parentWeights.every((weight) => weight >= -1 && weight <= 2));
+    const left = filled.loops.find(({ loopIndex }) => loopIndex !== at);
+    assert.equal(left?.reason ?? "outer_boundary", "outer_boundary");
+    assert.equal(library.fillHoles(open, { maxEdges: 5 }).newVertexCount, 0);
+    assert.equal(library.fillHoles(open, { maxLength: 0 }).newVertexCount, 0);
+    assert.equal(library.fillHoles(open, { within: { centre: [9, 9, 9], radius: 1 } }).newVertexCount, 0);
+    assert.equal(library.fillHoles(open, { within: { low: [-1, -1, -1], high: [1, 1, 1] } }).newVertexCount, filled.newVertexCount);
+    assert.ok(library.fillHoles(open, { density: 2.8, fair: false }).newVertexCount > filled.newVertexCount);
+    assert.equal(library.fillHoles(open, { loops: [at] }).newVertexCount, filled.newVertexCount);
+    assert.equal(library.fillHoles(open, { exceptLongest: 1 }).newVertexCount, 0);
+});
+
+test("loops are joined, and a bridge is made", () => {
+    const two = tubes();
+    assert.deepEqual(Array.from(new Set(library.components(two))), [0, 1]);
+    const inner = library.boundaryLoops(two).flatMap(({ vertices }, k) => (Math.abs(two.positions[3 * vertices[0] + 2]) < 0.6 ? [k] : []));
+    const [found] = library.suggestJoins(two, { loops: inner });
+    assert.equal(found.gapKind, "gap");
+    assert.deepEqual(Array.from(found.loops), inner);
+    assert.ok(found.jointBend < found.separateBend);
+    const tube = library.fillHoles(two, { join: "auto", loops: inner });
+    assert.equal(tube.loops[0].gapKind, "gap");
+    assert.deepEqual(library.fillHoles(two, { join: [found.loops] }).positions, tube.positions);
+    assert.deepEqual(Array.from(new Set(library.components(tube))), [0]);
+    assert.deepEqual(tube.loops[0].loopIndices, found.loops);
+    // The same tube goes on between them.
+    for (let k = two.positions.length; k < tube.positions.length; k += 3) {
+        assert.ok(Math.abs(Math.hypot(tube.positions[k], tube.positions[k + 1]) - 1) < 0.01);
+    }
+
+    // Of each rim the vertices 0 to 4: the first ring of the upper tube, the last one of the lower.
+    const chains = [0, 15].map((ring) => [0, 1, 2, 3, 4].map((i) => 32 * ring + i));
+    const strip = library.bridge(two, chains[0], chains[1]);
+    assert.deepEqual(Array.from(strip.chains[0]).sort((a, b) => a - b), chains[0]);
+    assert.ok(strip.newTriangleCount > 0 && strip.rest.length === 0 && strip.whole === null && strip.isClean);
+    assert.ok(strip.sides[0].length > 0 && strip.sides[1].length > 0 && Math.abs(strip.twist) < 0.1);
+    const closed = library.bridge(two, chains[0], chains[1], { fill: true });
+    assert.ok(closed.rest.length === 1 && closed.whole.isSuccess);
+});
+
+test("regions are chosen, erased, trimmed, refilled, remeshed and carried over", () => {
+    const ball = library.selectBall(mesh, [0, 0, 0.9], 0.3);
+    const count = ball.reduce((sum, is) => sum + is, 0);
+    assert.ok(count > 50 && count < ball.length);
+    assert.ok(library.grow(mesh, ball, 2).reduce((sum, is) => sum + is, 0) > count);
+    assert.ok(library.shrink(mesh, ball).reduce((sum, is) => sum + is, 0) < count);
+    assert.ok(library.selectComponent(mesh, 0).every((is) => is === 1));
+    assert.ok(library.selectHalfspace(mesh, [0, 0, 9], [0, 0, 1]).every((is) => is === 0));
+    assert.ok(library.selectBox(mesh, [-1, -1, -1], [1, 1, 1]).every((is) => is === 1));
+    assert.ok(library.selectGeodesic(mesh, [0, 0, 1], 0.2).some((is) => is === 1));
+    assert.ok(library.selectPatch(mesh, 0).some((is) => is === 1));
+    const both = library.selectRegion(mesh, [
+        { kind: "all" },
+        { kind: "ball", point: [0, 0, 0.9], value: 0.3, combine: "remove" },
+        { kind: "invert" },
+    ]);
+    assert.deepEqual(both.mask, ball);
+    assert.deepEqual(Array.from(both.counts), [1152, count, count]);
+
+    const erased = library.erase(mesh, ball);
+    assert.equal(erased.triangles.length / 3 + count + erased.droppedCount, mesh.triangles.length / 3);
+    assert.equal(erased.loops.length, 1);
+    const left = { positions: mesh.positions, triangles: erased.triangles };
+    assert.ok(library.trimBoundary(left, 10).droppedCount <= 10);
+    const filled = library.fillHoles(left, { loops: erased.loops });
+    const fresh = filled.positions.subarray(mesh.positions.length);
+    const carried = library.carryOver(mesh, fresh, ball);
+    assert.equal(carried.triangles.length, filled.newVertexCount);
+    assert.ok(carried.triangles.every((triangle) => ball[triangle] === 1));
+    assert.deepEqual(Array.from(library.carryOver(mesh, [NaN, 0, 0]).corners), [-1, -1, -1]);
+
+    const remeshed = library.remesh(mesh, mesh.free);
+    const faired = library.fair(remeshed, remeshed.freeVertices);
+    assert.equal(faired.outcome, "converged");
+    assert.ok(offSphere(faired.positions) < 1e-6);
+    const refilled = library.refill(mesh, mesh.free);
+    assert.equal(refilled.keptVertices.length + refilled.newVertexCount, refilled.positions.length / 3);
+});
+
+test("a bump is found, and told", () => {
+    const n = 41;
+    const flat = sheets([{ shape: 1, reach: 1, side: n }]);
+    for (let v = 0; v < n * n; v++) {
+        const [x, y] = flat.positions.subarray(3 * v);
+        flat.positions[3 * v + 2] = 0.1 * Math.exp(-40 * (x * x + y * y));
+    }
+    const { bumps, mask, triangles } = library.selectRegion(flat, [{ kind: "bump", seed: [0, 0, 0.1] }]);
+    assert.equal(bumps.length, 1);
+    assert.equal(bumps[0].triangleCount, triangles.length);
+    assert.ok(bumps[0].radius > 0.1 && bumps[0].radius < 0.8);
+    assert.deepEqual(library.selectBump(flat, [0, 0, 0.1]), mask);
+});
+
+test("curvature and intersections of whole meshes", () => {
+    const round = library.meanCurvature(sheets([{}]));
+    assert.ok(Math.abs(round[312] + 1) < 1e-2);
+    assert.equal(library.selfIntersections(mesh).length, 0);
+    const crossing = { positions: [0, 0, 0, 2, 0, 0, 0, 2, 0, 0.5, 0.5, -1, 0.5, 0.5, 1, 3, 3, 0], triangles: [0, 1, 2, 3, 4, 5] };
+    assert.deepEqual(Array.from(library.selfIntersections(crossing)), [0, 1]);
+    assert.deepEqual(Array.from(library.selfIntersections(crossing, [1])), [0, 1]);
+});
+
+test("defaults are the library's", () => {
+    const all = library.defaultOptions();
+    assert.equal(all.tolerance, 1e-8);
+    assert.equal(all.innerFairness, "uniform");
+    assert.equal(all.maxIterations, 500);
+    assert.ok(!("progress" in all));
+    assert.equal(library.defaultFillOptions().maxNewVertices, 200000);
+    assert.ok(library.defaultRemeshOptions().density > 1.4);
+    assert.match(version, /^\d+\.\d+\.\d+$/);
+    assert.deepEqual(library.fair(mesh, mesh.free, { tolerance: all.tolerance, solver: all.solver }).positions, library.fair(mesh, mesh.free).positions);
+});
+
+test("a hundred thousand triangles", () => {
+    const large = dent(225, 60);
+    assert.ok(large.triangles.length / 3 > 1e5);
+    const result = library.fair(large, large.free);
+    assert.equal(result.outcome, "converged");
+    assert.ok(offSphere(result.positions) < 1e-9, `${offSphere(result.positions)}`);
+});
