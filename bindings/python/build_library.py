@@ -61,10 +61,11 @@ def _pinned(name: str) -> str:
 
 
 def build() -> Path:
-    """The library for this machine. The options are those of the Makefile, so that cargo builds it once."""
+    """The library for this machine. In the repository the options are the Makefile's, so that cargo builds it once."""
     _check_root()
-    debug = ["--config", "profile.release.package.fairmesh-capi.debug=2"]
-    subprocess.run([cargo(), "build", *BUILD, *debug], cwd=ROOT, check=True, stdout=sys.stderr)
+    option = "strip='symbols'" if _is_distribution() else "package.fairmesh-capi.debug=2"
+    command = [cargo(), "build", *BUILD, "--config", f"profile.release.{option}"]
+    subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
     return _copied(TARGET / "release" / file_name(), "native", strip=True)
 
 
@@ -148,9 +149,13 @@ def _output(*command: str | Path) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
+def _is_distribution() -> bool:
+    return ROOT.parent == HERE
+
+
 def check_repository() -> None:
     """Raises SystemExit in a source distribution, which has nothing but what is compiled."""
-    if not (ROOT / "packaging").is_dir():
+    if _is_distribution():
         raise SystemExit("that takes the repository of fairmesh: this is its source distribution")
 
 
