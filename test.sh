@@ -73,7 +73,7 @@ demo() {
 
 # What is published for each target, built and run.
 packaging() {
-    packaging/manifest.sh && packaging/check.sh && packaging/check_npm.sh
+    packaging/manifest.sh && packaging/check.sh && packaging/check_python.sh && packaging/check_npm.sh
 }
 
 # For other systems: their compilers, and what runs their programs.

@@ -1,5 +1,6 @@
 """The wheel: what is in it, where it runs, and that the repository can be installed."""
 
+import json
 import os
 import re
 import subprocess
@@ -90,3 +91,17 @@ def test_the_repository_can_be_installed(tmp_path):
     assert "Tag: py3-none-linux_x86_64\n" in tags.read_text()
     said = output(sys.executable, "-c", INSTALLED, tmp_path, env=environment)
     assert said == f"1 {tmp_path}/fairmesh/lib/libfairmesh.so\n"
+
+
+def test_a_source_distribution_has_what_is_compiled_alone(tmp_path):
+    """Cargo takes its manifests as they are, with the versions of the repository."""
+    folder = tmp_path / "rust"
+    subprocess.run([sys.executable, PROJECT / "rust_sources.py", folder], check=True)
+    told = json.loads(output("cargo", "metadata", "--format-version", "1", "--locked", cwd=folder))
+    crates = {package["name"] for package in told["packages"]}
+    assert "fairmesh-capi" in crates and not crates & {"fairmesh-cli", "fairmesh-shapes", "proptest"}
+    files = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+    assert {"Cargo.lock", "src/lib.rs", "src/linear/lib.rs", "src/capi/lib.rs"} <= files
+    assert not any(name.startswith(("src/cli/", "src/shapes/", "tests/")) for name in files)
+    here = set(re.findall(r"^name = .*\nversion = .*", (ROOT / "Cargo.lock").read_text(), re.M))
+    assert set(re.findall(r"^name = .*\nversion = .*", (folder / "Cargo.lock").read_text(), re.M)) < here
