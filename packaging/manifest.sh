@@ -12,6 +12,8 @@ if [ "${1-}" != --list ]; then
         [[ $target != linux-* ]] || "$root/packaging/deb.sh" "$target" >&2
         echo "$target: $((SECONDS - begin)) s" >&2
     done
+    # Of no target.
+    [ $# -gt 0 ] || "$root/packaging/crates.sh" >&2
 fi
 cd "$dist"
 {
