@@ -29,7 +29,8 @@ mapfile -t places < <(grep -ohE '@SHA(256|512):[a-z0-9_:.-]+@' "${files[@]}" | s
 [ ${#places[@]} -gt 10 ] || fail "the ports have no places for hashes any more"
 for place in "${places[@]}"; do
     IFS=@: read -r _ kind name <<<"${place%@}"
-    sed -i "s|$place|$(hash_of "$kind" "$name")|g" "${files[@]}"
+    hash=$(hash_of "$kind" "$name")
+    sed -i "s|$place|$hash|g" "${files[@]}"
 done
 if grep -rnE '@[A-Z0-9]+[:@]' "$ports"; then fail "something was not filled in"; fi
 echo "$ports"
