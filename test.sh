@@ -137,6 +137,7 @@ full() {
 long() {
     install_packaging_tools
     step packaging packaging
+    step oldest packaging/oldest_rust.sh
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
     step long cargo test --release --locked --test library -- --ignored long::

@@ -83,7 +83,7 @@ def command_line(tree, work):
 def built(source, name, work, tree, *options):
     """A program in C that was built by CMake."""
     shutil.rmtree(work, ignore_errors=True)
-    options = [f"-Dfairmesh_DIR={tree / 'lib/cmake/fairmesh'}", "-DCMAKE_BUILD_TYPE=Release", *options]
+    options = [f"-Dfairmesh_DIR={(tree / 'lib/cmake/fairmesh').as_posix()}", "-DCMAKE_BUILD_TYPE=Release", *options]
     run("cmake", "-S", source, "-B", work, *options)
     run("cmake", "--build", work, "--config", "Release")
     found = [work / name, work / f"{name}.exe", work / "Release" / f"{name}.exe"]
@@ -115,7 +115,7 @@ def answers(target, tree, work):
         sys.exit(f"{reference} is not there: packaging/check.sh linux-x86_64")
     here.mkdir(parents=True, exist_ok=True)
     for case in range(1, 11):
-        (here / str(case)).write_text(run(program, case), encoding="utf-8", newline="\n")
+        (here / str(case)).write_bytes(run(program, case).encode())
     print(run(sys.executable, ROOT / "packaging/compare.py", reference, here), end="")
 
 
