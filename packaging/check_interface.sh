@@ -18,18 +18,20 @@ for part in MAJOR=0 MINOR=1 PATCH=2; do
 done
 [ -e "$stored" ] || fail "$stored is not there: FAIRMESH_WRITE_ABI=1 (CONTRIBUTING.md)"
 need abidiff abigail-tools
+if [ -n "$last" ]; then
+    git rev-parse -q --verify "refs/tags/$last" >/dev/null || fail "there is no tag $last"
+    if git show "$last:$stored" >"$work/last.abi" 2>/dev/null; then
+        # Structs may grow at their ends; new functions are no change.
+        python3 packaging/grown_structs.py "$work/last.abi" "$stored" >"$work/growth"
+        abidiff --no-show-locs --no-added-syms --suppr "$work/growth" "$work/last.abi" "$stored" >&2 ||
+            fail "programs made for $last do not run with $version: it needs another major version"
+        echo "programs made for $last run with $version"
+    else
+        echo "$last had another major version"
+    fi
+fi
 # shellcheck disable=SC2086
 cargo test --release --locked -p fairmesh-capi --test capi -- $TESTS 2>&1 | tee "$work/log"
 for name in $TESTS; do
-    grep -qE "^test .*$name.* ok$" "$work/log" || fail "there is no test $name any more"
+    grep -qE "^test .*$name.* ok$" "$work/log" || fail "no test $name has passed"
 done
-if [ -n "$last" ] && git show "$last:$stored" >"$work/last.abi" 2>/dev/null; then
-    # 8 of its exit code: changes that break programs. Structs that grow at their ends are none.
-    code=0
-    abidiff --no-show-locs --no-added-syms "$work/last.abi" "$stored" >"$work/abidiff.log" || code=$?
-    if [ $((code & 11)) -ne 0 ]; then
-        cat "$work/abidiff.log" >&2
-        fail "programs made for $last do not run with $version: it needs another major version"
-    fi
-    echo "programs made for $last run with $version"
-fi
