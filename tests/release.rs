@@ -205,3 +205,36 @@ fn what_cannot_be_released_is_refused() {
     repository.commit();
     repository.is_refused(&[VERSION], "is not the real one");
 }
+
+/// What abidiff is told not to mind, if the binary interface was `old`: nothing but structs that have grown.
+fn grown(copy: &Copy, old: &str) -> String {
+    let stored = copy.0.join(format!(
+        "packaging/libfairmesh.so.{}.abi",
+        env!("CARGO_PKG_VERSION_MAJOR")
+    ));
+    let last = copy.0.join("last.abi");
+    fs::write(&last, old).unwrap();
+    run(Command::new("python3")
+        .arg(copy.0.join("packaging/grown_structs.py"))
+        .args([last, stored]))
+}
+
+#[test]
+#[ignore = "full tier: needs python3"]
+fn structs_may_grow_at_their_ends_alone() {
+    let copy = Copy::new("release_interface");
+    let stored = format!("packaging/libfairmesh.so.{}.abi", env!("CARGO_PKG_VERSION_MAJOR"));
+    let text = fs::read_to_string(copy.0.join(stored)).unwrap();
+    assert_eq!(grown(&copy, &text), "");
+    let start = text.find("<class-decl name='fairmesh_options'").unwrap();
+    let options = &text[start..start + text[start..].find("</class-decl>").unwrap()];
+
+    // The last field is new; the first one is new.
+    let end = options.rfind("<data-member").unwrap();
+    let shorter = text.replace(options, &options[..end]);
+    assert!(grown(&copy, &shorter).contains("(^|::)fairmesh_options$"));
+    let first = options.find("<data-member").unwrap();
+    let second = first + 1 + options[first + 1..].find("<data-member").unwrap();
+    let behind = text.replace(options, &format!("{}{}", &options[..first], &options[second..]));
+    assert_eq!(grown(&copy, &behind), "");
+}
