@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 pub(crate) type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 /// What may state a version. The lock file has those of other packages, the changelog those of the past.
-const KINDS: [&str; 13] = [
-    "abi", "cff", "cmake", "cpp", "h", "hpp", "in", "lock", "md", "py", "rs", "sh", "toml",
+const KINDS: [&str; 14] = [
+    "abi", "cff", "cmake", "cpp", "h", "hpp", "in", "lock", "md", "py", "rs", "sh", "toml", "ts",
 ];
 
 pub(crate) fn files(root: &Path) -> Files {
