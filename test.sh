@@ -4,6 +4,7 @@
 #   ./test.sh quick    what needs Rust alone: formatting, clippy, documentation, `cargo test`
 #   ./test.sh long     everything, then the long tier: a million vertices, a hundred meshes, many seeds, the torture run,
 #                      and fuzzing for FUZZ_SECONDS a target (default 600)
+#   ./test.sh packaging   of the long tier only what is published for each target, built, run and checked (docs/releasing.md)
 set -euo pipefail
 cd "$(dirname "$0")"
 logs=target/test
@@ -73,7 +74,7 @@ demo() {
 
 # What is published for each target, built and run.
 packaging() {
-    packaging/manifest.sh && packaging/check.sh && packaging/check_python.sh && packaging/check_npm.sh
+    packaging/manifest.sh && packaging/check.sh && packaging/check_python.sh && packaging/check_npm.sh && packaging/check_ports.sh
 }
 
 # For other systems: their compilers, and what runs their programs.
@@ -87,6 +88,8 @@ install_packaging_tools() {
     command -v npm >/dev/null || missing+=(npm)
     command -v chromium >/dev/null || missing+=(chromium)
     command -v firefox-esr >/dev/null || missing+=(firefox-esr)
+    python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
+    command -v ruby >/dev/null || missing+=(ruby)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -121,6 +124,7 @@ sanitizers() {
 full() {
     install_c_tools
     step lint lint --workspace --features fairmesh-capi/hooks
+    step workflows packaging/check_workflows.sh
     step demo demo
     step rust cargo test --release --locked --workspace -- --include-ignored --skip long::
     step site site/build.sh
@@ -137,6 +141,7 @@ full() {
 long() {
     install_packaging_tools
     step packaging packaging
+    step oldest packaging/oldest_rust.sh
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
     step long cargo test --release --locked --test library -- --ignored long::
@@ -152,8 +157,13 @@ long)
     full
     long
     ;;
+packaging)
+    install_c_tools
+    install_packaging_tools
+    step packaging packaging
+    ;;
 *)
-    sed -n '2,7p' "$0" >&2
+    sed -n '2,8p' "$0" >&2
     exit 2
     ;;
 esac

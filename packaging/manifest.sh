@@ -14,6 +14,8 @@ if [ "${1-}" != --list ]; then
         [ "$target" = wasm32 ] || "$root/packaging/wheel.sh" "$target" >&2
         echo "$target: $((SECONDS - begin)) s" >&2
     done
+    # Of no target.
+    [ $# -gt 0 ] || "$root/packaging/crates.sh" >&2
 fi
 cd "$dist"
 {

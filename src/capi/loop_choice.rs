@@ -137,7 +137,8 @@ impl JoinIn {
         }
         let ascends = starts.windows(2).all(|pair| pair[0] <= pair[1]);
         if starts[0] != 0 || !ascends || starts[starts.len() - 1] > loops.len() {
-            let why = format_args!("they ascend from 0 to the count of the loops, {}", loops.len());
+            let count = loops.len();
+            let why = format_args!("they ascend from 0 to the count of the loops, {count}");
             return Err(self.place.refuse(Status::BadOption, why));
         }
         let mut groups = try_with_capacity(starts.len())?;

@@ -222,7 +222,11 @@ fn the_binary_interface_is_still_the_first_one() {
     prefix();
     let (library, stored) = (
         work().join("libfairmesh.so"),
-        root().join("packaging/libfairmesh.so.0.abi"),
+        root().join(concat!(
+            "packaging/libfairmesh.so.",
+            env!("CARGO_PKG_VERSION_MAJOR"),
+            ".abi"
+        )),
     );
     if std::env::var_os("FAIRMESH_WRITE_ABI").is_some() {
         run(Command::new("abidw")
