@@ -4,8 +4,10 @@
 import contextlib
 import importlib
 import io
+import os
 import re
 import sys
+import tempfile
 import threading
 import time
 import unittest.mock
@@ -74,6 +76,26 @@ def test_the_library_runs_from_a_file_that_nobody_can_write_over():
     use()
     installed.write_bytes(content)
     use()
+
+
+def test_copies_that_windows_has_kept_are_removed():
+    with tempfile.TemporaryDirectory() as folder:
+
+        def copy(name, file, days):
+            path = Path(folder) / name
+            path.mkdir()
+            (path / file).touch()
+            os.utime(path, (time.time() - 86400 * days,) * 2)
+            return path
+
+        old = copy("fairmesh-blender-old", "fairmesh.dll", 2)
+        kept = [
+            copy("fairmesh-blender-new", "fairmesh.dll", 0),
+            copy("fairmesh-blender-more", "mesh.blend", 2),
+            copy("fairmesh-work", "fairmesh.dll", 2),
+        ]
+        module().native.remove_kept(folder, "fairmesh.dll")
+        assert not old.exists() and all(any(path.iterdir()) for path in kept)
 
 
 def test_disabled_and_enabled():
