@@ -73,7 +73,7 @@ demo() {
 
 # What is published for each target, built and run.
 packaging() {
-    packaging/manifest.sh && packaging/check.sh
+    packaging/manifest.sh && packaging/check.sh && packaging/check_blender.sh && packaging/check_meshlab.sh
 }
 
 # For other systems: their compilers, and what runs their programs.
@@ -84,6 +84,8 @@ install_packaging_tools() {
     command -v qemu-aarch64-static >/dev/null || missing+=(qemu-user-static)
     command -v debootstrap >/dev/null || missing+=(debootstrap)
     command -v node >/dev/null || missing+=(nodejs)
+    command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
+    command -v xz >/dev/null || missing+=(xz-utils)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds everything for the targets given (by default all of them) with build.sh and deb.sh, and lists what is in target/packaging/dist
+# Builds everything for the targets given (by default all of them) with build.sh, deb.sh, blender.sh and meshlab.sh, and lists what is in target/packaging/dist
 # with sizes and SHA-256 in target/packaging/dist/MANIFEST. With --list it lists what is there, and builds nothing.
 #   packaging/manifest.sh [--list] [TARGET...]
 set -euo pipefail
@@ -10,6 +10,8 @@ if [ "${1-}" != --list ]; then
         begin=$SECONDS
         "$root/packaging/build.sh" "$target" >&2
         [[ $target != linux-* ]] || "$root/packaging/deb.sh" "$target" >&2
+        case $target in linux-x86_64 | windows-* | macos-*) "$root/packaging/blender.sh" "$target" >&2 ;; esac
+        [ "$target" != linux-x86_64 ] || "$root/packaging/meshlab.sh" >&2
         echo "$target: $((SECONDS - begin)) s" >&2
     done
 fi
