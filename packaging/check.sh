@@ -110,15 +110,6 @@ check_wasm() {
     say "node has faired a mesh"
 }
 
-# Wine 10: that of Debian 12 has no bcryptprimitives.dll, which Rust's standard library asks for.
-install_wine() {
-    need debootstrap debootstrap
-    # A link into itself.
-    [ -L "$out/wine/usr/bin/wine" ] ||
-        debootstrap --variant=minbase --include=wine,wine64 trixie "$out/wine" http://deb.debian.org/debian >"$out/wine.log"
-    mkdir -p "$out/wine/work"
-}
-
 # run PROGRAM ARGUMENTS...: as its system does.
 run() {
     case $target in
@@ -127,9 +118,7 @@ run() {
         cp "$1" "$tree/bin/fairmesh.dll" "$out/wine/work"
         local file=/work/${1##*/}
         shift
-        # shellcheck disable=SC2016
-        unshare -m sh -c 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec chroot "$0" env HOME=/root WINEDEBUG=-all wine "$@"' \
-            "$out/wine" "$file" "$@" 2>"$work/wine.log" | tr -d '\r'
+        in_tree "$out/wine" env WINEDEBUG=-all wine "$file" "$@" 2>"$work/wine.log" | tr -d '\r'
         ;;
     wasm32) "$out/wasmtime/bin/python" "$root/packaging/run_wasi.py" "$@" ;;
     *) "$@" ;;

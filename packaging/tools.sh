@@ -10,9 +10,11 @@ major=${version%%.*}
 minor=${version#*.}
 minor=${minor%%.*}
 TARGETS="linux-x86_64 linux-aarch64 windows-x86_64 macos-x86_64 macos-aarch64 wasm32"
-# Of the wheels as well (bindings/python/build_library.py): the oldest glibc, and the tools that link for it.
+# bindings/python/build_library.py reads them here: the oldest glibc, and the tools that link for it.
 GLIBC=2.28
 PINNED="ziglang==0.17.0 cargo-zigbuild==0.24.0"
+# What makes wheels and source distributions.
+PYTHON_BUILD="build==1.3.0 hatchling==1.27.0"
 # The oldest macOS that the standard library of Rust 1.89 and later supports on both processors.
 MACOS=11.0
 
@@ -39,19 +41,54 @@ need() {
     command -v "$1" >/dev/null || fail "$1 was not found: apt-get install $2"
 }
 
+# What a wheel's name says of the system.
+wheel_platform() {
+    case $1 in
+    linux-*) echo "manylinux_${GLIBC/./_}_${1#linux-}" ;;
+    windows-x86_64) echo win_amd64 ;;
+    macos-x86_64) echo "macosx_${MACOS/./_}_x86_64" ;;
+    macos-aarch64) echo "macosx_${MACOS/./_}_arm64" ;;
+    *) fail "there is no wheel for $1" ;;
+    esac
+}
+
+# environment FOLDER REQUIREMENT...: a virtual environment with these packages, made anew when they change.
+environment() {
+    local home=$1
+    shift
+    [ "$(cat "$home/installed" 2>/dev/null)" != "$*" ] || return 0
+    rm -rf "$home"
+    python3 -m venv "$home"
+    "$home/bin/pip" --disable-pip-version-check install -q "$@" >&2
+    echo "$*" >"$home/installed"
+}
+
 # zig, as a C compiler and linker for every system, and what hands it to cargo.
 install_zig() {
     local home=$out/tools
-    if [ "$(cat "$home/installed" 2>/dev/null)" != "$PINNED" ]; then
-        rm -rf "$home"
-        python3 -m venv "$home"
-        # shellcheck disable=SC2086
-        "$home/bin/pip" --disable-pip-version-check install -q $PINNED
+    # shellcheck disable=SC2086
+    environment "$home" $PINNED
+    if [ ! -x "$home/bin/zig" ]; then
         printf '#!/bin/sh\nexec "%s/bin/python" -m ziglang "$@"\n' "$home" >"$home/bin/zig"
         chmod +x "$home/bin/zig"
-        echo "$PINNED" >"$home/installed"
     fi
     PATH=$home/bin:$PATH
+}
+
+# in_tree FOLDER COMMAND...: in the system that lies in this folder. Needs root.
+in_tree() {
+    # shellcheck disable=SC2016
+    unshare -m sh -c 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
+        exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$0" "$@"' "$@"
+}
+
+# Wine 10: that of Debian 12 has no bcryptprimitives.dll, which Rust's standard library asks for.
+install_wine() {
+    need debootstrap debootstrap
+    # A link into itself.
+    [ -L "$out/wine/usr/bin/wine" ] ||
+        debootstrap --variant=minbase --include=wine,wine64 trixie "$out/wine" http://deb.debian.org/debian >"$out/wine.log"
+    mkdir -p "$out/wine/work"
 }
 
 # Rust's own LLVM: it reads the files of every system.

@@ -15,10 +15,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+# The Rust sources: a source distribution carries them (rust_sources.py).
+ROOT = HERE / "rust" if (HERE / "rust").is_dir() else HERE.parents[1]
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
-TOOLS = ["ziglang==0.17.0", "cargo-zigbuild==0.24.0"]
-GLIBC = (2, 28)
+RUST = (1, 89)
 BUILD = ["--release", "--locked", "-p", "fairmesh-capi"]
 # The libraries that every Linux has, of the policy manylinux_2_28.
 SYSTEM = {
@@ -27,20 +28,36 @@ SYSTEM = {
 SYSTEM.add("ld-linux-x86-64.so.2")
 
 
-def file_name() -> str:
-    """What cargo calls the library on this system."""
-    if sys.platform == "win32":
+def file_name(system: str = sys.platform) -> str:
+    """What cargo calls the library on this system, or on one whose name begins as Python's or that of a wheel."""
+    if system.startswith("win"):
         return "fairmesh.dll"
-    return "libfairmesh.dylib" if sys.platform == "darwin" else "libfairmesh.so"
+    return "libfairmesh.dylib" if system.startswith(("darwin", "macosx")) else "libfairmesh.so"
 
 
 def cargo() -> str:
-    """The path of cargo."""
-    found = shutil.which("cargo")
+    """The path of cargo, of a Rust that is new enough."""
+    wanted = f"fairmesh is compiled here, and for that needs Rust {RUST[0]}.{RUST[1]} or newer, see https://rustup.rs"
     usual = Path.home() / ".cargo" / "bin" / ("cargo.exe" if sys.platform == "win32" else "cargo")
-    if not found and not usual.exists():
-        raise SystemExit("cargo was not found: fairmesh needs Rust 1.89 or newer, see https://rustup.rs")
-    return found or str(usual)
+    found = shutil.which("cargo") or (str(usual) if usual.exists() else None)
+    if not found:
+        raise SystemExit(f"cargo was not found: {wanted}")
+    told = re.match(r"cargo (\d+)\.(\d+)", _output(found, "--version"))
+    if told and tuple(map(int, told.groups())) < RUST:
+        raise SystemExit(f"{found} is of Rust {told[1]}.{told[2]}: {wanted}")
+    return found
+
+
+def glibc() -> tuple[int, ...]:
+    """The oldest glibc that ready-made libraries are for."""
+    return tuple(map(int, _pinned("GLIBC").split(".")))
+
+
+def _pinned(name: str) -> str:
+    """What packaging/tools.sh sets this variable to."""
+    text = (ROOT / "packaging" / "tools.sh").read_text(encoding="utf-8")
+    (value,) = re.findall(rf'^{name}="?([^"\n]*)"?$', text, re.M)
+    return str(value)
 
 
 def build() -> Path:
@@ -56,7 +73,7 @@ def build_portable(*, hooks: bool = False) -> Path:
 
     Only the linking is special, so that what the library depends on is built once for all programs of the repository.
     """
-    _check_root()
+    check_repository()
     last = ["--crate-type", "cdylib", "--", "-C", f"linker={_linker()}", "-C", "strip=symbols"]
     command = [cargo(), "rustc", *BUILD, *(["--features", "hooks"] if hooks else []), *last]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
@@ -82,7 +99,7 @@ def check_portable(library: Path) -> None:
     _need("objdump", "readelf", "nm")
     symbols = _output("objdump", "-T", library)
     versions = {tuple(map(int, number.split("."))) for number in re.findall(r"GLIBC_([0-9.]+)", symbols)}
-    if not versions or max(versions) > GLIBC:
+    if not versions or max(versions) > glibc():
         raise SystemExit(f"{library} needs glibc {max(versions, default='of no version')}")
     needed = set(re.findall(r"\(NEEDED\).*\[(.*)\]", _output("readelf", "-dW", library)))
     if not needed <= SYSTEM:
@@ -98,8 +115,8 @@ def _linker() -> Path:
     """A program that links for this glibc, as cargo-zigbuild does."""
     home = _zig()
     linker = home / "linker"
-    version = ".".join(map(str, GLIBC))
-    zig = f'exec "{home}/bin/cargo-zigbuild" zig cc -- -target x86_64-linux-gnu.{version} "$@"'
+    target = f"x86_64-linux-gnu.{_pinned('GLIBC')}"
+    zig = f'exec "{home}/bin/cargo-zigbuild" zig cc -- -target {target} "$@"'
     text = f'#!/bin/sh\nPATH="{home}/bin:$PATH"\n{zig}\n'
     if not linker.exists() or linker.read_text() != text:
         linker.write_text(text)
@@ -111,12 +128,13 @@ def _zig() -> Path:
     """A virtual environment with zig and cargo-zigbuild."""
     home = TARGET / "python" / "zig"
     stamp = home / "installed"
-    if not stamp.exists() or stamp.read_text() != "\n".join(TOOLS):
+    tools = _pinned("PINNED").split()
+    if not stamp.exists() or stamp.read_text() != "\n".join(tools):
         shutil.rmtree(home, ignore_errors=True)
         subprocess.run([sys.executable, "-m", "venv", home], check=True, stdout=sys.stderr)
         pip = [home / "bin" / "python", "-m", "pip", "--disable-pip-version-check", "install", "-q"]
-        subprocess.run([*pip, *TOOLS], check=True, stdout=sys.stderr)
-        stamp.write_text("\n".join(TOOLS))
+        subprocess.run([*pip, *tools], check=True, stdout=sys.stderr)
+        stamp.write_text("\n".join(tools))
     return home
 
 
@@ -130,9 +148,15 @@ def _output(*command: str | Path) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
+def check_repository() -> None:
+    """Raises SystemExit in a source distribution, which has nothing but what is compiled."""
+    if not (ROOT / "packaging").is_dir():
+        raise SystemExit("that takes the repository of fairmesh: this is its source distribution")
+
+
 def _check_root() -> None:
     if not (ROOT / "Cargo.toml").exists():
-        raise SystemExit(f"no Rust sources in {ROOT}: fairmesh is built from its repository only")
+        raise SystemExit(f"no Rust sources in {ROOT}: fairmesh is built from its repository or source distribution")
 
 
 def main() -> None:

@@ -1,8 +1,9 @@
-"""Puts the shared library into the wheel, and the platform into its name."""
+"""Puts the shared library into the wheel, and the platform into its name; Rust sources into the source distribution."""
 
 from __future__ import annotations
 
 import os
+import platform
 import shutil
 import sys
 import sysconfig
@@ -14,25 +15,50 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import build_library
 
+LICENCES = ("LICENSE-MIT", "LICENSE-APACHE")
+
 
 class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
     """Builds the library with cargo, unless FAIRMESH_WHEEL_LIBRARY (and _PLATFORM) name one."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Called by hatchling before a build."""
-        if self.target_name != "wheel":
-            raise SystemExit("fairmesh has no source distribution: its Rust sources are in the repository")
+        if self.target_name == "sdist":
+            self._add_sources(build_data)
+            return
         given = os.environ.get("FAIRMESH_WHEEL_LIBRARY")
         library = Path(given) if given else build_library.build()
-        platform = os.environ.get("FAIRMESH_WHEEL_PLATFORM") if given else None
-        platform = platform or sysconfig.get_platform().replace("-", "_").replace(".", "_")
+        tag = os.environ.get("FAIRMESH_WHEEL_PLATFORM") if given else None
+        tag = tag or this_platform()
         build_data["pure_python"] = False
-        build_data["tag"] = f"py3-none-{platform}"
+        build_data["tag"] = f"py3-none-{tag}"
         if version == "editable":
             beside = Path(self.root, "src", "fairmesh", "lib")
             beside.mkdir(exist_ok=True)
             shutil.copy2(library, beside / build_library.file_name())
             return
-        build_data["force_include"][str(library)] = f"fairmesh/lib/{build_library.file_name()}"
-        for name in ("LICENSE-MIT", "LICENSE-APACHE"):
-            build_data["force_include"][str(build_library.ROOT / name)] = f"fairmesh/lib/{name}"
+        build_data["force_include"][str(library)] = f"fairmesh/lib/{build_library.file_name(tag)}"
+        # In a source distribution they are where `license-files` finds them.
+        for name in LICENCES:
+            if not Path(self.root, name).exists():
+                build_data["force_include"][str(build_library.ROOT / name)] = f"fairmesh/lib/{name}"
+
+    def _add_sources(self, build_data: dict[str, Any]) -> None:
+        """What is outside of this folder in the repository, and in it in a source distribution."""
+        if Path(self.root, "rust").is_dir():
+            return
+        import rust_sources
+
+        folder = build_library.TARGET / "python" / "rust"
+        rust_sources.copy(folder)
+        build_data["force_include"][str(folder)] = "rust"
+        for name in LICENCES:
+            build_data["force_include"][str(build_library.ROOT / name)] = name
+
+
+def this_platform() -> str:
+    """What wheels for this machine are called."""
+    if sys.platform == "darwin":
+        # Python may be for two processors and older systems; the library is not.
+        return f"macosx_11_0_{platform.machine()}"
+    return sysconfig.get_platform().replace("-", "_").replace(".", "_")
