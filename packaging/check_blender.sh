@@ -76,7 +76,7 @@ done
 
 out=$out/blender
 mkdir -p "$out"
-# A tenth of a second each, and what the zips of other systems rest on.
+# What the zips for macOS rest on: which library is taken where.
 "$PYTHON" $tests/test_platforms.py --quiet
 for bpy in $BLENDERS; do
     venv "bpy-${bpy%.*}" "bpy==$bpy"
@@ -88,6 +88,7 @@ in_blenders() {
     check "Blender 3.4, $1" blender -b --factory-startup --python-exit-code 7 --python "$tests/$1.py" -- "$2"
     for bpy in $BLENDERS; do check "bpy $bpy, $1" "$out/bpy-${bpy%.*}/bin/python" "$tests/$1.py" "$2"; done
 }
+
 # Python for Windows with Blender's module, in $wine/blender.
 install_windows() {
     local home=$wine/blender pip=("$out/bpy-4.2/bin/python" -m pip --disable-pip-version-check install -q --no-deps --no-compile)
