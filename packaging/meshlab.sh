@@ -20,11 +20,11 @@ export SOURCE_DATE_EPOCH
 install_debian() {
     need debootstrap debootstrap
     need unshare util-linux
-    if [ ! -e "$chroot/usr/share/doc/meshlab" ]; then
+    if [ ! -e "$chroot/complete" ]; then
         rm -rf --one-file-system "$chroot"
-        debootstrap --variant=minbase bullseye "$chroot" http://deb.debian.org/debian \
-            --include=meshlab,cmake,g++,make,qtbase5-dev,libqt5opengl5-dev,libglew-dev,libglu1-mesa-dev,libeigen3-dev >"$out/debian-11.log" ||
-            fail "see $out/debian-11.log"
+        debootstrap --variant=minbase --include=meshlab,cmake,g++,make,qtbase5-dev,libqt5opengl5-dev,libglew-dev,libglu1-mesa-dev,libeigen3-dev \
+            bullseye "$chroot" http://deb.debian.org/debian >"$out/debian-11.log" || fail "see $out/debian-11.log"
+        touch "$chroot/complete"
     fi
     mkdir -p "$chroot/build/meshlab_plugin" "$chroot/build/target/meshlab" "$chroot/build/fairmesh"
 }
