@@ -74,7 +74,10 @@ demo() {
 
 # What is published for each target, built and run.
 packaging() {
-    packaging/manifest.sh && packaging/check.sh && packaging/check_python.sh && packaging/check_npm.sh && packaging/check_ports.sh
+    step manifest packaging/manifest.sh
+    step check packaging/check.sh
+    local part
+    for part in python blender meshlab npm ports; do step "check_$part" "packaging/check_$part.sh"; done
 }
 
 # For other systems: their compilers, and what runs their programs.
@@ -90,6 +93,8 @@ install_packaging_tools() {
     command -v firefox-esr >/dev/null || missing+=(firefox-esr)
     python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
     command -v ruby >/dev/null || missing+=(ruby)
+    command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
+    command -v xz >/dev/null || missing+=(xz-utils)
     [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
 }
 
@@ -140,7 +145,7 @@ full() {
 
 long() {
     install_packaging_tools
-    step packaging packaging
+    packaging
     step oldest packaging/oldest_rust.sh
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::
@@ -160,7 +165,7 @@ long)
 packaging)
     install_c_tools
     install_packaging_tools
-    step packaging packaging
+    packaging
     ;;
 *)
     sed -n '2,8p' "$0" >&2

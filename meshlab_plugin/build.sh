@@ -3,13 +3,16 @@
 # Builds the plugin for one program and lays out what is to be installed in target/meshlab/<host>/.
 #   build.sh debian                    MeshLab 2020.09 of Debian 11, 12 or Ubuntu 22.04
 #   build.sh pymeshlab [PYTHON]        PyMeshLab 2025.7, in this Python's packages; default: in a venv of its own
+#   build.sh pymeshlab-2023 [PYTHON]   PyMeshLab 2023.12
 #   build.sh pymeshlab-2022 [PYTHON]   PyMeshLab 2022.2
 #   build.sh other NAME SOURCE LIBRARY another one: MeshLab's source tree (with vcglib) of the same version, its libmeshlab-common.so
+# FAIRMESH_TREE=FOLDER takes the library from an unpacked archive (docs/releasing.md) and does not build it. MESHLAB_RELEASE=2023.12: as hosts.sh says.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here")
 work=$root/target/meshlab
 . "$here/hosts.sh"
+. "$here/fetch.sh"
 
 fail() {
     printf 'build.sh: %s\n' "$*" >&2
@@ -19,31 +22,6 @@ fail() {
 # need PROGRAM PACKAGE
 need() {
     command -v "$1" >/dev/null || fail "$1 is missing: apt-get install $2"
-}
-
-# Fetches a file from the first place that has it, and checks what came.
-fetch_sources() {
-    local file=$work/downloads/$tarball url
-    mkdir -p "$work/downloads"
-    if [ -e "$file" ] && sha256sum --quiet --status -c <<<"$sha256  $file"; then return; fi
-    for url in "https://deb.debian.org/debian/pool/main/m/meshlab/$tarball" "https://snapshot.debian.org/file/$sha1"; do
-        if curl -fsSL --retry 2 --max-time 300 -o "$file.part" "$url" && sha256sum --status -c <<<"$sha256  $file.part"; then
-            mv "$file.part" "$file"
-            return
-        fi
-        printf 'build.sh: not there, or not the same file: %s\n' "$url" >&2
-    done
-    fail "the sources of $host cannot be had. Put $tarball (SHA-256 $sha256) into $work/downloads, or pin another release in hosts.sh."
-}
-
-# unpack_sources: $source gets the headers.
-unpack_sources() {
-    source=$work/sources/${tarball%.orig.tar.xz}
-    if [ -e "$source/ML_VERSION" ]; then return; fi
-    rm -rf "$source"
-    mkdir -p "$source"
-    tar -xf "$work/downloads/$tarball" -C "$source" --strip-components=1 ||
-        fail "$tarball cannot be unpacked (apt-get install xz-utils)"
 }
 
 # python_of: the Python given, or one with the pinned PyMeshLab in a venv.
@@ -83,6 +61,7 @@ other)
     ;;
 *)
     host "$host" || fail "which host? One of: $HOSTS, other"
+    MESHLAB_RELEASE=$release
     need curl curl
     fetch_sources
     unpack_sources
@@ -92,13 +71,18 @@ esac
 need cmake cmake
 need c++ g++
 need make make
-need cargo 'cargo, from https://rustup.rs'
 compgen -G '/usr/include/*/qt5/QtOpenGL' >/dev/null ||
     fail "Qt 5 is missing: apt-get install qtbase5-dev libqt5opengl5-dev libglew-dev libglu1-mesa-dev libeigen3-dev"
 
-make -C "$root" --silent install PREFIX="$work/fairmesh" >/dev/null
+if [ -n "${FAIRMESH_TREE:-}" ]; then
+    fairmesh=$FAIRMESH_TREE
+else
+    need cargo 'cargo, from https://rustup.rs'
+    fairmesh=$work/fairmesh
+    make -C "$root" --silent install PREFIX="$fairmesh" >/dev/null
+fi
 cmake -S "$here" -B "$work/build-$host" -DCMAKE_BUILD_TYPE=Release -DMESHLAB_SOURCE="$source" -DMESHLAB_LIBRARY="$library" \
-    -DMESHLAB_SCALAR="${MESHLAB_SCALAR:-}" -Dfairmesh_DIR="$work/fairmesh/lib/cmake/fairmesh" ${FAIRMESH_WARNINGS:+-DCMAKE_CXX_FLAGS=-Werror} >"$work/build-$host.log" ||
+    -DMESHLAB_SCALAR="${MESHLAB_SCALAR:-}" -DMESHLAB_RELEASE="${MESHLAB_RELEASE:-}" -Dfairmesh_DIR="$fairmesh/lib/cmake/fairmesh" ${FAIRMESH_WARNINGS:+-DCMAKE_CXX_FLAGS=-Werror} >"$work/build-$host.log" ||
     fail "see above, and $work/build-$host.log"
 cmake --build "$work/build-$host" --parallel "${JOBS:-2}" >>"$work/build-$host.log" ||
     { tail -40 "$work/build-$host.log" >&2; fail "the plugin could not be built"; }

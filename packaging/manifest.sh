@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds everything for the targets given (by default all of them) with build.sh, deb.sh and wheel.sh, and lists what is in target/packaging/dist
+# Builds everything for the targets given (by default all of them) with build.sh and what packs its results, and lists what is in target/packaging/dist
 # with sizes and SHA-256 in target/packaging/dist/MANIFEST. With --list it lists what is there, and builds nothing.
 #   packaging/manifest.sh [--list] [TARGET...]
 set -euo pipefail
@@ -12,6 +12,8 @@ if [ "${1-}" != --list ]; then
         [[ $target != linux-* ]] || "$root/packaging/deb.sh" "$target" >&2
         [ "$target" != wasm32 ] || "$root/packaging/npm.sh" >&2
         [ "$target" = wasm32 ] || "$root/packaging/wheel.sh" "$target" >&2
+        case $target in linux-x86_64 | windows-* | macos-*) "$root/packaging/blender.sh" "$target" >&2 ;; esac
+        [ "$target" != linux-x86_64 ] || "$root/packaging/meshlab.sh" >&2
         echo "$target: $((SECONDS - begin)) s" >&2
     done
     # Of no target.

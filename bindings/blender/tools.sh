@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash disable=SC2154
 # Sourced by the scripts here. $out: where everything goes that is made or fetched.
 
 # venv NAME PACKAGE==VERSION...: a virtual environment $out/NAME with these packages, made once. $PYTHON makes it.
@@ -23,4 +24,35 @@ install_blender() {
     [ "$(id -u)" -eq 0 ] || as_root=sudo
     $as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
     $as_root apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# User files go to a folder of their own.
+fresh() {
+    user=$(mktemp -d)
+    mkdir -p "$user/scripts/addons"
+    export BLENDER_USER_RESOURCES=$user BLENDER_USER_SCRIPTS=$user/scripts BLENDER_USER_CONFIG=$user/config
+}
+
+# check NAME COMMAND...: a test file's output has to end with "N of N tests have passed".
+check() {
+    printf -- '-- %s\n' "$1"
+    fresh
+    local status=0
+    timeout 600 "${@:2}" >"$out/log" 2>&1 || status=$?
+    rm -rf "$user"
+    grep -E '^(ok|FAILED|Fatal|Segm)|^        |tests have passed' "$out/log" || true
+    if [ $status -ne 0 ] || ! grep -qE '^([1-9][0-9]*) of \1 tests have passed$' "$out/log"; then
+        tail -40 "$out/log"
+        echo "$1: failed with $status" >&2
+        exit 1
+    fi
+}
+
+# valid BPY ZIP: by the validator of extensions in bpy of this version, which a venv has, with the tags that Blender knows.
+valid() {
+    local home=$out/bpy-${1%.*} scripts
+    scripts=$(echo "$home"/lib/python3.11/site-packages/bpy/*/scripts)
+    "$home/bin/python" "$scripts/addons_core/bl_pkg/cli/blender_ext.py" validate \
+        --valid-tags "$scripts/modules/_bpy_internal/extensions/tags.py" "$2" >"$out/log" 2>&1 || { cat "$out/log" && exit 1; }
+    printf -- '-- bpy %s: the extension is valid\n' "$1"
 }

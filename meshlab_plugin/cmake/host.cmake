@@ -10,9 +10,15 @@ if(NOT EXISTS "${MESHLAB_SOURCE}/ML_VERSION")
     message(FATAL_ERROR "MESHLAB_SOURCE: '${MESHLAB_SOURCE}' is not MeshLab's source tree (no ML_VERSION).")
 endif()
 
+# Sources of another release that has the same types are those of this one: hosts.sh says where that is so.
+set(MESHLAB_RELEASE "" CACHE STRING "the program's version, if the sources are of another one with the same types")
+
 # The version, such as 2025.07: in the library as text, with a d behind it if its numbers are doubles.
 file(READ "${MESHLAB_SOURCE}/ML_VERSION" source_version)
 string(REGEX MATCH "20[0-9][0-9]\\.[0-9][0-9]" source_version "${source_version}")
+if(NOT MESHLAB_RELEASE STREQUAL "")
+    set(source_version "${MESHLAB_RELEASE}")
+endif()
 file(STRINGS "${MESHLAB_LIBRARY}" library_versions REGEX "20[0-9][0-9]\\.[0-9][0-9]")
 string(REGEX MATCHALL "20[0-9][0-9]\\.[0-9][0-9]" library_versions "${library_versions}")
 list(REMOVE_DUPLICATES library_versions)

@@ -7,7 +7,7 @@ import pathlib
 import shutil
 import subprocess
 
-WORK = pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"
+WORK = pathlib.Path(os.environ.get("FAIRMESH_WORK", pathlib.Path(__file__).resolve().parents[2] / "target" / "meshlab"))
 
 FAIR = "Fair Selected Region"
 CLOSE = "Close Holes Smoothly"

@@ -4,8 +4,10 @@
 import contextlib
 import importlib
 import io
+import os
 import re
 import sys
+import tempfile
 import threading
 import time
 import unittest.mock
@@ -65,15 +67,45 @@ common.install(ZIP)
 
 def test_the_library_runs_from_a_file_that_nobody_can_write_over():
     use()
-    assert mapped() and all(path.endswith("(deleted)") for path in mapped()), mapped()
-    installed = Path(module().__file__).parent / "lib" / "linux-x64" / "libfairmesh.so"
+    if sys.platform == "linux":
+        assert mapped() and all(path.endswith("(deleted)") for path in mapped()), mapped()
+    (installed,) = (Path(module().__file__).parent / "lib").glob("*-*/*fairmesh*")
     content = installed.read_bytes()
-    # Cut short and written again, in place: that kills a process that has the file mapped.
+    # Cut short and written again, in place: that kills a process that has the file mapped, and Windows does not allow it.
     with installed.open("r+b") as file:
         file.truncate(0)
     use()
     installed.write_bytes(content)
     use()
+
+
+def test_copies_that_windows_has_kept_are_removed():
+    with tempfile.TemporaryDirectory() as folder:
+
+        def copy(name, file, days):
+            path = Path(folder) / name
+            path.mkdir()
+            (path / file).touch()
+            os.utime(path, (time.time() - 86400 * days,) * 2)
+            return path
+
+        old = copy("fairmesh-blender-old", "fairmesh.dll", 2)
+        kept = [
+            copy("fairmesh-blender-new", "fairmesh.dll", 0),
+            copy("fairmesh-blender-more", "mesh.blend", 2),
+            copy("fairmesh-work", "fairmesh.dll", 2),
+        ]
+        module().native.remove_kept(folder, "fairmesh.dll")
+        assert not old.exists() and all(any(path.iterdir()) for path in kept)
+    if sys.platform == "win32":
+        # What is loaded stays, however old it is.
+        use()
+        copies = list(Path(tempfile.gettempdir()).glob("fairmesh-blender-*/fairmesh.dll"))
+        assert copies
+        for path in copies:
+            os.utime(path.parent, (time.time() - 2 * 86400,) * 2)
+        module().native.remove_kept(tempfile.gettempdir(), "fairmesh.dll")
+        assert any(path.exists() for path in copies)
 
 
 def test_disabled_and_enabled():
