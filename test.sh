@@ -51,7 +51,7 @@ install_c_tools() {
     command -v abidw >/dev/null || missing+=(abigail-tools)
     command -v doxygen >/dev/null || missing+=(doxygen)
     command -v c++ >/dev/null || missing+=(g++)
-    command -v python3 >/dev/null || missing+=(python3)
+    python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
     # OpenMesh, and libclang for bindgen: for bindings/openmesh-sys only. Clang: for fuzzing.
     pkg-config --exists openmesh 2>/dev/null || missing+=(libopenmesh-dev)
     compgen -G '/usr/lib/llvm-*/lib/libclang[.-][0-9s]*' >/dev/null &&
@@ -91,7 +91,6 @@ install_packaging_tools() {
     command -v npm >/dev/null || missing+=(npm)
     command -v chromium >/dev/null || missing+=(chromium)
     command -v firefox-esr >/dev/null || missing+=(firefox-esr)
-    python3 -c 'import ensurepip' 2>/dev/null || missing+=(python3-venv)
     command -v ruby >/dev/null || missing+=(ruby)
     command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
     command -v xz >/dev/null || missing+=(xz-utils)

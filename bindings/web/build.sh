@@ -23,10 +23,12 @@ rm -rf "${folder:?}"/*
 cp "$module" "$folder/dist/fairmesh.wasm"
 cp README.md "$root/LICENSE-MIT" "$root/LICENSE-APACHE" "$folder"
 python3 "$root/packaging/third_party.py" fairmesh-capi wasm32-unknown-unknown >"$folder/THIRD-PARTY.txt"
-# The version is that of the library.
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' "$root/Cargo.toml" | head -1)
+# Version and address are those of the library. npm compares the address with where a package comes from.
+stated() { sed -n "s/^$1 = \"\(.*\)\"/\1/p" "$root/Cargo.toml" | head -1; }
 node -e '
     const { readFileSync, writeFileSync } = require("node:fs");
     const { name, devDependencies, ...rest } = JSON.parse(readFileSync("package.json", "utf8"));
-    writeFileSync(process.argv[1], JSON.stringify({ name, version: process.argv[2], ...rest }, null, 4) + "\n");
-' "$folder/package.json" "$version"
+    const [path, version, address] = process.argv.slice(1);
+    const repository = { type: "git", url: `git+${address}.git` };
+    writeFileSync(path, JSON.stringify({ name, version, ...rest, repository }, null, 4) + "\n");
+' "$folder/package.json" "$(stated version)" "$(stated repository)"
