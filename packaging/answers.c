@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CASES = 10, MOST = 2 * 61 * 61 };
+enum { CASES = 10, MOST = 151 * 151 };
 
 static double positions[3 * MOST];
 static float single[3 * MOST];
@@ -165,7 +165,7 @@ static void fill(const fairmesh_options *options, int join) {
 
 int main(int count, char **arguments) {
     /*                      reach shaken dent shape turned side frame height */
-    const Sheet sheets[] = {{0.4, 0.0, 0.10, 0, 0, 25, 6, 0},  {0.4, 0.0, 0.10, 0, 0, 61, 8, 0},    {0.5, 0.3, 0.10, 0, 0, 41, 6, 0},
+    const Sheet sheets[] = {{0.4, 0.0, 0.10, 0, 0, 25, 6, 0},  {0.4, 0.2, 0.10, 0, 0, 151, 10, 0}, {0.5, 0.3, 0.10, 0, 0, 41, 6, 0},
                             {1.0, 0.2, 0.20, 1, 0, 33, 6, 0},  {0.6, 0.1, 0.10, 2, 0, 37, 10, 0},   {0.4, 0.1, 0.05, 0, 0, 33, 7, 1000},
                             {0.4, 0.1, 0.05, 0, 0, 21, 5, 0},  {0.5, 0.0, 0.00, 0, 0, 25, 9, 0},    {1.0, 0.3, 0.00, 1, 0, 33, 11, 0},
                             {0.3, 0.05, 0.0, 0, 0, 21, 8, -0.2}};
