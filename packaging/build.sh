@@ -10,12 +10,9 @@ triple=$(triple "$target")
 cd "$root"
 export CARGO_TARGET_DIR=$out/cargo
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1704067200)}
-# LLVM inlines less on a guess than it would (by default up to 250): a seventh smaller, and not slower by more than one per cent.
-# What has to be inlined says so in the source.
-inlining="-C llvm-args=-inline-threshold=140"
 # No path of this machine gets into what others run: of this folder, of the crates, of the standard library's sources, if they are installed.
 remap() { printf -- '--remap-path-prefix=%s=%s' "$1" "$2"; }
-RUSTFLAGS="$inlining $(remap "$root" /fairmesh) $(remap "${CARGO_HOME:-$HOME/.cargo}/registry/src" /crates) \
+RUSTFLAGS="$(remap "$root" /fairmesh) $(remap "${CARGO_HOME:-$HOME/.cargo}/registry/src" /crates) \
     $(remap "$(rustc --print sysroot)/lib/rustlib/src/rust" /rust)"
 export RUSTFLAGS
 built=$CARGO_TARGET_DIR/$triple/release

@@ -20,6 +20,7 @@ mod fairing;
 mod holes;
 mod intersections;
 mod mesh;
+mod order;
 mod paper;
 mod profile;
 mod quality;

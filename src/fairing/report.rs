@@ -6,6 +6,7 @@ use super::continuity::CurvatureContinuity;
 use crate::discrete::target::Target;
 #[cfg(doc)]
 use crate::fairing::{Options, Solver};
+use crate::order;
 use crate::paper::LevelReport;
 use crate::quality::Quality;
 use crate::solve::{Trial, TrialEnd};
@@ -219,7 +220,7 @@ impl Outcome {
             Self::BoundaryCrease { vertices } => *vertices = all(Self::creased),
             Self::NormalsNotReachable { reached, vertices } => {
                 let mut unreached: Vec<_> = parts.iter().filter_map(|o| o.unreached()).collect();
-                unreached.sort_by(|a, b| a.0.total_cmp(&b.0));
+                order::by_number(&mut unreached, |of| order::ascending(of.0));
                 *reached = unreached[0].0;
                 *vertices = unreached.into_iter().flat_map(|(_, v)| v).copied().collect();
             }

@@ -24,6 +24,7 @@ use crate::fairing::{
     joined_options,
 };
 use crate::mesh::{Joined, NONE};
+use crate::order;
 use crate::stopwatch::Stopwatch;
 
 /// The filled mesh.
@@ -176,7 +177,7 @@ fn run<'a>(
     let guides = guides.resolved(&options.guides)?;
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
-    order.sort_by_key(|&i| edges(i));
+    order::by_number(&mut order, |&i| edges(i) as u64);
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
     let workers = Workers::new(options.fairing.threads)?;

@@ -10,6 +10,7 @@ use super::options::{FillOptions, Join, LoopFilter, Loops};
 use super::surroundings::bounds;
 use super::triangulate::Measure;
 use crate::error::Error;
+use crate::order;
 use crate::table::table;
 
 /// Loops that a patch of their own closes with less turn (degrees) have no need of others.
@@ -139,7 +140,7 @@ pub(super) fn choose(
     }
     let alone = chosen.iter().filter(|l| grouped.binary_search(l).is_err());
     groups.extend(alone.map(|&l| Group::single(l, is_named)));
-    groups.sort_by_key(|group| group.loops[0]);
+    order::by_number(&mut groups, |group| group.loops[0] as u64);
     Ok(groups)
 }
 
@@ -153,7 +154,7 @@ pub(super) fn asked_for(options: &FillOptions, positions: &[[f64; 3]], loops: &[
             let mut holes: Vec<usize> = (0..loops.len())
                 .filter(|&l| loops[l].kind == LoopKind::Hole)
                 .collect();
-            holes.sort_by(|&a, &b| loops[b].length.total_cmp(&loops[a].length));
+            order::by_number(&mut holes, |&l| !order::ascending(loops[l].length));
             holes
                 .iter()
                 .take(filter.except_longest)
@@ -271,7 +272,7 @@ pub(super) fn suggestions(
             JoinSuggestion { loops: of, reason }
         })
         .collect();
-    found.sort_by_key(|of| of.loops[0]);
+    order::by_number(&mut found, |of| of.loops[0] as u64);
     found
 }
 

@@ -16,6 +16,7 @@ use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
+use crate::order;
 use crate::table::table;
 
 /// No half-edge on the other side: the boundary.
@@ -323,7 +324,9 @@ impl<'a> Links<'a> {
                 bad => vec![(run, bad)],
             })
             .collect();
-        found.sort_by_key(|(run, _)| run.iter().copied().min());
+        order::by_number(&mut found, |(run, _)| {
+            run.iter().min().map_or(0, |&h| u64::from(h))
+        });
         let mut visits = vec![0u8; self.outgoing.len()];
         for &h in found.iter().flat_map(|(run, _)| run) {
             let v = self.origin(next(h)) as usize;

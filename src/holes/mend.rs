@@ -134,7 +134,7 @@ impl Refiner<'_> {
         }
         let side = |k: u32| self.patch.length(3 * t + k);
         let mut sides = [0, 1, 2];
-        sides.sort_by(|&a, &b| side(a).total_cmp(&side(b)));
+        sides.sort_unstable_by(|&a, &b| side(a).total_cmp(&side(b)).then(a.cmp(&b)));
         let [short, middle, long] = sides.map(|k| 3 * t + k);
         let angle = smallest_angle(&self.patch.triangles[t as usize].map(|v| self.patch.x[v as usize]));
         if angle >= GOAL {

@@ -9,6 +9,7 @@ use super::input;
 use super::region::Selection;
 use super::stitches::representatives;
 use crate::error::Error;
+use crate::order;
 use crate::table::table;
 
 /// Whether vertices at the same place are one vertex of the surface.
@@ -121,7 +122,7 @@ impl Copies {
         let of = |entry: &(u32, T)| self.others(entry.0).map(|v| (v, entry.1)).collect::<Vec<_>>();
         let more: Vec<_> = list.iter().flat_map(of).collect();
         list.extend(more);
-        list.sort_by_key(|entry| entry.0);
+        order::by_number(list, |entry| u64::from(entry.0));
     }
 
     /// A selection in the joined mesh's numbers. What it names wrongly is left for the checks that follow.

@@ -12,6 +12,7 @@ use super::seed::Foot;
 use super::spread;
 use crate::discrete::mesh_curvature;
 use crate::error::Error;
+use crate::order;
 
 /// The smallest ring's inner radius, in edges around the seed; each next one is larger by [`STEP`].
 const FIRST: f64 = 3.0;
@@ -68,11 +69,7 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
     let mut order: Vec<u32> = (0..distance.len() as u32)
         .filter(|&v| distance[v as usize].is_finite())
         .collect();
-    order.sort_by(|&a, &b| {
-        distance[a as usize]
-            .total_cmp(&distance[b as usize])
-            .then(a.cmp(&b))
-    });
+    order::by_number(&mut order, |&v| order::ascending(distance[v as usize]));
     let curvature = mesh_curvature::mean_curvature(mesh.positions, mesh.triangles)?;
     let around = Around {
         mesh,
@@ -97,7 +94,7 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
     found.retain(|(_, calm)| !calm.is_empty());
     // Of two that are about as clear the smaller one: other features are farther away.
     let merit = |(rings, calm): &(Rings, Vec<Calm>)| clearness(calm) / rings.radius.sqrt();
-    found.sort_by(|a, b| merit(b).total_cmp(&merit(a)));
+    order::by_number(&mut found, |of| !order::ascending(merit(of)));
     let mut ends = found
         .iter()
         .filter_map(|(rings, calm)| around.extent(rings, calm));

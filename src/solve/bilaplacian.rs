@@ -418,7 +418,7 @@ impl Metric {
 /// Area of a triangle with these edges (W. Kahan's order of Heron's formula).
 fn heron(a: f64, b: f64, c: f64) -> f64 {
     let mut edges = [a, b, c];
-    edges.sort_by(|x, y| y.total_cmp(x));
+    edges.sort_unstable_by(|x, y| y.total_cmp(x));
     let [a, b, c] = edges;
     let product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     0.25 * product.max(0.0).sqrt()

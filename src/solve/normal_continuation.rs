@@ -10,6 +10,7 @@ use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
 use crate::discrete::boundary_normals::{angle, average, slerp};
+use crate::order;
 
 /// The first step turns no normal further than this, 25 degrees.
 const FIRST_STEP: f64 = 25.0 * std::f64::consts::PI / 180.0;
@@ -111,7 +112,7 @@ impl NormalContinuation {
         }
         let angles: Vec<f64> = angles(&self.own, &self.prescribed).collect();
         let mut farthest: Vec<u32> = (0..angles.len() as u32).collect();
-        farthest.sort_by(|&a, &b| angles[b as usize].total_cmp(&angles[a as usize]));
+        order::by_number(&mut farthest, |&i| !order::ascending(angles[i as usize]));
         farthest.truncate(NAMED);
         Next::Short(SolveStatus::NormalsNotReached {
             reached: self.reached,

@@ -8,6 +8,7 @@ use super::untangle::Untangling;
 use super::width::{REACH, width};
 use super::{Rim, RimReport};
 use crate::holes::loops::{BoundaryLoop, Links};
+use crate::order;
 
 /// Below this, in edges, noise has not folded anything.
 const CLEAN: f64 = 0.02;
@@ -105,6 +106,6 @@ pub(super) fn relaxed(
         let x = untangling.x[v];
         moved.places.push(Place { vertex, ring, x });
     }
-    moved.normals.sort_by_key(|of| of.0);
+    order::by_number(&mut moved.normals, |of| u64::from(of.0));
     moved
 }

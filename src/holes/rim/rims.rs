@@ -13,6 +13,7 @@ use crate::holes::surroundings::{Surroundings, normal};
 use crate::intersections::of_some;
 use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;
+use crate::order;
 
 /// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
 const TURNED: f64 = 0.5;
@@ -52,7 +53,7 @@ impl<'m> Rims<'m> {
             self.of[i] = Some(moved);
         }
         // Of a vertex near several loops the nearest one decides.
-        wanted.sort_by_key(|(of, i)| (of.vertex, of.ring, *i));
+        wanted.sort_unstable_by_key(|(of, i)| (of.vertex, of.ring, *i));
         wanted.dedup_by_key(|(of, _)| of.vertex);
         for (of, i) in wanted {
             let v = of.vertex as usize;
@@ -139,7 +140,7 @@ impl<'m> Rims<'m> {
                 all.push((v, moved.normals[at].1));
             }
         }
-        all.sort_by_key(|entry| entry.0);
+        order::by_number(&mut all, |entry| u64::from(entry.0));
         Options {
             boundary_normals: BoundaryNormals::Given(all),
             ..options
