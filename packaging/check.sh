@@ -115,8 +115,8 @@ run() {
     case $target in
     linux-aarch64) qemu-aarch64-static -L /usr/aarch64-linux-gnu "$@" ;;
     windows-*)
-        cp "$1" "$tree/bin/fairmesh.dll" "$out/wine/work"
-        local file=/work/${1##*/}
+        cp "$1" "$tree/bin/fairmesh.dll" "$out/wine/programs"
+        local file=/programs/${1##*/}
         shift
         in_tree "$out/wine" env WINEDEBUG=-all wine "$file" "$@" 2>"$work/wine.log" | tr -d '\r'
         ;;
@@ -191,13 +191,13 @@ command_line() {
     [[ $target != windows-* ]] || file=$file.exe
     local mesh=$root/docs/dented.ply result=$work/faired.ply
     if [[ $target == windows-* ]]; then
-        cp "$mesh" "$out/wine/work"
-        mesh='Z:\work\dented.ply'
-        result='Z:\work\faired.ply'
+        cp "$mesh" "$out/wine/programs"
+        mesh='Z:\programs\dented.ply'
+        result='Z:\programs\faired.ply'
     fi
     run "$file" fair "$mesh" -o "$result" --selection free >"$work/command.log" || bad "the command line has failed"
     grep '^converged' "$work/command.log" || bad "the command line has found nothing"
-    [[ $target != windows-* ]] || cp "$out/wine/work/faired.ply" "$work"
+    [[ $target != windows-* ]] || cp "$out/wine/programs/faired.ply" "$work"
     at_most $PROGRAM_BYTES "$file" "the command line"
     say "the command line has run; SHA-256 of its result $(sha256sum <"$work/faired.ply" | cut -c1-16)"
 }

@@ -23,6 +23,7 @@ newest() { { grep -oE "$2_[0-9.]+" <<<"$1" || true; } | sort -uV | tail -1 | cut
 
 # not_newer THAN VERSION WHAT
 not_newer() {
+    [ -n "$2" ] || bad "no version of $3 was found in it"
     [ "$(printf '%s\n' "$1" "$2" | sort -V | tail -1)" = "$1" ] || bad "it needs $3 $2, the program's is $1"
 }
 

@@ -88,7 +88,7 @@ install_wine() {
     # A link into itself.
     [ -L "$out/wine/usr/bin/wine" ] ||
         debootstrap --variant=minbase --include=wine,wine64 trixie "$out/wine" http://deb.debian.org/debian >"$out/wine.log"
-    mkdir -p "$out/wine/work"
+    mkdir -p "$out/wine/programs"
 }
 
 # Rust's own LLVM: it reads the files of every system.

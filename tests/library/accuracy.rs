@@ -357,26 +357,30 @@ fn fitted_normals() {
     bars.finish();
 }
 
-/// Most of a sphere from what is around one hole: the tolerance is how far the surface may be off.
+/// Most of a sphere from what is around one hole. What is left at the end is below the tolerance; of the smallest hole 1e-8 leaves up
+/// to 3.2e-9.
 #[test]
 fn sphere_with_one_hole() {
     let mut bars = Bars::default();
     let cases = [
-        (45.0, 1_000),
-        (45.0, 5_000),
-        (30.0, 1_000),
-        (30.0, 5_000),
-        (20.0, 5_000),
+        (45.0, 1_000, 1e-8, 2e-9),
+        (45.0, 5_000, 1e-8, 2e-9),
+        (30.0, 1_000, 1e-8, 2e-9),
+        (30.0, 5_000, 1e-8, 2e-9),
+        (20.0, 5_000, 1e-8, 1e-8),
+        (20.0, 5_000, 1e-9, 1e-9),
+        (45.0, 5_000, 1e-10, 1e-10),
+        (20.0, 5_000, 1e-10, 1e-10),
     ];
-    for (half_angle, n) in cases {
-        for (seed, tolerance) in (1..=6).flat_map(|seed| [(seed, 1e-8), (seed, 1e-10)]) {
+    for (half_angle, n, tolerance, most) in cases {
+        for seed in 1..=6 {
             let shape = sphere_with_hole(half_angle, n, irregular(seed), OUTSIDE);
             let solution = solve(&shape, &flat(&shape), options(tolerance));
             let e = errors(&shape, &solution);
             row("hole", n, &format!("{half_angle} degrees"), e, &solution);
             let what = format!("hole of {half_angle} degrees, {n}, seed {seed}, {tolerance:e}");
             bars.converged(&what, &solution);
-            bars.at_most(&what, e.max, tolerance);
+            bars.at_most(&what, e.max, most);
         }
     }
     bars.finish();
