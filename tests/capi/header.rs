@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-pub(crate) const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 20] = [
     "numbers",
     "texts",
     "status",
@@ -25,6 +25,15 @@ pub(crate) const SOURCES: [&str; 20] = [
     "bridge",
     "reading",
 ];
+
+/// What stands in those files.
+pub(crate) fn items() -> Vec<syn::Item> {
+    let items = |file: &&str| {
+        let text = std::fs::read_to_string(path(&format!("src/capi/{file}.rs"))).unwrap();
+        syn::parse_file(&text).unwrap().items
+    };
+    SOURCES.iter().flat_map(items).collect()
+}
 
 pub(crate) fn generated() -> String {
     let mut builder =

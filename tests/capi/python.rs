@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::fs;
 
 use syn::{Expr, Fields, FnArg, Item, Lit, ReturnType, Type};
 
@@ -44,13 +43,7 @@ from ._named import Named, Numbered
 
 #[test]
 fn generated_python_declarations_are_those_of_the_source() {
-    let items: Vec<Item> = crate::header::SOURCES
-        .iter()
-        .flat_map(|file| {
-            let text = fs::read_to_string(crate::committed::path(&format!("src/capi/{file}.rs"))).unwrap();
-            syn::parse_file(&text).unwrap().items
-        })
-        .collect();
+    let items = crate::header::items();
     let mut made = ABI_HEAD.to_owned();
     versions(&mut made, &items);
     items.iter().for_each(|item| enumeration(&mut made, item));

@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::fs;
 
 use syn::{Attribute, Expr, Fields, FnArg, Item, Lit, Meta, Type};
 
@@ -56,13 +55,7 @@ struct Field {
 
 #[test]
 fn generated_web_declarations_are_those_of_the_source() {
-    let items: Vec<Item> = crate::header::SOURCES
-        .iter()
-        .flat_map(|file| {
-            let text = fs::read_to_string(crate::committed::path(&format!("src/capi/{file}.rs"))).unwrap();
-            syn::parse_file(&text).unwrap().items
-        })
-        .collect();
+    let items = crate::header::items();
     let mut made = HEAD.to_owned();
     versions(&mut made, &items);
     enumerations(&mut made, &items);
