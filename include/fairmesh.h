@@ -214,6 +214,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NO_BUMP = 39,
     /**
+     * An edit of a session has a number that is not finite, or moves a free vertex.
+     */
+    FAIRMESH_STATUS_BAD_EDIT = 40,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,

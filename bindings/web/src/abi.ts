@@ -90,6 +90,8 @@ export const enums = {
         no_fair_patch: 38,
         /** The curvature does not tell where a bump ends. */
         no_bump: 39,
+        /** An edit of a session has a number that is not finite, or moves a free vertex. */
+        bad_edit: 40,
         /** A bug of fairmesh, caught; the handle, if there was one, answers so from now on. */
         internal: 99,
     },

@@ -68,6 +68,7 @@ class fairmesh_status(enum.IntEnum):
     BAD_CHAIN = 37
     NO_FAIR_PATCH = 38
     NO_BUMP = 39
+    BAD_EDIT = 40
     INTERNAL = 99
 
 
