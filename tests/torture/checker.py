@@ -312,7 +312,12 @@ def kinks_before(x: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> dict
 
 
 def filled_kinks(x: np.ndarray, own: np.ndarray, patch: np.ndarray, loop: dict, was: dict | None) -> Findings:
-    """A kink beside a patch is measured against that of the surface before, or else the sharpness around it."""
+    """A kink beside a patch is measured against that of the surface before, or else the sharpness around it.
+
+    Vertices at one place are one: where holes meet in a doubled vertex, the surface around it belongs to both copies.
+    """
+    x, place = np.unique(x, axis=0, return_inverse=True)
+    own, patch = place.reshape(-1)[own], place.reshape(-1)[patch]
     at, after = kinks(x, patch, own)
     before = sharpness(x, own, at)
     if was is not None:
