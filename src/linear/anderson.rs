@@ -66,6 +66,12 @@ impl Anderson {
         self.started = false;
     }
 
+    /// Keeps the differences for another function that is much like the one before, but forgets its last step: none is made of it and the
+    /// next one.
+    pub fn resume(&mut self) {
+        self.started = false;
+    }
+
     /// The number of differences in use.
     pub fn depth(&self) -> usize {
         self.count
@@ -104,15 +110,17 @@ impl Anderson {
             return;
         }
         let products = self.record(f, taken, out);
-        if !self.started {
-            self.started = true;
+        if self.started {
+            let newest = self.newest;
+            for (slot, product) in products.iter().enumerate().take(self.count) {
+                self.gram[newest][slot] = product[0];
+                self.gram[slot][newest] = product[0];
+            }
+        }
+        self.started = true;
+        if self.count == 0 {
             out.copy_from_slice(f);
             return;
-        }
-        let newest = self.newest;
-        for (slot, product) in products.iter().enumerate().take(self.count) {
-            self.gram[newest][slot] = product[0];
-            self.gram[slot][newest] = product[0];
         }
         let weights = self.weights(&products);
         if weights.iter().all(|w| w.is_finite()) {
@@ -135,6 +143,7 @@ impl Anderson {
             self.count = (self.count + 1).min(self.window);
         }
         let (window, newest, count) = (self.window, self.newest, self.count);
+        let started = self.started;
         self.history
             .par_chunks_mut(2 * window * BLOCK)
             .zip(&mut self.partial)
@@ -148,12 +157,14 @@ impl Anderson {
                         || {
                             let (df, dg) = block.split_at_mut(window * BLOCK);
                             let new = newest * BLOCK..newest * BLOCK + f.len();
-                            differences(
-                                (f, last),
-                                taken,
-                                step,
-                                (&mut df[new.clone()], &mut dg[new.clone()]),
-                            );
+                            if started {
+                                differences(
+                                    (f, last),
+                                    taken,
+                                    step,
+                                    (&mut df[new.clone()], &mut dg[new.clone()]),
+                                );
+                            }
                             for (slot, sum) in partial.iter_mut().enumerate().take(count) {
                                 *sum = products(&df[slot * BLOCK..][..f.len()], &df[new.clone()], f);
                             }
