@@ -20,6 +20,7 @@ export type { Carried, EraseResult, Left, RefillOptions, RemeshOptions, RemeshRe
 export { type ErrorDetails, FairmeshError, InputError, OutOfMemoryError, TrapError } from "./errors.js";
 export { type FairOptions, type FairResult, Solver } from "./fairing.js";
 export type { BridgeOptions, BridgeResult, FillOptions, FillResult, JoinSuggestion, Loop, LoopChoice, NewMesh, PatchOptions, Point } from "./holes.js";
+export type { Budget, Bulge, Edit, Frame, Move, Tilt } from "./edits.js";
 export type { ByVertex, FairingOptions, HowFar } from "./options.js";
 export type { ProgressCallback, Watching } from "./progress.js";
 export type { RegionResult, RegionStep, Seed } from "./region.js";
