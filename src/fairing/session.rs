@@ -215,9 +215,9 @@ impl Components {
         let normals = self.cursors.iter().map(|c| c.boundary_normals(options, given));
         let normals: Vec<_> = normals.collect::<Result<_, _>>()?;
         for (cursor, normals) in self.cursors.iter_mut().zip(normals) {
-            cursor.prescribe(given, normals, edits);
+            cursor.ask_normals(given, normals);
         }
-        Ok(())
+        self.edit(edits)
     }
 
     /// The same on other regions, where all begins anew.

@@ -443,6 +443,39 @@ fn an_edit_leaves_other_components_as_they_are() {
     );
 }
 
+/// The curve has one normal for both of its sides: it turns with a tilt, and stays with a bulge, which would crease it.
+#[test]
+fn a_curve_between_two_components_has_one_normal() {
+    let mut shape = cap_of_rings(60.0, 16);
+    let on_ring = |v: usize, ring: usize| (1 + 3 * ring * (ring - 1)..1 + 3 * ring * (ring + 1)).contains(&v);
+    (0..shape.free.len()).for_each(|v| shape.free[v] &= !on_ring(v, 8));
+    let curve = 1 + 3 * 8 * 7;
+    let asked = given(&shape);
+    let mut session = finished(&shape, &asked);
+    assert_eq!(session.solution().report.components.len(), 2);
+    for (edit, turned) in [
+        (tilt(curve, 10.0), 10.0),
+        (Edit::Bulge { amount: 0.2 }, 0.0),
+        (tilt(curve, -10.0), -10.0),
+    ] {
+        session.edit(std::slice::from_ref(&edit)).unwrap();
+        assert!(session.update(&NO_LIMIT).unwrap().is_settled);
+        let found = session.finish(None).unwrap();
+        // At the curve the cap's normals have a polar angle of 30 degrees; the inner side has the smaller vertex.
+        let of_curve = found.boundary_normals.iter().filter(|n| on_ring(n.0 as usize, 8));
+        for (v, n) in of_curve {
+            let polar = n[2].acos() / DEGREE;
+            assert!(
+                (polar - 30.0 - turned).abs() < 1e-9,
+                "{edit:?}, vertex {v}: {polar}"
+            );
+        }
+        let fresh = afresh(&shape, found, &asked);
+        let away = farthest(&found.positions, &fresh.positions) / found.report.diagonal;
+        assert!(away < 1e-8, "{edit:?}: {away}");
+    }
+}
+
 #[test]
 fn copies_of_a_vertex_are_edited_as_one() {
     let shape = cylinder_blend();
