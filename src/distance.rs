@@ -1,7 +1,7 @@
 //! How far a surface is from another one.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 use rstar::RTree;
 
 use crate::error::Error;
@@ -17,6 +17,8 @@ const SPACING: f64 = 1.0 / 200.0;
 const MOST_ALONG: f64 = 512.0;
 /// After so many points more the search for the largest distance ends with what is certain.
 const MOST_POINTS: usize = 1 << 20;
+/// Points or triangles in a piece of a loop over all.
+const PIECES: usize = 64;
 /// Of a triangle's longest edge: how far a point of it is from the nearest corner, at most.
 const TO_CORNER: f64 = 0.577_350_27;
 
@@ -96,7 +98,7 @@ impl DistanceTo {
     }
 
     fn measure(&self, positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> SurfaceDistance {
-        let feet: Vec<Foot> = positions.par_iter().map(|p| self.foot(&(*p).into())).collect();
+        let feet = parallel::map_each(positions.len(), PIECES, |v| self.foot(&positions[v].into()));
         let mut found = SurfaceDistance {
             vertices: feet.iter().map(|foot| foot.0).collect(),
             largest: 0.0,
@@ -132,23 +134,20 @@ impl DistanceTo {
     /// Means over the area, by the midpoint rule on equal parts of every triangle.
     fn average(&self, pieces: &[Piece], found: &mut SurfaceDistance) {
         let cell = (SPACING * diagonal(pieces)).powi(2);
-        let sums: Vec<(f64, [f64; 2], Foot, [f64; 3])> = pieces
-            .par_iter()
-            .with_min_len(64)
-            .map(|piece| {
-                let area = piece.area();
-                let along = (area / cell).sqrt().ceil().clamp(1.0, MOST_ALONG) as usize;
-                let (mut sum, mut largest, mut at) = ([0.0; 2], (-1.0, 0), [0.0; 3]);
-                for p in piece.middles(along) {
-                    let foot = self.foot(&p);
-                    sum = [sum[0] + foot.0, sum[1] + foot.0 * foot.0];
-                    if foot.0 > largest.0 {
-                        (largest, at) = (foot, p.into());
-                    }
+        let sums = parallel::map_each(pieces.len(), PIECES, |k| {
+            let piece = &pieces[k];
+            let area = piece.area();
+            let along = (area / cell).sqrt().ceil().clamp(1.0, MOST_ALONG) as usize;
+            let (mut sum, mut largest, mut at) = ([0.0; 2], (-1.0, 0), [0.0; 3]);
+            for p in piece.middles(along) {
+                let foot = self.foot(&p);
+                sum = [sum[0] + foot.0, sum[1] + foot.0 * foot.0];
+                if foot.0 > largest.0 {
+                    (largest, at) = (foot, p.into());
                 }
-                (area, sum.map(|s| s / (along * along) as f64), largest, at)
-            })
-            .collect();
+            }
+            (area, sum.map(|s| s / (along * along) as f64), largest, at)
+        });
         let (mut total, mut sum) = (0.0, [0.0; 2]);
         for (area, means, largest, at) in sums {
             total += area;
@@ -167,9 +166,7 @@ impl DistanceTo {
         let mut points = 0;
         loop {
             let enough = found.largest * (1.0 + TOLERANCE) + least;
-            let bounds: Vec<f64> = (open.par_iter().with_min_len(64))
-                .map(|piece| self.bound(piece, enough))
-                .collect();
+            let bounds = parallel::map_each(open.len(), PIECES, |k| self.bound(&open[k], enough));
             let bound = bounds.iter().fold(found.largest, |most, &bound| most.max(bound));
             let mut bounds = bounds.into_iter();
             open.retain(|_| bounds.next().is_some_and(|bound| bound > enough));
@@ -178,9 +175,7 @@ impl DistanceTo {
                 found.largest_bound = bound;
                 return;
             }
-            let halves: Vec<[Piece; 2]> = (open.par_iter().with_min_len(64))
-                .map(|piece| self.halves(piece))
-                .collect();
+            let halves = parallel::map_each(open.len(), PIECES, |k| self.halves(&open[k]));
             for [half, _] in &halves {
                 found.see(half.feet[1].0, half.x[1].into());
             }

@@ -3,11 +3,21 @@
 //! The standard library's stable sort is compiled anew for every kind of entry and key, to about ten kilobytes of machine code. Lists that are
 //! sorted once or a few times in a run share one instance of its unstable sort here.
 
-/// Sorts by a number; equals stay in their order.
+/// Sorts by a number; equals stay in their order, so that sorting by the last number first sorts by several.
 pub(crate) fn by_number<T>(list: &mut [T], number: impl Fn(&T) -> u64) {
     let mut from: Vec<(u64, usize)> = list.iter().map(number).zip(0..).collect();
     from.sort_unstable();
     permute(list, &mut from);
+}
+
+/// Sorts pairs.
+pub(crate) fn pairs(list: &mut [(u32, u32)]) {
+    by_number(list, |&(a, b)| pair(a, b));
+}
+
+/// The numbers of these are in the order of the pairs.
+pub(crate) fn pair(a: u32, b: u32) -> u64 {
+    u64::from(a) << 32 | u64::from(b)
 }
 
 /// Brings to each place the entry from the place that stands there.
@@ -39,7 +49,7 @@ pub(crate) fn ascending(x: f64) -> u64 {
 mod tests {
     use proptest::prelude::*;
 
-    use super::{ascending, by_number};
+    use super::{ascending, by_number, pairs};
 
     proptest! {
         #[test]
@@ -48,6 +58,14 @@ mod tests {
             let mut expected = list.clone();
             expected.sort_by_key(|entry| entry.0);
             by_number(&mut list, |entry| entry.0);
+            prop_assert_eq!(list, expected);
+        }
+
+        #[test]
+        fn pairs_are_sorted(pairs_ in prop::collection::vec((0_u32..9, any::<u32>()), 0..200)) {
+            let (mut list, mut expected) = (pairs_.clone(), pairs_);
+            expected.sort_unstable();
+            pairs(&mut list);
             prop_assert_eq!(list, expected);
         }
 

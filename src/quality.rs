@@ -2,8 +2,8 @@
 
 pub(crate) mod crease;
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::{Region, Rings};
@@ -178,9 +178,12 @@ impl Surface<'_> {
             let judged = self.judged(corners);
             judged.is_some_and(|(folded, tangent)| folded || tangent < least)
         };
-        let triangles = self.region.triangles().par_iter().with_min_len(RUN).enumerate();
-        let poor = triangles.filter(|(_, corners)| is_poor(corners));
-        poor.map(|(t, _)| t as u32).collect()
+        let triangles = self.region.triangles();
+        parallel::map(parallel::runs(triangles.len(), RUN), |_, run| {
+            let poor = run.filter(|&t| is_poor(&triangles[t]));
+            poor.map(|t| t as u32).collect::<Vec<_>>()
+        })
+        .concat()
     }
 
     /// Whether single boundary vertices deviate from their normals far more than the rest.

@@ -10,8 +10,8 @@
 
 use std::ops::Range;
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
 use super::inner_fairness::FairnessWeights;
@@ -162,12 +162,13 @@ impl Equations<'_> {
         let free = self.free();
         let (_, boundary) = state.h.split_at_mut(free);
         let corrected = &state.corrected;
-        boundary
-            .par_iter_mut()
-            .with_min_len(64)
-            .enumerate()
-            .filter(|(b, _)| paper || !self.is_smooth_interior(*b))
-            .for_each(|(b, h)| *h = self.boundary_curvature(x, corrected, b));
+        parallel::for_each(boundary.chunks_mut(64), |piece, h| {
+            for (b, h) in (64 * piece..).zip(h) {
+                if paper || !self.is_smooth_interior(b) {
+                    *h = self.boundary_curvature(x, corrected, b);
+                }
+            }
+        });
         self.outer_residual(state);
     }
 
@@ -184,29 +185,24 @@ impl Equations<'_> {
         let mut area = split_lengths(&mut state.area, lengths()).into_iter();
         let mut response = split_lengths(&mut state.response, lengths()).into_iter();
         let inner = split_lengths(&mut state.inner, lengths()).into_iter();
-        let outputs: Vec<ChunkOutput<'_>> = inner
-            .filter_map(|inner| {
-                Some(ChunkOutput {
-                    normal: normal.next()?,
-                    corrected: corrected.next()?,
-                    h: h.next()?,
-                    k: k.next()?,
-                    area: area.next()?,
-                    response: response.next()?,
-                    weight: weight.next()?,
-                    inner,
-                })
+        let outputs = inner.filter_map(|inner| {
+            Some(ChunkOutput {
+                normal: normal.next()?,
+                corrected: corrected.next()?,
+                h: h.next()?,
+                k: k.next()?,
+                area: area.next()?,
+                response: response.next()?,
+                weight: weight.next()?,
+                inner,
             })
-            .collect();
-        outputs
-            .into_par_iter()
-            .zip(chunks.par_iter())
-            .for_each(|(mut output, chunk)| {
-                vectorized(
-                    #[inline(always)]
-                    || self.free_chunk::<RESPONSE>(x, chunk, &mut output),
-                );
-            });
+        });
+        parallel::for_each(outputs.zip(chunks), |_, (mut output, chunk)| {
+            vectorized(
+                #[inline(always)]
+                || self.free_chunk::<RESPONSE>(x, chunk, &mut output),
+            );
+        });
     }
 
     /// One chunk of [`Self::free_vertices`], without the choice of instructions.

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::equations::{Equations, FreeCurvature, State};
 use super::normals::{cross_product_normal, max_normal};
@@ -58,16 +58,13 @@ impl Equations<'_> {
         let lengths = || chunks.iter().map(|c| c.vertices.len());
         let normal = split_lengths(&mut state.normal, lengths());
         let inner = split_lengths(&mut state.inner, lengths());
-        normal
-            .into_par_iter()
-            .zip(inner)
-            .zip(chunks.par_iter())
-            .for_each(|((normal, inner), chunk)| {
-                vectorized(
-                    #[inline(always)]
-                    || self.inner_chunk(x, chunk, normal, inner),
-                );
-            });
+        let pieces = normal.into_iter().zip(inner).zip(chunks);
+        parallel::for_each(pieces, |_, ((normal, inner), chunk)| {
+            vectorized(
+                #[inline(always)]
+                || self.inner_chunk(x, chunk, normal, inner),
+            );
+        });
     }
 
     /// One chunk of [`Self::evaluate_inner`], without the choice of instructions.

@@ -1,17 +1,15 @@
 //! `phi = Delta_B H` as an unknown of its own: the product `S phi`, and its part in the outer equation.
 
-use rayon::prelude::*;
-
 use super::equations::{Equations, State};
 use super::valence_batches::CHUNK;
 use crate::mesh::Rings;
+use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 
 impl Equations<'_> {
     /// `(S phi)_i` at the free vertices, with the weights of `state`; `phi` has a number for each vertex of the region.
     pub(crate) fn laplacian(&self, state: &State, phi: &[f64], product: &mut [[f64; 1]]) {
-        let chunks = product.par_chunks_mut(CHUNK).enumerate();
-        chunks.for_each(|(chunk, product)| {
+        parallel::for_each(product.chunks_mut(CHUNK), |chunk, product| {
             for (k, sum) in product.iter_mut().enumerate() {
                 let i = chunk * CHUNK + k;
                 let (first, lane) = self.batches.place(i);

@@ -1,7 +1,7 @@
 //! Mean curvature at every vertex of a mesh, without a region: to look at a surface, or to show it.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::curvature::{FLAP_WEIGHT, NormalEquations, RIDGE, TILT_RIDGE, TangentFrame};
 use super::outside_fit::root_mean_square;
@@ -19,11 +19,13 @@ pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> 
     input::check(positions.len(), triangles)?;
     input::check_finite(positions, triangles)?;
     let fans = VertexTriangles::new(positions.len(), triangles.iter().copied());
-    Ok((0..positions.len())
-        .into_par_iter()
-        .with_min_len(256)
-        .map_init(Work::default, |work, v| fans.curvature(positions, v, work))
-        .collect())
+    let runs = parallel::runs(positions.len(), 256);
+    Ok(parallel::map(runs, |_, run| {
+        let mut work = Work::default();
+        run.map(|v| fans.curvature(positions, v, &mut work))
+            .collect::<Vec<_>>()
+    })
+    .concat())
 }
 
 /// Mean curvature at the vertices with a closed ring of these triangles; not a number elsewhere.

@@ -1,10 +1,9 @@
 //! Outer fairness: `R1_i = (S H)_i + (2 A_i / 3) rhs_i`, one number per free vertex (paper (4), (6), (7)).
 
-use rayon::prelude::*;
-
 use super::equations::{Equations, State};
 use super::simd::{Simd, vectorized};
 use super::valence_batches::{LANES, gather_scalar, split_lengths};
+use fairmesh_linear::parallel;
 
 impl Equations<'_> {
     /// `R1` from the weights, areas and curvatures of `state`. An inhomogeneous right-hand side is taken at the
@@ -34,29 +33,26 @@ impl Equations<'_> {
             area: &state.area,
         };
         let pieces = split_lengths(&mut state.outer, batches.chunks.iter().map(|c| c.vertices.len()));
-        pieces
-            .into_par_iter()
-            .zip(batches.chunks.par_iter())
-            .for_each(|(outer, chunk)| {
-                vectorized(
-                    #[inline(always)]
-                    || {
-                        for batch in chunk.batches.clone() {
-                            let vertex = &batches.vertex[batch];
-                            let own = gather_scalar(h, vertex);
-                            let mut sum = Simd::<LANES>::zero();
-                            for slot in batches.slots(batch) {
-                                let other = gather_scalar(h, &batches.neighbour[slot]);
-                                sum += Simd(weight[slot]) * (own - other);
-                            }
-                            let residual = finish(sum, &evaluated, vertex, own);
-                            for (l, &i) in vertex.iter().enumerate() {
-                                outer[i as usize - chunk.vertices.start] = residual.0[l];
-                            }
+        parallel::for_each(pieces.into_iter().zip(&batches.chunks), |_, (outer, chunk)| {
+            vectorized(
+                #[inline(always)]
+                || {
+                    for batch in chunk.batches.clone() {
+                        let vertex = &batches.vertex[batch];
+                        let own = gather_scalar(h, vertex);
+                        let mut sum = Simd::<LANES>::zero();
+                        for slot in batches.slots(batch) {
+                            let other = gather_scalar(h, &batches.neighbour[slot]);
+                            sum += Simd(weight[slot]) * (own - other);
                         }
-                    },
-                );
-            });
+                        let residual = finish(sum, &evaluated, vertex, own);
+                        for (l, &i) in vertex.iter().enumerate() {
+                            outer[i as usize - chunk.vertices.start] = residual.0[l];
+                        }
+                    }
+                },
+            );
+        });
     }
 
     /// The defect `max_i |R1_i| / sum_j |w_ij|` of the outer equation (a mean curvature: times a length it has no unit),

@@ -1,7 +1,7 @@
 //! Curvature at free vertices in the paper's discretization (paper 6).
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::curvature::{moreton_sequin, moreton_sequin_with_response};
 use super::equations::{Equations, State};
@@ -42,13 +42,11 @@ impl Equations<'_> {
         let rings = self.rings;
         let normal = &state.corrected;
         let free = self.free();
-        state.h[..free]
-            .par_iter_mut()
-            .zip(state.k.par_iter_mut())
-            .zip(state.response.par_iter_mut())
-            .with_min_len(256)
-            .enumerate()
-            .for_each(|(i, ((h, k), response))| {
+        let pieces = state.h[..free]
+            .chunks_mut(256)
+            .zip(state.k.chunks_mut(256).zip(state.response.chunks_mut(256)));
+        parallel::for_each(pieces, |piece, (h, (k, response))| {
+            for (i, (h, (k, response))) in (256 * piece..).zip(h.iter_mut().zip(k.iter_mut().zip(response))) {
                 let ring = rings.ring(i);
                 let n = one(&normal[i]);
                 let samples = samples(&x[i], ring, low_valence_pairs(ring), x, normal);
@@ -59,6 +57,7 @@ impl Equations<'_> {
                     let (mean, gauss) = moreton_sequin(&n, samples);
                     (*h, *k) = (mean.0[0], gauss.0[0]);
                 }
-            });
+            }
+        });
     }
 }

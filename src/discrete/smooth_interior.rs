@@ -2,8 +2,8 @@
 //! only (the paper's future work, section 8). Normal and `H` there are those of the surface at hand, by the same fit as
 //! at free vertices, so that nothing is prescribed but the place: `H` is continuous across, its flux need not be.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::equations::{Equations, FreeCurvature, State};
 use super::normals::cross_product_normal;
@@ -27,16 +27,16 @@ impl Equations<'_> {
         if self.smooth_interior.is_empty() {
             return;
         }
-        normal
-            .par_iter_mut()
-            .zip(h)
-            .with_min_len(64)
-            .enumerate()
-            .for_each_init(SingleRing::default, |ring, (b, (normal, h))| {
+        let pieces = normal.chunks_mut(64).zip(h.chunks_mut(64));
+        parallel::for_each(pieces, |piece, (normal, h)| {
+            let mut ring = SingleRing::default();
+            for (k, (normal, h)) in normal.iter_mut().zip(h).enumerate() {
+                let b = 64 * piece + k;
                 if self.is_smooth_interior(b) {
-                    (*normal, *h) = self.smooth_fit(x, b, ring);
+                    (*normal, *h) = self.smooth_fit(x, b, &mut ring);
                 }
-            });
+            }
+        });
     }
 
     /// `H` at boundary vertex `b`, whether its normal is prescribed or not.

@@ -14,9 +14,10 @@ use crate::error::Error;
 pub enum Edit {
     /// Turns the boundary normals of the loop that a vertex lies on about the boundary curve: with `n` the normal and `m` the direction from
     /// the boundary into the region, both orthogonal to the curve, `m' = cos(a) m + sin(a) n` and `n' = cos(a) n - sin(a) m`. Angles of
-    /// several edits add up.
+    /// several edits add up. A vertex has one normal: on a curve between two parts of the region, the surfaces of both sides turn with it.
     Tilt {
-        /// A vertex of the loop: fixed, beside a free one. Where loops touch, all of them are turned.
+        /// A vertex of the loop: fixed, beside a free one. On a curve inside the region it is the loop of the side whose
+        /// component has the smaller free vertex.
         vertex: u32,
         /// The angle `a` at the vertex, in radians. Positive: the surface leaves the boundary steeper towards its normal side, it bulges outward.
         angle: f64,
@@ -35,8 +36,11 @@ pub enum Edit {
         /// As that of a tilt. For the whole loop the angle goes as the sine of the arc length from the vertex, once around.
         falloff: f64,
     },
-    /// All boundary loops tilted alike. 0: the fair surface between the boundaries as they are. See
-    /// [`Session::bulge_range`](crate::Session::bulge_range).
+    /// All boundary loops tilted alike, but for curves between two parts of the region, where that cancels. 0: the fair surface between the
+    /// boundaries as they are. See
+    /// [`Session::bulge_range`](crate::Session::bulge_range). (The other number that bulges a surface is
+    /// [`Target::Constant`](crate::Target::Constant). On caps, tubes and blends angles give up to six times the volume before the surface is
+    /// unsound, and they need no unit.)
     Bulge {
         /// The angle, in radians.
         amount: f64,

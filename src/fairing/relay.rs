@@ -5,6 +5,8 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use fairmesh_linear::parallel;
+
 use super::{Progress, ProgressCallback};
 use crate::error::Error;
 use crate::solve::control::{Callback, Interrupt};
@@ -120,6 +122,6 @@ impl Workers {
 
     /// Runs `work` on the pool.
     pub(crate) fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
-        self.pool.install(work)
+        parallel::install(&self.pool, work)
     }
 }

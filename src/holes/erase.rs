@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
+use crate::order;
 use crate::quality::smallest_angle;
 
 /// What hangs loose at the edge is dropped in so many passes, at most: each takes what the one before has laid bare.
@@ -155,7 +156,7 @@ impl Cut<'_> {
             .filter(|(_, gone)| **gone);
         let edges = gone.flat_map(|(t, _)| [0, 1, 2].map(|k| (t[k], t[(k + 1) % 3])));
         let mut edges: Vec<(u32, u32)> = edges.chain(self.open.iter().copied()).collect();
-        edges.sort_unstable();
+        order::pairs(&mut edges);
         edges
     }
 
@@ -205,7 +206,8 @@ impl Cut<'_> {
                 found.push((angle, kept[t as usize]));
             }
         }
-        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        order::by_number(&mut found, |entry| u64::from(entry.1));
+        order::by_number(&mut found, |entry| order::ascending(entry.0));
         Ok(found.into_iter().map(|entry| entry.1).collect())
     }
 

@@ -9,6 +9,7 @@ use super::thinned::Thinned;
 use super::triangulate::{Barred, Measure, Polygon};
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
+use crate::order;
 
 /// Passes over all edges in which those are flipped that count less afterwards.
 const PASSES: usize = 20;
@@ -204,7 +205,7 @@ impl<'a> Closed<'a> {
                 (a.min(b), a.max(b), h)
             })
             .collect();
-        edges.sort_unstable();
+        order::by_number(&mut edges, |&(a, b, _)| order::pair(a, b));
         let same = edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
         same.filter(|same| same.len() > 1)
             .flatten()

@@ -203,7 +203,7 @@ impl<'a> Links<'a> {
 
     /// Pairs half-edges: per vertex the edges to larger numbers, in both directions, sorted.
     fn pair(&mut self) {
-        let mut edges: Vec<(u32, u32)> = Vec::new();
+        let mut edges: Vec<[u32; 2]> = Vec::new();
         for v in 0..self.outgoing.len() as u32 {
             edges.clear();
             for &h in self.outgoing.row(v as usize) {
@@ -214,21 +214,21 @@ impl<'a> Links<'a> {
                 for (other, half_edge) in [(self.origin(next(h)), h), (self.origin(previous(h)), previous(h))]
                 {
                     if other > v {
-                        edges.push((other, half_edge));
+                        edges.push([other, half_edge]);
                     }
                 }
             }
             edges.sort_unstable();
-            for same in edges.chunk_by(|a, b| a.0 == b.0) {
+            for same in edges.chunk_by(|a, b| a[0] == b[0]) {
                 match *same {
                     [_] => {}
-                    [(_, g), (_, h)] if (self.origin(g) == v) != (self.origin(h) == v) => {
+                    [[_, g], [_, h]] if (self.origin(g) == v) != (self.origin(h) == v) => {
                         self.opposite[g as usize] = h;
                         self.opposite[h as usize] = g;
                     }
                     _ => same
                         .iter()
-                        .for_each(|&(_, h)| self.opposite[h as usize] = NON_MANIFOLD),
+                        .for_each(|&[_, h]| self.opposite[h as usize] = NON_MANIFOLD),
                 }
             }
         }

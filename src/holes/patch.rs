@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
+use crate::order;
 
 /// The surface and, per vertex, where it is and what belongs to it.
 #[derive(Debug, Clone, Default)]
@@ -60,7 +61,7 @@ impl Patch {
                 (a.min(b), a.max(b), h)
             })
             .collect();
-        edges.sort_unstable();
+        order::by_number(&mut edges, |&(a, b, _)| order::pair(a, b));
         for pair in edges.windows(2) {
             if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
                 patch.link(pair[0].2, pair[1].2);

@@ -9,6 +9,7 @@ use super::remesh::Remeshed;
 use crate::error::Error;
 use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, ProgressCallback, Report};
 use crate::mesh::{Joined, NONE, Region, Selection};
+use crate::order;
 
 /// Deletes a region, and fills the loops that are left, those of each component of the region with one patch. None where that
 /// leads to no fair patch that intersects nothing, where it would lose a vertex that is fixed: one inside the region, or one without
@@ -258,6 +259,7 @@ fn edges(region: &Region) -> Vec<([u32; 2], u32)> {
             edges.push((edge, component));
         }
     }
-    edges.sort_unstable();
+    order::by_number(&mut edges, |entry| u64::from(entry.1));
+    order::by_number(&mut edges, |entry| order::pair(entry.0[0], entry.0[1]));
     edges
 }

@@ -13,6 +13,7 @@ use super::loops::{BoundaryLoop, Links};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
+use crate::order;
 
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
 const LAYERS: usize = 6;
@@ -364,7 +365,7 @@ pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32
     let vertices = loops.iter().flat_map(|boundary| &boundary.vertices).copied();
     let ordered: Vec<(u32, u32)> = vertices.zip(0..).collect();
     let mut order = ordered.clone();
-    order.sort_unstable();
+    order::pairs(&mut order);
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
     for (v, i) in ordered {
@@ -376,7 +377,7 @@ pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32
             }
         }
     }
-    pairs.sort_unstable();
+    order::pairs(&mut pairs);
     pairs.dedup();
     pairs
 }

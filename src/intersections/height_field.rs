@@ -15,6 +15,7 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 use super::triangles::{Axes, Corners, segments_meet, turn};
+use crate::order;
 
 /// Comparisons of open edges that are made for each of them: a bound on the work for boundaries that are no sensible ones.
 const COMPARISONS: usize = 256;
@@ -57,7 +58,7 @@ fn are_simple(axes: Axes, open: &mut [Edge<'_>]) -> bool {
     };
     let low = |e: &Edge<'_>, axis: usize| e.0[0][axis].min(e.0[1][axis]);
     let high = |e: &Edge<'_>, axis: usize| e.0[0][axis].max(e.0[1][axis]);
-    open.sort_unstable_by(|e, f| low(e, along).total_cmp(&low(f, along)));
+    order::by_number(open, |e| order::ascending(low(e, along)));
     let mut comparisons = COMPARISONS * open.len();
     for (i, e) in open.iter().enumerate() {
         let (end, sides) = (high(e, along), [low(e, beside), high(e, beside)]);
@@ -94,7 +95,9 @@ fn touch(axes: Axes, e: &Edge<'_>, f: &Edge<'_>) -> bool {
 fn are_one_by_turns(axes: Axes, open: &[Edge<'_>]) -> bool {
     let sorted = |end: usize| {
         let mut edges = open.to_vec();
-        edges.sort_unstable_by(|e, f| order(axes, e.0[end], f.0[end]));
+        for axis in [axes[1], axes[0]] {
+            order::by_number(&mut edges, |e| order::ascending(e.0[end][axis]));
+        }
         edges
     };
     let (leaving, reaching) = (sorted(0), sorted(1));

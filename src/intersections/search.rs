@@ -1,6 +1,5 @@
 //! All pairs of triangles that intersect: a tree of boxes gives candidates, exact signs decide.
 
-use rayon::prelude::*;
 use rstar::{AABB, Envelope, RTreeObject};
 
 use super::height_field::is_height_field;
@@ -8,9 +7,12 @@ use super::neighbours::neighbours;
 use super::tree::{Content, Tree};
 use super::triangles::{Corners, PROJECTIONS, facing};
 use fairmesh_linear::dispatch::vectorized;
+use fairmesh_linear::parallel;
 
 /// Pairs of nodes that a thread takes at once.
 const CHUNK: usize = 64;
+/// Triangles in a piece of a loop over all.
+const RUN: usize = 4096;
 
 /// An upright box in space.
 pub(crate) type Bounds = AABB<[f64; 3]>;
@@ -29,6 +31,16 @@ pub(crate) struct Member {
 impl Member {
     pub(crate) fn bounds(&self) -> Bounds {
         AABB::from_points(&self.corners)
+    }
+
+    /// One without area that has this box: a tree of boxes would be one more kind of tree to compile.
+    pub(crate) fn filling(bounds: &Bounds) -> Self {
+        Self {
+            corners: [bounds.lower(), bounds.upper(), bounds.upper()],
+            number: 0,
+            is_asked: false,
+            facing: 0,
+        }
     }
 }
 
@@ -73,11 +85,8 @@ pub(crate) fn members_near(
     triangles: &[[u32; 3]],
     is_near: impl Fn(&Bounds) -> bool + Sync,
 ) -> Vec<Member> {
-    (0..triangles.len() as u32)
-        .into_par_iter()
-        .with_min_len(4096)
-        .filter_map(|t| member(positions, triangles, t, false).filter(|m| is_near(&m.bounds())))
-        .collect()
+    let near = |t| member(positions, triangles, t, false).filter(|m| is_near(&m.bounds()));
+    members_of(triangles.len(), &near)
 }
 
 /// Pairs of intersecting triangles of a mesh, the smaller number first, ascending; at least one of each pair is among those
@@ -98,19 +107,25 @@ pub(crate) fn of_some(
         .filter_map(|&t| member(positions, triangles, t, true))
         .collect();
     let bounds = bounds_of(&region);
-    let sides: Vec<u8> = positions.par_iter().map(|p| sides(p, &bounds)).collect();
+    let sides: Vec<u8> = parallel::map_each(positions.len(), RUN, |v| sides(&positions[v], &bounds));
     let all_beside = |t: &[u32; 3]| {
         t.iter()
             .fold(u8::MAX, |all, &v| all & sides.get(v as usize).unwrap_or(&0))
             != 0
     };
-    let members = (0..triangles.len() as u32)
-        .into_par_iter()
-        .with_min_len(4096)
-        .filter(|&t| !all_beside(&triangles[t as usize]))
-        .filter_map(|t| member(positions, triangles, t, is_asked[t as usize]))
-        .collect();
-    pairs(members, most)
+    let near = |t: u32| {
+        let of = &triangles[t as usize];
+        (!all_beside(of)).then(|| member(positions, triangles, t, is_asked[t as usize]))?
+    };
+    pairs(members_of(triangles.len(), &near), most)
+}
+
+/// Those that there are, of so many triangles.
+fn members_of(triangles: usize, member: &(dyn Fn(u32) -> Option<Member> + Sync)) -> Vec<Member> {
+    parallel::map(parallel::runs(triangles, RUN), |_, run| {
+        run.filter_map(|t| member(t as u32)).collect::<Vec<_>>()
+    })
+    .concat()
 }
 
 /// A bit for each side of a box beyond which a position lies; none if it is not a number. What has a bit in common is beside
@@ -134,14 +149,16 @@ pub(crate) fn of_all(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[u32
 /// The same of any triangles with different numbers.
 pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     let unit = unit(&members);
-    members.par_iter_mut().with_min_len(4096).for_each(|member| {
-        // Positive zeros only: equal coordinates have equal bits.
-        member
-            .corners
-            .iter_mut()
-            .flatten()
-            .for_each(|x| *x = *x * unit + 0.0);
-        member.facing = facing(&member.corners);
+    parallel::for_each(members.chunks_mut(RUN), |_, run| {
+        for member in run {
+            // Positive zeros only: equal coordinates have equal bits.
+            member
+                .corners
+                .iter_mut()
+                .flatten()
+                .for_each(|x| *x = *x * unit + 0.0);
+            member.facing = facing(&member.corners);
+        }
     });
     members.retain(|member| member.facing != 0);
     let tree = Tree::new(&mut members);
@@ -150,18 +167,14 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
         members,
         tree,
     };
-    let found: Vec<Vec<[u32; 2]>> = search
-        .tasks()
-        .par_chunks(CHUNK)
-        .map(|tasks| {
-            vectorized(
-                #[inline(always)]
-                || search.pairs_of(tasks, most),
-            )
-        })
-        .collect();
+    let found = parallel::map(search.tasks().chunks(CHUNK), |_, tasks| {
+        vectorized(
+            #[inline(always)]
+            || search.pairs_of(tasks, most),
+        )
+    });
     let mut pairs = found.concat();
-    pairs.par_sort_unstable();
+    pairs.sort_unstable();
     pairs.truncate(most);
     pairs
 }
@@ -179,9 +192,9 @@ impl Search {
         let mut tasks = Vec::new();
         let mut within = vec![0];
         while !within.is_empty() {
-            let open: Vec<usize> = within.into_par_iter().filter(|&n| self.is_open(n)).collect();
-            within = Vec::new();
-            for n in open {
+            let open = parallel::map_each(within.len(), 16, |k| self.is_open(within[k]));
+            let before = std::mem::take(&mut within);
+            for (n, _) in before.into_iter().zip(open).filter(|(_, open)| *open) {
                 match self.tree.nodes[n].content {
                     Content::Leaf(_) => tasks.push([n, n]),
                     Content::Inner(second) => {

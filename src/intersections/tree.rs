@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use fairmesh_linear::parallel;
 use rayon::prelude::*;
 use rstar::Envelope;
 
@@ -126,12 +127,7 @@ fn places(members: &[Member]) -> Vec<(u64, u32)> {
         });
         (bits, m as u32)
     };
-    members
-        .par_iter()
-        .enumerate()
-        .with_min_len(4096)
-        .map(place)
-        .collect()
+    parallel::map_each(members.len(), 4096, |m| place((m, &members[m])))
 }
 
 /// The bits of a number, each followed by two that are zero.

@@ -1,8 +1,7 @@
 //! Anderson acceleration of fixed-point iterations (Anderson 1965; type II of Fang & Saad 2009).
 
-use rayon::prelude::*;
-
 use crate::dispatch::vectorized;
+use crate::parallel;
 
 /// The longest window.
 pub const MAX_WINDOW: usize = 16;
@@ -144,35 +143,35 @@ impl Anderson {
         }
         let (window, newest, count) = (self.window, self.newest, self.count);
         let started = self.started;
-        self.history
-            .par_chunks_mut(2 * window * BLOCK)
+        let blocks = self
+            .history
+            .chunks_mut(2 * window * BLOCK)
             .zip(&mut self.partial)
-            .zip(self.last.par_chunks_mut(BLOCK))
-            .zip(f.par_chunks(BLOCK).zip(step.par_chunks(BLOCK)))
-            .with_min_len(8)
-            .for_each(|(((block, partial), last), (f, step))| {
-                if count > 0 {
-                    vectorized(
-                        #[inline(always)]
-                        || {
-                            let (df, dg) = block.split_at_mut(window * BLOCK);
-                            let new = newest * BLOCK..newest * BLOCK + f.len();
-                            if started {
-                                differences(
-                                    (f, last),
-                                    taken,
-                                    step,
-                                    (&mut df[new.clone()], &mut dg[new.clone()]),
-                                );
-                            }
-                            for (slot, sum) in partial.iter_mut().enumerate().take(count) {
-                                *sum = products(&df[slot * BLOCK..][..f.len()], &df[new.clone()], f);
-                            }
-                        },
-                    );
-                }
-                last.copy_from_slice(f);
-            });
+            .zip(self.last.chunks_mut(BLOCK))
+            .zip(f.chunks(BLOCK).zip(step.chunks(BLOCK)));
+        parallel::for_each(blocks, |_, (((block, partial), last), (f, step))| {
+            if count > 0 {
+                vectorized(
+                    #[inline(always)]
+                    || {
+                        let (df, dg) = block.split_at_mut(window * BLOCK);
+                        let new = newest * BLOCK..newest * BLOCK + f.len();
+                        if started {
+                            differences(
+                                (f, last),
+                                taken,
+                                step,
+                                (&mut df[new.clone()], &mut dg[new.clone()]),
+                            );
+                        }
+                        for (slot, sum) in partial.iter_mut().enumerate().take(count) {
+                            *sum = products(&df[slot * BLOCK..][..f.len()], &df[new.clone()], f);
+                        }
+                    },
+                );
+            }
+            last.copy_from_slice(f);
+        });
         let mut sum = [[0.0; 2]; MAX_WINDOW];
         for partial in &self.partial {
             for (sum, part) in sum.iter_mut().zip(partial).take(count) {
@@ -234,23 +233,23 @@ impl Anderson {
     /// `out = f - sum w dg`.
     fn combine(&self, weights: &[f64; MAX_WINDOW], f: &[f64], out: &mut [f64]) {
         let (window, count) = (self.window, self.count);
-        out.par_chunks_mut(BLOCK)
-            .zip(f.par_chunks(BLOCK))
-            .zip(self.history.par_chunks(2 * window * BLOCK))
-            .with_min_len(8)
-            .for_each(|((out, f), block)| {
-                out.copy_from_slice(f);
-                let columns = block[window * BLOCK..].chunks_exact(BLOCK);
-                vectorized(
-                    #[inline(always)]
-                    || {
-                        columns
-                            .zip(weights)
-                            .take(count)
-                            .for_each(|(dg, &w)| subtract(out, dg, w))
-                    },
-                );
-            });
+        let blocks = out
+            .chunks_mut(BLOCK)
+            .zip(f.chunks(BLOCK))
+            .zip(self.history.chunks(2 * window * BLOCK));
+        parallel::for_each(blocks, |_, ((out, f), block)| {
+            out.copy_from_slice(f);
+            let columns = block[window * BLOCK..].chunks_exact(BLOCK);
+            vectorized(
+                #[inline(always)]
+                || {
+                    columns
+                        .zip(weights)
+                        .take(count)
+                        .for_each(|(dg, &w)| subtract(out, dg, w))
+                },
+            );
+        });
     }
 }
 

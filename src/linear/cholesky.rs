@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::front;
 use super::interrupt::Interrupt;
+use super::parallel;
 use super::real::Real;
 use super::symbolic::{Symbolic, Task};
 use super::tile::LANES;
@@ -241,7 +242,7 @@ fn run<T: Real>(job: Job<'_>, task: usize, panels: &mut [T], updates: [&mut [T];
         let (first, rest) = panels.split_at_mut(symbolic.panel_start[next.range.start] - base);
         let (even_left, even_right) = even.split_at_mut(next.area[0].start - area[0].start);
         let (odd_left, odd_right) = odd.split_at_mut(next.area[1].start - area[1].start);
-        let (a, b) = rayon::join(
+        let (a, b) = parallel::join(
             || run(job, left, first, [even_left, odd_left]),
             || run(job, right, rest, [even_right, odd_right]),
         );

@@ -8,6 +8,7 @@ mod front;
 pub mod interrupt;
 mod minimum_degree;
 pub mod ordering;
+pub mod parallel;
 mod real;
 pub mod sparse;
 mod substitution;

@@ -2,9 +2,8 @@
 
 use std::collections::VecDeque;
 
-use rayon::prelude::*;
-
 pub use super::minimum_degree::amd;
+use super::parallel;
 use super::sparse::{Adjacency, SymmetricPattern};
 
 /// Parts with at most this many vertices are not split further, for separators of the 1- and 2-ring graph.
@@ -131,7 +130,7 @@ impl Dissection<'_> {
             drop(split);
             let (low, rest) = order.split_at_mut(low);
             let high = &mut rest[..high];
-            rayon::join(|| self.order(low, depth - 1), || self.order(high, depth - 1));
+            parallel::join(|| self.order(low, depth - 1), || self.order(high, depth - 1));
             return;
         }
         let mut local = vec![
@@ -379,20 +378,16 @@ pub fn landmark_coordinates(graph: &SymmetricPattern) -> Vec<[f64; 3]> {
 const SMOOTHING: usize = 10;
 
 fn smoothed(ring: &Adjacency, coords: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    (0..coords.len())
-        .into_par_iter()
-        .with_min_len(PARALLEL)
-        .map(|i| {
-            let near = ring.of(i as u32);
-            let mut sum = coords[i];
-            for &j in near {
-                for k in 0..3 {
-                    sum[k] += coords[j as usize][k];
-                }
+    parallel::map_each(coords.len(), PARALLEL, |i| {
+        let near = ring.of(i as u32);
+        let mut sum = coords[i];
+        for &j in near {
+            for k in 0..3 {
+                sum[k] += coords[j as usize][k];
             }
-            sum.map(|s| s / (near.len() + 1) as f64)
-        })
-        .collect()
+        }
+        sum.map(|s| s / (near.len() + 1) as f64)
+    })
 }
 
 /// Distances from a root within its component. Appends the component to `reached` and returns the vertex

@@ -68,10 +68,12 @@ impl Supernodes {
         let mut candidates = Vec::new();
         for g in 0..ng {
             candidates.clear();
-            candidates.extend_from_slice(&child[start[g]..start[g + 1]]);
-            candidates.sort_by_key(|&c| (std::cmp::Reverse(below[c as usize]), c));
-            for &c in &candidates {
-                let c = c as usize;
+            // Those with the most rows below first; of equals the smaller number.
+            let key = |&c: &u32| u64::from(!below[c as usize]) << 32 | u64::from(c);
+            candidates.extend(child[start[g]..start[g + 1]].iter().map(key));
+            candidates.sort_unstable();
+            for &key in &candidates {
+                let c = key as u32 as usize;
                 let rows = width[g] + u64::from(below[g]);
                 let extra = zeros[c] + zeros[g] + width[c] * (rows - u64::from(below[c]));
                 let total = width[c] + width[g];

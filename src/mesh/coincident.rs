@@ -90,7 +90,7 @@ impl Copies {
     fn new(smallest: Vec<u32>) -> Self {
         let others = (0..).zip(&smallest).filter(|(v, s)| *v != **s);
         let mut pairs: Vec<(u32, u32)> = others.map(|(v, &s)| (s, v)).collect();
-        pairs.sort_unstable();
+        order::pairs(&mut pairs);
         Self { smallest, pairs }
     }
 

@@ -7,6 +7,7 @@ use super::circles::circles;
 use super::coarsening::coarsen_graded;
 use super::rows::Rows;
 use super::{NONE, Region, Rings};
+use crate::order;
 
 /// Rows of vertices beside the boundary that are all kept.
 const KEPT: u32 = 2;
@@ -194,7 +195,7 @@ fn neighbours(free: usize, triangles: &[[u32; 3]]) -> Rows<u32> {
     let edges = triangles.iter();
     let edges = edges.flat_map(|&[a, b, c]| [(a, b), (b, a), (b, c), (c, b), (c, a), (a, c)]);
     let mut pairs: Vec<(u32, u32)> = edges.filter(|(a, _)| (*a as usize) < free).collect();
-    pairs.sort_unstable();
+    order::pairs(&mut pairs);
     pairs.dedup();
     Rows::collect(free, pairs.into_iter())
 }

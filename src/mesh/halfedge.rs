@@ -6,6 +6,7 @@
 use super::NONE;
 use super::rows::Rows;
 use crate::error::Error;
+use crate::order;
 
 /// The half-edge after `h` in its triangle.
 #[inline]
@@ -319,7 +320,7 @@ impl Flaws {
     fn note(&mut self, half_edges: &HalfEdges, ends: [u32; 2], edge: &[(u32, u32)], vertex_ids: &[u32]) {
         let id = |h: u32| half_edges.triangle_ids[h as usize / 3];
         let mut by_third: Vec<_> = edge.iter().map(|&(_, h)| (half_edges.apex(h), id(h))).collect();
-        by_third.sort_unstable();
+        order::pairs(&mut by_third);
         for pair in by_third.windows(2).filter(|p| p[0].0 == p[1].0) {
             keep(&mut self.duplicate, (pair[1].1, pair[0].1));
         }

@@ -11,20 +11,16 @@ const FINEST: f64 = 1.0 / (1u64 << 40) as f64;
 /// repeat.
 pub(crate) fn places(positions: &[[f64; 3]], vertices: &[u32], within: f64) -> Option<Vec<u32>> {
     let mut sets = DisjointSets::new(vertices.len());
-    let key = |i: &u32| exact(&positions[vertices[*i as usize] as usize]);
-    let finite = |i: &u32| {
-        positions[vertices[*i as usize] as usize]
-            .iter()
-            .all(|c| c.is_finite())
-    };
-    let mut order: Vec<u32> = (0..vertices.len() as u32).filter(finite).collect();
-    order.sort_unstable_by_key(key);
+    let finite = |v: u32| Some(&positions[v as usize]).filter(|p| p.iter().all(|c| c.is_finite()));
+    let keyed = |(i, &v): (u32, &u32)| Some((exact(finite(v)?), i));
+    let mut order: Vec<([u64; 3], u32)> = (0..).zip(vertices).filter_map(keyed).collect();
+    order.sort_unstable();
     let mut is_shared = false;
     let mut firsts = Vec::new();
-    for same in order.chunk_by(|i, j| key(i) == key(j)) {
-        same[1..].iter().for_each(|&i| sets.unite(same[0], i));
+    for same in order.chunk_by(|a, b| a.0 == b.0) {
+        same[1..].iter().for_each(|entry| sets.unite(same[0].1, entry.1));
         is_shared |= same.len() > 1;
-        firsts.push(same[0]);
+        firsts.push(same[0].1);
     }
     if within > 0.0 {
         let at = |i: u32| positions[vertices[i as usize] as usize];
@@ -50,11 +46,12 @@ fn unite_near(vertices: &[u32], at: impl Fn(u32) -> [f64; 3], within: f64, sets:
     let side = within.max(extent * FINEST);
     let cell = |i: u32| {
         let p = at(i);
-        [0, 1, 2].map(|k| ((p[k] - low[k]) / side) as i64)
+        // From 1 on, so that every cell has neighbours.
+        [0, 1, 2].map(|k| ((p[k] - low[k]) / side) as u64 + 1)
     };
-    let mut cells: Vec<([i64; 3], u32)> = vertices.iter().map(|&i| (cell(i), i)).collect();
+    let mut cells: Vec<([u64; 3], u32)> = vertices.iter().map(|&i| (cell(i), i)).collect();
     cells.sort_unstable();
-    let of = |c: [i64; 3]| {
+    let of = |c: [u64; 3]| {
         let first = cells.partition_point(|entry| entry.0 < c);
         let length = cells[first..]
             .iter()

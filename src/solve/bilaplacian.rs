@@ -6,13 +6,13 @@
 //! surface beside it.
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::{CHUNK, ValenceBatches, split_lengths};
 use crate::mesh::{NONE, Region, Rings};
 use crate::profile::clock;
+use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 
 /// `S` and `D` of one surface, vertex by vertex.
@@ -65,38 +65,32 @@ impl Metric {
         self.d.resize(free + boundary, 0.0);
         let chunks = (0..free).step_by(CHUNK).map(|i| i..(i + CHUNK).min(free));
         let lengths = chunks.map(|c| c.map(|i| rings.ring(i).len()).sum());
-        let pieces = split_lengths(&mut self.weight, lengths).into_par_iter();
-        let per_vertex = self
-            .total
-            .par_chunks_mut(CHUNK)
-            .zip(self.d[..free].par_chunks_mut(CHUNK));
-        pieces
-            .zip(per_vertex)
-            .enumerate()
-            .for_each(|(chunk, (weight, (total, d)))| {
-                let first = chunk * CHUNK;
-                let begin = rings.neighbour.range(first).start;
-                for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
-                    let i = first + k;
-                    let (slot, lane) = batches.place(i);
-                    let ring = rings.neighbour.range(i);
-                    *total = 0.0;
-                    for (k, w) in weight[ring.start - begin..ring.end - begin]
-                        .iter_mut()
-                        .enumerate()
-                    {
-                        *w = state.weight[slot + k][lane];
-                        *total += *w;
-                    }
-                    let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
-                    let answer = if response {
-                        state.response[i]
-                    } else {
-                        moreton_sequin_response(rings.ring(i), x, i)
-                    };
-                    *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
+        let pieces = split_lengths(&mut self.weight, lengths).into_iter();
+        let per_vertex = self.total.chunks_mut(CHUNK).zip(self.d[..free].chunks_mut(CHUNK));
+        parallel::for_each(pieces.zip(per_vertex), |chunk, (weight, (total, d))| {
+            let first = chunk * CHUNK;
+            let begin = rings.neighbour.range(first).start;
+            for (k, (total, d)) in total.iter_mut().zip(d).enumerate() {
+                let i = first + k;
+                let (slot, lane) = batches.place(i);
+                let ring = rings.neighbour.range(i);
+                *total = 0.0;
+                for (k, w) in weight[ring.start - begin..ring.end - begin]
+                    .iter_mut()
+                    .enumerate()
+                {
+                    *w = state.weight[slot + k][lane];
+                    *total += *w;
                 }
-            });
+                let plain = 0.75 / state.area[i].max(f64::MIN_POSITIVE);
+                let answer = if response {
+                    state.response[i]
+                } else {
+                    moreton_sequin_response(rings.ring(i), x, i)
+                };
+                *d = (answer / *total).clamp(plain * FREE_RANGE[0], plain * FREE_RANGE[1]);
+            }
+        });
         let shifted = response.then(|| Shift::new(equations, x, state));
         for b in 0..boundary {
             let neighbours = rings.boundary_ring(b);
@@ -130,7 +124,7 @@ impl Metric {
             let beside: f64 = ring.map(|(&j, w)| t.get(j as usize).map_or(0.0, |t| w * t)).sum();
             self.d[i] * (beside - self.total[i] * t[i])
         };
-        (0..t.len()).into_par_iter().with_min_len(CHUNK).map(at).collect()
+        parallel::map_each(t.len(), CHUNK, at)
     }
 
     /// `S` and `D` of connectivity alone: the fairness weights as a Laplacian, and equal areas. A surface that satisfies
@@ -258,8 +252,8 @@ impl Metric {
     /// The values of the free block `S_ff` on the pattern of the free one-ring graph.
     pub(crate) fn dirichlet(&self, rings: &Rings, pattern: &SymmetricPattern) -> Vec<f64> {
         let mut values = vec![0.0; pattern.column.len()];
-        let pieces = split_rows(pattern, &mut values).into_par_iter();
-        pieces.enumerate().for_each(|(chunk, piece)| {
+        let pieces = split_rows(pattern, &mut values).into_iter();
+        parallel::for_each(pieces, |chunk, piece| {
             let first = chunk * CHUNK;
             for i in first..(first + CHUNK).min(pattern.order()) {
                 let row = pattern.row(i);
@@ -307,8 +301,9 @@ impl Metric {
         let _clock = clock("assemble P");
         let free = pattern.order();
         let pieces = split_rows(pattern, values);
-        pieces.into_par_iter().enumerate().for_each_init(
+        parallel::map_with(
             || vec![0u32; free],
+            pieces.into_iter().enumerate(),
             |place, (chunk, piece)| {
                 let first = chunk * CHUNK;
                 for i in first..(first + CHUNK).min(free) {
@@ -376,10 +371,8 @@ impl Metric {
     ) {
         let _clock = clock("start: products with P");
         let free = y.len();
-        u.par_iter_mut()
-            .with_min_len(CHUNK)
-            .enumerate()
-            .for_each(|(k, u)| {
+        parallel::for_each(u.chunks_mut(CHUNK), |chunk, u| {
+            for (k, u) in (chunk * CHUNK..).zip(u) {
                 let weights = if k < free {
                     &self.weight[rings.neighbour.range(k)]
                 } else {
@@ -397,12 +390,11 @@ impl Metric {
                     }
                 }
                 *u = sum.map(|s| s * self.d[k]);
-            });
+            }
+        });
         let u = &*u;
-        y.par_iter_mut()
-            .with_min_len(CHUNK)
-            .enumerate()
-            .for_each(|(i, y)| {
+        parallel::for_each(y.chunks_mut(CHUNK), |chunk, y| {
+            for (i, y) in (chunk * CHUNK..).zip(y) {
                 let weights = &self.weight[rings.neighbour.range(i)];
                 let mut sum = [0.0; K];
                 for (j, w) in rings.ring(i).iter().zip(weights) {
@@ -411,7 +403,8 @@ impl Metric {
                     }
                 }
                 *y = sum;
-            });
+            }
+        });
     }
 }
 

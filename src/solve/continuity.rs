@@ -8,7 +8,6 @@
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Dyn, LU, Vector3};
-use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
 use super::boundary_curvature::LoopCondition;
@@ -19,6 +18,7 @@ use crate::discrete::equations::{Equations, State};
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;
 use crate::profile::clock;
+use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
@@ -98,11 +98,12 @@ impl Continuity {
             };
             let change = value - self.coefficients[m];
             if change != 0.0 {
-                let inside = self.phi[..free]
-                    .par_iter_mut()
-                    .zip(&column.extension)
-                    .with_min_len(CHUNK);
-                inside.for_each(|(phi, e)| *phi += change * e);
+                let pieces = self.phi[..free]
+                    .chunks_mut(CHUNK)
+                    .zip(column.extension.chunks(CHUNK));
+                parallel::for_each(pieces, |_, (phi, e)| {
+                    phi.iter_mut().zip(e).for_each(|(phi, e)| *phi += change * e);
+                });
             }
             self.coefficients[m] = value;
         }
@@ -244,7 +245,7 @@ impl Continuity {
             steps.fill(0.0);
             return;
         };
-        t.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, t)| {
+        parallel::for_each(t.chunks_mut(CHUNK), |chunk, t| {
             for (column, c) in self.columns.iter().zip(&c) {
                 let motion = &column.motion[chunk * CHUNK..];
                 t.iter_mut().zip(motion).for_each(|(t, w)| t[0] -= c * w);

@@ -5,8 +5,8 @@
 //! averaged normals a rough spot moves as a whole, and the steps that follow smooth it. Steps that are
 //! shorter than the edges take the normals as they are.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;
@@ -43,14 +43,14 @@ pub(crate) fn averaged(
     let mut field: Vec<[f64; 4]> = normal.iter().chain(boundary_normals).map(padded).collect();
     let mut next = field.clone();
     for _ in 0..rounds {
-        let free = next[..normal.len()].par_chunks_mut(CHUNK).enumerate();
-        free.for_each(|(chunk, next)| average(rings, &field, chunk * CHUNK, next));
+        let free = next[..normal.len()].chunks_mut(CHUNK);
+        parallel::for_each(free, |chunk, next| average(rings, &field, chunk * CHUNK, next));
         std::mem::swap(&mut field, &mut next);
     }
-    let directions = field.par_iter().zip(normal).with_min_len(CHUNK);
-    directions
-        .map(|(&[x, y, z, _], n)| Vector3::new(x, y, z).try_normalize(LEAST).unwrap_or(*n))
-        .collect()
+    parallel::map_each(normal.len(), CHUNK, |i| {
+        let [x, y, z, _] = field[i];
+        Vector3::new(x, y, z).try_normalize(LEAST).unwrap_or(normal[i])
+    })
 }
 
 /// The means of the closed rings from vertex `first` on.

@@ -1,7 +1,7 @@
 //! Steps that change no edge by more than a part of its length: beyond, triangles fold.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::system::System;
 use crate::discrete::valence_batches::CHUNK;
@@ -12,9 +12,12 @@ pub(crate) const LARGEST_CHANGE: f64 = 0.5;
 
 /// `x += scale step` at the free vertices.
 pub(crate) fn advance(x: &mut [Vector3<f64>], step: &[f64], scale: f64) {
-    let steps = step.as_chunks().0.par_iter();
-    let vertices = x.par_iter_mut().zip(steps).with_min_len(CHUNK);
-    vertices.for_each(|(x, step)| *x += Vector3::from(*step) * scale);
+    let pieces = x.chunks_mut(CHUNK).zip(step.as_chunks().0.chunks(CHUNK));
+    parallel::for_each(pieces, |_, (x, step)| {
+        for (x, step) in x.iter_mut().zip(step) {
+            *x += Vector3::from(*step) * scale;
+        }
+    });
 }
 
 /// Takes the step, or as much of it as changes no edge by more than `largest` where the whole would by `change`. Returns
@@ -36,22 +39,19 @@ impl System {
         let _clock = clock("edge changes");
         let (free, rings) = (self.free(), &self.domain.rings);
         let steps: &[[f64; 3]] = step.as_chunks().0;
-        let squared = (0..free.div_ceil(CHUNK))
-            .into_par_iter()
-            .map(|chunk| {
-                let mut largest = 0.0f64;
-                for i in chunk * CHUNK..((chunk + 1) * CHUNK).min(free) {
-                    let own = Vector3::from(steps[i]);
-                    // Every edge from one end; those to fixed vertices are of this kind.
-                    for j in rings.ring(i).iter().map(|&j| j as usize).filter(|&j| j > i) {
-                        let other = steps.get(j).map_or(Vector3::zeros(), |step| Vector3::from(*step));
-                        let edge = (x[i] - x[j]).norm_squared().max(f64::MIN_POSITIVE);
-                        largest = largest.max((own - other).norm_squared() / edge);
-                    }
+        let squared = parallel::map(parallel::runs(free, CHUNK), |_, run| {
+            let mut largest = 0.0f64;
+            for i in run {
+                let own = Vector3::from(steps[i]);
+                // Every edge from one end; those to fixed vertices are of this kind.
+                for j in rings.ring(i).iter().map(|&j| j as usize).filter(|&j| j > i) {
+                    let other = steps.get(j).map_or(Vector3::zeros(), |step| Vector3::from(*step));
+                    let edge = (x[i] - x[j]).norm_squared().max(f64::MIN_POSITIVE);
+                    largest = largest.max((own - other).norm_squared() / edge);
                 }
-                largest
-            })
-            .reduce(|| 0.0, f64::max);
-        squared.sqrt()
+            }
+            largest
+        });
+        squared.into_iter().fold(0.0, f64::max).sqrt()
     }
 }

@@ -14,7 +14,6 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::bilaplacian::Metric;
 use super::graded_plate::GradedPlate;
@@ -25,6 +24,7 @@ use crate::mesh::{Region, Rings};
 use crate::profile::clock;
 use fairmesh_linear::cholesky::{Cholesky, Passed, SolveWork, UpdateStacks};
 use fairmesh_linear::interrupt::Interrupt;
+use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
@@ -185,8 +185,8 @@ fn zeros<const K: usize>(memory: &mut Vec<f32>, n: usize) -> &mut [[f32; K]] {
 
 /// `y = D^-1 y`.
 fn scale<const K: usize>(y: &mut [[f32; K]], inverse_d: &[f32]) {
-    let chunks = y.par_chunks_mut(CHUNK).zip(inverse_d.par_chunks(CHUNK));
-    chunks.for_each(|(y, d)| {
+    let chunks = y.chunks_mut(CHUNK).zip(inverse_d.chunks(CHUNK));
+    parallel::for_each(chunks, |_, (y, d)| {
         for (y, d) in y.iter_mut().zip(d) {
             y.iter_mut().for_each(|y| *y *= d);
         }
@@ -195,8 +195,8 @@ fn scale<const K: usize>(y: &mut [[f32; K]], inverse_d: &[f32]) {
 
 /// `y = y - z`.
 fn subtract<const K: usize>(y: &mut [[f32; K]], z: &[[f32; K]]) {
-    let chunks = y.par_chunks_mut(CHUNK).zip(z.par_chunks(CHUNK));
-    chunks.for_each(|(y, z)| {
+    let chunks = y.chunks_mut(CHUNK).zip(z.chunks(CHUNK));
+    parallel::for_each(chunks, |_, (y, z)| {
         for (y, z) in y.iter_mut().zip(z) {
             y.iter_mut().zip(z).for_each(|(y, z)| *y -= z);
         }

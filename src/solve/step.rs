@@ -1,7 +1,7 @@
 //! One quasi-Newton step: both parts by the frozen matrices, how large they are, and how they are added.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::direction;
 use super::factor::Factor;
@@ -38,7 +38,7 @@ impl System {
         let has_inner = !self.along_normals;
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
-        rayon::join(
+        parallel::join(
             || {
                 t.iter_mut().zip(&state.outer).for_each(|(t, r)| *t = [*r]);
                 let _clock = clock("solves with P");
@@ -74,9 +74,9 @@ impl System {
         // Chunk after chunk: the same sum for any number of threads.
         let chunks = self
             .normal_step
-            .par_chunks(CHUNK)
-            .zip(self.tangential_step.par_chunks(CHUNK));
-        let parts: Vec<[f64; 3]> = chunks.map(|(t, d)| squares(t, d)).collect();
+            .chunks(CHUNK)
+            .zip(self.tangential_step.chunks(CHUNK));
+        let parts = parallel::map(chunks, |_, (t, d)| squares(t, d));
         let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
         let rms = |sum: f64| (sum / self.free() as f64).sqrt() / self.diagonal;
         StepNorm {
@@ -103,18 +103,15 @@ impl System {
             )
         });
         let along = averaged.as_ref().unwrap_or(&self.state.normal);
-        let vertices = step
-            .as_chunks_mut()
-            .0
-            .par_iter_mut()
-            .with_min_len(CHUNK)
-            .enumerate();
-        vertices.for_each(|(i, step): (usize, &mut [f64; 3])| {
-            let n = &self.state.normal[i];
-            let d = Vector3::from(self.tangential_step[i]);
-            let off = if project { d.dot(n) } else { 0.0 };
-            for c in 0..3 {
-                step[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
+        let steps: &mut [[f64; 3]] = step.as_chunks_mut().0;
+        parallel::for_each(steps.chunks_mut(CHUNK), |chunk, steps| {
+            for (i, step) in (chunk * CHUNK..).zip(steps) {
+                let n = &self.state.normal[i];
+                let d = Vector3::from(self.tangential_step[i]);
+                let off = if project { d.dot(n) } else { 0.0 };
+                for c in 0..3 {
+                    step[c] = self.normal_step[i][0] * along[i][c] - off * n[c] + d[c];
+                }
             }
         });
     }

@@ -21,6 +21,7 @@ use crate::profile::clock;
 use crate::quality::Surface;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
+use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
@@ -92,7 +93,7 @@ impl System {
         } = &**problem.domain;
         let weights = problem.weights;
         let graph = rings.graph();
-        let ((symbolic, g_values), graded) = rayon::join(
+        let ((symbolic, g_values), graded) = parallel::join(
             || {
                 let order = {
                     let _clock = clock("orders");

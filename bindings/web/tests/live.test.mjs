@@ -45,7 +45,7 @@ test("frames lead to what one call finds, and edits are absolute", () => {
 test("a handle takes the surface with it, and a bulge has a range", () => {
     const { solver, vertex } = begun();
     const first = solver.positions;
-    const fixed = Uint32Array.from(mesh.free.keys().filter((v) => !mesh.free[v]));
+    const fixed = Uint32Array.from([...mesh.free.keys()].filter((v) => !mesh.free[v]));
     solver.edit([{ kind: "move", vertices: fixed, translation: [0, 2, 0] }]);
     assert.ok(solver.update().isSettled);
     solver.finish();

@@ -11,7 +11,7 @@ use crate::discrete::target::Target;
 use crate::error::Error;
 use crate::fairing::component_solution::ComponentSolution;
 use crate::fairing::conclusion::Found;
-use crate::fairing::edit::resolved::Resolved;
+use crate::fairing::edit::resolved::{Bend, Resolved};
 use crate::fairing::normals::{GivenNormals, boundary_normals};
 use crate::fairing::prepared::Prepared;
 use crate::fairing::shares::Shares;
@@ -25,7 +25,7 @@ use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
 use crate::stopwatch::Stopwatch;
 
-use super::edited::{Prescribed, Unedited};
+use super::edited::{Prescribed, Turn, Unedited};
 
 /// Where a solve has ended.
 #[derive(Clone)]
@@ -47,6 +47,8 @@ pub(super) struct Cursor {
     /// Something was changed, and what has happened since are frames: the next run begins at their surface.
     is_live: bool,
     unedited: Unedited,
+    /// Where the surface passes smoothly in place of having a prescribed normal; empty: nowhere.
+    smooth_interior: Vec<bool>,
     prescribed: Prescribed,
     /// The domain has other positions of the fixed vertices than those prescribed.
     is_domain_old: bool,
@@ -88,6 +90,7 @@ impl Cursor {
         let solution = found.conclude();
         let unedited = Unedited::new(&prepared.domain, prepared.problem().boundary_normals);
         let cursor = Self {
+            smooth_interior: prepared.problem().smooth_interior.to_vec(),
             prescribed: unedited.prescribed.clone(),
             unedited,
             live: None,
@@ -237,42 +240,66 @@ impl Cursor {
         boundary_normals(domain, &options.boundary_normals, given, options.interior_normals)
     }
 
-    /// Takes other boundary normals, of which these are given, with these edits.
-    pub(super) fn prescribe(
+    /// Takes other boundary normals, of which these are given, as those without edits.
+    pub(super) fn ask_normals(
         &mut self,
         given: &GivenNormals,
         (normals, smooth_interior): (Vec<Vector3<f64>>, Vec<bool>),
-        edits: &Resolved,
     ) {
         self.prepared.has_given_normal = given.at_boundary(&self.prepared.domain.region);
         self.unedited.prescribed.normals = normals;
-        let prescribed = self.edited(edits);
-        self.follow(prescribed, Some(smooth_interior));
+        self.smooth_interior = smooth_interior;
     }
 
-    /// What is prescribed with these edits.
-    fn edited(&self, edits: &Resolved) -> Prescribed {
+    /// What is prescribed where these edits have moved fixed vertices.
+    pub(super) fn moved(&self, edits: &Resolved) -> Prescribed {
         let Prepared {
             domain,
             normalization,
             ..
         } = &self.prepared;
-        self.unedited.edited(edits, domain, normalization)
+        self.unedited.moved(edits, domain, normalization)
     }
 
-    /// Takes these edits. Where they change nothing here, nothing is changed.
-    pub(super) fn edit(&mut self, edits: &Resolved) {
-        let prescribed = self.edited(edits);
-        if prescribed != self.prescribed {
-            self.follow(prescribed, None);
+    /// The first of its boundary loops through a vertex.
+    pub(super) fn loop_of(&self, vertex: u32) -> Option<usize> {
+        self.unedited.loop_of(&self.prepared.domain, vertex)
+    }
+
+    /// How the normals turn along all loops, by the bends of single ones, and by as much more everywhere.
+    pub(super) fn turns(
+        &self,
+        bends: &[(usize, Bend)],
+        bulge: f64,
+        prescribed: &Prescribed,
+    ) -> impl Iterator<Item = Turn> {
+        let place = (&*self.prepared.domain, &self.prepared.normalization);
+        (0..self.unedited.loops()).flat_map(move |k| {
+            let of_loop = bends.iter().filter(|(l, _)| *l == k);
+            let of_loop: Vec<Bend> = of_loop.map(|(_, bend)| *bend).collect();
+            if of_loop.is_empty() && bulge == 0.0 {
+                return Vec::new();
+            }
+            self.unedited.turns(k, &of_loop, bulge, place, prescribed)
+        })
+    }
+
+    /// The boundary vertices, by the caller's numbers.
+    pub(super) fn boundary(&self) -> &[u32] {
+        let region = &self.prepared.domain.region;
+        &region.vertex_ids[region.free..region.region_vertices()]
+    }
+
+    /// Follows what is prescribed. Where it is what was prescribed before, nothing is changed.
+    pub(super) fn follow(&mut self, prescribed: Prescribed) {
+        let before = self.system.problem();
+        if prescribed == self.prescribed && self.smooth_interior == before.smooth_interior {
+            return;
         }
-    }
-
-    fn follow(&mut self, prescribed: Prescribed, smooth_interior: Option<Vec<bool>>) {
-        let before = self.system.problem().boundary_normals.to_vec();
+        let before = before.boundary_normals.to_vec();
         self.change();
-        let smooth = smooth_interior.unwrap_or_else(|| self.system.problem().smooth_interior.to_vec());
-        self.system.prescribe(prescribed.normals.clone(), smooth);
+        self.system
+            .prescribe(prescribed.normals.clone(), self.smooth_interior.clone());
         self.is_domain_old |= prescribed.fixed != self.prescribed.fixed;
         self.prescribed = prescribed;
         self.aim(&before);
@@ -405,8 +432,8 @@ impl Cursor {
     /// Back to where it stood.
     pub(super) fn restore(&mut self, surface: Surface) {
         self.change();
-        let smooth = self.system.problem().smooth_interior.to_vec();
-        self.system.prescribe(surface.prescribed.normals.clone(), smooth);
+        let normals = surface.prescribed.normals.clone();
+        self.system.prescribe(normals, self.smooth_interior.clone());
         self.is_domain_old |= surface.prescribed.fixed != self.prescribed.fixed;
         self.prescribed = surface.prescribed;
         self.ended = surface.ended;

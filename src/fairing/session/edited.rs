@@ -6,6 +6,7 @@ use crate::fairing::edit::along_loop::{arc_lengths, part, tangent, turned};
 use crate::fairing::edit::resolved::{Bend, Resolved};
 use crate::fairing::normalization::Normalization;
 use crate::mesh::boundary_loops::boundary_loops;
+use crate::order;
 use crate::solve::Domain;
 
 /// What is prescribed to a component, in its own frame.
@@ -50,18 +51,46 @@ impl Unedited {
         self.loops.iter().flatten().map(|&b| ids[b as usize])
     }
 
-    /// What is prescribed with these edits.
-    pub(super) fn edited(&self, edits: &Resolved, domain: &Domain, frame: &Normalization) -> Prescribed {
+    /// What is prescribed where these edits have moved fixed vertices.
+    pub(super) fn moved(&self, edits: &Resolved, domain: &Domain, frame: &Normalization) -> Prescribed {
         let mut all = self.prescribed.clone();
         let ids = &domain.region.vertex_ids[domain.region.free..];
         self.move_fixed(edits, ids, frame, &mut all);
-        if edits.bulge != 0.0 || !edits.bends.is_empty() {
-            for (along, lengths) in self.loops.iter().zip(&self.lengths) {
-                let angles = angles(along, lengths, edits, ids, frame.scale);
-                bend(along, &angles, &mut all);
-            }
-        }
         all
+    }
+
+    /// The first loop through a vertex.
+    pub(super) fn loop_of(&self, domain: &Domain, vertex: u32) -> Option<usize> {
+        let ids = &domain.region.vertex_ids[domain.region.free..];
+        let has = |along: &Vec<u32>| along.iter().any(|&b| ids[b as usize] == vertex);
+        self.loops.iter().position(has)
+    }
+
+    /// How the normals turn along a loop by these bends of it, and by as much more everywhere.
+    pub(super) fn turns(
+        &self,
+        of_loop: usize,
+        bends: &[Bend],
+        bulge: f64,
+        (domain, frame): (&Domain, &Normalization),
+        prescribed: &Prescribed,
+    ) -> Vec<Turn> {
+        let ids = &domain.region.vertex_ids[domain.region.free..];
+        let along = &self.loops[of_loop];
+        let angles = angles(along, &self.lengths[of_loop], (bends, bulge), ids, frame.scale);
+        let turns = angles.into_iter().enumerate().filter_map(|(k, angle)| {
+            Some(Turn {
+                vertex: ids[along[k] as usize],
+                along: direction(along, k, &prescribed.fixed)?,
+                angle,
+            })
+        });
+        turns.collect()
+    }
+
+    /// How many loops there are.
+    pub(super) fn loops(&self) -> usize {
+        self.loops.len()
     }
 
     /// Moves fixed vertices and their normals: those on loops turn further with the direction of the boundary, where neighbours do not follow
@@ -117,36 +146,54 @@ fn turned_along(n: Vector3<f64>, from: Vector3<f64>, to: Vector3<f64>) -> Vector
 fn angles(
     along: &[u32],
     (lengths, around): &(Vec<f64>, f64),
-    edits: &Resolved,
+    (bends, bulge): (&[Bend], f64),
     ids: &[u32],
     scale: f64,
 ) -> Vec<f64> {
-    let mut angles = vec![edits.bulge; along.len()];
-    for bend in &edits.bends {
-        for named in (0..along.len()).filter(|&k| ids[along[k] as usize] == bend.vertex) {
-            for (angle, s) in angles.iter_mut().zip(lengths) {
-                let ahead = s - lengths[named];
-                let s = if ahead < 0.0 { ahead + around } else { ahead };
-                *angle += bend.angle * part(bend.kind, s, *around, bend.falloff / scale);
-            }
+    let mut angles = vec![bulge; along.len()];
+    for bend in bends {
+        let Some(named) = along.iter().position(|&b| ids[b as usize] == bend.vertex) else {
+            continue;
+        };
+        for (angle, s) in angles.iter_mut().zip(lengths) {
+            let ahead = s - lengths[named];
+            let s = if ahead < 0.0 { ahead + around } else { ahead };
+            *angle += bend.angle * part(bend.kind, s, *around, bend.falloff / scale);
         }
     }
     angles
 }
 
-/// Turns the normals along a loop.
-fn bend(along: &[u32], angles: &[f64], all: &mut Prescribed) {
-    for (k, &angle) in angles.iter().enumerate().filter(|(_, a)| **a != 0.0) {
-        if let Some(direction) = direction(along, k, &all.fixed) {
-            let n = &mut all.normals[along[k] as usize];
-            *n = turned(*n, direction, angle);
-        }
-    }
+/// How far a vertex's normal turns about the direction of the boundary there, by the caller's number.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn {
+    vertex: u32,
+    along: Vector3<f64>,
+    angle: f64,
 }
 
-/// The first bend that no loop of these vertices (ascending) has.
-pub(super) fn astray<'b>(bends: &'b [Bend], on_loops: &[u32]) -> Option<&'b Bend> {
-    bends
-        .iter()
-        .find(|bend| on_loops.binary_search(&bend.vertex).is_err())
+/// Each vertex has one normal, on whatever loops it is: those of both sides of a curve run in opposite directions, and opposite turns cancel. Ascending.
+pub(super) fn united(mut turns: Vec<Turn>) -> Vec<Turn> {
+    order::by_number(&mut turns, |turn| u64::from(turn.vertex));
+    let of_vertices = turns.chunk_by(|a, b| a.vertex == b.vertex);
+    let united = of_vertices.map(|of_vertex| {
+        let first = of_vertex[0];
+        let signed = |t: &Turn| t.angle * t.along.dot(&first.along).signum();
+        Turn {
+            angle: of_vertex.iter().map(signed).sum(),
+            ..first
+        }
+    });
+    united.filter(|turn| turn.angle != 0.0).collect()
+}
+
+impl Prescribed {
+    /// Turns the normals, of which there is one for each of these vertices.
+    pub(super) fn turn(&mut self, boundary: &[u32], turns: &[Turn]) {
+        for (n, v) in self.normals.iter_mut().zip(boundary) {
+            if let Ok(k) = turns.binary_search_by_key(v, |turn| turn.vertex) {
+                *n = turned(*n, turns[k].along, turns[k].angle);
+            }
+        }
+    }
 }

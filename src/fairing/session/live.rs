@@ -1,11 +1,11 @@
 //! Edits and frames: what an interactive program does while something is dragged.
 
 use super::cursor::{Cursor, Surface};
-use super::edited::astray;
+use super::edited::{Prescribed, united};
 use super::{Components, Input, Session};
 use crate::error::Error;
 use crate::fairing::ProgressCallback;
-use crate::fairing::edit::resolved::{Mesh, Resolved};
+use crate::fairing::edit::resolved::{Bend, Mesh, Resolved};
 use crate::fairing::edit::{Budget, Edit, Frame};
 use crate::fairing::report::Solution;
 use crate::solve::live::Allowance;
@@ -14,16 +14,32 @@ use crate::stopwatch::Stopwatch;
 impl Components {
     /// Takes these edits.
     pub(super) fn edit(&mut self, edits: &Resolved) -> Result<(), Error> {
-        if !edits.bends.is_empty() {
-            let mut on_loops: Vec<u32> = self.cursors.iter().flat_map(|c| c.on_loops()).collect();
-            on_loops.sort_unstable();
-            if let Some(bend) = astray(&edits.bends, &on_loops) {
+        let bends = self.bends(&edits.bends)?;
+        let moved = self.cursors.iter().map(|cursor| cursor.moved(edits));
+        let mut prescribed: Vec<Prescribed> = moved.collect();
+        let of_cursors = self.cursors.iter().zip(&bends).zip(&prescribed);
+        let turns = of_cursors.flat_map(|((c, bends), prescribed)| c.turns(bends, edits.bulge, prescribed));
+        let turns = united(turns.collect());
+        for (cursor, mut prescribed) in self.cursors.iter_mut().zip(prescribed.drain(..)) {
+            prescribed.turn(cursor.boundary(), &turns);
+            cursor.follow(prescribed);
+        }
+        Ok(())
+    }
+
+    /// The loop that each bend is of, by components: the first one through its vertex.
+    fn bends(&self, bends: &[Bend]) -> Result<Vec<Vec<(usize, Bend)>>, Error> {
+        let mut found = vec![Vec::new(); self.cursors.len()];
+        for bend in bends {
+            let of_cursors = self.cursors.iter().zip(&mut found);
+            let mut loops = of_cursors.filter_map(|(c, found)| Some((c.loop_of(bend.vertex)?, found)));
+            let Some((of_loop, found)) = loops.next() else {
                 let vertex = bend.given as usize;
                 return Err(Error::NotOnLoop { vertex });
-            }
+            };
+            found.push((of_loop, *bend));
         }
-        self.cursors.iter_mut().for_each(|cursor| cursor.edit(edits));
-        Ok(())
+        Ok(found)
     }
 
     /// One frame of all components, written to the host's positions.

@@ -1,7 +1,7 @@
 //! The mesh around some loops, ring after ring, and what of it lies around one of its vertices.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::fit::{Fit, Window};
 use crate::holes::loops::{BoundaryLoop, Links};
@@ -135,11 +135,11 @@ impl Band {
             seen: vec![false; self.ids.len()],
             ..Scratch::default()
         };
-        vertices
-            .par_iter()
-            .with_min_len(16)
-            .map_init(scratch, |scratch, &v| self.fit(v, radius, scratch))
-            .collect()
+        parallel::map_with(scratch, vertices.chunks(16), |scratch, vertices| {
+            let fits = vertices.iter().map(|&v| self.fit(v, radius, scratch));
+            fits.collect::<Vec<_>>()
+        })
+        .concat()
     }
 
     fn fit(&self, v: usize, radius: f64, scratch: &mut Scratch) -> Option<Fit> {

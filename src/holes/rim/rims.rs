@@ -53,7 +53,7 @@ impl<'m> Rims<'m> {
             self.of[i] = Some(moved);
         }
         // Of a vertex near several loops the nearest one decides.
-        wanted.sort_unstable_by_key(|(of, i)| (of.vertex, of.ring, *i));
+        order::by_number(&mut wanted, |(of, _)| order::pair(of.vertex, of.ring as u32));
         wanted.dedup_by_key(|(of, _)| of.vertex);
         for (of, i) in wanted {
             let v = of.vertex as usize;

@@ -1,7 +1,7 @@
 //! How rough rims are, before anything is done about it.
 
+use fairmesh_linear::parallel;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::Rim;
 use super::band::Band;
@@ -78,7 +78,7 @@ pub fn rim_roughness(
     // Not on the global pool, whose threads would outlive a library that is unloaded.
     Ok(Workers::new(0)?.install(|| {
         let of_loop = |place: &mut Vec<u32>, of: &BoundaryLoop| roughness(&links, positions, of, place);
-        loops.par_iter().map_init(room, of_loop).collect()
+        parallel::map_with(room, loops.iter(), of_loop)
     }))
 }
 

@@ -6,7 +6,7 @@ from . import _abi
 from ._bridge import Bridged, bridge
 from ._choice import LoopChoice
 from ._curvature import mean_curvature
-from ._edits import Bulge, Edit, Frame, Move, Tilt, Twist
+from ._edits import Bulge, Frame, Move, Tilt, Twist
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
 from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
@@ -41,7 +41,6 @@ __all__ = [
     "Carried",
     "Component",
     "Continuity",
-    "Edit",
     "ElementKind",
     "Erased",
     "FairingOptions",
