@@ -18,7 +18,7 @@ venv ruff ruff==0.17.5
 "$PYTHON" $tests/test_platforms.py --quiet
 zip=$(bindings/blender/build.sh)
 
-for suite in test_lifecycle test_fair test_fill test_join; do
+for suite in test_lifecycle test_fair test_live test_fill test_join; do
     check "Blender 3.4, $suite" blender -b --factory-startup --python-exit-code 7 --python $tests/$suite.py -- "$zip"
 done
 
@@ -26,10 +26,14 @@ for bpy in 4.2.23 5.0.1; do
     venv bpy-${bpy%.*} bpy==$bpy
     python=$out/bpy-${bpy%.*}/bin/python
     valid "$bpy" "$zip"
-    for suite in test_lifecycle test_fair test_fill test_join; do
+    for suite in test_lifecycle test_fair test_live test_fill test_join; do
         check "bpy $bpy, $suite" "$python" $tests/$suite.py "$zip"
     done
 done
 
 printf -- '-- Blender 3.4, the window\n'
-$tests/gui.sh "$zip" "$out/gui" | grep -v '^Info\|^Modules\|^addon_utils'
+for test in gui live; do
+    $tests/gui.sh "$zip" "$out/gui" $test | grep -v '^Info\|^Modules\|^addon_utils'
+done
+# Software OpenGL draws a small window as fast as this.
+SIZE=640x480 $tests/gui.sh "$zip" "$out/gui" live_frames | grep -v '^Info\|^Modules\|^addon_utils'

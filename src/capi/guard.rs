@@ -8,6 +8,12 @@ use super::views::aligned;
 
 /// Runs an exported function.
 pub(crate) fn guarded(error: *mut fairmesh_error, body: impl FnOnce() -> CallResult) -> fairmesh_status {
+    let mut body = Some(body);
+    run(error, &mut || body.take().map_or(Ok(()), |body| body()))
+}
+
+/// The same, compiled once for all of them.
+fn run(error: *mut fairmesh_error, body: &mut dyn FnMut() -> CallResult) -> fairmesh_status {
     // Without it there is no place to say more than the status.
     if !aligned(error, align_of::<fairmesh_error>()) {
         return fairmesh_status::Misaligned;

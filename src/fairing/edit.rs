@@ -38,7 +38,9 @@ pub enum Edit {
     },
     /// All boundary loops tilted alike, but for curves between two parts of the region, where that cancels. 0: the fair surface between the
     /// boundaries as they are. See
-    /// [`Session::bulge_range`](crate::Session::bulge_range).
+    /// [`Session::bulge_range`](crate::Session::bulge_range). (The other number that bulges a surface is
+    /// [`Target::Constant`](crate::Target::Constant). On caps, tubes and blends angles give up to six times the volume before the surface is
+    /// unsound, and they need no unit.)
     Bulge {
         /// The angle, in radians.
         amount: f64,

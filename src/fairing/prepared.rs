@@ -55,7 +55,7 @@ pub(super) fn regions(
         positions,
         triangles,
         selection,
-        |v| given.has(v),
+        &|v| given.has(v),
         (numbering, is_wide),
     )
 }

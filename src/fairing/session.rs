@@ -34,6 +34,12 @@ use cursor::Cursor;
 /// options, to the last bit. After a change of the boundary normals, of continuity or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 ///
+/// While something is dragged, [`edit`](Session::edit) changes the boundary, and [`update`](Session::update) makes frames of
+/// [`positions`](Session::positions); [`finish`](Session::finish) ends the drag. For a degree of tilt a frame takes two to eight evaluations of
+/// the equations. What is finished is the surface of a fresh solve of the edited problem, to 1e-8 of the diagonal with the default tolerance, except
+/// where there are several: then it is the one that the drag leads to. Where no surface meets the inner fairness that is asked for
+/// ([`fallback_weights`](crate::Report::fallback_weights)), its vertices lie where the drag has left them.
+///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
 /// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
@@ -41,7 +47,7 @@ use cursor::Cursor;
 /// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
 /// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
 /// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
-/// use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Session, Target};
+/// use fairmesh::{BoundaryNormals, Budget, Edit, Options, Outcome, Selection, Session, Target};
 ///
 /// let mut session = Session::new(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
 /// let after_one = session.run(1, None)?;
@@ -54,6 +60,15 @@ use cursor::Cursor;
 /// session.set_target(Target::Constant(0.01))?;
 /// assert!(session.run(100, None)?.report.iterations > 0);
 /// assert!(session.solution().positions[24][2] > 1e-4); // pushed out along the normals
+///
+/// // A drag: the boundary leans outward, frame by frame.
+/// session.set_target(Target::Harmonic)?;
+/// for k in 1..=5 {
+///     session.edit(&[Edit::Bulge { amount: 0.02 * f64::from(k) }])?;
+///     let frame = session.update(&Budget::default())?;
+///     assert!(frame.is_settled && session.positions()[24][2] > 0.01 * f64::from(k));
+/// }
+/// assert!(session.finish(None)?.report.outcome.is_success());
 /// # Ok::<(), fairmesh::Error>(())
 /// ```
 pub struct Session {

@@ -1,7 +1,6 @@
 //! Patches that intersect themselves or the mesh: found, and tried again by other means.
 
 use nalgebra::Vector3;
-use rstar::primitives::Rectangle;
 use rstar::{AABB, Envelope, RTree};
 
 use super::loops::BoundaryLoop;
@@ -54,7 +53,7 @@ impl<'m> Neighbours<'m> {
         groups: impl Iterator<Item = Vec<&'l BoundaryLoop>>,
     ) -> Self {
         let known: Vec<Option<Bounds>> = groups.map(|loops| room(positions, &loops)).collect();
-        let rooms = RTree::bulk_load(known.iter().flatten().map(|&b| Rectangle::from_aabb(b)).collect());
+        let rooms = RTree::bulk_load(known.iter().flatten().map(Member::filling).collect());
         let near = members_near(positions, triangles, |b| {
             rooms.locate_in_envelope_intersecting(b).next().is_some()
         });

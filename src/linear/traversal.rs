@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::dispatch::vectorized;
+use super::parallel;
 use super::real::Real;
 use super::substitution;
 use super::symbolic::Symbolic;
@@ -114,7 +114,7 @@ impl<T: Real> Factor<'_, T> {
         scratch.above.resize(y_top.len() * K, T::ZERO);
         let above = scratch.above.as_chunks_mut::<K>().0;
         let [a, b] = &mut scratch.local;
-        rayon::join(
+        parallel::join(
             || self.forward_part(passed.within(low), y_low, 0, above, a),
             || self.forward_part(passed.within(high), y_high, starts[0], y_top, b),
         );
@@ -146,7 +146,7 @@ impl<T: Real> Factor<'_, T> {
         let (y_low, y_high) = below.split_at_mut(starts[0]);
         self.backward_part(passed.within(top), y_top, starts[1], &[], a);
         let y_top = &*y_top;
-        rayon::join(
+        parallel::join(
             || self.backward_part(passed.within(low), y_low, 0, y_top, a),
             || self.backward_part(passed.within(high), y_high, starts[0], y_top, b),
         );
@@ -167,6 +167,8 @@ impl<T: Real> Factor<'_, T> {
         scratch.local.each_mut()
     }
 
+    /// Forward through some supernodes whose columns stand in `y`, from column `first` on; the last rows of the matrix, behind
+    /// them, stand in `above`.
     fn forward_part<const K: usize>(
         self,
         supernodes: Supernodes<'_>,
@@ -175,12 +177,40 @@ impl<T: Real> Factor<'_, T> {
         above: &mut [[T; K]],
         local: &mut [T],
     ) {
-        vectorized(
-            #[inline(always)]
-            || forward(self, &supernodes, y, first, above, local),
-        );
+        let Factor { symbolic, panels } = self;
+        let (end, top) = (first + y.len(), symbolic.n - above.len());
+        for k in 0..supernodes.len() {
+            let s = supernodes.at(k);
+            let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
+            let (p, m) = (columns.len(), columns.len() + rows.len());
+            let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
+            let stride = m + LANES;
+            let local = &mut local[..K * stride];
+            let mut vectors = split::<T, K>(local, stride, m);
+            let own = columns.start - first..columns.end - first;
+            load(&y[own.clone()], &mut vectors);
+            for v in &mut vectors {
+                v[p..].fill(T::ZERO);
+            }
+            substitution::forward(panel, m, p, local, stride);
+            let vectors = split::<T, K>(local, stride, m);
+            store(&vectors, &mut y[own]);
+            let below = vectors.map(|v| &v[p..][..rows.len()]);
+            for (k, &i) in rows.iter().enumerate() {
+                let i = i as usize;
+                let y = if i < end {
+                    &mut y[i - first]
+                } else {
+                    &mut above[i - top]
+                };
+                for c in 0..K {
+                    y[c] += below[c][k];
+                }
+            }
+        }
     }
 
+    /// Backward through some supernodes, as [`Factor::forward_part`].
     fn backward_part<const K: usize>(
         self,
         supernodes: Supernodes<'_>,
@@ -189,91 +219,33 @@ impl<T: Real> Factor<'_, T> {
         above: &[[T; K]],
         local: &mut [T],
     ) {
-        vectorized(
-            #[inline(always)]
-            || backward(self, &supernodes, y, first, above, local),
-        );
-    }
-}
-
-/// Forward through some supernodes whose columns stand in `y`, from column `first` on; the last rows of the matrix, behind
-/// them, stand in `above`.
-#[inline(always)]
-fn forward<T: Real, const K: usize>(
-    Factor { symbolic, panels }: Factor<'_, T>,
-    supernodes: &Supernodes<'_>,
-    y: &mut [[T; K]],
-    first: usize,
-    above: &mut [[T; K]],
-    local: &mut [T],
-) {
-    let (end, top) = (first + y.len(), symbolic.n - above.len());
-    for k in 0..supernodes.len() {
-        let s = supernodes.at(k);
-        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
-        let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
-        let stride = m + LANES;
-        let local = &mut local[..K * stride];
-        let mut vectors = split::<T, K>(local, stride, m);
-        let own = columns.start - first..columns.end - first;
-        load(&y[own.clone()], &mut vectors);
-        for v in &mut vectors {
-            v[p..].fill(T::ZERO);
-        }
-        substitution::forward::<T, K>(panel, m, p, local, stride);
-        let vectors = split::<T, K>(local, stride, m);
-        store(&vectors, &mut y[own]);
-        let below = vectors.map(|v| &v[p..][..rows.len()]);
-        for (k, &i) in rows.iter().enumerate() {
-            let i = i as usize;
-            let y = if i < end {
-                &mut y[i - first]
-            } else {
-                &mut above[i - top]
-            };
-            for c in 0..K {
-                y[c] += below[c][k];
+        let Factor { symbolic, panels } = self;
+        let (end, top) = (first + y.len(), symbolic.n - above.len());
+        for k in (0..supernodes.len()).rev() {
+            let s = supernodes.at(k);
+            let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
+            let (p, m) = (columns.len(), columns.len() + rows.len());
+            let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
+            let stride = m + LANES;
+            let local = &mut local[..K * stride];
+            let mut vectors = split::<T, K>(local, stride, stride);
+            let own = columns.start - first..columns.end - first;
+            load(&y[own.clone()], &mut vectors);
+            for v in &mut vectors {
+                v[m..].fill(T::ZERO);
             }
-        }
-    }
-}
-
-/// Backward through some supernodes, as [`forward`].
-#[inline(always)]
-fn backward<T: Real, const K: usize>(
-    Factor { symbolic, panels }: Factor<'_, T>,
-    supernodes: &Supernodes<'_>,
-    y: &mut [[T; K]],
-    first: usize,
-    above: &[[T; K]],
-    local: &mut [T],
-) {
-    let (end, top) = (first + y.len(), symbolic.n - above.len());
-    for k in (0..supernodes.len()).rev() {
-        let s = supernodes.at(k);
-        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
-        let (p, m) = (columns.len(), columns.len() + rows.len());
-        let panel = &panels[symbolic.panel_start[s]..symbolic.panel_start[s + 1] + LANES];
-        let stride = m + LANES;
-        let local = &mut local[..K * stride];
-        let mut vectors = split::<T, K>(local, stride, stride);
-        let own = columns.start - first..columns.end - first;
-        load(&y[own.clone()], &mut vectors);
-        for v in &mut vectors {
-            v[m..].fill(T::ZERO);
-        }
-        let below = vectors.map(|v| &mut v[p..][..rows.len()]);
-        for (k, &i) in rows.iter().enumerate() {
-            let i = i as usize;
-            let y = if i < end { y[i - first] } else { above[i - top] };
-            for c in 0..K {
-                below[c][k] = y[c];
+            let below = vectors.map(|v| &mut v[p..][..rows.len()]);
+            for (k, &i) in rows.iter().enumerate() {
+                let i = i as usize;
+                let y = if i < end { y[i - first] } else { above[i - top] };
+                for c in 0..K {
+                    below[c][k] = y[c];
+                }
             }
+            substitution::backward(panel, m, p, local, stride);
+            let vectors = split::<T, K>(local, stride, p);
+            store(&vectors, &mut y[own]);
         }
-        substitution::backward::<T, K>(panel, m, p, local, stride);
-        let vectors = split::<T, K>(local, stride, p);
-        store(&vectors, &mut y[own]);
     }
 }
 

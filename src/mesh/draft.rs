@@ -46,11 +46,11 @@ impl Draft {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        prescribed: impl Fn(u32) -> bool,
+        prescribed: &dyn Fn(u32) -> bool,
     ) -> Result<Self, Error> {
         check_size(positions.len(), triangles.len())?;
         let mut role = resolve(positions.len(), triangles, selection)?;
-        let (triangle_ids, region_triangles) = collect(triangles, &mut role, &prescribed);
+        let (triangle_ids, region_triangles) = collect(triangles, &mut role, prescribed);
         let (vertex_ids, local, free, boundary) = number(&role);
         let ids = triangle_ids.iter();
         let numbered = ids.map(|&t| triangles[t as usize].map(|v| local[v as usize]));
@@ -74,7 +74,7 @@ impl Draft {
         mut self,
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
-        prescribed: impl Fn(u32) -> bool,
+        prescribed: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
     ) -> Result<Region, Error> {
         let region_triangles = self.region_triangles;
@@ -220,7 +220,7 @@ fn free_of_faces(triangles: &[[u32; 3]], list: &[u32], role: &mut [Role]) {
 
 /// The region's triangles, then those of the outside ring; how many belong to the region. Marks boundary and
 /// ring vertices.
-fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: impl Fn(u32) -> bool) -> (Vec<u32>, usize) {
+fn collect(triangles: &[[u32; 3]], role: &mut [Role], prescribed: &dyn Fn(u32) -> bool) -> (Vec<u32>, usize) {
     let has = |role: &[Role], tri: &[u32; 3], r| tri.iter().any(|&v| role[v as usize] == r);
     let mut ids = Vec::new();
     for (t, tri) in triangles.iter().enumerate() {

@@ -47,14 +47,14 @@ impl<'a> Excerpts<'a> {
     pub(super) fn region(
         &mut self,
         free: &[u32],
-        given: impl Fn(u32) -> bool,
+        given: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
     ) -> Result<Region, Error> {
         let numbering = (numbering, is_wide);
         let rings = if is_wide { RINGS_WIDE - 1 } else { RINGS_BEYOND };
-        let region = self.region_within(free, rings, &given, numbering)?;
+        let region = self.region_within(free, rings, given, numbering)?;
         if region.is_rounded && !is_wide {
-            return self.region_within(free, RINGS_WIDE - 1, &given, numbering);
+            return self.region_within(free, RINGS_WIDE - 1, given, numbering);
         }
         Ok(region)
     }
@@ -64,7 +64,7 @@ impl<'a> Excerpts<'a> {
         &mut self,
         free: &[u32],
         rings: usize,
-        given: impl Fn(u32) -> bool,
+        given: &dyn Fn(u32) -> bool,
         numbering: (Numbering, bool),
     ) -> Result<Region, Error> {
         let Excerpt { vertices, triangles } = self.gather(free, 2 + rings);
@@ -83,7 +83,7 @@ impl<'a> Excerpts<'a> {
         }
         let selection = Selection::Vertices(&selected);
         let of_excerpt = |v: u32| given(vertices[v as usize]);
-        let region = Region::numbered(&positions, &corners, selection, of_excerpt, numbering);
+        let region = Region::numbered(&positions, &corners, selection, &of_excerpt, numbering);
         let id = |ids: &[u32], i: usize| ids[i] as usize;
         let mut region = region.map_err(|e| e.renumbered(|v| id(&vertices, v), |t| id(&triangles, t)))?;
         for v in &mut region.vertex_ids {

@@ -84,7 +84,7 @@ impl Region {
         prescribed: impl Fn(u32) -> bool,
     ) -> Result<Self, Error> {
         let numbering = (Numbering::AsGiven, false);
-        Self::numbered(positions, triangles, selection, prescribed, numbering)
+        Self::numbered(positions, triangles, selection, &prescribed, numbering)
     }
 
     /// The same with another numbering of the free vertices, and with [`Region::beyond`] as where coordinates are rounded, if that is asked
@@ -96,10 +96,10 @@ impl Region {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        prescribed: impl Fn(u32) -> bool,
+        prescribed: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
     ) -> Result<Self, Error> {
-        let draft = Draft::new(positions, triangles, selection, &prescribed)?;
+        let draft = Draft::new(positions, triangles, selection, prescribed)?;
         draft.check(positions, triangles, prescribed, (numbering, is_wide))
     }
 
@@ -112,10 +112,10 @@ impl Region {
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         selection: Selection<'_>,
-        prescribed: impl Fn(u32) -> bool,
+        prescribed: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
     ) -> Result<Vec<Self>, Error> {
-        let draft = Draft::new(positions, triangles, selection, &prescribed)?;
+        let draft = Draft::new(positions, triangles, selection, prescribed)?;
         if draft.components.count == 1 {
             return Ok(vec![draft.check(
                 positions,
@@ -132,7 +132,7 @@ impl Region {
         drop(draft);
         let mut excerpts = Excerpts::new(positions, triangles);
         let regions = members.iter().map(|free| {
-            let mut region = excerpts.region(free, &prescribed, (numbering, is_wide))?;
+            let mut region = excerpts.region(free, prescribed, (numbering, is_wide))?;
             let outside = region.vertex_ids.iter().skip(region.free);
             let moves = outside.map(|&v| is_free[v as usize]);
             region.moves_elsewhere = std::iter::repeat_n(false, region.free).chain(moves).collect();

@@ -88,7 +88,9 @@ pub(crate) struct Live {
     best: Evaluated,
     /// The surface to be shown.
     shown: Vec<Vector3<f64>>,
-    /// The step norm that led there.
+    /// The last surface that had settled: where it goes on from where neither steps nor matrices have helped.
+    settled: Vec<Vector3<f64>>,
+    /// The step norm that led to what is shown.
     step_norm: f64,
     is_folded: bool,
     anderson: Anderson,
@@ -118,6 +120,7 @@ impl Live {
                 d: f64::INFINITY,
             },
             shown: x.clone(),
+            settled: x.clone(),
             x,
             step_norm: f64::INFINITY,
             is_folded: false,
@@ -135,8 +138,9 @@ impl Live {
 
     /// Goes on from another surface that solved the problem so far.
     pub(crate) fn take(&mut self, x: &[Vector3<f64>]) {
-        self.shown.clear();
-        self.shown.extend_from_slice(x);
+        self.stand = Stand::Underway;
+        self.shown.copy_from_slice(x);
+        self.settled.copy_from_slice(x);
     }
 
     /// The surface to be shown.
@@ -156,6 +160,10 @@ impl Live {
 
     /// Sets out for other boundary data, which the system has already but for the boundary's positions. `normals` are those before.
     pub(crate) fn aim(&mut self, system: &mut System, boundary: &[Vector3<f64>], normals: &[Vector3<f64>]) {
+        if self.stand == Stand::Stuck {
+            self.shown.clone_from(&self.settled);
+            self.anderson.clear();
+        }
         self.x.clone_from(&self.shown);
         let free = system.free();
         if self.x[free..] != *boundary {
@@ -229,6 +237,7 @@ impl Live {
             self.anderson.clear();
         }
         self.shown.clone_from(&self.x);
+        self.settled.clone_from(&self.x);
     }
 
     fn is_stalling(&mut self, d: f64) -> bool {

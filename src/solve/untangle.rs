@@ -138,7 +138,7 @@ mod tests {
                 &positions,
                 &shape.triangles,
                 selection,
-                |_| false,
+                &|_| false,
                 (numbering, false),
             );
             let region = &regions.unwrap()[0];

@@ -395,6 +395,54 @@ fn a_budget_is_kept_and_frames_go_on_where_the_last_one_has_ended() {
     }
 }
 
+/// However late it is, one evaluation is made: a drag comes on.
+#[test]
+fn a_budget_of_no_time_leaves_one_evaluation() {
+    let shape = cylinder_blend();
+    let vertex = shape.boundary_normals()[0].0;
+    let mut session = finished(&shape, &given(&shape));
+    session.edit(&[tilt(vertex, 5.0)]).unwrap();
+    let budget = Budget {
+        seconds: 1e-12,
+        ..NO_LIMIT
+    };
+    let mut frames = 0;
+    while !session.update(&budget).unwrap().is_settled {
+        frames += 1;
+        assert!(frames < 100);
+    }
+    assert!(frames > 2, "{frames}");
+    session.edit(&[tilt(vertex, 6.0)]).unwrap();
+    assert_eq!(session.update(&budget).unwrap().evaluations, 1);
+}
+
+/// By one degree a frame over 30 degrees, to a step norm of 1e-6.
+#[test]
+fn a_degree_of_tilt_takes_few_evaluations() {
+    for (shape, loops) in [
+        (cylinder_blend(), 2),
+        (cylinder_blend_of(5_000, Sampling::Regular), 1),
+    ] {
+        for circle in circles(&shape).iter().take(loops) {
+            for direction in [1.0, -1.0] {
+                let mut session = finished(&shape, &given(&shape));
+                let drag = (1..=30).map(|k| {
+                    session
+                        .edit(&[tilt(circle[0], direction * f64::from(k))])
+                        .unwrap();
+                    let frame = session.update(&NO_LIMIT).unwrap();
+                    assert!(frame.is_settled && frame.step <= 1e-6);
+                    frame.evaluations
+                });
+                let mut evaluations: Vec<usize> = drag.collect();
+                println!("{} free, {direction}: {evaluations:?}", shape.free_count());
+                evaluations.sort_unstable();
+                assert!(evaluations[28] <= 12 && evaluations[15] <= 6, "{evaluations:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn frames_before_any_surface_are_those_of_the_first_solve() {
     let shape = cylinder_blend();
