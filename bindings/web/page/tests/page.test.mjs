@@ -204,6 +204,11 @@ test("a run is stopped, nothing has changed, and the next one works", async () =
     await page.waitForFunction("document.querySelector('#status').textContent === 'Faired: stopped, nothing has changed.'");
     assert.deepEqual(await positions(page), before);
     assert.match(await press(page, "fair"), /tolerance met/);
+    // The worker is another one then, and has to make its solver anew.
+    await page.evaluate("document.getElementById('range').click(), setTimeout(() => document.getElementById('stop').click(), 200)");
+    await page.waitForFunction("document.querySelector('#status').textContent === 'How far it can bulge: stopped, nothing has changed.'");
+    await drag(page, 0, [20, -20], 5);
+    assert.match(await said(page), /^Edited surface: tolerance met/);
     await page.close();
 });
 
