@@ -45,7 +45,7 @@ class Page(HTMLParser):
             self.fetched.append(given["href"])
         elif tag == "img" and not given.get("alt", "").strip():
             self.without_words.append(given.get("src", ""))
-        elif tag == "svg" and self.in_main and not given.get("aria-label"):
+        elif tag == "svg" and self.in_main and not given.get("aria-label") and given.get("aria-hidden") != "true":
             self.without_words.append("svg")
         self.in_main |= tag == "main"
 

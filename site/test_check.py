@@ -60,7 +60,7 @@ class Planted(unittest.TestCase):
 
     def test_live_page(self) -> None:
         """The page of live fairing is in no navigation; it may load nothing either."""
-        self.assertEqual(found({"live/index.html": "<p>live</p>"}), [])
+        self.assertEqual(found({"live/index.html": '<main><svg aria-hidden="true"></svg></main>'}), [])
         said = "live/index.html: https://x.y/z.js is loaded from the network"
         self.assertEqual(found({"live/index.html": '<script src="https://x.y/z.js"></script>'}), [said])
 

@@ -4,15 +4,17 @@ import { Vector2, Vector3 } from "three";
 import type { Hit, Surface } from "./surface.js";
 import type { Viewer } from "./viewer.js";
 
-/** The triangles around a place that look the same way, up to a distance; where no centre is that near, the one that was hit. */
-export function brushed(surface: Surface, { point, triangle }: Hit, radius: number): number[] {
-    const facing = surface.normal(triangle);
-    const found = [triangle];
-    const { centres } = surface;
+/** The triangles up to a distance from a place that hang together with the one that was hit: nothing of the far side. */
+export function brushed(surface: Surface, { point, triangle }: Hit, radius: number): Set<number> {
+    const { centres, triangles } = surface;
+    const near = new Map<number, number[]>();
     for (let t = 0; t < centres.length / 3; t++) {
         const distance = Math.hypot(centres[3 * t]! - point.x, centres[3 * t + 1]! - point.y, centres[3 * t + 2]! - point.z);
-        if (distance < radius && surface.normal(t).dot(facing) > 0) found.push(t);
+        if (distance < radius) for (const v of triangles.subarray(3 * t, 3 * t + 3)) near.set(v, [...(near.get(v) ?? []), t]);
     }
+    const found = new Set([triangle]);
+    // A set that grows while it is gone through.
+    for (const t of found) for (const v of triangles.subarray(3 * t, 3 * t + 3)) for (const next of near.get(v) ?? []) found.add(next);
     return found;
 }
 

@@ -3,7 +3,7 @@
 import { createWorker, type Edit, type FairmeshWorker, type Watched, type WorkerSolver } from "../../src/index.js";
 import { module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
 import { maskOf, runsOf, type Step } from "./link.js";
-import { lengthOf, type LoopVertex, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
+import { lengthOf, type LoopVertex, moving, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
 
 /** A solver that is held up at a fair surface, and what it was asked since. */
 export interface Live {
@@ -19,6 +19,7 @@ export interface Live {
 interface Snapshot extends Triangles {
     region: Uint8Array;
     normals: Normals | null;
+    held: Uint8Array | null;
     steps: Step[];
 }
 
@@ -35,6 +36,8 @@ export class Model {
     before: Surface | null = null;
     region: Uint8Array = new Uint8Array(0);
     normals: Normals | null = null;
+    /** Vertices of a shape that stay where they are, though all around them is in the region: its curves. */
+    #held: Uint8Array | null = null;
     /** Null: a file of the person, which no link can carry. */
     shape: ShapeName | null = null;
     steps: Step[] = [];
@@ -81,6 +84,7 @@ export class Model {
 
     #begin(mesh: Triangles, region: Uint8Array, normals: Normals | null, shape: ShapeName | null): void {
         this.end();
+        this.#held = null;
         [this.region, this.normals, this.shape, this.steps, this.#snapshots] = [region, normals, shape, [], []];
         this.#show(mesh, null);
     }
@@ -89,6 +93,9 @@ export class Model {
     async take(name: ShapeName): Promise<void> {
         const shape: Shape = await embedded(name);
         this.#begin(shape, trianglesAt(shape.free, shape), shape.normals, name);
+        if (shape.free.length === 0) return;
+        this.#held = new Uint8Array(shape.positions.length / 3).fill(1);
+        for (const vertex of shape.free) this.#held[vertex] = 0;
     }
 
     /** Begins with a mesh of the person; the library looks at all of it first. */
@@ -112,7 +119,7 @@ export class Model {
 
     #remember(): void {
         const { surface, region, normals, steps } = this;
-        this.#snapshots.push({ positions: surface.positions, triangles: surface.triangles, region: region.slice(), normals, steps: structuredClone(steps) });
+        this.#snapshots.push({ positions: surface.positions, triangles: surface.triangles, region: region.slice(), normals, held: this.#held, steps: structuredClone(steps) });
         if (this.#snapshots.length > 30) this.#snapshots.shift();
     }
 
@@ -128,15 +135,16 @@ export class Model {
         const last = this.#snapshots.pop();
         if (last === undefined) return;
         this.end();
-        [this.region, this.normals, this.steps] = [last.region, last.normals, last.steps];
+        [this.region, this.normals, this.#held, this.steps] = [last.region, last.normals, last.held, last.steps];
         this.#show(last, null);
     }
 
     /** Fairs the region, and holds the solver up there. What the library has found out is told. */
     async fair(watched: Watched): Promise<string> {
         const mesh = this.mesh;
-        const loops = regionLoops(this.region, this.surface);
-        const asked = await this.#worker.solver(mesh, null, { freeTriangles: this.region, ...this.#given(loops), ...watched });
+        const free = moving(this.region, mesh, this.#held);
+        const loops = regionLoops(free, this.surface, this.#held);
+        const asked = await this.#worker.solver(mesh, free, { ...this.#given(loops), ...watched });
         try {
             const report = await asked.run(undefined, watched);
             const positions = await asked.positions();
@@ -144,7 +152,7 @@ export class Model {
             this.end();
             this.#show({ positions, triangles: mesh.triangles }, mesh);
             this.steps.push({ kind: "fair", region: runsOf(this.region), edits: [] });
-            const found = regionLoops(this.region, this.surface);
+            const found = regionLoops(free, this.surface, this.#held);
             this.live = { solver: asked, loops: found, lengths: found.map((loop) => lengthOf(loop, this.surface)), edits: [], range: null };
             this.changed();
             return `${report.freeVertices.toLocaleString("en")} vertices, ${report.iterations} iterations: ${report.text}${report.remedy && `. ${report.remedy}`}`;
@@ -202,6 +210,8 @@ export class Model {
         const count = made.triangles.length / 3;
         this.region = new Uint8Array(count).fill(1, count - made.newTriangleCount);
         this.steps.push(step);
+        // Vertices of a mesh that was refilled have other numbers.
+        if (step.kind === "refill") this.#held = this.normals = null;
         this.#show(made, before);
     }
 

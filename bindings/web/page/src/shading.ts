@@ -78,6 +78,15 @@ export function material(side: 1 | -1): ShaderMaterial {
     });
 }
 
+const WIRE_VERTEX = "void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }";
+const WIRE_FRAGMENT = "uniform float cut; void main() { if (gl_FragCoord.x < cut) discard; gl_FragColor = vec4(0.06, 0.08, 0.11, 0.3); }";
+
+/** The material of a wireframe, right of the swipe. */
+export function wires(): ShaderMaterial {
+    const uniforms = { cut: { value: 0 } };
+    return new ShaderMaterial({ vertexShader: WIRE_VERTEX, fragmentShader: WIRE_FRAGMENT, wireframe: true, transparent: true, uniforms });
+}
+
 /** A scale that outliers do not spoil: nineteen vertices of twenty are within it. */
 export function scaleOf(values: ArrayLike<number>): number {
     const sizes = Array.from(values, Math.abs).filter(Number.isFinite).sort((a, b) => a - b);

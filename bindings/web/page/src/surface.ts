@@ -135,9 +135,15 @@ export interface LoopVertex {
     normal: Vector3;
 }
 
-/** Edges of a region's triangles that no other triangle of it has, in the direction of theirs: where each leads, and whose it is. */
-function rim(mask: Uint8Array, triangles: Uint32Array): { from: number; to: number; triangle: number }[] {
-    const inner = new Map<string, { from: number; to: number; triangle: number }>();
+interface Edge {
+    from: number;
+    to: number;
+    triangle: number;
+}
+
+/** Edges of a region's triangles that no other triangle of it has, in the direction of theirs, and those between vertices that are held. */
+function rim(mask: Uint8Array, triangles: Uint32Array, held: Uint8Array | null = null): Edge[] {
+    const inner = new Map<string, Edge>();
     for (let t = 0; t < mask.length; t++) {
         if (!mask[t]) continue;
         for (let c = 0; c < 3; c++) {
@@ -145,36 +151,36 @@ function rim(mask: Uint8Array, triangles: Uint32Array): { from: number; to: numb
             inner.set(`${from} ${to}`, { from, to, triangle: t });
         }
     }
-    return [...inner.values()].filter(({ from, to }) => !inner.has(`${to} ${from}`));
+    return [...inner.values()].filter(({ from, to }) => !inner.has(`${to} ${from}`) || (held !== null && held[from] && held[to]));
 }
 
-/** The triangles of a region that have a vertex which may move: it has no other triangles, and is not on the boundary of the mesh. */
-export function moving(mask: Uint8Array, mesh: Triangles): Uint8Array {
-    const fixed = verticesOf(
+/** Per vertex, 1 where it may move: it has triangles of the region only, is not on the boundary of the mesh, and not held. */
+export function moving(mask: Uint8Array, mesh: Triangles, held: Uint8Array | null): Uint8Array {
+    const free = verticesOf(mask, mesh);
+    const others = verticesOf(
         mask.map((is) => 1 - is),
         mesh,
     );
-    for (const { from, to } of rim(new Uint8Array(mask.length).fill(1), mesh.triangles)) fixed[from] = fixed[to] = 1;
-    const free = verticesOf(mask, mesh);
-    return trianglesAt(
-        Uint32Array.from([...free.keys()].filter((v) => free[v] && !fixed[v])),
-        mesh,
-    );
+    for (const { from, to } of rim(new Uint8Array(mask.length).fill(1), mesh.triangles)) others[from] = others[to] = 1;
+    return free.map((is, v) => (is && !others[v] && !held?.[v] ? 1 : 0));
 }
 
-/** The boundary of a region: loops of vertices in their order, the region on the left. */
-export function regionLoops(mask: Uint8Array, surface: Surface): LoopVertex[][] {
-    const next = new Map<number, { to: number; triangle: number }[]>();
-    for (const { from, to, triangle } of rim(moving(mask, surface), surface.triangles)) {
-        next.set(from, [...(next.get(from) ?? []), { to, triangle }]);
-    }
+/** The boundary of what may move: loops of vertices in their order, the region on the left. Held curves inside are such loops, too. */
+export function regionLoops(free: Uint8Array, surface: Surface, held: Uint8Array | null): LoopVertex[][] {
+    const { triangles } = surface;
+    const mask = new Uint8Array(triangles.length / 3);
+    triangles.forEach((v, k) => free[v] && (mask[Math.floor(k / 3)] = 1));
+    const next = new Map<number, Edge[]>();
+    for (const edge of rim(mask, triangles, held)) next.set(edge.from, [...(next.get(edge.from) ?? []), edge]);
     const loops: LoopVertex[][] = [];
     for (const start of next.keys()) {
         const loop: LoopVertex[] = [];
-        // Where two loops touch, a vertex has two ways on: any of them ends where it began.
+        // Where two loops touch, a vertex has two ways on: any of them ends where it began. Held curves are gone along once.
         for (let at = start, way; (way = next.get(at)?.pop()) !== undefined; at = way.to) {
+            const { from, to } = way;
+            next.set(to, next.get(to)?.filter((back) => back.to !== from) ?? []);
             const normal = surface.normal(way.triangle).normalize();
-            const along = surface.vertex(way.to).sub(surface.vertex(at)).normalize();
+            const along = surface.vertex(to).sub(surface.vertex(at)).normalize();
             loop.push({ vertex: at, inward: normal.clone().cross(along), normal });
         }
         if (loop.length > 2) loops.push(loop);

@@ -1,8 +1,8 @@
 /** The view: camera, drawing when something has changed, and rays through the pointer. */
 
-import { BufferGeometry, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { BufferGeometry, Group, Mesh, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { material, type Shading, SHADINGS } from "./shading.js";
+import { material, type Shading, SHADINGS, wires } from "./shading.js";
 import type { Surface } from "./surface.js";
 
 /** Eye and what it looks at, in the surface's units. */
@@ -18,7 +18,7 @@ export class Viewer {
     readonly #scene = new Scene();
     readonly #after = new Mesh(new BufferGeometry(), material(1));
     readonly #before = new Mesh(new BufferGeometry(), material(-1));
-    readonly #wires = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ color: 0x10141c, wireframe: true, transparent: true, opacity: 0.28 }));
+    readonly #wires = new Mesh(new BufferGeometry(), wires());
     readonly #rays = new Raycaster();
     #isAsked = false;
     #swipe = 0;
@@ -53,7 +53,7 @@ export class Viewer {
         requestAnimationFrame(() => {
             this.#isAsked = false;
             const cut = this.#swipe * this.#renderer.domElement.width;
-            for (const { material } of [this.#before, this.#after]) material.uniforms["cut"]!.value = cut;
+            for (const { material } of [this.#before, this.#after, this.#wires]) material.uniforms["cut"]!.value = cut;
             this.#renderer.render(this.#scene, this.camera);
         });
     }

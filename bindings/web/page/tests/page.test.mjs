@@ -106,6 +106,21 @@ test("arrows move a loop, a slider bulges the surface, and the falloff keeps the
     await page.close();
 });
 
+test("the curves of the tetra thing stay where they are, and are dragged as boundaries are", async () => {
+    const { page } = await opened(browser);
+    await take(page, "tetra");
+    const before = await positions(page);
+    assert.match(await press(page, "fair"), /^Faired: 4,812 vertices, \d+ iterations: tolerance met, and the surface is sound\.$/);
+    const fair = await positions(page);
+    const stay = Array.from({ length: fair.length / 3 }, (_, v) => [0, 1, 2].every((c) => fair[3 * v + c] === before[3 * v + c]));
+    assert.equal(stay.filter(Boolean).length, 228, "six circles of 38");
+    assert.equal(await page.evaluate("new Set(fairmesh.arrows().map(({ loop }) => loop)).size"), 6);
+    await drag(page, 0, [30, -30], 5);
+    assert.equal((await page.evaluate("fairmesh.edits()"))[0].kind, "tilt");
+    assert.ok(difference(await positions(page), fair) > 1e-3);
+    await page.close();
+});
+
 test("bad files are answered by what is wrong and what can be done, and the surface stays", async () => {
     const { page, seen } = await opened(browser);
     const before = await positions(page);
@@ -189,6 +204,11 @@ test("a run is stopped, nothing has changed, and the next one works", async () =
     await page.waitForFunction("document.querySelector('#status').textContent === 'Faired: stopped, nothing has changed.'");
     assert.deepEqual(await positions(page), before);
     assert.match(await press(page, "fair"), /tolerance met/);
+    // The worker is another one then, and has to make its solver anew.
+    await page.evaluate("document.getElementById('range').click(), setTimeout(() => document.getElementById('stop').click(), 200)");
+    await page.waitForFunction("document.querySelector('#status').textContent === 'How far it can bulge: stopped, nothing has changed.'");
+    await drag(page, 0, [20, -20], 5);
+    assert.match(await said(page), /^Edited surface: tolerance met/);
     await page.close();
 });
 
