@@ -2989,6 +2989,111 @@ extern "C" {
 #endif // __cplusplus
 
 /**
+ * The name of a `fairmesh_status`, such as "null_pointer"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_status_name(int32_t status);
+
+/**
+ * What a `fairmesh_status` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_status_text(int32_t status);
+
+/**
+ * What can be done about a `fairmesh_status`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_status_remedy(int32_t status);
+
+/**
+ * The name of a `fairmesh_outcome`, such as "converged_poor_triangles"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_name(uint32_t outcome);
+
+/**
+ * What a `fairmesh_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_text(uint32_t outcome);
+
+/**
+ * What can be done about a `fairmesh_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_outcome_remedy(uint32_t outcome);
+
+/**
+ * The name of a `fairmesh_loose_reason`, such as "suspicious_normals"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_name(uint32_t loose_reason);
+
+/**
+ * What a `fairmesh_loose_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_text(uint32_t loose_reason);
+
+/**
+ * What can be done about a `fairmesh_loose_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_loose_reason_remedy(uint32_t loose_reason);
+
+/**
+ * The name of a `fairmesh_attempt_end`, such as "unsound"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_attempt_end_name(uint32_t attempt_end);
+
+/**
+ * What a `fairmesh_attempt_end` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_attempt_end_text(uint32_t attempt_end);
+
+/**
+ * What can be done about a `fairmesh_attempt_end`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_attempt_end_remedy(uint32_t attempt_end);
+
+/**
+ * The name of a `fairmesh_fill_outcome`, such as "linear"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API const char *fairmesh_fill_outcome_name(uint32_t fill_outcome);
+
+/**
+ * What a `fairmesh_fill_outcome` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_outcome_text(uint32_t fill_outcome);
+
+/**
+ * What can be done about a `fairmesh_fill_outcome`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_outcome_remedy(uint32_t fill_outcome);
+
+/**
+ * The name of a `fairmesh_fill_reason`, such as "non_manifold"; "unknown" for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_name(uint32_t fill_reason);
+
+/**
+ * What a `fairmesh_fill_reason` means: English, begins in lower case, ends without a full stop. Empty for other numbers. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_text(uint32_t fill_reason);
+
+/**
+ * What can be done about a `fairmesh_fill_reason`, written like its text; empty if there is nothing to do. Static; never NULL.
+ */
+FAIRMESH_API
+const char *fairmesh_fill_reason_remedy(uint32_t fill_reason);
+
+/**
  * The version of the library that runs: 65536 major + 256 minor + patch. Compare it with `FAIRMESH_VERSION_MAJOR` and so on,
  * which are those of the header.
  */
