@@ -27,6 +27,8 @@ const PATIENCE: usize = 8;
 const STALL: f64 = 0.7;
 /// But not more often than this before the boundary data change again.
 const MATRICES: usize = 3;
+/// A surface whose area has changed by more than this factor gets a matrix of its own before it is finished.
+const LARGEST_GROWTH: f64 = 1.1;
 /// The last step may be longer than the plain one by this factor when accelerated.
 const LONGEST_LAST: f64 = 2.0;
 
@@ -98,6 +100,8 @@ pub(crate) struct Live {
     accelerated: Vec<f64>,
     taken: f64,
     was_accelerated: bool,
+    /// The area of the surface that the matrix was made at.
+    matrix_area: f64,
     wants_matrix: bool,
     matrices: usize,
     history: Vec<f64>,
@@ -129,6 +133,7 @@ impl Live {
             accelerated: vec![0.0; n],
             taken: 1.0,
             was_accelerated: false,
+            matrix_area: f64::NAN,
             wants_matrix: false,
             matrices: 0,
             history: Vec::new(),
@@ -139,6 +144,7 @@ impl Live {
     /// Goes on from another surface that solved the problem so far.
     pub(crate) fn take(&mut self, x: &[Vector3<f64>]) {
         self.stand = Stand::Underway;
+        self.matrix_area = f64::NAN;
         self.shown.copy_from_slice(x);
         self.settled.copy_from_slice(x);
     }
@@ -193,6 +199,7 @@ impl Live {
     fn advance(&mut self, system: &mut System, tolerance: f64) {
         if self.wants_matrix {
             self.wants_matrix = false;
+            self.matrix_area = f64::NAN;
             if system.rebuild(&self.x, true, None).is_err() {
                 self.stand = Stand::Stuck;
                 return;
@@ -200,7 +207,7 @@ impl Live {
         } else {
             system.evaluate(&self.x);
         }
-        let d = system.step(&mut self.step).total();
+        let d = system.step(&mut self.step).total() * self.growth(system);
         if d < self.best.d {
             self.best.d = d;
             self.best.x.clone_from(&self.x);
@@ -216,6 +223,26 @@ impl Live {
             self.go_back(system);
         } else {
             self.accelerate(system);
+        }
+    }
+
+    /// By how much the surface has grown since the matrix was made: steps are too short by as much, and would seem to have settled.
+    fn growth(&mut self, system: &System) -> f64 {
+        let area: f64 = system.state.area.iter().sum();
+        if self.matrix_area.is_nan() {
+            self.matrix_area = area;
+        }
+        (area / self.matrix_area).max(1.0)
+    }
+
+    /// Makes the matrix at the surface shown if that has grown or shrunk since: what goes on from there judges itself by the steps.
+    pub(crate) fn refresh(&mut self, system: &mut System) {
+        let area: f64 = system.state.area.iter().sum();
+        let change = area / self.matrix_area;
+        if change.max(1.0 / change) > LARGEST_GROWTH {
+            // Where it fails, so do the steps, and the solve begins anew.
+            let _ = system.rebuild(&self.shown, true, None);
+            self.matrix_area = f64::NAN;
         }
     }
 

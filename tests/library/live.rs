@@ -572,6 +572,26 @@ fn copies_of_a_vertex_are_edited_as_one() {
     }
 }
 
+/// The matrix of a small surface makes the steps of a large one too short.
+#[test]
+fn a_surface_that_is_drawn_out_settles_where_it_is_finished() {
+    let shape = cylinder_blend();
+    let [first, _] = circles(&shape);
+    let mut session = finished(&shape, &given(&shape));
+    for k in 1..=3 {
+        session
+            .edit(&[motion(&first, [0.0; 3], [0.2 * f64::from(k), 0.0, 0.0])])
+            .unwrap();
+        let frame = session.update(&NO_LIMIT).unwrap();
+        assert!(frame.is_settled, "{k}: {frame:?}");
+    }
+    let shown = session.positions().to_vec();
+    let found = session.finish(None).unwrap();
+    let away = farthest(&shown, &found.positions) / found.report.diagonal;
+    println!("{away:e}");
+    assert!(away < 5e-6, "{away}");
+}
+
 #[test]
 fn points_inside_the_region_are_moved() {
     let mut shape = sphere_cap(60.0, 1000, irregular(3), OUTSIDE);

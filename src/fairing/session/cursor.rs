@@ -449,6 +449,9 @@ impl Cursor {
     fn leave_frames(&mut self) {
         self.sync_domain();
         if std::mem::take(&mut self.is_live) {
+            if let Some(live) = &mut self.live {
+                live.refresh(&mut self.system);
+            }
             let (uniform, along) = (self.ladder.has_uniform_weights(), self.ladder.is_along_normals());
             self.ladder = Ladder::resume(live_surface(&self.live).to_vec(), uniform, along);
         }
