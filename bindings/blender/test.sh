@@ -33,7 +33,7 @@ done
 
 printf -- '-- Blender 3.4, the window\n'
 for test in gui live; do
-    $tests/gui.sh "$zip" "$out/gui" $test | grep -v '^Info\|^Modules\|^addon_utils'
+    SIZE=$([ $test = gui ] || echo 900x640) $tests/gui.sh "$zip" "$out/gui" $test | grep -v '^Info\|^Modules\|^addon_utils'
 done
 # Software OpenGL draws a small window as fast as this.
 SIZE=640x480 $tests/gui.sh "$zip" "$out/gui" live_frames | grep -v '^Info\|^Modules\|^addon_utils'
