@@ -33,16 +33,24 @@ def loops_of(mesh, free):
     inside = mesh.triangles[free[mesh.triangles].any(axis=1)]
     if not len(inside):
         return []
-    first = _first_copies(mesh, np.unique(inside))
-    ends = np.concatenate([inside[:, [0, 1]], inside[:, [1, 2]], inside[:, [2, 0]]])
-    halves = {(a, b) for a, b in first[ends].tolist()}
+    halves = np.concatenate([inside[:, [0, 1]], inside[:, [1, 2]], inside[:, [2, 0]]])
+    halves = _without_other_half(halves, len(free))
+    # Copies lie at open edges.
+    first = _first_copies(mesh, np.unique(halves))
     after = {}
-    for a, b in halves:
-        if (b, a) not in halves:
-            after.setdefault(a, []).append(b)
+    for a, b in _without_other_half(first[halves], len(free)).tolist():
+        after.setdefault(a, []).append(b)
     positions = mesh.seen()
     loops = [_measured(walk, positions) for walk in _walks(after)]
     return loops + _points(free, np.unique(first[inside]), loops)
+
+
+def _without_other_half(halves, count):
+    """Of half-edges, (h, 2), between so many vertices those whose edge is not run through the other way, too."""
+    # As one number each.
+    halves = halves.astype(np.int64)
+    there, back = halves @ (count, 1), halves @ (1, count)
+    return halves[~np.isin(there, back)]
 
 
 def _points(free, used, loops):

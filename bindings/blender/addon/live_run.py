@@ -77,8 +77,8 @@ class LiveRun:
         return state
 
     def _first_loop(self, pointer):
-        """That of the vertex asked for, of the active vertex, or the one nearest to the pointer."""
-        for vertex in (self._operator.vertex, self._active_vertex()):
+        """That of the vertex asked for, of the active vertex (not as a tool), or the one nearest to the pointer."""
+        for vertex in (self._operator.vertex, -1 if self._operator.hold else self._active_vertex()):
             loop = self.live.loop_with(vertex)
             if loop is not None:
                 return loop, vertex

@@ -2,7 +2,7 @@
 """Fair Live in Blender's window: what a frame costs at 13,000 free vertices, and that frames leave nothing behind.
 
 Started by gui.sh under Xvfb. The window should be small: what software OpenGL takes for an empty scene is not the add-on's.
-FAIRMESH_FRAMES: how many, 100 if nothing else is said.
+FAIRMESH_FRAMES: how many, 60 if nothing else is said.
 """
 
 import math
@@ -18,8 +18,8 @@ import window
 from common import part
 from window import call, move, press, view, wait_until
 
-COUNT = int(os.environ.get("FAIRMESH_FRAMES", "100"))
-# Frames for each CPU second, of the add-on and the library alone. 20 to 25 were measured.
+COUNT = int(os.environ.get("FAIRMESH_FRAMES", "60"))
+# Frames for each CPU second, of the add-on and the library alone. 28 to 31 were measured.
 LEAST = 10
 # MB that a thousand frames may leave.
 MOST = 40

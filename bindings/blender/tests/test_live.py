@@ -8,6 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 import bpy  # isort: skip
+import bmesh
 import common
 import numpy as np
 import runner
@@ -202,11 +203,20 @@ def test_loops_have_the_region_on_their_left():
 
 
 def test_two_loops_and_a_slit():
-    """A belt has two loops; one whose sides lie on each other, as along a split edge, has none there."""
+    """A belt has two loops, and none along a split edge within it, whose sides lie on each other."""
     obj = common.uv_sphere(32, 16)
     common.edit(obj)
     common.select_faces(obj, lambda face: all(-0.6 < v.co.z < 0.6 for v in face.verts))
     assert sorted(len(loop.vertices) for loop in loops(obj)) == [32, 32]
+    mesh = bmesh.from_edit_mesh(obj.data)
+    split = [e for e in mesh.edges if all(abs(v.co.z) < 0.3 and v.co.x > 0.1 and abs(v.co.y) < 0.1 for v in e.verts)]
+    assert len(split) > 1
+    count = len(mesh.verts)
+    bmesh.ops.split_edges(mesh, edges=split)
+    assert len(mesh.verts) > count
+    bmesh.update_edit_mesh(obj.data)
+    assert sorted(len(loop.vertices) for loop in loops(obj)) == [32, 32]
+    live([edit("TILT", loops(obj)[0].vertices[0], 10)])
 
 
 def test_numbers_are_read_as_blender_reads_them():
