@@ -2,18 +2,12 @@
 # Makes the Blender add-on for one platform, of what build.sh has built, into target/packaging/dist. Needs python3 with venv.
 #   packaging/blender.sh linux-x86_64|windows-x86_64|macos-x86_64|macos-aarch64
 # One zip is the add-on for Blender 3.4 to 4.1 and the extension for 4.2 and later. It is named as Blender's own builder does with
-# --split-platforms. Blender has no other platforms but windows-arm64.
+# --split-platforms.
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 target=${1-}
-file=lib/libfairmesh.so
-case $target in
-linux-x86_64) platform=linux-x64 ;;
-windows-x86_64) platform=windows-x64 file=bin/fairmesh.dll ;;
-macos-x86_64) platform=macos-x64 file=lib/libfairmesh.dylib ;;
-macos-aarch64) platform=macos-arm64 file=lib/libfairmesh.dylib ;;
-*) fail "usage: packaging/blender.sh linux-x86_64|windows-x86_64|macos-x86_64|macos-aarch64" ;;
-esac
+platform=$(blender_platform "$target")
+file=$(library_file "$target")
 cd "$root"
 . bindings/blender/tools.sh
 . bindings/blender/tree.sh

@@ -162,8 +162,7 @@ rustup target list --installed | grep -qx "$triple" || rustup target add "$tripl
 mkdir -p "$dist" "$stage"
 # What the build before has answered says nothing about this one.
 rm -rf "$out/answers/$target"*
-kind=tar.gz
-[[ $target != windows-* ]] || kind=zip
+kind=$(archive_kind "$target")
 if [ "$target" = wasm32 ]; then
     build "$target" fairmesh-capi
 else

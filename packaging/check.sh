@@ -15,11 +15,11 @@ if [ $# -ne 1 ]; then
 fi
 target=$1
 triple "$target" >/dev/null
-kind=tar.gz
-[[ $target != windows-* ]] || kind=zip
+kind=$(archive_kind "$target")
 work=$out/check/$target
 tree=$work/fairmesh-$version-$target
 program=$work/fairmesh-cli-$version-$target
+[ "$target" = wasm32 ] || library=$tree/$(library_file "$target")
 # What they are, and a tenth more.
 LIBRARY_BYTES=$((4800 * 1000))
 PROGRAM_BYTES=$((10 * 1000 * 1000))
@@ -60,7 +60,7 @@ no_paths() {
 
 check_linux() {
     local file
-    for file in "$tree/lib/libfairmesh.so.$version" "$program/fairmesh"; do
+    for file in "$library" "$program/fairmesh"; do
         llvm_readelf --dyn-symbols "$file" | grep -oE '@GLIBC_[0-9.]+' | sort -u | sed 's/@GLIBC_//' >"$work/glibc"
         echo "$GLIBC" >>"$work/glibc"
         [ "$(sort -V "$work/glibc" | tail -1)" = "$GLIBC" ] || bad "$file needs glibc $(sort -V "$work/glibc" | tail -1)"
@@ -68,25 +68,25 @@ check_linux() {
             needs "${file##*/}" '(lib(c\.so\.6|m\.so\.6|dl\.so\.2|pthread\.so\.0|rt\.so\.1|util\.so\.1|gcc_s\.so\.1)|ld-linux-.*)'
         if llvm_readelf -S "$file" | grep -q '\.symtab'; then bad "$file is not stripped"; fi
     done
-    llvm_readelf -d "$tree/lib/libfairmesh.so.$version" | grep -q "soname: \[libfairmesh.so.$major\]" || bad "the SONAME is another"
+    llvm_readelf -d "$library" | grep -q "soname: \[libfairmesh.so.$major\]" || bad "the SONAME is another"
     "$llvm/llvm-nm" -D --defined-only -j "$tree/lib/libfairmesh.so" | shows libfairmesh.so
     "$llvm/llvm-nm" -g --defined-only -j "$tree/lib/libfairmesh.a" | grep -v ':$' | grep . | shows libfairmesh.a
-    at_most $LIBRARY_BYTES "$tree/lib/libfairmesh.so.$version" libfairmesh.so
+    at_most $LIBRARY_BYTES "$library" libfairmesh.so
 }
 
 check_windows() {
     local file
-    for file in "$tree/bin/fairmesh.dll" "$program/fairmesh.exe"; do
+    for file in "$library" "$program/fairmesh.exe"; do
         "$llvm/llvm-readobj" --coff-imports "$file" | sed -n 's/^ *Name: //p' | grep -i '\.dll' |
             needs "${file##*/}" '(kernel32|ntdll|msvcrt|user32|userenv|ws2_32|advapi32|bcrypt|bcryptprimitives|dbghelp|api-ms-win-[a-z0-9-]*)\.dll'
     done
-    "$llvm/llvm-readobj" --coff-exports "$tree/bin/fairmesh.dll" | sed -n 's/^ *Name: \(fairmesh_.*\|[a-zA-Z_].*\)/\1/p' | grep -v '\.dll$' |
+    "$llvm/llvm-readobj" --coff-exports "$library" | sed -n 's/^ *Name: \(fairmesh_.*\|[a-zA-Z_].*\)/\1/p' | grep -v '\.dll$' |
         shows fairmesh.dll
-    at_most $LIBRARY_BYTES "$tree/bin/fairmesh.dll" fairmesh.dll
+    at_most $LIBRARY_BYTES "$library" fairmesh.dll
 }
 
 check_macos() {
-    local file library=$tree/lib/libfairmesh.$version.dylib told
+    local file told
     told=$("$llvm/llvm-objdump" --macho --dylib-id "$library" | tail -1)
     [ "$told" = "@rpath/libfairmesh.$major.dylib" ] || bad "the install name is $told"
     for file in "$library" "$program/fairmesh"; do
@@ -115,7 +115,7 @@ run() {
     case $target in
     linux-aarch64) qemu-aarch64-static -L /usr/aarch64-linux-gnu "$@" ;;
     windows-*)
-        cp "$1" "$tree/bin/fairmesh.dll" "$out/wine/programs"
+        cp "$1" "$library" "$out/wine/programs"
         local file=/programs/${1##*/}
         shift
         in_tree "$out/wine" env WINEDEBUG=-all wine "$file" "$@" 2>"$work/wine.log" | tr -d '\r'

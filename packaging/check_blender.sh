@@ -24,13 +24,14 @@ bad() { fail "$target: $*"; }
 # about TARGET: sets $platform, $format (as LLVM calls it), $file in the zip, $member and $archive: where the library comes from.
 about() {
     target=$1
-    archive=$dist/fairmesh-$version-$target.tar.gz
+    platform=$(blender_platform "$target")
+    member=$(library_file "$target")
+    archive=$dist/fairmesh-$version-$target.$(archive_kind "$target")
     case $target in
-    linux-x86_64) platform=linux-x64 format=elf64-x86-64 file=libfairmesh.so member=lib/libfairmesh.so.$version ;;
-    windows-x86_64) platform=windows-x64 format=COFF-x86-64 file=fairmesh.dll member=bin/fairmesh.dll archive=${archive%.tar.gz}.zip ;;
-    macos-x86_64) platform=macos-x64 format='Mach-O 64-bit x86-64' file=libfairmesh.dylib member=lib/libfairmesh.$version.dylib ;;
-    macos-aarch64) platform=macos-arm64 format='Mach-O arm64' file=libfairmesh.dylib member=lib/libfairmesh.$version.dylib ;;
-    *) fail "there is no zip for $target" ;;
+    linux-*) format=elf64-x86-64 file=libfairmesh.so ;;
+    windows-*) format=COFF-x86-64 file=fairmesh.dll ;;
+    macos-x86_64) format='Mach-O 64-bit x86-64' file=libfairmesh.dylib ;;
+    macos-*) format='Mach-O arm64' file=libfairmesh.dylib ;;
     esac
     zip=$dist/fairmesh_blender-$version-${platform//-/_}.zip
     [ -e "$zip" ] || fail "$zip is not there: packaging/blender.sh $target"

@@ -25,15 +25,9 @@ bad() { fail "$target: $*"; }
 
 # What the wheel shows without being installed.
 structure() {
-    local archive=$dist/fairmesh-$version-$target.tar.gz tree=fairmesh-$version-$target name size said
-    case $target in
-    linux-*) name=$tree/lib/libfairmesh.so.$version ;;
-    macos-*) name=$tree/lib/libfairmesh.$version.dylib ;;
-    windows-*)
-        archive=${archive%.tar.gz}.zip
-        name=$tree/bin/fairmesh.dll
-        ;;
-    esac
+    local tree=fairmesh-$version-$target archive name size said
+    archive=$dist/$tree.$(archive_kind "$target")
+    name=$tree/$(library_file "$target")
     [ -e "$wheel" ] || bad "$wheel is not there: packaging/wheel.sh $target"
     [ -e "$archive" ] || bad "$archive is not there: packaging/build.sh $target"
     size=$(wc -c <"$wheel")

@@ -41,6 +41,35 @@ need() {
     command -v "$1" >/dev/null || fail "$1 was not found: apt-get install $2"
 }
 
+# How the archives of a target are packed.
+archive_kind() {
+    case $1 in
+    windows-*) echo zip ;;
+    *) echo tar.gz ;;
+    esac
+}
+
+# Where the shared library lies in a target's tree.
+library_file() {
+    case $1 in
+    linux-*) echo "lib/libfairmesh.so.$version" ;;
+    windows-*) echo bin/fairmesh.dll ;;
+    macos-*) echo "lib/libfairmesh.$version.dylib" ;;
+    *) fail "there is no shared library for $1" ;;
+    esac
+}
+
+# What Blender calls a target. It has no others but windows-arm64.
+blender_platform() {
+    case $1 in
+    linux-x86_64) echo linux-x64 ;;
+    windows-x86_64) echo windows-x64 ;;
+    macos-x86_64) echo macos-x64 ;;
+    macos-aarch64) echo macos-arm64 ;;
+    *) fail "Blender has no platform $1" ;;
+    esac
+}
+
 # What a wheel's name says of the system.
 wheel_platform() {
     case $1 in

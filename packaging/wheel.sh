@@ -6,12 +6,9 @@ set -euo pipefail
 . "$(dirname "$0")/tools.sh"
 target=${1-}
 platform=$(wheel_platform "$target")
+file=$(library_file "$target")
 staged=$out/stage/$target/fairmesh-$version-$target
-case $target in
-linux-*) library=$staged/lib/libfairmesh.so.$version ;;
-windows-*) library=$staged/bin/fairmesh.dll ;;
-macos-*) library=$staged/lib/libfairmesh.$version.dylib ;;
-esac
+library=$staged/$file
 [ -e "$library" ] || fail "$library is not there: packaging/build.sh $target"
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || echo 1704067200)}
 export SOURCE_DATE_EPOCH

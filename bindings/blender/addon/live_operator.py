@@ -148,7 +148,12 @@ class MESH_OT_fairmesh_live(Background, RegionOptions, FairingOptions, bpy.types
         self._is_modal = True
         if self._run is None:
             return super().modal(context, event)
-        return self._guarded(self._run.take, event) or self._stop()
+        try:
+            return self._guarded(self._run.take, event) or self._stop()
+        except BaseException:
+            # Blender forgets the operator: nothing may be left hidden.
+            self._stop()
+            raise
 
     def confirm(self):
         """Ends the run with what it has come to."""

@@ -9,6 +9,8 @@ from . import fairmesh, live_edits, live_loops, region
 
 # Beyond, one cannot speak of frames any more, and the first surface alone takes a minute.
 MOST_FREE = 250_000
+# The step of a frame, in diagonals, beyond which nobody would want to see it, and beyond which it is not as good as fair.
+WILD, ROUGH = 0.05, 1e-3
 # So far from its place a mirror image may lie, in lengths of the loop's edges.
 NEAR = 0.02
 
@@ -23,8 +25,10 @@ class LiveRegion:
         self.result = None
         self._symmetry = symmetry
         self._keywords = keywords
-        self._seen = mesh.seen()
+        self._seen = self._shown = self._settled = mesh.seen()
         self._solver = None
+        #: Frames get no nearer to the fair surface; what is shown is the last one that settled then, or one that is near.
+        self.is_stuck = False
 
     def start(self, monitor):
         """Makes the solver and fairs as Fair Selection does, on any thread."""
@@ -32,6 +36,7 @@ class LiveRegion:
         self._solver = fairmesh.Solver(self._seen, self.mesh.triangles, free=self.free, **keywords)
         self._solver.run()
         given = self._solver.result()
+        self._shown = self._settled = given.vertices
         # Normals are no directions: a shape that stretches them would turn them away from the surface.
         shape = np.eye(3) if self.mesh.shape is None else self.mesh.shape
         normals = given.boundary_normals @ shape
@@ -44,8 +49,25 @@ class LiveRegion:
         self._solver.edit([live_edits.for_library(each, self) for each in wanted])
 
     def update(self, seconds):
-        """One frame; says how it stands (`fairmesh.Frame`)."""
-        return self._solver.update(seconds=seconds)
+        """One frame; says whether the surface has settled. Where frames are stuck, `recover` is next, with other edits."""
+        frame = self._solver.update(seconds=seconds)
+        if frame.is_settled or frame.step < WILD:
+            self._shown = self._solver.vertices
+        if frame.is_settled:
+            self._settled = self._shown
+        elif frame.evaluations == 0:
+            self.is_stuck = True
+            if frame.step > ROUGH:
+                self._shown = self._settled
+        return frame.is_settled
+
+    def recover(self):
+        """Finds the surface from the beginning; says whether there is one. Takes about as long as the first one."""
+        is_found = self._solver.finish().outcome.is_success
+        if is_found:
+            self._shown = self._settled = self._solver.vertices
+            self.is_stuck = False
+        return is_found
 
     def finish(self):
         """The converged surface, with its report and what there is to select; kept as `result`, too."""
@@ -61,7 +83,7 @@ class LiveRegion:
 
     def positions(self):
         """All vertices as they stand, (n, 3), in the object's coordinates, and which of them have moved, (n,)."""
-        seen = self._solver.vertices if self.result is None else self.result.vertices
+        seen = self._shown if self.result is None else self.result.vertices
         moved = self.free | (seen != self._seen).any(axis=1)
         positions = self.mesh.vertices.copy()
         positions[moved] = self.mesh.unseen(seen[moved])

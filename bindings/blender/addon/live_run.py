@@ -2,6 +2,7 @@
 """A run of Fair Live in a window: events, frames, and what is shown."""
 
 import math
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -16,8 +17,8 @@ from .number_input import NumberInput
 # A frame may take so long, and is made so often.
 FRAME = 0.04
 TICK = 1 / 60
-# After so many frames without a change a surface that has not settled is left as it is.
-PATIENCE = 60
+# After so many seconds without a change the surface is sought from the beginning, where frames are stuck.
+REST = 0.25
 # A click so far from all loops, in pixels, is none on a loop.
 NEAR = 60
 _KINDS = {"T": TILT, "W": TWIST, "B": BULGE, "G": MOVE}
@@ -211,17 +212,20 @@ class LiveRun:
     # Frames.
 
     def _settle_anew(self):
-        self._is_changed = True
-        self._frame, self._frames_left = None, PATIENCE
+        self._is_changed, self._is_settled, self._is_hopeless = True, False, False
+        self._changed_at = time.monotonic()
 
     def _make_frame(self):
         global frame_count
         if self._is_changed:
             self.put_in_force()
-        elif self._frames_left == 0 or (self._frame is not None and self._frame.is_settled):
+        elif self._is_settled or self._is_hopeless:
             return
-        self._frame = self.live.update(FRAME)
-        self._frames_left -= 1
+        if not self.live.is_stuck:
+            self._is_settled = self.live.update(FRAME)
+        elif time.monotonic() - self._changed_at > REST:
+            self._is_settled = self.live.recover()
+            self._is_hopeless = not self._is_settled
         frame_count += 1
         self._show()
 
@@ -277,10 +281,8 @@ class LiveRun:
         return "" if found else " (this loop has no mirror image)"
 
     def _standing(self):
-        if self._frame is None:
-            return ""
-        if self._frame.is_settled:
+        if self._is_settled:
             return "settled"
-        if self._frames_left:
-            return "settling"
-        return "NOT SETTLED: the surface shown is not the fair one, turn back a little"
+        if self.live.is_stuck:
+            return "NOT SETTLED: the surface shown is not that of this value. Turn back a little"
+        return "settling"

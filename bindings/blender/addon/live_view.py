@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the pointer to angles and ways: drags that go on past the border of the view, and what they mean there."""
+"""From the pointer to angles and ways: drags that go on past the edge of the view, and what they mean there."""
 
 import math
 
@@ -10,7 +10,7 @@ from mathutils import Vector
 #: A right angle is so many pixels.
 RADIANS = math.pi / 2 / 300
 PRECISE = 0.1
-_BORDER = 8
+_MARGIN = 8
 # How long a handle is seen, and the shortest normal that says which way is outward.
 _HANDLE, _SHORT = 70.0, 20.0
 
@@ -88,7 +88,7 @@ class View:
 
 
 class Drag:
-    """The way of the pointer since it began, in pixels. Shift makes it precise; it goes on past the border of the view."""
+    """The way of the pointer since it began, in pixels. Shift makes it precise; it goes on past the edge of the view."""
 
     def __init__(self, view, event):
         self.way = np.zeros(2)
@@ -103,8 +103,8 @@ class Drag:
     def _kept_inside(self, now):
         """Lets the pointer come in again at the other side, as Blender's own transformations do."""
         region = self._view.region
-        room = np.array([region.width, region.height]) - 2 * _BORDER
-        wrapped = _BORDER + (now - _BORDER) % room
+        room = np.array([region.width, region.height]) - 2 * _MARGIN
+        wrapped = _MARGIN + (now - _MARGIN) % room
         if np.array_equal(wrapped, now):
             return now
         self._view.window.cursor_warp(int(wrapped[0]) + region.x, int(wrapped[1]) + region.y)

@@ -92,15 +92,19 @@ def angle():
 
 def on_screen(obj, vertex):
     """Where a vertex of the mesh is seen in the window."""
+    return on_screen_at(obj, common.coordinates(obj)[vertex])
+
+
+def on_screen_at(obj, point):
     region = view()["region"]
-    place = obj.matrix_world @ Vector(common.coordinates(obj)[vertex])
+    place = obj.matrix_world @ Vector(point)
     at = view3d_utils.location_3d_to_region_2d(region, view()["area"].spaces.active.region_3d, place)
     return at.x + region.x, at.y + region.y
 
 
 def steps():
     only = os.environ.get("FAIRMESH_ONLY", "")
-    every = (tilt_and_undo, escape, wheel_and_numbers, bulge_twist_move_mirror, tool, closed_by_the_addon)
+    every = (tilt_and_undo, escape, wheel_and_numbers, bulge_twist_move_mirror, too_far, tool, closed_by_the_addon)
     for each in every:
         if only in each.__name__:
             yield from each()
@@ -262,6 +266,34 @@ def band():
     return obj
 
 
+def too_far():
+    """An angle that no surface has: the header says so, what is shown stays sound, and turning back goes on."""
+    scene()
+    yield 0.3
+    yield from begin()
+    for key in ("ONE", "FIVE", "ZERO"):
+        press(key)
+        yield 0.05
+    yield from wait_until(lambda: "NOT SETTLED" in header(), 30)
+    yield 1.0
+    picture("live_too_far")
+    positions = run_of()._run.live.positions()[0]
+    assert np.abs(positions).max() < 20, np.abs(positions).max()
+    for key in ("BACK_SPACE", "BACK_SPACE"):
+        press(key)
+        yield 0.05
+    yield 0.2
+    yield from wait_until(settled, 30)
+    press("BACK_SPACE")
+    press("ZERO")
+    yield 0.2
+    yield from wait_until(settled, 30)
+    run = run_of()._run.live
+    assert np.abs(np.linalg.norm(run.positions()[0][run.free], axis=1) - 1).max() < 1e-4
+    press("ESC")
+    yield from wait_until(lambda: run_of() is None, 10)
+
+
 def tool():
     """The tool: dragging beside a loop with the button held, then the other loop, and a click beside them ends it."""
     obj = band()
@@ -274,6 +306,7 @@ def tool():
     )
     assert sorted(len(loop.vertices) for loop in found) == [64, 64]
     seen = [min(loop.vertices.tolist(), key=lambda v: on_screen(obj, v)[1]) for loop in found]
+    yield from on_an_arrow(obj, found)
     for number, vertex in enumerate(seen):
         x, y = on_screen(obj, vertex)
         move(x + 8, y - 25)
@@ -300,6 +333,26 @@ def tool():
     assert np.abs(common.coordinates(obj) - before).max() > 0.01
     call(bpy.ops.wm.tool_set_by_id, name="builtin.select_box")
     yield 0.3
+
+
+def on_an_arrow(obj, found):
+    """A drag of the handle that is there before: at its loop, wherever the pointer is nearest to another one."""
+    vertex = int(found[1].vertices[0])
+    normal = common.coordinates(obj)[vertex]
+    x, y = on_screen(obj, vertex)
+    dx, dy = np.array(on_screen_at(obj, normal * 1.2)) - (x, y)
+    share = 45 / math.hypot(dx, dy)
+    move(x + share * dx, y + share * dy)
+    yield 0.7
+    picture("live_arrow")
+    button("PRESS", x + share * dx, y + share * dy)
+    yield from wait_until(lambda: run_of() is not None and run_of()._run, 20)
+    assert state().vertex == vertex, (state().vertex, vertex)
+    button("RELEASE", x + share * dx, y + share * dy)
+    yield 0.3
+    press("ESC")
+    yield from wait_until(lambda: run_of() is None, 10)
+    yield 0.5
 
 
 def closed_by_the_addon():
