@@ -7,7 +7,7 @@ from PIL import Image
 
 WIDTH = 760
 # Of one palette for all, so that what stands still stays the same.
-COLORS = 96
+COLORS = 160
 
 
 def main(folder: Path, file: Path) -> None:
@@ -15,7 +15,7 @@ def main(folder: Path, file: Path) -> None:
     pictures = [Image.open(path).convert("RGB") for path in sorted(folder.glob("*.png"))]
     height = round(WIDTH * pictures[0].height / pictures[0].width)
     small = [picture.resize((WIDTH, height), Image.Resampling.LANCZOS) for picture in pictures]
-    palette = small[len(small) // 2].quantize(COLORS)
+    palette = small[len(small) // 2].quantize(COLORS, method=Image.Quantize.MAXCOVERAGE, kmeans=4)
     frames = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in small]
     frames[0].save(file, save_all=True, append_images=frames[1:], duration=83, loop=0, optimize=True)
 

@@ -7,8 +7,8 @@ import { pathToFileURL } from "node:url";
 import puppeteer from "puppeteer-core";
 
 const PROGRAMS = { chrome: "/usr/bin/chromium", firefox: "/usr/bin/firefox-esr" };
-/** Software draws: machines that test have no screen. */
-const CHROME = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+/** Software draws: machines that test have no screen. Containers have little shared memory. */
+const CHROME = ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 /** Software draws every pixel: fewer of them, where the size does not matter. */
 const USUAL = { width: 900, height: 600 };
 export const DESKTOP = { width: 1280, height: 800 };

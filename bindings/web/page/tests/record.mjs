@@ -21,7 +21,7 @@ const place = (x, y) => page.$eval("#pointer", (pointer, x, y) => Object.assign(
 
 await press(page, "fair");
 await page.$eval("input[name=shading][value=lines]", (button) => button.click());
-for (const [number, [right, down]] of [[2, [70, -60]], [11, [-60, 40]]]) {
+for (const [number, [right, down]] of [[2, [70, -60]], [2, [-110, 80]]]) {
     const { x, y } = (await page.evaluate("fairmesh.arrows()"))[number];
     await place(x, y);
     for (let k = 0; k < 3; k++) await shot();
