@@ -86,7 +86,7 @@ fn drags(shape: &Shape) -> Vec<Drag> {
     let size = shape.mean_edge() * (shape.free_count() as f64).sqrt();
     let full = 30.0 * DEGREE;
     let handle = ring.clone();
-    let center = shape.positions[vertex as usize];
+    let centre = shape.positions[vertex as usize];
     vec![
         Drag {
             name: "tilt +",
@@ -129,7 +129,7 @@ fn drags(shape: &Shape) -> Vec<Drag> {
             at: Box::new(move |s| Edit::Move {
                 vertices: ring.clone(),
                 rotation: [0.0; 3],
-                center: [0.0; 3],
+                centre: [0.0; 3],
                 translation: [0.1 * s * size, 0.05 * s * size, 0.1 * s * size],
                 falloff: 0.0,
             }),
@@ -139,7 +139,7 @@ fn drags(shape: &Shape) -> Vec<Drag> {
             at: Box::new(move |s| Edit::Move {
                 vertices: handle.clone(),
                 rotation: [0.1 * s * full, s * full, 0.2 * s * full],
-                center,
+                centre,
                 translation: [0.0; 3],
                 falloff: 0.0,
             }),

@@ -208,7 +208,7 @@ impl EditIn {
                 Edit::Move {
                     vertices: moved,
                     rotation,
-                    center: centre,
+                    centre,
                     translation,
                     falloff,
                 }

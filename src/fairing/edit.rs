@@ -45,7 +45,7 @@ pub enum Edit {
         /// The angle, in radians.
         amount: f64,
     },
-    /// Moves fixed vertices rigidly, on the boundary or off it: a rotation about `center`, then a translation. Interior points are moved in the same way.
+    /// Moves fixed vertices rigidly, on the boundary or off it: a rotation about `centre`, then a translation. Interior points are moved in the same way.
     /// Boundary normals, given or fitted, turn with their vertices. One edit after the other, and all before normals are tilted.
     Move {
         /// The vertices; each is fixed.
@@ -53,7 +53,7 @@ pub enum Edit {
         /// The axis times the angle in radians.
         rotation: [f64; 3],
         /// The point that stays where it is in the rotation.
-        center: [f64; 3],
+        centre: [f64; 3],
         /// How far they are moved.
         translation: [f64; 3],
         /// The distance from the vertices, along the edges of the mesh, at which other fixed vertices cease to follow; nearer ones follow in part.
@@ -72,11 +72,11 @@ impl Edit {
             Self::Bulge { amount } => (&[&[*amount]], 0.0),
             Self::Move {
                 rotation,
-                center,
+                centre,
                 translation,
                 falloff,
                 ..
-            } => (&[rotation, center, translation], *falloff),
+            } => (&[rotation, centre, translation], *falloff),
         };
         let refuse = |why| {
             Err(Error::BadEdit {

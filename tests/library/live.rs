@@ -46,7 +46,7 @@ fn motion(vertices: &[u32], rotation: [f64; 3], translation: [f64; 3]) -> Edit {
     Edit::Move {
         vertices: vertices.to_vec(),
         rotation,
-        center: [0.3, -0.2, 0.1],
+        centre: [0.3, -0.2, 0.1],
         translation,
         falloff: 0.0,
     }
@@ -126,7 +126,7 @@ fn edits_lead_to_the_surface_of_a_fresh_solve() {
         vec![Edit::Move {
             vertices: vec![first[4]],
             rotation: [0.0; 3],
-            center: [0.0; 3],
+            centre: [0.0; 3],
             translation: [0.1, 0.0, 0.0],
             falloff: 0.9,
         }],
@@ -224,10 +224,10 @@ fn a_rigid_motion_of_all_that_is_fixed_moves_the_surface() {
     let fixed: Vec<u32> = (0..shape.positions.len() as u32)
         .filter(|&v| !shape.free[v as usize])
         .collect();
-    let (rotation, center, translation) = ([0.3, -0.5, 0.4], [0.3, -0.2, 0.1], [0.7, 0.1, -0.4]);
+    let (rotation, centre, translation) = ([0.3, -0.5, 0.4], [0.3, -0.2, 0.1], [0.7, 0.1, -0.4]);
     let turn = Rotation3::new(Vector3::from(rotation));
     let moved = |p: [f64; 3]| -> [f64; 3] {
-        let about = Vector3::from(center);
+        let about = Vector3::from(centre);
         (about + turn * (Vector3::from(p) - about) + Vector3::from(translation)).into()
     };
     // Fitted normals turn with what they were fitted to.
@@ -640,7 +640,7 @@ fn units_and_places_make_no_difference() {
                 Edit::Move {
                     vertices: first.clone(),
                     rotation: [0.0, 0.2, 0.1],
-                    center: placed([1.2, 0.0, 0.0]),
+                    centre: placed([1.2, 0.0, 0.0]),
                     translation: [0.1 * scale, 0.0, 0.05 * scale],
                     falloff: 0.5 * scale,
                 },

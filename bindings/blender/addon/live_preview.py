@@ -187,8 +187,8 @@ def handle_curve(start, end):
     return points, np.tile(_HANDLE, (2, 1)), 4.0, False
 
 
-def circle_curve(center, right, up, radius):
+def circle_curve(centre, right, up, radius):
     """How far a move reaches."""
     angle = np.linspace(0, 2 * np.pi, 65)[:-1, None]
-    points = center + radius * (np.cos(angle) * right + np.sin(angle) * up)
+    points = centre + radius * (np.cos(angle) * right + np.sin(angle) * up)
     return points, np.tile(_EDITED, (64, 1)), 1.5, True

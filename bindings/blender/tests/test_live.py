@@ -71,8 +71,8 @@ def test_a_tilted_sphere_is_the_sphere_that_leaves_its_circle_steeper():
         # The angle between the circle's plane and the surface.
         angle = math.atan2(radius, height) + math.radians(degrees)
         wanted = radius / math.sin(angle)
-        center = height - wanted * math.cos(angle)
-        found = np.linalg.norm(common.coordinates(obj)[free] - (0, 0, center), axis=1)
+        centre = height - wanted * math.cos(angle)
+        found = np.linalg.norm(common.coordinates(obj)[free] - (0, 0, centre), axis=1)
         assert np.abs(found - wanted).max() < 2e-3 * wanted, (degrees, found.min(), found.max(), wanted)
         common.clear()
 

@@ -12,7 +12,7 @@ use crate::order::ascending;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Motion {
     pub(super) rotation: Vector3<f64>,
-    pub(super) center: Vector3<f64>,
+    pub(super) centre: Vector3<f64>,
     pub(super) translation: Vector3<f64>,
 }
 
@@ -23,7 +23,7 @@ impl Motion {
         let moved = if self.rotation == Vector3::zeros() {
             p
         } else {
-            self.center + turn * (p - self.center)
+            self.centre + turn * (p - self.centre)
         };
         (moved + self.translation * part, turn)
     }
@@ -122,7 +122,7 @@ mod tests {
     fn a_quarter_turn_about_a_point_is_what_it_is() {
         let motion = Motion {
             rotation: Vector3::z() * std::f64::consts::PI,
-            center: Vector3::x(),
+            centre: Vector3::x(),
             translation: Vector3::z() * 2.0,
         };
         let (p, turn) = motion.part(0.5, Vector3::new(3.0, 0.0, 0.0));

@@ -133,7 +133,7 @@ impl Resolved {
                 Edit::Move {
                     vertices,
                     rotation,
-                    center,
+                    centre,
                     translation,
                     falloff,
                 } => {
@@ -148,7 +148,7 @@ impl Resolved {
                     }
                     let motion = Motion {
                         rotation: (*rotation).into(),
-                        center: (*center).into(),
+                        centre: (*centre).into(),
                         translation: (*translation).into(),
                     };
                     all.follow(mesh, motion, followers.of(mesh, vertices, *falloff))?;
