@@ -831,6 +831,28 @@ fn edits_that_are_too_much_are_not_said_to_settle_folded_and_are_taken_back() {
     }
 }
 
+/// Who turns the normals wants the edge that the surface has with its surroundings then: it is no crease that fitted normals have made.
+#[test]
+fn a_kink_that_edits_ask_for_is_no_crease() {
+    let shape = sphere_cap(60.0, 500, irregular(2), OUTSIDE);
+    let fitted = options(1e-8);
+    let mut session = finished(&shape, &fitted);
+    for k in 1..=11 {
+        let amount = -5.0 * f64::from(k) * DEGREE;
+        session.edit(&[Edit::Bulge { amount }]).unwrap();
+        session.update(&NO_LIMIT).unwrap();
+    }
+    let found = session.finish(None).unwrap();
+    let fresh = afresh(&shape, found, &fitted);
+    println!(
+        "{:?}, kink {}",
+        found.report.outcome, found.report.quality.boundary_kink
+    );
+    assert!(found.report.quality.boundary_kink > 45.0);
+    assert_eq!(found.report.outcome, fresh.report.outcome);
+    assert_eq!(found.report.outcome, fairmesh::Outcome::Converged);
+}
+
 #[test]
 fn other_inner_fairness_follows_too() {
     let shape = sphere_cap(60.0, 500, irregular(9), OUTSIDE);

@@ -49,6 +49,8 @@ pub(super) struct Cursor {
     unedited: Unedited,
     /// Where the surface passes smoothly in place of having a prescribed normal; empty: nowhere.
     smooth_interior: Vec<bool>,
+    /// Which boundary vertices have a normal from the caller, without edits.
+    has_given_normal: Vec<bool>,
     prescribed: Prescribed,
     /// The domain has other positions of the fixed vertices than those prescribed.
     is_domain_old: bool,
@@ -91,6 +93,7 @@ impl Cursor {
         let unedited = Unedited::new(&prepared.domain, prepared.problem().boundary_normals);
         let cursor = Self {
             smooth_interior: prepared.problem().smooth_interior.to_vec(),
+            has_given_normal: prepared.has_given_normal.clone(),
             prescribed: unedited.prescribed.clone(),
             unedited,
             live: None,
@@ -246,7 +249,7 @@ impl Cursor {
         given: &GivenNormals,
         (normals, smooth_interior): (Vec<Vector3<f64>>, Vec<bool>),
     ) {
-        self.prepared.has_given_normal = given.at_boundary(&self.prepared.domain.region);
+        self.has_given_normal = given.at_boundary(&self.prepared.domain.region);
         self.unedited.prescribed.normals = normals;
         self.smooth_interior = smooth_interior;
     }
@@ -292,6 +295,7 @@ impl Cursor {
 
     /// Follows what is prescribed. Where it is what was prescribed before, nothing is changed.
     pub(super) fn follow(&mut self, prescribed: Prescribed) {
+        self.tell_given(&prescribed);
         let before = self.system.problem();
         if prescribed == self.prescribed && self.smooth_interior == before.smooth_interior {
             return;
@@ -303,6 +307,12 @@ impl Cursor {
         self.is_domain_old |= prescribed.fixed != self.prescribed.fixed;
         self.prescribed = prescribed;
         self.aim(&before);
+    }
+
+    /// What is turned by edits is as the caller wants it.
+    fn tell_given(&mut self, prescribed: &Prescribed) {
+        let normals = self.has_given_normal.iter().zip(&prescribed.is_turned);
+        self.prepared.has_given_normal = normals.map(|(given, turned)| given | turned).collect();
     }
 
     /// Takes another right-hand side.
@@ -432,6 +442,7 @@ impl Cursor {
     /// Back to where it stood.
     pub(super) fn restore(&mut self, surface: Surface) {
         self.change();
+        self.tell_given(&surface.prescribed);
         let normals = surface.prescribed.normals.clone();
         self.system.prescribe(normals, self.smooth_interior.clone());
         self.is_domain_old |= surface.prescribed.fixed != self.prescribed.fixed;

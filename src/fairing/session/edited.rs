@@ -16,6 +16,8 @@ pub(super) struct Prescribed {
     pub(super) fixed: Vec<Vector3<f64>>,
     /// Normals of the boundary vertices.
     pub(super) normals: Vec<Vector3<f64>>,
+    /// Which of them edits have turned off the surroundings: they are as good as given.
+    pub(super) is_turned: Vec<bool>,
 }
 
 /// What is prescribed without edits, and the loops that edits name.
@@ -41,6 +43,7 @@ impl Unedited {
             prescribed: Prescribed {
                 fixed,
                 normals: normals.to_vec(),
+                is_turned: vec![false; normals.len()],
             },
         }
     }
@@ -190,9 +193,11 @@ pub(super) fn united(mut turns: Vec<Turn>) -> Vec<Turn> {
 impl Prescribed {
     /// Turns the normals, of which there is one for each of these vertices.
     pub(super) fn turn(&mut self, boundary: &[u32], turns: &[Turn]) {
-        for (n, v) in self.normals.iter_mut().zip(boundary) {
+        let normals = self.normals.iter_mut().zip(&mut self.is_turned);
+        for ((n, is_turned), v) in normals.zip(boundary) {
             if let Ok(k) = turns.binary_search_by_key(v, |turn| turn.vertex) {
                 *n = turned(*n, turns[k].along, turns[k].angle);
+                *is_turned = true;
             }
         }
     }
