@@ -91,6 +91,7 @@ install_packaging_tools() {
     command -v npm >/dev/null || missing+=(npm)
     command -v chromium >/dev/null || missing+=(chromium)
     command -v firefox-esr >/dev/null || missing+=(firefox-esr)
+    command -v xvfb-run >/dev/null || missing+=(xvfb xauth libgl1-mesa-dri)
     command -v ruby >/dev/null || missing+=(ruby)
     command -v meshlabserver >/dev/null || missing+=(meshlab xvfb libgl1-mesa-dri)
     command -v xz >/dev/null || missing+=(xz-utils)
@@ -145,6 +146,7 @@ full() {
 long() {
     install_packaging_tools
     packaging
+    step firefox bindings/web/page/test.sh target/web/run/node_modules/fairmesh firefox
     step oldest packaging/oldest_rust.sh
     step gallery bindings/python/test.sh long
     step guides cargo test --release --locked -p fairmesh-cli --test guides -- --ignored long::

@@ -101,6 +101,54 @@ static fairmesh_status choose(Bytes *bytes, const fairmesh_mesh *mesh, fairmesh_
     return fairmesh_select_region(mesh, steps, count, result, error);
 }
 
+/* One edit of many kinds. */
+static fairmesh_edit change(Bytes *bytes, List *room, uint32_t vertices) {
+    fairmesh_edit made;
+    uint8_t flags = next(bytes);
+    size_t i;
+    memset(&made, 0, sizeof made);
+    made.kind = flags % 6u;
+    made.vertex = (uint32_t)(next(bytes) % (vertices + 1));
+    made.amount = flags % 64u == 63 ? NAN : unit(bytes);
+    made.falloff = flags & 64 ? fabs(unit(bytes)) : 0.0;
+    made.vertices = list(bytes, room, vertices, LISTED, 1);
+    for (i = 0; i < 3; i++) made.rotation[i] = flags & 128 ? 2.0 * unit(bytes) : 0.0;
+    for (i = 0; i < 3; i++) made.translation[i] = 0.3 * unit(bytes);
+    return made;
+}
+
+/* A solver that is dragged about. */
+static fairmesh_status live(Bytes *bytes, const fairmesh_mesh *mesh, const fairmesh_selection *selection, const fairmesh_options *options,
+                            fairmesh_result **result, fairmesh_error *error) {
+    fairmesh_solver *solver = NULL;
+    fairmesh_status status = fairmesh_solver_new(mesh, selection, options, &solver, error);
+    fairmesh_edit edits[2];
+    List lists[2];
+    fairmesh_budget limit;
+    fairmesh_frame frame;
+    fairmesh_bulge_range range;
+    size_t frames;
+    memset(&limit, 0, sizeof limit);
+    limit.struct_size = sizeof limit;
+    frame.struct_size = sizeof frame;
+    range.struct_size = sizeof range;
+    if (status != FAIRMESH_STATUS_OK) return status;
+    for (frames = 1 + next(bytes) % 4; frames > 0 && status != FAIRMESH_STATUS_INTERNAL; frames--) {
+        uint8_t flags = next(bytes);
+        size_t count = flags % 3u, k;
+        for (k = 0; k < count; k++) edits[k] = change(bytes, &lists[k], (uint32_t)mesh->positions.count);
+        if (fairmesh_solver_edit(solver, edits, count, error) == FAIRMESH_STATUS_INTERNAL) abort();
+        limit.evaluations = 1u + flags / 4u % 16u;
+        status = flags & 64    ? fairmesh_solver_run(solver, 1u + flags / 128u, NULL, error)
+                 : flags & 128 ? fairmesh_solver_bulge_range(solver, &range, error)
+                               : fairmesh_solver_update(solver, &limit, &frame, error);
+    }
+    if (status != FAIRMESH_STATUS_INTERNAL) status = fairmesh_solver_finish(solver, NULL, error);
+    if (status == FAIRMESH_STATUS_OK) status = fairmesh_solver_result(solver, result, error);
+    if (fairmesh_solver_free(solver) != FAIRMESH_STATUS_OK) abort();
+    return status;
+}
+
 /* What needs no fairing of a region. */
 static fairmesh_status other(Bytes *bytes, int task, const fairmesh_mesh *mesh, const fairmesh_selection *selection, const fairmesh_options *options,
                              fairmesh_result **result, fairmesh_error *error) {
@@ -254,7 +302,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     /* 0 where the bytes have run out. */
     task = next(&bytes) % 16;
     if (task > 0 || what & 64) {
-        status = other(&bytes, task > 10 || task == 0 ? 1 : task, &mesh, &selection, &options, &result, &error);
+        status = task == 11 ? live(&bytes, &mesh, &selection, &options, &result, &error)
+                            : other(&bytes, task > 10 || task == 0 ? 1 : task, &mesh, &selection, &options, &result, &error);
     } else {
         status = fairmesh_fair(&mesh, what & 32 ? NULL : &selection, &options, &to, &report, &result, &error);
     }

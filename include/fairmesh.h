@@ -214,6 +214,10 @@ enum fairmesh_status
      */
     FAIRMESH_STATUS_NO_BUMP = 39,
     /**
+     * An edit of a session has a number that is not finite, or moves a free vertex.
+     */
+    FAIRMESH_STATUS_BAD_EDIT = 40,
+    /**
      * A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
      */
     FAIRMESH_STATUS_INTERNAL = 99,
@@ -1286,6 +1290,40 @@ enum fairmesh_seed_kind
 typedef enum fairmesh_seed_kind fairmesh_seed_kind;
 #else
 typedef uint32_t fairmesh_seed_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * What an edit changes.
+ */
+enum fairmesh_edit_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /**
+     * Turns the boundary normals of the loop of `vertex` about the boundary, by `amount` in radians. With a positive one the surface
+     * leaves the boundary steeper to the side that normals point to.
+     */
+    FAIRMESH_EDIT_KIND_TILT = 1,
+    /**
+     * The same on one side of `vertex`, and the opposite on the other.
+     */
+    FAIRMESH_EDIT_KIND_TWIST = 2,
+    /**
+     * Bulges the region by `amount`, outward if it is positive; see `fairmesh_solver_bulge_range`.
+     */
+    FAIRMESH_EDIT_KIND_BULGE = 3,
+    /**
+     * Moves the fixed vertices of `vertices` rigidly; their normals follow, given or fitted.
+     */
+    FAIRMESH_EDIT_KIND_MOVE = 4,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum fairmesh_edit_kind fairmesh_edit_kind;
+#else
+typedef uint32_t fairmesh_edit_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -2367,6 +2405,115 @@ typedef struct fairmesh_continuity {
 } fairmesh_continuity;
 
 /**
+ * A change of what is asked at the boundary. Set it to zero first; what its kind does not need is not read. It never grows.
+ */
+typedef struct fairmesh_edit {
+    /**
+     * A `fairmesh_edit_kind`.
+     */
+    uint32_t kind;
+    /**
+     * A boundary vertex of the region: which loop a tilt or twist concerns, and where it is strongest.
+     */
+    uint32_t vertex;
+    /**
+     * An angle in radians, or the amount of a bulge.
+     */
+    double amount;
+    /**
+     * Tilt and twist: how far along the loop from `vertex` they reach, falling off smoothly; 0: the whole loop. Moves: how far along
+     * the mesh other fixed vertices follow in part; 0: none does.
+     */
+    double falloff;
+    /**
+     * The fixed vertices that are moved, in any order.
+     */
+    struct fairmesh_indices vertices;
+    /**
+     * The axis of a rotation, times its angle in radians.
+     */
+    double rotation[3];
+    /**
+     * A point on the axis.
+     */
+    double centre[3];
+    /**
+     * A translation, after the rotation.
+     */
+    double translation[3];
+} fairmesh_edit;
+
+/**
+ * What a frame may cost. Set `struct_size`, all else to zero: no limit.
+ */
+typedef struct fairmesh_budget {
+    /**
+     * `sizeof(fairmesh_budget)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Evaluations of the equations at most; 0: no limit.
+     */
+    uint64_t evaluations;
+    /**
+     * Seconds, about; 0: no limit. With a limit of seconds the surface depends on the machine.
+     */
+    double seconds;
+    /**
+     * The step norm at which a frame is settled, in diagonals; 0: 1e-6.
+     */
+    double tolerance;
+} fairmesh_budget;
+
+/**
+ * The surface of a frame. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_frame {
+    /**
+     * `sizeof(fairmesh_frame)`.
+     */
+    uint32_t struct_size;
+    /**
+     * 1 if its step norm is within the tolerance everywhere, else 0: further updates go on from here.
+     */
+    uint32_t is_settled;
+    /**
+     * Evaluations of the equations that it has cost.
+     */
+    uint64_t evaluations;
+    /**
+     * Its step norm, in diagonals of the bounding box: how far from the end it is, about. NaN before there is one.
+     */
+    double step;
+} fairmesh_frame;
+
+/**
+ * The amounts of a bulge between which sound surfaces were found. Set `struct_size` before the call.
+ */
+typedef struct fairmesh_bulge_range {
+    /**
+     * `sizeof(fairmesh_bulge_range)`.
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * The smallest, not positive.
+     */
+    double low;
+    /**
+     * The largest, not negative.
+     */
+    double high;
+} fairmesh_bulge_range;
+
+/**
  * A step of `fairmesh_select_region`. Set it to zero first; what its kind does not need is not read. It never grows.
  */
 typedef struct fairmesh_region_step {
@@ -3085,7 +3232,7 @@ fairmesh_status fairmesh_solver_set_boundary_curvature(struct fairmesh_solver *s
                                                        struct fairmesh_error *error);
 
 /**
- * All positions as they stand: of the last iteration run; before the first one, the input's.
+ * All positions as they stand: of the last iteration or frame; before the first one, the input's.
  */
 FAIRMESH_API
 fairmesh_status fairmesh_solver_positions(const struct fairmesh_solver *solver,
@@ -3152,6 +3299,47 @@ fairmesh_status fairmesh_solver_result(const struct fairmesh_solver *solver,
  */
 FAIRMESH_API
 fairmesh_status fairmesh_solver_free(struct fairmesh_solver *solver);
+
+/**
+ * Asks for these changes of the boundary: of its normals, and of where fixed vertices are. `edits` are `edit_count` edits, one after the
+ * other in memory; NULL only if there are none. They take the place of the edits before and are all relative to what was asked when
+ * the solver was made and by the other calls since; no edits: nothing is changed of that. The next update or run starts at the
+ * surface at hand, with the matrices at hand.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_edit(struct fairmesh_solver *solver,
+                                     const struct fairmesh_edit *edits,
+                                     size_t edit_count,
+                                     struct fairmesh_error *error);
+
+/**
+ * One frame: goes on until the surface is settled to the tolerance of `limit` or that is used up, and tells how it stands; whether the
+ * surface is sound is not looked at. `limit` may be NULL: no limit. With a limit of evaluations alone, the same calls
+ * find the same bits. `fairmesh_solver_positions` has the surface. The callback is not called.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_update(struct fairmesh_solver *solver,
+                                       const struct fairmesh_budget *limit,
+                                       struct fairmesh_frame *frame,
+                                       struct fairmesh_error *error);
+
+/**
+ * The converged surface with its report, checked, as a run to the end: within the tolerance that of `fairmesh_fair` with what is asked
+ * and edited. `report` may be NULL.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_finish(struct fairmesh_solver *solver,
+                                       struct fairmesh_report *report,
+                                       struct fairmesh_error *error);
+
+/**
+ * Between which amounts of a bulge, beside the other edits in force, sound surfaces are found: by steps outward from 0. It costs some
+ * tens of frames; the surface at hand stays.
+ */
+FAIRMESH_API
+fairmesh_status fairmesh_solver_bulge_range(struct fairmesh_solver *solver,
+                                            struct fairmesh_bulge_range *range,
+                                            struct fairmesh_error *error);
 
 /**
  * Finds the boundary loops of a mesh: holes and outer boundaries. `result` gets a handle; free it.

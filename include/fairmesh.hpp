@@ -8,6 +8,7 @@
 
 #include <fairmesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -349,6 +350,41 @@ inline std::vector<std::array<std::uint32_t, 2>> self_intersections(const fairme
     return detail::self_intersections(mesh, &list);
 }
 
+/** Turns the boundary normals of a loop about the boundary; see fairmesh_edit_kind. In radians. */
+inline fairmesh_edit tilt(std::uint32_t vertex, double angle, double falloff = 0) {
+    fairmesh_edit made{};
+    made.kind = FAIRMESH_EDIT_KIND_TILT;
+    made.vertex = vertex;
+    made.amount = angle;
+    made.falloff = falloff;
+    return made;
+}
+
+/** The same on one side of the vertex, and the opposite on the other. */
+inline fairmesh_edit twist(std::uint32_t vertex, double angle, double falloff = 0) {
+    auto made = tilt(vertex, angle, falloff);
+    made.kind = FAIRMESH_EDIT_KIND_TWIST;
+    return made;
+}
+
+/** Bulges the whole region; see fairmesh_solver_bulge_range. */
+inline fairmesh_edit bulge(double amount) {
+    fairmesh_edit made{};
+    made.kind = FAIRMESH_EDIT_KIND_BULGE;
+    made.amount = amount;
+    return made;
+}
+
+/** Moves fixed vertices, which have to live as long as it does, by a translation. Set `rotation` and `centre` for more. */
+inline fairmesh_edit moved(const std::vector<std::uint32_t> &vertices, const std::array<double, 3> &translation, double falloff = 0) {
+    fairmesh_edit made{};
+    made.kind = FAIRMESH_EDIT_KIND_MOVE;
+    made.vertices = indices(vertices.data(), vertices.size());
+    std::copy(translation.begin(), translation.end(), made.translation);
+    made.falloff = falloff;
+    return made;
+}
+
 /** Fairing in steps; see fairmesh_solver_new. Used by one thread at a time. */
 class solver {
 public:
@@ -385,6 +421,32 @@ public:
         detail::call(fairmesh_solver_set_boundary_curvature, handle_, &curvature);
     }
     void set_target(const fairmesh_target &target) { detail::call(fairmesh_solver_set_target, handle_, &target); }
+    /** Changes of the boundary, in the place of those before; see fairmesh_solver_edit. */
+    void edit(const std::vector<fairmesh_edit> &edits) { detail::call(fairmesh_solver_edit, handle_, edits.data(), edits.size()); }
+    /** One frame; see fairmesh_solver_update. */
+    fairmesh_frame update(std::uint64_t evaluations = 0, double seconds = 0, double tolerance = 0) {
+        auto limit = detail::sized<fairmesh_budget>();
+        limit.evaluations = evaluations;
+        limit.seconds = seconds;
+        limit.tolerance = tolerance;
+        auto made = detail::sized<fairmesh_frame>();
+        detail::call(fairmesh_solver_update, handle_, &limit, &made);
+        return made;
+    }
+    /** The converged surface; see fairmesh_solver_finish. */
+    fairmesh_report finish() {
+        auto report = detail::sized<fairmesh_report>();
+        detail::call(fairmesh_solver_finish, handle_, &report);
+        relay_->rethrow();
+        return report;
+    }
+    /** The smallest and largest amount of a bulge; see fairmesh_solver_bulge_range. */
+    std::array<double, 2> bulge_range() {
+        auto made = detail::sized<fairmesh_bulge_range>();
+        detail::call(fairmesh_solver_bulge_range, handle_, &made);
+        relay_->rethrow();
+        return {made.low, made.high};
+    }
     void positions(const fairmesh_points_out &out) const { detail::call(fairmesh_solver_positions, handle_, &out); }
     void mean_curvature(const fairmesh_scalars_out &out) const {
         detail::call(fairmesh_solver_mean_curvature, handle_, &out);

@@ -13,6 +13,8 @@ from urllib.parse import unquote, urldefrag
 # Pages of mdBook's own: the navigation for browsers without scripts, and the one that leads to the first page.
 NAVIGATION = "toc.html"
 ENTRY = "index.html"
+# The page of live fairing, where it was handed over: a program in one file, no page of text.
+LIVE = "live/index.html"
 # Attributes whose files a browser fetches by itself.
 FETCHED = {"src", "data", "poster", "srcset"}
 REMOTE = re.compile(r"^(https?:)?//")
@@ -43,7 +45,7 @@ class Page(HTMLParser):
             self.fetched.append(given["href"])
         elif tag == "img" and not given.get("alt", "").strip():
             self.without_words.append(given.get("src", ""))
-        elif tag == "svg" and self.in_main and not given.get("aria-label"):
+        elif tag == "svg" and self.in_main and not given.get("aria-label") and given.get("aria-hidden") != "true":
             self.without_words.append("svg")
         self.in_main |= tag == "main"
 
@@ -85,7 +87,7 @@ def defects(folder: Path) -> list[str]:
         wrong += [f"{path.relative_to(folder)}: {link} is loaded from the network" for link in remote]
     navigation = pages.get(NAVIGATION)
     listed = {lead(NAVIGATION, link) for link in navigation.links} if navigation else set()
-    lost = pages.keys() - listed - {NAVIGATION, ENTRY}
+    lost = pages.keys() - listed - {NAVIGATION, ENTRY, LIVE}
     wrong += [f"{name}: not in the navigation" for name in sorted(lost)]
     if len(pages) < 3:
         wrong.append(f"{folder}: no site")

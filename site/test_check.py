@@ -58,6 +58,12 @@ class Planted(unittest.TestCase):
             with self.subTest(said):
                 self.assertEqual(found({name: text}), [said])
 
+    def test_live_page(self) -> None:
+        """The page of live fairing is in no navigation; it may load nothing either."""
+        self.assertEqual(found({"live/index.html": '<main><svg aria-hidden="true"></svg></main>'}), [])
+        said = "live/index.html: https://x.y/z.js is loaded from the network"
+        self.assertEqual(found({"live/index.html": '<script src="https://x.y/z.js"></script>'}), [said])
+
     def test_links_in_code_are_none(self) -> None:
         """Brackets and parentheses of code are no links."""
         text = "[a](b.md#c) `d[e](f)`\n```cpp\nauto g = [h](i) {};\n```\n![j](k.png) [l](https://m.n) [o](#p)"

@@ -171,6 +171,16 @@ pub enum Error {
         /// What is wrong there.
         why: &'static str,
     },
+    /// An edit of a session cannot be made.
+    #[error("edit {edit}{}: {why}", vertex.map_or(String::new(), |v| format!(", vertex {v}")))]
+    BadEdit {
+        /// Its place in the list, from 0.
+        edit: usize,
+        /// The vertex that it is about, if it is about a single one.
+        vertex: Option<usize>,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// The curvature does not tell where a bump ends.
     #[error("no bump is found there: {why}")]
     NoBump {
@@ -268,6 +278,8 @@ table!(Error {
         "a chain is no run of edges of one boundary loop", "name the vertices of a run of boundary edges, one after the other";
     39 "no_bump" Error::NoBump { .. } =>
         "the curvature does not tell where a bump ends", "say the region by its radius or by a list";
+    40 "bad_edit" Error::BadEdit { .. } =>
+        "an edit of a session has a number that is not finite, or moves a free vertex", "name fixed vertices";
 });
 
 impl Error {
@@ -328,6 +340,7 @@ impl Error {
             | Self::GuidesCross { .. }
             | Self::BadChain { .. }
             | Self::NoBump { .. }
+            | Self::BadEdit { .. }
             | Self::TooLarge { .. }
             | Self::Threads { .. } => {}
         }

@@ -3,6 +3,7 @@
 mod component_solution;
 mod conclusion;
 mod continuity;
+mod edit;
 mod joined;
 mod normalization;
 mod normals;
@@ -29,6 +30,7 @@ use component_solution::{ComponentSolution, whole};
 use conclusion::Found;
 pub(crate) use continuity::check_loops;
 pub use continuity::{BoundaryCurvature, CurvatureContinuity};
+pub use edit::{Budget, Edit, Frame};
 pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};

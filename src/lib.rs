@@ -34,10 +34,10 @@ pub use curvature::{mean_curvature, mean_curvature_joined};
 pub use distance::{DistanceTo, SurfaceDistance};
 pub use error::Error;
 pub use fairing::{
-    Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Coincident, ComponentReport,
-    CurvatureContinuity, Discretization, InnerFairness, InteriorNormals, Intersections, LooseReason, Options,
-    Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection, SelfIntersections,
-    Session, Solution, Solver, Target, fair, fair_with_progress,
+    Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport,
+    CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,
+    LooseReason, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Seconds, Selection,
+    SelfIntersections, Session, Solution, Solver, Target, fair, fair_with_progress,
 };
 pub use holes::{
     BoundaryLoop, BridgeOptions, Bridged, Carried, Erased, FillOptions, FillOutcome, Filled, FlatReason,

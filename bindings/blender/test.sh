@@ -18,7 +18,7 @@ venv ruff ruff==0.17.5
 "$PYTHON" $tests/test_platforms.py --quiet
 zip=$(bindings/blender/build.sh)
 
-for suite in test_lifecycle test_fair test_fill test_join; do
+for suite in test_lifecycle test_fair test_live test_fill test_join; do
     check "Blender 3.4, $suite" blender -b --factory-startup --python-exit-code 7 --python $tests/$suite.py -- "$zip"
 done
 
@@ -26,10 +26,16 @@ for bpy in 4.2.23 5.0.1; do
     venv bpy-${bpy%.*} bpy==$bpy
     python=$out/bpy-${bpy%.*}/bin/python
     valid "$bpy" "$zip"
-    for suite in test_lifecycle test_fair test_fill test_join; do
+    for suite in test_lifecycle test_fair test_live test_fill test_join; do
         check "bpy $bpy, $suite" "$python" $tests/$suite.py "$zip"
     done
 done
 
 printf -- '-- Blender 3.4, the window\n'
-$tests/gui.sh "$zip" "$out/gui" | grep -v '^Info\|^Modules\|^addon_utils'
+# Software OpenGL takes long for large windows: what is measured is measured in a small one.
+in_window() {
+    SIZE=$1 $tests/gui.sh "$zip" "$out/gui" "$2" | grep -v '^Info\|^Modules\|^addon_utils'
+}
+in_window 1280x800 gui
+in_window 900x640 live
+in_window 640x480 live_frames

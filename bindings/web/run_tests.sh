@@ -21,4 +21,4 @@ sed -n '/^```js$/,/^```$/p' node_modules/fairmesh/README.md | grep -v '^```' >re
 node readme.mjs >readme.log
 # shellcheck disable=SC2016
 sed -n '/^```text$/,/^```$/p' node_modules/fairmesh/README.md | grep -v '^```' | diff - readme.log
-node --test calls.test.mjs runs.test.mjs worker.test.mjs
+node --test calls.test.mjs live.test.mjs runs.test.mjs worker.test.mjs

@@ -85,6 +85,8 @@ pub enum fairmesh_status {
     NoFairPatch = 38,
     /// The curvature does not tell where a bump ends.
     NoBump = 39,
+    /// An edit of a session has a number that is not finite, or moves a free vertex.
+    BadEdit = 40,
     /// A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     Internal = 99,
 }
@@ -441,6 +443,7 @@ impl fairmesh_status {
             37 => Self::BadChain,
             38 => Self::NoFairPatch,
             39 => Self::NoBump,
+            40 => Self::BadEdit,
             99 => Self::Internal,
             _ => Self::Internal,
         }

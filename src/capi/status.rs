@@ -172,6 +172,9 @@ impl From<Error> for Failure {
             | Error::NoNormal { vertex }
             | Error::NotOnLoop { vertex }
             | Error::BadChain { vertex, .. }
+            | Error::BadEdit {
+                vertex: Some(vertex), ..
+            }
             | Error::ValenceTooLarge { vertex, .. } => failure.at(Vertex, vertex),
             _ => failure,
         }

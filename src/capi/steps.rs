@@ -230,7 +230,7 @@ fn with_solver<Out>(
     })
 }
 
-/// All positions as they stand: of the last iteration run; before the first one, the input's.
+/// All positions as they stand: of the last iteration or frame; before the first one, the input's.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_solver_positions(
     solver: *const fairmesh_solver,
@@ -243,7 +243,7 @@ pub extern "C" fn fairmesh_solver_positions(
         Ok(out)
     };
     with_solver(solver, error, open, |out, solver| {
-        put_positions(&out, &solver.session.solution().positions, Argument(2))
+        put_positions(&out, solver.session.positions(), Argument(2))
     })
 }
 

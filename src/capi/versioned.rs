@@ -40,6 +40,9 @@ versioned! {
     fairmesh_join_suggestion 48,
     fairmesh_info 56,
     fairmesh_bump 48,
+    fairmesh_budget 32,
+    fairmesh_frame 24,
+    fairmesh_bulge_range 24,
 }
 
 const _: () = assert!(size_of::<fairmesh_error>() == 256);

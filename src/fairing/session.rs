@@ -1,9 +1,14 @@
 //! Fairing in steps, for interactive programs: run some iterations, look, change what is asked, go on.
 
+mod bulge;
 mod cursor;
+mod edited;
+mod live;
 
 use super::component_solution::{ComponentSolution, whole};
-use super::continuity::{check_loops, on_loops};
+use super::continuity::check_loops;
+use super::edit::Edit;
+use super::edit::resolved::{Followers, Resolved};
 use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
 use super::normals::GivenNormals;
 use super::prepared::{Prepared, regions};
@@ -13,6 +18,8 @@ use super::{
     BoundaryCurvature, BoundaryNormals, Options, Outcome, ProgressCallback, Selection, Solution, Solver,
     Target,
 };
+use std::borrow::Cow;
+
 use crate::error::Error;
 use crate::mesh::coincident::{Copies, Selected};
 use crate::mesh::{Joined, Region};
@@ -27,6 +34,12 @@ use cursor::Cursor;
 /// options, to the last bit. After a change of the boundary normals, of continuity or of the target, the next run starts at the surface
 /// at hand with the matrices at hand; where that leads to no sound surface, it begins anew, as `fair` does.
 ///
+/// While something is dragged, [`edit`](Session::edit) changes the boundary, and [`update`](Session::update) makes frames of
+/// [`positions`](Session::positions); [`finish`](Session::finish) ends the drag. For a degree of tilt a frame takes two to eight evaluations of
+/// the equations. What is finished is the surface of a fresh solve of the edited problem, to 1e-8 of the diagonal with the default tolerance, except
+/// where there are several: then it is the one that the drag leads to. Where no surface meets the inner fairness that is asked for
+/// ([`fallback_weights`](crate::Report::fallback_weights)), its vertices lie where the drag has left them.
+///
 /// ```
 /// # // A plane of 7 by 7 vertices with a bump; the nine in the middle are free.
 /// # let at = |v: u32| [f64::from(v % 7), f64::from(v / 7), if v == 24 { 1.0 } else { 0.0 }];
@@ -34,7 +47,7 @@ use cursor::Cursor;
 /// # let cell = |c: u32| { let v = c / 6 * 7 + c % 6; [[v, v + 1, v + 8], [v, v + 8, v + 7]] };
 /// # let triangles: Vec<[u32; 3]> = (0..36).flat_map(cell).collect();
 /// # let free = [16, 17, 18, 23, 24, 25, 30, 31, 32];
-/// use fairmesh::{BoundaryNormals, Options, Outcome, Selection, Session, Target};
+/// use fairmesh::{BoundaryNormals, Budget, Edit, Options, Outcome, Selection, Session, Target};
 ///
 /// let mut session = Session::new(&positions, &triangles, Selection::Vertices(&free), &Options::default())?;
 /// let after_one = session.run(1, None)?;
@@ -47,13 +60,27 @@ use cursor::Cursor;
 /// session.set_target(Target::Constant(0.01))?;
 /// assert!(session.run(100, None)?.report.iterations > 0);
 /// assert!(session.solution().positions[24][2] > 1e-4); // pushed out along the normals
+///
+/// // A drag: the boundary leans outward, frame by frame.
+/// session.set_target(Target::Harmonic)?;
+/// for k in 1..=5 {
+///     session.edit(&[Edit::Bulge { amount: 0.02 * f64::from(k) }])?;
+///     let frame = session.update(&Budget::default())?;
+///     assert!(frame.is_settled && session.positions()[24][2] > 0.01 * f64::from(k));
+/// }
+/// assert!(session.finish(None)?.report.outcome.is_success());
 /// # Ok::<(), fairmesh::Error>(())
 /// ```
 pub struct Session {
     input: Input,
     components: Components,
+    /// The free vertices, ascending.
+    free: Vec<u32>,
+    edited: Edited,
     /// Of all copies.
     solution: Solution,
+    /// The positions of the last frame or run, of all copies.
+    shown: Vec<[f64; 3]>,
     /// What the last run failed with.
     broken: Option<Error>,
     workers: Workers,
@@ -61,6 +88,14 @@ pub struct Session {
 
 /// Continuity of curvature may be asked for later: the regions are the same then.
 const IS_WIDE: bool = true;
+
+/// The edits in force.
+#[derive(Default)]
+struct Edited {
+    list: Vec<Edit>,
+    resolved: Resolved,
+    followers: Followers,
+}
 
 /// What was asked, in the session's own memory, of the joined mesh. Changes go into the options.
 struct Input {
@@ -100,7 +135,7 @@ impl Input {
     /// All components at their beginning, and their solution.
     fn begin(&self) -> Result<(Components, Solution), Error> {
         let components = Components::new(self)?;
-        let solution = self.whole(&components);
+        let solution = self.whole(&components, &Resolved::default());
         Ok((components, solution))
     }
 
@@ -108,17 +143,27 @@ impl Input {
     fn run<'t>(
         &self,
         components: &mut Components,
+        edits: &Resolved,
         iterations: usize,
         told: Option<&'t mut Callback<'t>>,
     ) -> Result<Solution, Error> {
         components.run(self, iterations, told)?;
-        Ok(self.whole(components))
+        Ok(self.whole(components, edits))
+    }
+
+    /// The positions with what edits have moved.
+    fn edited(&self, edits: &Resolved) -> Cow<'_, [[f64; 3]]> {
+        let mut positions = Cow::Borrowed(&self.positions[..]);
+        for moved in &edits.moved {
+            positions.to_mut()[moved.vertex as usize] = moved.at;
+        }
+        positions
     }
 
     /// The solution of all components. On the workers: it looks for intersections on all of them.
-    fn whole(&self, components: &Components) -> Solution {
+    fn whole(&self, components: &Components, edits: &Resolved) -> Solution {
         let mut solution = whole(
-            &self.positions,
+            &self.edited(edits),
             &self.triangles,
             &self.options,
             &components.solutions,
@@ -175,14 +220,26 @@ impl Components {
         Ok(())
     }
 
-    /// Takes the boundary normals of the options, on the same regions.
-    fn set_boundary_normals(&mut self, options: &Options, given: &GivenNormals) -> Result<(), Error> {
+    /// Takes the boundary normals of the options, on the same regions, with the edits in force.
+    fn set_boundary_normals(
+        &mut self,
+        options: &Options,
+        given: &GivenNormals,
+        edits: &Resolved,
+    ) -> Result<(), Error> {
         let normals = self.cursors.iter().map(|c| c.boundary_normals(options, given));
         let normals: Vec<_> = normals.collect::<Result<_, _>>()?;
         for (cursor, normals) in self.cursors.iter_mut().zip(normals) {
-            cursor.prescribe(given, normals);
+            cursor.ask_normals(given, normals);
         }
-        Ok(())
+        self.edit(edits)
+    }
+
+    /// The same on other regions, where all begins anew.
+    fn begun_anew(input: &Input, edits: &Resolved) -> Result<(Self, Solution), Error> {
+        let (mut components, solution) = input.begin()?;
+        components.edit(edits)?;
+        Ok((components, solution))
     }
 }
 
@@ -218,6 +275,9 @@ impl Session {
             .install(|| input.begin())
             .map_err(|error| in_given(error, &input.copies, options))?;
         Ok(Self {
+            free: components.free(),
+            edited: Edited::default(),
+            shown: solution.positions.clone(),
             solution,
             input,
             components,
@@ -245,16 +305,19 @@ impl Session {
             return Ok(&self.solution);
         }
         let iterations = iterations.max(1);
-        let (input, components) = (&self.input, &mut self.components);
+        let (input, components, edits) = (&self.input, &mut self.components, &self.edited.resolved);
         let ran = match progress {
-            None => self.workers.install(|| input.run(components, iterations, None)),
+            None => self
+                .workers
+                .install(|| input.run(components, edits, iterations, None)),
             // A run that is held up goes on later: no factorization is to be broken off.
             Some(callback) => relay(&self.workers, callback, |told, _| {
-                input.run(components, iterations, Some(told))
+                input.run(components, edits, iterations, Some(told))
             })?,
         };
         match ran {
             Ok(solution) => {
+                self.shown.clone_from(&solution.positions);
                 self.solution = solution;
                 Ok(&self.solution)
             }
@@ -282,14 +345,14 @@ impl Session {
         let prescribed = GivenNormals::new(&normals);
         let regions = self.input.regions(&prescribed)?;
         let before = std::mem::replace(&mut self.input.options.boundary_normals, normals);
-        let (input, cursors) = (&self.input, &self.components.cursors);
+        let (input, cursors, edits) = (&self.input, &self.components.cursors, &self.edited.resolved);
         let is_same = cursors.len() == regions.len() && cursors.iter().zip(&regions).all(|(c, r)| c.is_of(r));
         let changed = if is_same {
             let components = &mut self.components;
             self.workers
-                .install(|| components.set_boundary_normals(&input.options, &prescribed))
+                .install(|| components.set_boundary_normals(&input.options, &prescribed, edits))
         } else {
-            let anew = self.workers.install(|| input.begin());
+            let anew = self.workers.install(|| Components::begun_anew(input, edits));
             anew.map(|anew| (self.components, self.solution) = anew)
         };
         if changed.is_err() {
@@ -342,7 +405,7 @@ impl Session {
         }
         asked.validate()?;
         let loops = joined_loops(&self.input.copies, &asked.loop_continuity);
-        let vertices = self.components.cursors.iter().flat_map(|c| on_loops(c.domain()));
+        let vertices = self.components.cursors.iter().flat_map(Cursor::on_loops);
         check_loops(&loops, vertices).map_err(|error| in_given(error, &self.input.copies, &asked))?;
         self.input.options.continuity = asked.continuity;
         self.input.options.loop_continuity = loops;

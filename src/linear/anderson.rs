@@ -65,6 +65,12 @@ impl Anderson {
         self.started = false;
     }
 
+    /// Keeps the differences for another function that is much like the one before, but forgets its last step: none is made of it and the
+    /// next one.
+    pub fn resume(&mut self) {
+        self.started = false;
+    }
+
     /// The number of differences in use.
     pub fn depth(&self) -> usize {
         self.count
@@ -103,15 +109,17 @@ impl Anderson {
             return;
         }
         let products = self.record(f, taken, out);
-        if !self.started {
-            self.started = true;
+        if self.started {
+            let newest = self.newest;
+            for (slot, product) in products.iter().enumerate().take(self.count) {
+                self.gram[newest][slot] = product[0];
+                self.gram[slot][newest] = product[0];
+            }
+        }
+        self.started = true;
+        if self.count == 0 {
             out.copy_from_slice(f);
             return;
-        }
-        let newest = self.newest;
-        for (slot, product) in products.iter().enumerate().take(self.count) {
-            self.gram[newest][slot] = product[0];
-            self.gram[slot][newest] = product[0];
         }
         let weights = self.weights(&products);
         if weights.iter().all(|w| w.is_finite()) {
@@ -134,6 +142,7 @@ impl Anderson {
             self.count = (self.count + 1).min(self.window);
         }
         let (window, newest, count) = (self.window, self.newest, self.count);
+        let started = self.started;
         let blocks = self
             .history
             .chunks_mut(2 * window * BLOCK)
@@ -147,12 +156,14 @@ impl Anderson {
                     || {
                         let (df, dg) = block.split_at_mut(window * BLOCK);
                         let new = newest * BLOCK..newest * BLOCK + f.len();
-                        differences(
-                            (f, last),
-                            taken,
-                            step,
-                            (&mut df[new.clone()], &mut dg[new.clone()]),
-                        );
+                        if started {
+                            differences(
+                                (f, last),
+                                taken,
+                                step,
+                                (&mut df[new.clone()], &mut dg[new.clone()]),
+                            );
+                        }
                         for (slot, sum) in partial.iter_mut().enumerate().take(count) {
                             *sum = products(&df[slot * BLOCK..][..f.len()], &df[new.clone()], f);
                         }

@@ -46,7 +46,7 @@ fn unite_near(vertices: &[u32], at: impl Fn(u32) -> [f64; 3], within: f64, sets:
     let side = within.max(extent * FINEST);
     let cell = |i: u32| {
         let p = at(i);
-        // Counted from one, so that every cell has neighbours.
+        // From 1 on, so that every cell has neighbours.
         [0, 1, 2].map(|k| ((p[k] - low[k]) / side) as u64 + 1)
     };
     let mut cells: Vec<([u64; 3], u32)> = vertices.iter().map(|&i| (cell(i), i)).collect();

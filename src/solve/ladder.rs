@@ -106,6 +106,11 @@ impl Ladder {
         }
     }
 
+    /// The surface to go on from, before that is begun.
+    pub(crate) fn at_hand(&self) -> Option<&[Vector3<f64>]> {
+        self.at_hand.as_deref()
+    }
+
     /// The surface at hand, at which the system stands evaluated; none before the first iteration.
     pub(crate) fn x(&self) -> Option<&[Vector3<f64>]> {
         let continued = self.continuation.as_ref().map(Continuation::x);

@@ -20,6 +20,7 @@ pub(crate) mod graded_plate;
 pub(crate) mod initial;
 pub(crate) mod ladder;
 pub(crate) mod limited_step;
+pub(crate) mod live;
 pub(crate) mod normal_continuation;
 pub(crate) mod normal_matrix;
 pub(crate) mod plate;

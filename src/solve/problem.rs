@@ -14,7 +14,7 @@ use crate::mesh::{Region, Rings};
 use crate::quality::{NEEDLE, Surface};
 
 /// The region and what is made of its connectivity once.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Domain {
     /// The region.
     pub region: Region,
@@ -40,6 +40,13 @@ impl Domain {
             input,
             lengths: None,
         }
+    }
+
+    /// The same with these positions of the fixed vertices (boundary, outside).
+    pub(crate) fn with_fixed(&self, fixed: &[Vector3<f64>]) -> Self {
+        let mut moved = self.clone();
+        moved.input[self.region.free..].copy_from_slice(fixed);
+        moved
     }
 
     /// The same with the lengths of a coarse mesh.

@@ -165,6 +165,11 @@ impl System {
         self.smooth_interior = smooth_interior;
     }
 
+    /// The same region, with its fixed vertices elsewhere.
+    pub(crate) fn take_domain(&mut self, domain: &Arc<Domain>) {
+        self.domain = domain.clone();
+    }
+
     /// Asks for another right-hand side from now on.
     pub(crate) fn ask_right_hand_side(&mut self, right_hand_side: RightHandSide) {
         self.asked.right_hand_side = right_hand_side;

@@ -1033,7 +1033,11 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
     fairmesh_boundary_normals normals;
     fairmesh_boundary_curvature curvature;
     fairmesh_target target;
+    fairmesh_frame frame;
+    fairmesh_bulge_range range;
     fairmesh_result *result = NULL;
+    frame.struct_size = sizeof frame;
+    range.struct_size = sizeof range;
     memset(&curvature, 0, sizeof curvature);
     memset(&normals, 0, sizeof normals);
     memset(&target, 0, sizeof target);
@@ -1055,6 +1059,10 @@ static void check_handle(void *handle, int is_solver, int32_t wanted, const char
         expect_handle(fairmesh_solver_set_target(s, &target, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_continuity(s, 1.0, NULL, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_set_boundary_curvature(s, &curvature, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_edit(s, NULL, 0, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_update(s, NULL, &frame, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_finish(s, &report, &e), &e, wanted, what);
+        expect_handle(fairmesh_solver_bulge_range(s, &range, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_positions(s, &points, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_mean_curvature(s, &scalars, &e), &e, wanted, what);
         expect_handle(fairmesh_solver_report(s, &report, &e), &e, wanted, what);

@@ -1227,6 +1227,165 @@ static void regions(void) {
     cap_free(&cap);
 }
 
+/* A fixed vertex with a free one next to it. */
+static uint32_t on_boundary(const Cap *cap) {
+    size_t t;
+    for (t = 0; t < cap->triangles; t++) {
+        const uint32_t *corner = cap->corners + 3 * t;
+        int k;
+        for (k = 0; k < 3; k++) {
+            if (!cap->free_mask[corner[k]] && cap->free_mask[corner[(k + 1) % 3]]) return corner[k];
+        }
+    }
+    CHECK(0);
+    return 0;
+}
+
+static double farthest(const double *a, const double *b, size_t numbers) {
+    double most = 0.0;
+    size_t k;
+    for (k = 0; k < numbers; k++) most = fmax(most, fabs(a[k] - b[k]));
+    return most;
+}
+
+static void live(void) {
+    Cap cap = cap_new(21);
+    fairmesh_options options = quick();
+    fairmesh_solver *solver = NULL, *other = NULL;
+    fairmesh_report report;
+    fairmesh_error error;
+    fairmesh_edit edits[2];
+    fairmesh_budget limit;
+    fairmesh_frame frame;
+    fairmesh_bulge_range range;
+    size_t numbers = 3 * cap.vertices, v, fixed = 0, frames = 0;
+    double *first = (double *)must(malloc(numbers * sizeof(double))), *now = (double *)must(malloc(numbers * sizeof(double)));
+    uint32_t *list = (uint32_t *)must(malloc(cap.vertices * sizeof(uint32_t)));
+    fairmesh_points_out to = points_out_of(first, cap.vertices);
+    options.tolerance = 1e-10;
+    memset(edits, 0, sizeof edits);
+    memset(&limit, 0, sizeof limit);
+    report.struct_size = sizeof report;
+    frame.struct_size = sizeof frame;
+    range.struct_size = sizeof range;
+    limit.struct_size = sizeof limit;
+    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &solver, &error));
+    OK(fairmesh_solver_finish(solver, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    to.data = now;
+
+    /* Frames of few evaluations lead to the surface that one run finds, and the last one says so. */
+    edits[0].kind = FAIRMESH_EDIT_KIND_TILT;
+    edits[0].vertex = on_boundary(&cap);
+    edits[0].amount = 0.1;
+    OK(fairmesh_solver_edit(solver, edits, 1, &error));
+    limit.evaluations = 2;
+    do {
+        OK(fairmesh_solver_update(solver, &limit, &frame, &error));
+        CHECK(frame.evaluations >= 1 && frame.evaluations <= 2 && ++frames < 100);
+    } while (!frame.is_settled);
+    CHECK(frame.step <= 1e-6 && frames > 1);
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    /* Steeper at the boundary, and so higher within. */
+    CHECK(off_sphere(now, cap.vertices) > 1e-3);
+    for (v = 0; v < cap.vertices; v++) {
+        double r = 0.0;
+        int k;
+        for (k = 0; k < 3; k++) r += now[3 * v + k] * now[3 * v + k];
+        if (cap.free_mask[v])
+            CHECK(r > 0.9999);
+        else
+            CHECK(memcmp(now + 3 * v, cap.positions + 3 * v, 24) == 0);
+    }
+    OK(fairmesh_solver_finish(solver, NULL, &error));
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    OK(fairmesh_solver_new(&cap.mesh, &cap.selection, &options, &other, &error));
+    OK(fairmesh_solver_edit(other, edits, 1, &error));
+    OK(fairmesh_solver_finish(other, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+    {
+        double *cold = (double *)must(malloc(numbers * sizeof(double)));
+        to.data = cold;
+        OK(fairmesh_solver_positions(other, &to, &error));
+        to.data = now;
+        CHECK(farthest(cold, now, numbers) < 1e-8);
+        free(cold);
+    }
+    OK(fairmesh_solver_free(other));
+
+    /* The edits in force are all that count. */
+    OK(fairmesh_solver_edit(solver, NULL, 0, &error));
+    OK(fairmesh_solver_finish(solver, NULL, &error));
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    CHECK(farthest(first, now, numbers) < 1e-8);
+
+    /* With all that is fixed the surface moves as a whole. */
+    for (v = 0; v < cap.vertices; v++) {
+        if (!cap.free_mask[v]) list[fixed++] = (uint32_t)v;
+    }
+    edits[0].kind = FAIRMESH_EDIT_KIND_MOVE;
+    edits[0].vertices.data = list;
+    edits[0].vertices.count = fixed;
+    edits[0].translation[1] = 0.5;
+    OK(fairmesh_solver_edit(solver, edits, 1, &error));
+    OK(fairmesh_solver_update(solver, NULL, &frame, &error));
+    CHECK(frame.is_settled);
+    OK(fairmesh_solver_finish(solver, NULL, &error));
+    OK(fairmesh_solver_positions(solver, &to, &error));
+    for (v = 0; v < cap.vertices; v++) now[3 * v + 1] -= 0.5;
+    CHECK(farthest(first, now, numbers) < 1e-8);
+
+    OK(fairmesh_solver_edit(solver, NULL, 0, &error));
+    OK(fairmesh_solver_bulge_range(solver, &range, &error));
+    CHECK(range.low < 0.0 && range.high > 0.0 && isfinite(range.low) && isfinite(range.high));
+    edits[0].kind = FAIRMESH_EDIT_KIND_BULGE;
+    edits[0].amount = 0.5 * range.high;
+    OK(fairmesh_solver_edit(solver, edits, 1, &error));
+    OK(fairmesh_solver_finish(solver, &report, &error));
+    CHECK(report.outcome == FAIRMESH_OUTCOME_CONVERGED);
+
+    /* What is refused changes nothing. */
+    edits[1].kind = 5;
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_ENUM);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_ARGUMENT && error.element == 2);
+    CHECK(error.other == sizeof *edits + offsetof(fairmesh_edit, kind));
+    edits[1].kind = FAIRMESH_EDIT_KIND_TILT;
+    edits[1].vertex = (uint32_t)cap.vertices;
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == cap.vertices);
+    edits[1].vertex = 0;
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_NOT_ON_LOOP && error.element == 0);
+    edits[1].vertex = on_boundary(&cap);
+    edits[1].amount = NAN;
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
+    edits[1].kind = FAIRMESH_EDIT_KIND_MOVE;
+    edits[1].vertices.data = list;
+    edits[1].vertices.count = 1;
+    for (list[0] = 0; !cap.free_mask[list[0]]; list[0]++) {}
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_BAD_EDIT);
+    CHECK(error.element_kind == FAIRMESH_ELEMENT_VERTEX && error.element == list[0]);
+    edits[1].vertices.data = (const uint32_t *)(const void *)&error;
+    CHECK(fairmesh_solver_edit(solver, edits, 2, &error) == FAIRMESH_STATUS_ALIASING);
+    CHECK(fairmesh_solver_edit(solver, NULL, 1, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    CHECK(fairmesh_solver_edit(solver, edits, SIZE_MAX / 2, &error) == FAIRMESH_STATUS_COUNT_OVERFLOW && error.element == 3);
+    limit.reserved = 1;
+    CHECK(fairmesh_solver_update(solver, &limit, &frame, &error) == FAIRMESH_STATUS_BAD_RESERVED);
+    limit.reserved = 0;
+    limit.seconds = -1.0;
+    CHECK(fairmesh_solver_update(solver, &limit, &frame, &error) == FAIRMESH_STATUS_BAD_OPTION);
+    CHECK(fairmesh_solver_update(solver, NULL, NULL, &error) == FAIRMESH_STATUS_NULL_POINTER);
+    limit.seconds = 10.0;
+    OK(fairmesh_solver_update(solver, &limit, &frame, &error));
+    CHECK(frame.is_settled);
+
+    OK(fairmesh_solver_free(solver));
+    free(first);
+    free(now);
+    free(list);
+    cap_free(&cap);
+}
+
 /* A vertex with more triangles than one may have in a region, on a sphere. */
 static void hub(void) {
     enum { VALENCE = 5000, ROWS = 4 };
@@ -1436,6 +1595,7 @@ int main(void) {
     hub();
     nearest_member();
     in_steps();
+    live();
     continuity();
     holes();
     joins();

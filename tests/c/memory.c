@@ -70,6 +70,33 @@ static void steps(Scene *s) {
     OK(fairmesh_solver_free(solver));
 }
 
+static void live(Scene *s) {
+    fairmesh_error error;
+    fairmesh_solver *solver = NULL;
+    fairmesh_edit edits[2];
+    fairmesh_frame frame;
+    fairmesh_bulge_range range;
+    uint32_t fixed = 0;
+    memset(edits, 0, sizeof edits);
+    frame.struct_size = sizeof frame;
+    range.struct_size = sizeof range;
+    edits[0].kind = FAIRMESH_EDIT_KIND_BULGE;
+    edits[0].amount = 0.02;
+    edits[1].kind = FAIRMESH_EDIT_KIND_MOVE;
+    edits[1].vertices.data = &fixed;
+    edits[1].vertices.count = 1;
+    edits[1].translation[2] = 1e-3;
+    edits[1].falloff = 0.1;
+    if (!passed(s, fairmesh_solver_new(&s->cap.mesh, &s->cap.selection, &s->options, &solver, &error), &error)) return;
+    passed(s, fairmesh_solver_edit(solver, edits, 2, &error), &error);
+    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error), &error);
+    passed(s, fairmesh_solver_edit(solver, edits, 1, &error), &error);
+    passed(s, fairmesh_solver_update(solver, NULL, &frame, &error), &error);
+    passed(s, fairmesh_solver_bulge_range(solver, &range, &error), &error);
+    passed(s, fairmesh_solver_finish(solver, NULL, &error), &error);
+    OK(fairmesh_solver_free(solver));
+}
+
 static void loops(Scene *s) {
     fairmesh_error error;
     fairmesh_result *result = NULL;
@@ -325,6 +352,7 @@ int main(int count, char **arguments) {
     every_allocation(&s, fair_once, "fair, continuous curvature", by);
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
+    every_allocation(&s, live, "live", 29 * by);
     every_allocation(&s, erase, "erase, trim, components", by);
     every_allocation(&s, region, "region", by);
     /* Each point takes some. */

@@ -3,7 +3,7 @@
 use crate::committed::path;
 
 /// The files that are seen from outside.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 22] = [
     "numbers",
     "texts",
     "status",
@@ -16,7 +16,9 @@ const SOURCES: [&str; 20] = [
     "fill_options",
     "about",
     "fair",
+    "edits",
     "steps",
+    "live",
     "fill",
     "refill",
     "erase",

@@ -16,7 +16,7 @@ const HEAD: &str = "/**
 ";
 
 /// Structs that programs read, and so have types for.
-const READ: [&str; 12] = [
+const READ: [&str; 14] = [
     "report",
     "component",
     "attempt",
@@ -29,6 +29,8 @@ const READ: [&str; 12] = [
     "bridgeReport",
     "bump",
     "progress",
+    "frame",
+    "bulgeRange",
 ];
 
 /// Structs whose plain fields programs set by name.

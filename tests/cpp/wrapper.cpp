@@ -121,6 +121,55 @@ void exceptions() {
     CHECK(off_sphere(found.data()->data(), found.size()) < 2e-3);
 }
 
+double farthest(const positions_t &a, const positions_t &b) {
+    double most = 0;
+    for (std::size_t v = 0; v < a.size(); v++) {
+        for (int k = 0; k < 3; k++) most = std::max(most, std::abs(a[v][k] - b[v][k]));
+    }
+    return most;
+}
+
+/** A boundary vertex tilted and back, a handle moved, and a bulge within its range. */
+void live() {
+    auto s = cap(21);
+    const auto mesh = fairmesh::mesh(s.positions, s.triangles);
+    fairmesh::solver solver(mesh, fairmesh::free_mask(s.mask));
+    const auto at = [&solver] { return solver.snapshot().positions(); };
+    solver.finish();
+    const auto first = at();
+    std::vector<std::uint32_t> fixed;
+    for (std::uint32_t v = 0; v < s.mask.size(); v++) {
+        if (!s.mask[v]) fixed.push_back(v);
+    }
+    std::uint32_t on_boundary = 0;
+    for (const auto &t : s.triangles) {
+        for (int k = 0; k < 3; k++) {
+            if (!s.mask[t[k]] && s.mask[t[(k + 1) % 3]]) on_boundary = t[k];
+        }
+    }
+    solver.edit({fairmesh::tilt(on_boundary, 0.1, 0.5), fairmesh::twist(on_boundary, 0.05)});
+    CHECK(solver.update(3).evaluations <= 3);
+    CHECK(solver.update().is_settled == 1);
+    CHECK(solver.finish().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    CHECK(farthest(at(), first) > 1e-3);
+    solver.edit({fairmesh::moved(fixed, {0.0, 0.0, 2.0})});
+    CHECK(solver.finish().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    auto moved = at();
+    for (auto &p : moved) p[2] -= 2.0;
+    CHECK(farthest(moved, first) < 1e-6);
+    solver.edit({});
+    const auto range = solver.bulge_range();
+    CHECK(range[0] < 0 && range[1] > 0);
+    solver.edit({fairmesh::bulge(range[1] / 2)});
+    CHECK(solver.finish().outcome == FAIRMESH_OUTCOME_CONVERGED);
+    try {
+        solver.edit({fairmesh::tilt(UINT32_MAX, 0.1)});
+        CHECK(false);
+    } catch (const fairmesh::error &e) {
+        CHECK(e.status() == FAIRMESH_STATUS_SELECTION_OUT_OF_RANGE);
+    }
+}
+
 void continuing_curvature() {
     auto s = cap(31);
     auto mesh = fairmesh::mesh(s.positions, s.triangles);
@@ -353,6 +402,7 @@ int main() {
     errors();
     exceptions();
     stepping();
+    live();
     continuing_curvature();
     holes();
     joins();

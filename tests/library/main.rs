@@ -18,6 +18,7 @@ mod independence;
 mod interior;
 mod intersections;
 mod join;
+mod live;
 mod long;
 mod outcomes;
 mod paper;

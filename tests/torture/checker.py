@@ -312,19 +312,31 @@ def kinks_before(x: np.ndarray, inside: np.ndarray, outside: np.ndarray) -> dict
 
 
 def filled_kinks(x: np.ndarray, own: np.ndarray, patch: np.ndarray, loop: dict, was: dict | None) -> Findings:
-    """A kink beside a patch is measured against that of the surface before, or else the sharpness around it."""
+    """A kink beside a patch is measured against that of the surface before, or else the sharpness around it.
+
+    Vertices at one place may be one, with the surface around both, or lie on two sheets: a kink is one either way.
+    """
+    points, place = np.unique(x, axis=0, return_inverse=True)
+    place = place.reshape(-1)
+    apart = bad_kinks(x, own, patch, was)
+    as_one = bad_kinks(points, place[own], place[patch], was)
+    both = {v: angles for v, angles in apart.items() if place[v] in as_one}
+    if not both:
+        return []
+    worst = max(both, key=lambda v: both[v][0])
+    after, before = both[worst]
+    told = f"{len(both)} boundary vertices; vertex {worst}: {after:.1f} degrees, {before:.1f} around it"
+    return [("kink", f"loop {loop['index']}: {told}")]
+
+
+def bad_kinks(x: np.ndarray, own: np.ndarray, patch: np.ndarray, was: dict | None) -> dict[int, tuple[float, float]]:
+    """The vertices beside a patch with too wide a kink: how wide it is, and what it is measured against."""
     at, after = kinks(x, patch, own)
     before = sharpness(x, own, at)
     if was is not None:
         before = np.array([was.get(key, around) for key, around in zip(position_keys(x[at]), before, strict=True)])
     bad = (after > KINK) & (after > before + KINK_MORE)
-    if not bad.any():
-        return []
-    worst = np.flatnonzero(bad)[np.argmax(after[bad])]
-    told = (
-        f"{bad.sum()} boundary vertices; vertex {at[worst]}: {after[worst]:.1f} degrees, {before[worst]:.1f} around it"
-    )
-    return [("kink", f"loop {loop['index']}: {told}")]
+    return {int(v): (float(a), float(b)) for v, a, b in zip(at[bad], after[bad], before[bad], strict=True)}
 
 
 def sharpness(x: np.ndarray, triangles: np.ndarray, vertices: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cases import Place, fair, fill, together
-from checker import clean, closed, judge_fair, judge_fill, kinks_before, tells_intersections
+from checker import clean, closed, filled_kinks, judge_fair, judge_fill, kinks_before, tells_intersections
 from formats import FORMATS, UnreadableError, ending, read, write
 from generated import hub, slot, sphere
 from geometry import irregular_vertices, smallest_angles, without_islands
@@ -167,6 +167,19 @@ def test_a_patch_may_have_its_own_numbers_for_vertices_at_the_same_place():
     both = np.concatenate([own, number[patch]])
     assert closed(np.concatenate([x, x[rim]]), both, number[patch], {"index": 0}) == []
     assert closed(np.concatenate([x, x[rim] + 1e-3]), both, number[patch], {"index": 0}) != []
+
+
+def test_a_kink_beside_a_doubled_vertex_is_measured_against_both_its_sides():
+    # Two triangles of a roof, 50 degrees steep, each with its own copy of the vertex between them, and a level patch.
+    slope = -np.tan(np.radians(50))
+    x = np.array(
+        [[0, 0, 0], [1, -0.1, slope], [1, 0.1, slope], [-1, 0.1, slope], [-1, -0.1, slope], [-0.1, -1, 0], [0.1, -1, 0]]
+    )
+    x = np.vstack([x, x[0]])
+    own, patch = np.array([[0, 1, 2], [7, 3, 4]]), np.array([[0, 5, 6]])
+    assert filled_kinks(x, own, patch, {"index": 0}, None) == []
+    x[7] += 1e-3
+    assert [kind for kind, _ in filled_kinks(x, own, patch, {"index": 0}, None)] == ["kink"]
 
 
 def test_exit_0_does_not_stand_beside_an_unfaired_loop():

@@ -45,7 +45,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         every = [self._region(context, obj) for obj in context.objects_in_mode_unique_data]
         regions = [r for r in every if r.free.any()]
         if not regions:
-            self.report({"ERROR"}, messages.not_selected((r.mesh for r in every), *self._nothing(context)))
+            self.report({"ERROR"}, messages.not_selected((r.mesh for r in every), *self.nothing_free(context)))
             return None
 
         def compute(part, monitor):
@@ -56,23 +56,10 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
 
     def _region(self, context, obj):
         mesh = snapshot.read(obj)
-        free = region.free_mask(mesh, self._by_faces(context))
+        free = region.free_mask(mesh, self.is_by_faces(context))
         symmetry = region.Symmetry(mesh, free)
         mesh.triangles = triangulation.cut_evenly(mesh, free)
         return Region(mesh, free, symmetry, self.fairing_keywords(region.diagonal(mesh, free)))
-
-    def _by_faces(self, context):
-        if self.region == "AUTO":
-            return tuple(context.tool_settings.mesh_select_mode) == (False, False, True)
-        return self.region == "FACES"
-
-    def _nothing(self, context):
-        if self._by_faces(context):
-            return (
-                "No vertex can move",
-                "select faces with vertices inside, as the selection's boundary stays; or set Region to Selected Vertices",
-            )
-        return "No vertex can move", "select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
 
     def finish(self, context, regions):
         moved = [_positions(part) for part in regions]
@@ -84,7 +71,7 @@ class MESH_OT_fairmesh_fair(Background, RegionOptions, FairingOptions, bpy.types
         for part in regions:
             kind, text = messages.faired(part.result.report, self.continuity)
             self.report({kind}, messages.name_before(regions, part) + text)
-            _remember(part)
+            remember(part)
         return {"FINISHED"}
 
 
@@ -97,7 +84,7 @@ def _positions(part):
     return indices, part.symmetry.apply(mesh.unseen(part.result.vertices))[indices]
 
 
-def _remember(part):
+def remember(part):
     """Offers to select what the result has reservations about."""
     mesh, result = part.mesh, part.result
     if len(result.poor_triangles):

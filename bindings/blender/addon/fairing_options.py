@@ -31,6 +31,20 @@ class RegionOptions:
     def draw_region(self, layout):
         choice(layout, self, "region", "Region")
 
+    def is_by_faces(self, context):
+        if self.region == "AUTO":
+            return tuple(context.tool_settings.mesh_select_mode) == (False, False, True)
+        return self.region == "FACES"
+
+    def nothing_free(self, context):
+        """Why nothing can move, and what to do."""
+        if self.is_by_faces(context):
+            return (
+                "No vertex can move",
+                "select faces with vertices inside, as the selection's boundary stays; or set Region to Selected Vertices",
+            )
+        return "No vertex can move", "select vertices inside the mesh. Its boundary and vertices of hidden faces stay"
+
 
 class FairingOptions:
     """Mixed into operators and settings. Every identifier in lower case is the library's name of the choice."""

@@ -85,6 +85,15 @@ def stop_all():
 _modal = set()
 
 
+def add_modal(operator):
+    """`operator.leave()` is called when the add-on is disabled."""
+    _modal.add(operator)
+
+
+def remove_modal(operator):
+    _modal.discard(operator)
+
+
 class Background:
     """Mixed into operators that compute: modal with progress and ESC from the interface, at once from scripts and F9.
 

@@ -10,6 +10,8 @@ _FILE = Path(__file__).resolve().parent / "manual" / "index.html"
 # The sections of the page; build.sh makes it from README.md.
 _SECTIONS = (
     ("bpy.ops.mesh.fairmesh_fair*", "fair-selection"),
+    ("bpy.ops.mesh.fairmesh_live*", "fair-live"),
+    ("bpy.types.fairmesh_pg_live_edit*", "fair-live"),
     ("bpy.ops.mesh.fairmesh_fill_holes*", "fill-hole-and-fair"),
     ("bpy.ops.mesh.fairmesh_join_loops*", "join-loops-and-fair"),
     ("bpy.ops.mesh.fairmesh_bridge*", "bridge-edges-and-fair"),

@@ -9,9 +9,11 @@ from .erase_operator import MESH_OT_fairmesh_erase_and_fill
 from .fair_operator import MESH_OT_fairmesh_fair
 from .fill_operator import MESH_OT_fairmesh_fill_holes
 from .join_operator import MESH_OT_fairmesh_join_loops
+from .live_operator import MESH_OT_fairmesh_live
 
 _OPERATORS = (
     (MESH_OT_fairmesh_fair, "MOD_SMOOTH"),
+    (MESH_OT_fairmesh_live, "MOD_SIMPLEDEFORM"),
     (MESH_OT_fairmesh_erase_and_fill, "BRUSH_DATA"),
     (MESH_OT_fairmesh_join_loops, "AUTOMERGE_ON"),
     (MESH_OT_fairmesh_bridge, "MOD_SKIN"),

@@ -56,6 +56,10 @@ class Snapshot:
         # Not by a matrix product, which may round each row in its own way: copies of a vertex stay copies.
         return (self.vertices[:, None, :] * self.shape).sum(axis=2)
 
+    def seen_way(self, way):
+        """A direction and length of the object's coordinates, (3,), as it is there."""
+        return way if self.shape is None else self.shape @ way
+
     @cached_property
     def on_surface_boundary(self):
         """The vertices on the boundary of the surface, (n,), where edges that lie on each other are one."""

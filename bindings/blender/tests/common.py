@@ -137,6 +137,38 @@ def _on_sphere(obj):
     return obj
 
 
+def tube(radius, start, end, turn=0.0, around=32):
+    """An open tube between two points: vertices, quads."""
+    start, end = np.asarray(start, float), np.asarray(end, float)
+    axis = (end - start) / np.linalg.norm(end - start)
+    u = np.cross(axis, (0, 1, 0))
+    u /= np.linalg.norm(u)
+    v = np.cross(axis, u)
+    rows = max(3, round(np.linalg.norm(end - start) / (2 * np.pi * radius / around)))
+    angle = turn + 2 * np.pi * np.arange(around) / around
+    ring = radius * (np.outer(np.cos(angle), u) + np.outer(np.sin(angle), v))
+    vertices = np.concatenate([start + (end - start) * k / rows + ring for k in range(rows + 1)])
+    faces = [
+        (i * around + j, i * around + (j + 1) % around, (i + 1) * around + (j + 1) % around, (i + 1) * around + j)
+        for i in range(rows)
+        for j in range(around)
+    ]
+    return vertices, faces
+
+
+def tubes(*parts):
+    """An object of several tubes, in the mode of edges."""
+    vertices, faces, count = [], [], 0
+    for part in parts:
+        points, quads = tube(*part)
+        vertices.append(points)
+        faces += [[index + count for index in quad] for quad in quads]
+        count += len(points)
+    obj = add("tubes", np.concatenate(vertices), faces)
+    edit(obj, "EDGE")
+    return obj
+
+
 def edit(obj, mode="FACE"):
     """Edit mode with this select mode and nothing selected."""
     activate(obj)

@@ -2,15 +2,12 @@
 """The add-on in Blender's window: sidebar, run with progress, ESC, undo, redo with another option, disabled in mid-run.
 
 Started by gui.sh under Xvfb: blender --enable-event-simulate --python gui.py -- ZIP FOLDER. Pictures go to FOLDER.
-Each step is a generator that yields seconds to wait, as Blender has to draw and handle events in between.
 """
 
 import contextlib
-import subprocess
 import sys
 import threading
 import time
-import traceback
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -19,53 +16,14 @@ import blf
 import bpy  # isort: skip
 import common
 import numpy as np
+import window
 from common import part
+from window import call, click, picture, press, view, wait_until
 
-ZIP, FOLDER = sys.argv[sys.argv.index("--") + 1 :]
-common.install(ZIP)
-bpy.context.preferences.view.show_splash = False
-# Blender ends a modal operator's timer loop between two of these.
-POLL = 0.01
 # From the top of the sidebar to the first button of the add-on's tab, in pixels.
 BUTTON = 45
 # And to the first panel of options.
-OPTIONS = 215
-
-
-def view():
-    """What operators called from a timer need to find."""
-    window = bpy.context.window_manager.windows[0]
-    area = next(a for a in window.screen.areas if a.type == "VIEW_3D")
-    region = next(r for r in area.regions if r.type == "WINDOW")
-    return {"window": window, "area": area, "region": region}
-
-
-def call(operator, *arguments, **keywords):
-    with bpy.context.temp_override(**view()):
-        return operator(*arguments, **keywords)
-
-
-def picture(name):
-    subprocess.run(["import", "-window", "root", str(Path(FOLDER) / f"{name}.png")], check=True)
-
-
-def press(key, **modifiers):
-    window = bpy.context.window_manager.windows[0]
-    x, y = 500, 400
-    window.event_simulate(type=key, value="PRESS", x=x, y=y, **modifiers)
-    window.event_simulate(type=key, value="RELEASE", x=x, y=y, **modifiers)
-
-
-def click(x, y):
-    window = bpy.context.window_manager.windows[0]
-    # Blender has to see where the pointer is before it is pressed.
-    for offset in (30, 0):
-        window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x - offset, y=y)
-        yield 0.3
-    window.event_simulate(type="LEFTMOUSE", value="PRESS", x=x, y=y)
-    yield 0.1
-    window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=x, y=y)
-    yield 0.7
+OPTIONS = 237
 
 
 def running():
@@ -104,13 +62,6 @@ def scene(make):
     return obj, free
 
 
-def wait_until(condition, seconds):
-    end = time.perf_counter() + seconds
-    while not condition():
-        assert time.perf_counter() < end, "it takes too long"
-        yield POLL
-
-
 def steps():
     yield from labels_fit()
     yield from seen()
@@ -143,7 +94,7 @@ def labels_fit():
             for item in option.enum_items:
                 assert needs(item.name, 34) <= min(room, values), item.name
         assert option.type == "BOOLEAN" or needs(option.name) <= names, option.name
-    for name in ("fair", "fill_holes", "join_loops", "bridge", "erase_and_fill", "show_curvature", "select_found"):
+    for name in ("fair", "live", "fill_holes", "join_loops", "bridge", "erase_and_fill", "show_curvature", "select_found"):
         assert needs(getattr(bpy.ops.mesh, f"fairmesh_{name}").get_rna_type().name, 40) <= room, name
     print(f"the sidebar has room for {room} pixels")
 
@@ -293,17 +244,4 @@ def disabled_in_mid_run():
     picture("enabled_again")
 
 
-def drive():
-    try:
-        return next(_steps)
-    except StopIteration:
-        print("The window test has passed", flush=True)
-        common.leave(0)
-    except BaseException:
-        traceback.print_exc()
-        picture("failed")
-        common.leave(1)
-
-
-_steps = steps()
-bpy.app.timers.register(drive, first_interval=2.0)
+window.run(steps())

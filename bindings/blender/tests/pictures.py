@@ -122,38 +122,6 @@ def beside_fair_tangency(folder):
     append(names, folder / "zebra.png")
 
 
-def tube(radius, start, end, turn=0.0, around=32):
-    """An open tube between two points: vertices, quads."""
-    start, end = np.asarray(start, float), np.asarray(end, float)
-    axis = (end - start) / np.linalg.norm(end - start)
-    u = np.cross(axis, (0, 1, 0))
-    u /= np.linalg.norm(u)
-    v = np.cross(axis, u)
-    rows = max(3, round(np.linalg.norm(end - start) / (2 * np.pi * radius / around)))
-    angle = turn + 2 * np.pi * np.arange(around) / around
-    ring = radius * (np.outer(np.cos(angle), u) + np.outer(np.sin(angle), v))
-    vertices = np.concatenate([start + (end - start) * k / rows + ring for k in range(rows + 1)])
-    faces = [
-        (i * around + j, i * around + (j + 1) % around, (i + 1) * around + (j + 1) % around, (i + 1) * around + j)
-        for i in range(rows)
-        for j in range(around)
-    ]
-    return vertices, faces
-
-
-def tubes(*parts):
-    """An object of several tubes, in the mode of edges."""
-    vertices, faces, count = [], [], 0
-    for part in parts:
-        points, quads = tube(*part)
-        vertices.append(points)
-        faces += [[index + count for index in quad] for quad in quads]
-        count += len(points)
-    obj = common.add("tubes", np.concatenate(vertices), faces)
-    common.edit(obj, "EDGE")
-    return obj
-
-
 def dent():
     obj = common.irregular_sphere(40)
     common.flatten_cap(obj)
@@ -179,13 +147,13 @@ def mouths():
         (0.3, (1.2, 0, -0.5), (0.6, 0, -0.2)),
         (0.25, (0.2, 0, 1.1), (0.1, 0, 0.65)),
     )
-    obj = tubes(*parts)
+    obj = common.tubes(*parts)
     common.select_boundary(obj, lambda e: abs(e.verts[0].co.x) < 0.8 and e.verts[0].co.z < 0.9)
     return obj
 
 
 def runs():
-    obj = tubes((0.5, (-1.3, 0, 0), (-0.5, 0, 0)), (0.5, (1.3, 0, 0.2), (0.5, 0, 0)))
+    obj = common.tubes((0.5, (-1.3, 0, 0), (-0.5, 0, 0)), (0.5, (1.3, 0, 0.2), (0.5, 0, 0)))
     common.select_boundary(obj, lambda e: all(abs(v.co.x) < 0.7 and v.co.y < -0.2 and v.co.z > -0.2 for v in e.verts))
     return obj
 

@@ -26,6 +26,7 @@ OPERATORS = (
     "fairmesh_join_loops",
     "fairmesh_bridge",
     "fairmesh_erase_and_fill",
+    "fairmesh_live",
     "fairmesh_show_curvature",
     "fairmesh_hide_curvature",
     "fairmesh_select_found",
@@ -38,6 +39,15 @@ MENUS = (
     "VIEW3D_MT_edit_mesh_delete",
     "VIEW3D_MT_edit_mesh_context_menu",
 )
+
+
+def has_tool():
+    """Whether Fair Live is in the tool bar of Edit mode."""
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
+
+    listed = VIEW3D_PT_tools_active._tools["EDIT_MESH"]
+    flat = [each for group in listed for each in (group if isinstance(group, tuple) else (group,))]
+    return any(getattr(each, "idname", None) == "fairmesh.live" for each in flat)
 
 
 def registered():
@@ -112,9 +122,9 @@ def test_disabled_and_enabled():
     for _ in range(3):
         use()
         bpy.ops.preferences.addon_disable(module=common.NAME)
-        assert not registered() and not hasattr(bpy.types.Scene, "fairmesh")
+        assert not registered() and not hasattr(bpy.types.Scene, "fairmesh") and not has_tool()
         bpy.ops.preferences.addon_enable(module=common.NAME)
-        assert registered() == list(OPERATORS)
+        assert registered() == list(OPERATORS) and has_tool()
     use()
 
 
@@ -161,7 +171,7 @@ def test_the_menus_are_left_as_they_were():
     for menu in MENUS:
         drawn = getattr(bpy.types, menu).draw._draw_funcs
         ours = [f for f in drawn if f.__module__.startswith(common.NAME)]
-        wanted = {"clean": 6, "vertices": 2, "edges": 4, "faces": 3, "delete": 1, "menu": 5}
+        wanted = {"clean": 7, "vertices": 3, "edges": 5, "faces": 4, "delete": 1, "menu": 6}
         assert len(ours) == wanted[menu.rpartition("_")[2]], ours
 
 
@@ -175,9 +185,9 @@ def test_the_right_click_menu_has_what_the_select_mode_is_for():
                 draw(SimpleNamespace(layout=layout), context)
         return {name.partition("fairmesh_")[2] for name in found}
 
-    assert entries(True, False, False) == {"fair", "fill_holes"}
-    assert entries(False, True, False) == {"fair", "fill_holes", "join_loops", "bridge"}
-    assert entries(False, False, True) == {"fair", "erase_and_fill"}
+    assert entries(True, False, False) == {"fair", "live", "fill_holes"}
+    assert entries(False, True, False) == {"fair", "live", "fill_holes", "join_loops", "bridge"}
+    assert entries(False, False, True) == {"fair", "live", "erase_and_fill"}
 
 
 def test_tooltips_are_short_enough_for_blender():
@@ -191,11 +201,14 @@ def test_tooltips_are_short_enough_for_blender():
 
 
 def test_the_sidebar_has_every_option():
-    """But for which of two buttons it is, and the range of colours."""
+    """But for which of two buttons it is, the range of colours, and what is dragged."""
     settings = set(bpy.types.Scene.bl_rna.properties["fairmesh"].fixed_type.properties.keys())
-    for name in OPERATORS[:5]:
+    for name in OPERATORS[:6]:
         options = set(getattr(bpy.ops.mesh, name).get_rna_type().properties.keys())
-        assert options - settings <= {"rna_type", "scope"}, (name, options - settings)
+        assert options - settings <= {"rna_type", "scope", "edits", "mirror", "kind", "vertex", "hold"}, (
+            name,
+            options - settings,
+        )
 
 
 def test_the_manual_has_a_section_for_every_operator():

@@ -90,6 +90,8 @@ export const enums = {
         no_fair_patch: 38,
         /** The curvature does not tell where a bump ends. */
         no_bump: 39,
+        /** An edit of a session has a number that is not finite, or moves a free vertex. */
+        bad_edit: 40,
         /** A bug of fairmesh, caught; the handle, if there was one, answers so from now on. */
         internal: 99,
     },
@@ -425,6 +427,16 @@ export const enums = {
         /** Gaussian curvature, in 1 / length^2. NaN where no vertex is free. */
         gaussian_curvature: 1,
     },
+    editKind: {
+        /** Turns the boundary normals of the loop of `vertex` about the boundary, by `amount` in radians. With a positive one the surface leaves the boundary steeper to the side that normals point to. */
+        tilt: 1,
+        /** The same on one side of `vertex`, and the opposite on the other. */
+        twist: 2,
+        /** Bulges the region by `amount`, outward if it is positive; see `solverBulgeRange`. */
+        bulge: 3,
+        /** Moves the fixed vertices of `vertices` rigidly; their normals follow, given or fitted. */
+        move: 4,
+    },
     regionKind: {
         /** The whole mesh. */
         all: 0,
@@ -555,6 +567,9 @@ export type Vectors = keyof typeof enums.vectors;
 
 /** Numbers per vertex in a result. */
 export type Scalars = keyof typeof enums.scalars;
+
+/** What an edit changes. */
+export type EditKind = keyof typeof enums.editKind;
 
 /** What a step of `selectRegion` names, or does. */
 export type RegionKind = keyof typeof enums.regionKind;
@@ -1027,6 +1042,51 @@ export const structs = {
             maxVertices: [16, "u64"],
         },
     },
+    edit: {
+        size: 112,
+        align: 8,
+        fields: {
+            kind: [0, "editKind"],
+            vertex: [4, "u32"],
+            amount: [8, "f64"],
+            falloff: [16, "f64"],
+            vertices: [24, "indices"],
+            rotation: [40, "f64", 3],
+            centre: [64, "f64", 3],
+            translation: [88, "f64", 3],
+        },
+    },
+    budget: {
+        size: 32,
+        align: 8,
+        fields: {
+            structSize: [0, "u32"],
+            reserved: [4, "u32"],
+            evaluations: [8, "u64"],
+            seconds: [16, "f64"],
+            tolerance: [24, "f64"],
+        },
+    },
+    frame: {
+        size: 24,
+        align: 8,
+        fields: {
+            structSize: [0, "u32"],
+            isSettled: [4, "u32"],
+            evaluations: [8, "u64"],
+            step: [16, "f64"],
+        },
+    },
+    bulgeRange: {
+        size: 24,
+        align: 8,
+        fields: {
+            structSize: [0, "u32"],
+            reserved: [4, "u32"],
+            low: [8, "f64"],
+            high: [16, "f64"],
+        },
+    },
     regionStep: {
         size: 104,
         align: 8,
@@ -1484,6 +1544,24 @@ export interface PlainRemeshOptions {
     maxVertices?: number | undefined;
 }
 
+/** The surface of a frame. */
+export interface Frame {
+    /** 1 if its step norm is within the tolerance everywhere, else 0: further updates go on from here. */
+    isSettled: number;
+    /** Evaluations of the equations that it has cost. */
+    evaluations: number;
+    /** Its step norm, in diagonals of the bounding box: how far from the end it is, about. NaN before there is one. */
+    step: number;
+}
+
+/** The amounts of a bulge between which sound surfaces were found. */
+export interface BulgeRange {
+    /** The smallest, not positive. */
+    low: number;
+    /** The largest, not negative. */
+    high: number;
+}
+
 /** What was taken for a bump or dent. Curvatures in 1 / length. */
 export interface Bump {
     /** How many triangles it has. */
@@ -1549,6 +1627,10 @@ export const functions = {
     fairmesh_solver_continuity: ["pointer", "u64", "u64", "continuity", "error"],
     fairmesh_solver_result: ["pointer", "pointer", "error"],
     fairmesh_solver_free: ["pointer"],
+    fairmesh_solver_edit: ["pointer", "edit", "size", "error"],
+    fairmesh_solver_update: ["pointer", "budget", "frame", "error"],
+    fairmesh_solver_finish: ["pointer", "report", "error"],
+    fairmesh_solver_bulge_range: ["pointer", "bulgeRange", "error"],
     fairmesh_boundary_loops: ["mesh", "pointer", "error"],
     fairmesh_rim_roughness: ["mesh", "pointer", "error"],
     fairmesh_fill_holes: ["mesh", "fillOptions", "options", "pointer", "error"],

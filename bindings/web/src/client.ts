@@ -8,7 +8,8 @@ import type { RefillOptions, RemeshResult } from "./erase.js";
 import type { FairOptions, FairResult } from "./fairing.js";
 import type { BridgeOptions, BridgeResult, FillOptions, FillResult } from "./holes.js";
 import type { Fairmesh } from "./index.js";
-import { newWorker, type Port } from "./ports.js";
+import { newWorker, type Port, webPort } from "./ports.js";
+import { type Caller, type SolverCall, WorkerSolver } from "./worker_solver.js";
 
 /** What a call in a worker can be handed besides its options. */
 export interface Handed {
@@ -44,13 +45,16 @@ type ShortCalls = { [K in (typeof SHORT)[number]]: (...given: Parameters<Fairmes
 /** What can be called in a worker. */
 export type Method = keyof LongCalls | keyof ShortCalls;
 
+/** Calls by which solvers live in the worker: their number comes first. */
+export type SolverMethod = "openSolver" | "callSolver" | "closeSolver";
+
 /** A call, as it is sent. */
 export interface Request {
     id: number;
     module: CompiledModule;
-    method: Method;
+    method: Method | SolverMethod;
     given: unknown[];
-    /** Of the long calls; what watches them stays here. */
+    /** Of the long calls, and of a solver that is made; what watches them stays here. */
     options: Record<string, unknown> | null;
     isWatched: boolean;
     cancel?: Int32Array | undefined;
@@ -67,25 +71,42 @@ interface Job {
     failed: (why: unknown) => void;
 }
 
+/** A call, as it is asked for. */
+interface Call extends SolverCall {
+    transfer: Transferable[];
+}
+
+/** A `Worker` of the web, where TypeScript knows pages. */
+export type WebWorker = typeof globalThis extends { Worker: new (...given: never[]) => infer W } ? W : never;
+
 /** How a worker is made. */
 export interface WorkerOptions {
     /** The module, if not that of this package. */
     source?: Source | undefined;
+    /**
+     * Makes a worker that runs worker.js of this package, where the file cannot be had by its address: in a page that has it inside. Called again
+     * where a worker has to be replaced.
+     */
+    start?: (() => WebWorker) | undefined;
 }
 
 /** Starts a worker with the library in it. */
-export async function createWorker(options: WorkerOptions = {}): Promise<FairmeshWorker> {
-    return new FairmeshWorker(await compile(options.source), await newWorker());
+export async function createWorker({ source, start }: WorkerOptions = {}): Promise<FairmeshWorker> {
+    const another = start === undefined ? newWorker : () => Promise.resolve(webPort(start()));
+    return new FairmeshWorker(await compile(source), await another(), another);
 }
 
 export interface FairmeshWorker extends LongCalls, ShortCalls {}
 
 /**
- * The library in a worker, which does one call after the other. All functions of `Fairmesh` but `solver` are there as promises, with
+ * The library in a worker, which does one call after the other. All functions of `Fairmesh` are there as promises, with
  * the same arguments, results and errors; what the progress callback returns is not looked at.
  */
 export class FairmeshWorker {
     readonly #module: CompiledModule;
+    readonly #another: () => Promise<Port>;
+    /** Which worker it is: solvers of an earlier one are gone. */
+    #generation = 0;
     #port: Promise<Port> | null;
     #running: Job | null = null;
     readonly #waiting: Job[] = [];
@@ -93,8 +114,9 @@ export class FairmeshWorker {
     #isClosed = false;
 
     /** Made by `createWorker`. @internal */
-    constructor(module: CompiledModule, port: Port) {
+    constructor(module: CompiledModule, port: Port, another: () => Promise<Port>) {
         this.#module = module;
+        this.#another = another;
         this.#port = Promise.resolve(this.#listening(port));
     }
 
@@ -108,6 +130,16 @@ export class FairmeshWorker {
         }
     }
 
+    /** Fairing in steps, in the worker. */
+    async solver<M extends Mesh>(mesh: M, free?: Selection | null, options: FairOptions & Handed = {}): Promise<WorkerSolver<Out<M>>> {
+        const caller: Caller = {
+            generation: () => this.#generation,
+            call: (call: SolverCall) => this.#send({ ...call, transfer: [] }),
+        };
+        const { progress, signal, transfer: _, ...plain } = options;
+        return WorkerSolver.open(caller, ++this.#last, [mesh, free ?? null, plain], { progress, signal });
+    }
+
     #listening(port: Port): Port {
         port.listen(
             (answer: Answer) => this.#answered(answer),
@@ -119,31 +151,23 @@ export class FairmeshWorker {
 
     #call(method: Method, given: unknown[]): Promise<unknown> {
         const place: number | undefined = (LONG as Partial<Record<Method, number>>)[method];
-        const all = place === undefined ? null : ((given[place] ?? {}) as FairOptions & Handed);
-        const { progress, signal, transfer = false, ...options } = all ?? {};
+        if (place === undefined) return this.#send({ method, given, options: null, transfer: [] });
+        const { progress, signal, transfer = false, cancel, ...options } = (given[place] ?? {}) as FairOptions & Handed;
+        const before = Array.from({ length: place }, (_, k) => given[k]);
+        return this.#send({ method, given: before, options, progress, signal, cancel, transfer: transfer ? buffers(given[0] as Mesh) : [] });
+    }
+
+    #send({ method, given, options, progress, signal, cancel, transfer }: Call): Promise<unknown> {
         return new Promise((done, failed) => {
             if (this.#isClosed) throw new Error("the worker is closed");
             if (progress !== undefined && typeof progress !== "function") throw new TypeError("progress: a function is needed");
             signal?.throwIfAborted();
-            const request: Request = {
-                id: ++this.#last,
-                module: this.#module,
-                method,
-                given: place === undefined ? given : Array.from({ length: place }, (_, k) => given[k]),
-                options: all === null ? null : { ...options },
-                isWatched: progress !== undefined,
-            };
-            if (signal !== undefined && typeof SharedArrayBuffer !== "undefined" && options.cancel === undefined) {
-                request.cancel = new Int32Array(new SharedArrayBuffer(4));
-            } else {
-                request.cancel = options.cancel;
-            }
-            delete request.options?.["cancel"];
-            const mesh = given[0] as Mesh;
+            const request: Request = { id: ++this.#last, module: this.#module, method, given, options, isWatched: progress !== undefined };
+            request.cancel = cancel ?? (signal === undefined ? undefined : sharedNumber());
             // A signal may outlive the call: nobody listens to it after that.
             const over = new AbortController();
             const job: Job = {
-                ...{ request, transfer: transfer ? buffers(mesh) : [], progress, signal },
+                ...{ request, transfer, progress, signal },
                 done: (result) => (over.abort(), done(result)),
                 failed: (why) => (over.abort(), failed(why)),
             };
@@ -158,7 +182,7 @@ export class FairmeshWorker {
         const job = this.#waiting.shift();
         if (job === undefined) return;
         this.#running = job;
-        this.#port ??= newWorker().then((port) => this.#listening(port));
+        this.#port ??= this.#another().then((port) => this.#listening(port));
         this.#port.then(
             (port) => {
                 // It may have been aborted meanwhile.
@@ -207,6 +231,7 @@ export class FairmeshWorker {
     #end(port: Port, why: Error): void {
         port.close();
         this.#port = null;
+        this.#generation++;
         const job = this.#running;
         if (job !== null) this.#settle(job, () => job.failed(why));
     }
@@ -215,6 +240,7 @@ export class FairmeshWorker {
     #replace(): void {
         void this.#port?.then((port) => port.close());
         this.#port = null;
+        this.#generation++;
     }
 
     #abort(job: Job): void {
@@ -249,4 +275,9 @@ function buffers(mesh: Mesh): Transferable[] {
         if (ArrayBuffer.isView(array) && array.buffer instanceof ArrayBuffer) found.add(array.buffer);
     }
     return [...found];
+}
+
+/** A number in shared memory by which a run is stopped; none where memory cannot be shared. */
+function sharedNumber(): Int32Array | undefined {
+    return typeof SharedArrayBuffer === "undefined" ? undefined : new Int32Array(new SharedArrayBuffer(4));
 }

@@ -88,6 +88,7 @@ const INPUT: ReadonlySet<Status> = new Set<Status>([
     "guides_cross",
     "bad_chain",
     "no_bump",
+    "bad_edit",
 ]);
 
 /** The error for a status. */

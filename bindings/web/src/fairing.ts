@@ -6,6 +6,7 @@ import { type Argument, type FunctionName, type Library, NO_ELEMENT, type Scope,
 import { curvatureIn, FAIRING, type FairingOptions, fairingIn, type HowFar, howFar, known, loopsIn, normalsIn, targetIn, whole } from "./options.js";
 import type { Relays, Watching } from "./progress.js";
 import { filledIn, type Getters, readInto, type Report, reportOf, type ResultHandle, resultOf } from "./reports.js";
+import { type Budget, budgetIn, type Edit, editsIn, type Frame } from "./edits.js";
 import { FairmeshError } from "./errors.js";
 
 /** What all calls need: a copy of the module, and its callbacks. */
@@ -132,7 +133,8 @@ const GETTERS: Getters = {
 const forgotten = new FinalizationRegistry<() => void>((free) => free());
 
 /**
- * Fairing in steps: run some iterations, look, change the normals, the continuity or the target, go on.
+ * Fairing in steps: run some iterations, look, change the normals, the continuity or the target, go on. For a live surface, `edit` the
+ * boundary, show a frame after each `update`, and `finish`.
  *
  * Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. It holds memory until it
  * is closed.
@@ -181,10 +183,14 @@ export class Solver {
     /** Runs at most so many nonlinear iterations of each component, at least one; without a number, to the end. */
     run(iterations?: number): Report {
         const count = iterations === undefined ? NO_ELEMENT : BigInt(whole(iterations, "iterations"));
+        return this.#reported((at) => this.#call("fairmesh_solver_run", count, at));
+    }
+
+    #reported(run: (at: number) => void): Report {
         const { userData } = this.#told;
         let figures: abi.Report;
         try {
-            figures = filledIn(this.#host.library, "report", (at) => this.#call("fairmesh_solver_run", count, at)) as unknown as abi.Report;
+            figures = filledIn(this.#host.library, "report", run) as unknown as abi.Report;
         } finally {
             this.#host.relays.end(userData);
         }
@@ -211,7 +217,41 @@ export class Solver {
         );
     }
 
-    /** All positions as they stand, in the precision given; before the first run, those given. */
+    /**
+     * Asks for these changes of the boundary. They take the place of the edits before, and are all relative to what was asked otherwise: no
+     * edits, and nothing is changed of that. The next update or run starts at the surface at hand.
+     */
+    edit(edits: readonly Edit[]): void {
+        within(this.#host.library, (scope) => this.#call("fairmesh_solver_edit", ...editsIn(scope, edits)));
+    }
+
+    /** One frame: goes on until the surface is settled, or the limit is used up; `positions` has it. */
+    update(limit: Budget = {}): Frame {
+        const { library } = this.#host;
+        const told = within(library, (scope) => {
+            const address = budgetIn(scope, limit);
+            return filledIn(library, "frame", (at) => this.#call("fairmesh_solver_update", address, at));
+        }) as unknown as abi.Frame;
+        return { step: told.step, evaluations: told.evaluations, isSettled: told.isSettled !== 0 };
+    }
+
+    /** The converged surface with its report, checked: that of `fair` with what is asked and edited, to the tolerance. */
+    finish(): Report {
+        return this.#reported((at) => this.#call("fairmesh_solver_finish", at));
+    }
+
+    /** Between which amounts of a bulge, beside the other edits in force, sound surfaces are found. It costs some tens of frames. */
+    bulgeRange(): { low: number; high: number } {
+        const { userData } = this.#told;
+        try {
+            const { low, high } = filledIn(this.#host.library, "bulgeRange", (at) => this.#call("fairmesh_solver_bulge_range", at)) as unknown as abi.BulgeRange;
+            return { low, high };
+        } finally {
+            this.#host.relays.end(userData);
+        }
+    }
+
+    /** All positions as they stand, in the precision given; before the first run or update, those given. */
     get positions(): Floats {
         return readInto(this.#host.library, this.#mesh.newPositions(), 3, "pointsOut", (out) => this.#call("fairmesh_solver_positions", out));
     }

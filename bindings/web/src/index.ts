@@ -20,11 +20,13 @@ export type { Carried, EraseResult, Left, RefillOptions, RemeshOptions, RemeshRe
 export { type ErrorDetails, FairmeshError, InputError, OutOfMemoryError, TrapError } from "./errors.js";
 export { type FairOptions, type FairResult, Solver } from "./fairing.js";
 export type { BridgeOptions, BridgeResult, FillOptions, FillResult, JoinSuggestion, Loop, LoopChoice, NewMesh, PatchOptions, Point } from "./holes.js";
+export type { Budget, Bulge, Edit, Frame, Move, Tilt } from "./edits.js";
 export type { ByVertex, FairingOptions, HowFar } from "./options.js";
 export type { ProgressCallback, Watching } from "./progress.js";
 export type { RegionResult, RegionStep, Seed } from "./region.js";
 export type { Component, LoopReport, Report, Telling, Told } from "./reports.js";
-export { createWorker, FairmeshWorker, type Handed, type WorkerOptions } from "./client.js";
+export { createWorker, FairmeshWorker, type Handed, type WebWorker, type WorkerOptions } from "./client.js";
+export { type Look, type ShownFrame, type Watched, WorkerSolver } from "./worker_solver.js";
 
 /** The version of this package, which is that of the library in it. */
 export const version = `${VERSION_MAJOR}.${VERSION_MINOR}.${VERSION_PATCH}`;

@@ -109,3 +109,71 @@ test("a number in shared memory stops the run with the best surface so far", { t
     assert.equal(result.outcome, "cancelled");
     worker.close();
 });
+
+/** Edits like those of a hand: a vertex of the boundary of the free ones, tilted more and more. */
+async function handled(worker) {
+    const library = await load();
+    const here = library.solver(mesh, mesh.free);
+    const there = await worker.solver(mesh, mesh.free);
+    const [{ iterations }, report] = [here.run(), await there.run()];
+    assert.equal(report.iterations, iterations);
+    assert.deepEqual(await there.positions(), here.positions);
+    const [vertex] = here.result().boundaryVertices;
+    const tilted = (k) => [{ kind: "tilt", vertex, angle: 0.01 * k }];
+    return { here, there, tilted };
+}
+
+test("a solver in a worker finds the same bits, frame by frame", async () => {
+    const worker = await createWorker();
+    const { here, there, tilted } = await handled(worker);
+    for (let k = 1; k < 6; k++) {
+        const { positions, meanCurvature, ...frame } = await there.show(tilted(k), { evaluations: 6 }, { meanCurvature: k === 5 });
+        here.edit(tilted(k));
+        assert.deepEqual(frame, here.update({ evaluations: 6 }));
+        assert.deepEqual(positions, here.positions);
+        assert.deepEqual(meanCurvature, k === 5 ? here.meanCurvature : null);
+    }
+    assert.deepEqual(await there.finish(), here.finish());
+    assert.deepEqual((await there.result()).positions, here.positions);
+    await there.close();
+    await there.close();
+    await assert.rejects(there.positions(), { message: "the solver is closed" });
+    worker.close();
+    here.close();
+});
+
+test("while a frame is under way only the newest edits wait", async () => {
+    const worker = await createWorker();
+    const { here, there, tilted } = await handled(worker);
+    const frames = await Promise.all(Array.from({ length: 20 }, (_, k) => there.show(tilted(k + 1))));
+    assert.deepEqual(frames.map((frame) => frame !== null), Array.from({ length: 20 }, (_, k) => k === 0 || k === 19));
+    await assert.rejects(there.show([{ kind: "tilt", vertex: 1e9, angle: 0.1 }]), InputError);
+    here.edit(tilted(20));
+    here.finish();
+    await there.edit(tilted(20));
+    await there.finish();
+    const [found, expected] = [await there.positions(), here.positions];
+    assert.ok(found.every((x, k) => Math.abs(x - expected[k]) < 1e-7));
+    worker.close();
+});
+
+test("a solver whose run was aborted without shared memory is made anew, with its edits", { timeout: 60000 }, async () => {
+    const shared = globalThis.SharedArrayBuffer;
+    delete globalThis.SharedArrayBuffer;
+    try {
+        const worker = await createWorker();
+        const { here, there, tilted } = await handled(worker);
+        await there.edit(tilted(9));
+        const controller = new AbortController();
+        const run = worker.fair(large, large.free, { ...ENDLESS, signal: controller.signal, progress: () => controller.abort() });
+        await assert.rejects(run, { name: "AbortError" });
+        await there.finish();
+        here.edit(tilted(9));
+        here.finish();
+        const [found, expected] = [await there.positions(), here.positions];
+        assert.ok(found.every((x, k) => Math.abs(x - expected[k]) < 1e-7));
+        worker.close();
+    } finally {
+        globalThis.SharedArrayBuffer = shared;
+    }
+});

@@ -3,6 +3,7 @@
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
@@ -10,17 +11,30 @@ use crate::discrete::target::Target;
 use crate::error::Error;
 use crate::fairing::component_solution::ComponentSolution;
 use crate::fairing::conclusion::Found;
+use crate::fairing::edit::resolved::{Bend, Resolved};
 use crate::fairing::normals::{GivenNormals, boundary_normals};
 use crate::fairing::prepared::Prepared;
 use crate::fairing::shares::Shares;
 use crate::fairing::{Options, OutputPrecision, Seconds};
 use crate::mesh::Region;
 use crate::quality::NEEDLE;
-use crate::solve::control::Tally;
+use crate::solve::control::{Interrupt, Tally};
 use crate::solve::ladder::{Ladder, Step};
+use crate::solve::live::{Allowance, Live};
 use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
 use crate::stopwatch::Stopwatch;
+
+use super::edited::{Prescribed, Turn, Unedited};
+
+/// Where a solve has ended.
+#[derive(Clone)]
+pub(super) struct Surface {
+    /// None: at the linear surface.
+    x: Option<Vec<Vector3<f64>>>,
+    prescribed: Prescribed,
+    ended: (f64, bool),
+}
 
 /// A solve under way.
 pub(super) struct Cursor {
@@ -28,6 +42,20 @@ pub(super) struct Cursor {
     system: System,
     ladder: Ladder,
     tally: Tally,
+    /// What frames are made of, from the first change after there is a surface.
+    live: Option<Live>,
+    /// Something was changed, and what has happened since are frames: the next run begins at their surface.
+    is_live: bool,
+    unedited: Unedited,
+    /// Where the surface passes smoothly in place of having a prescribed normal; empty: nowhere.
+    smooth_interior: Vec<bool>,
+    prescribed: Prescribed,
+    /// The domain has other positions of the fixed vertices than those prescribed.
+    is_domain_old: bool,
+    /// What a frame has ended with, until a run tells of it.
+    untold: Option<SolveResult>,
+    /// The step norm of the last end, and whether its surface solves what was asked, unfolded.
+    ended: (f64, bool),
     /// Nothing is left to be done, until something is changed.
     is_over: bool,
     seconds: Seconds,
@@ -60,7 +88,16 @@ impl Cursor {
             seconds,
         };
         let solution = found.conclude();
+        let unedited = Unedited::new(&prepared.domain, prepared.problem().boundary_normals);
         let cursor = Self {
+            smooth_interior: prepared.problem().smooth_interior.to_vec(),
+            prescribed: unedited.prescribed.clone(),
+            unedited,
+            live: None,
+            is_live: false,
+            is_domain_old: false,
+            untold: None,
+            ended: (f64::INFINITY, false),
             prepared,
             system,
             ladder: Ladder::default(),
@@ -81,9 +118,9 @@ impl Cursor {
         if self.is_over { 1.0 } else { self.tally.fraction }
     }
 
-    /// Nothing is left to be done, until something is changed.
+    /// Nothing is left to be done, nor to be told, until something is changed.
     pub(super) fn is_over(&self) -> bool {
-        self.is_over
+        self.is_over && self.untold.is_none()
     }
 
     /// Whether the matrices are those of this region.
@@ -100,8 +137,11 @@ impl Cursor {
         shares: &mut Shares<'_>,
     ) -> Result<ComponentSolution, Error> {
         let clock = Stopwatch::start();
-        let result = self.advance(options, iterations, shares);
-        let result = result.map_err(|Collapsed| self.prepared.nothing_fixed())?;
+        self.leave_frames();
+        let result = match self.untold.take() {
+            Some(result) => result,
+            None => self.advance(options, iterations, shares)?,
+        };
         self.seconds.start += result.start_seconds;
         self.seconds.iterate += clock.seconds() - result.start_seconds;
         let found = Found {
@@ -120,7 +160,7 @@ impl Cursor {
         options: &Options,
         iterations: usize,
         shares: &mut Shares<'_>,
-    ) -> Result<SolveResult, Collapsed> {
+    ) -> Result<SolveResult, Error> {
         let free = self.free();
         let is_held = Cell::new(false);
         // The solve itself is never stopped by the callback, but held up after the next iteration.
@@ -133,7 +173,8 @@ impl Cursor {
         control.tally = self.tally;
         let before = self.tally.iterations;
         loop {
-            let step = self.ladder.advance(&mut self.system, &mut control)?;
+            let step = self.ladder.advance(&mut self.system, &mut control);
+            let step = step.map_err(|Collapsed| self.prepared.nothing_fixed())?;
             self.tally = control.tally;
             let done = self.tally.iterations - before;
             match step {
@@ -158,6 +199,11 @@ impl Cursor {
     /// options may be hit again from there.
     fn end(&mut self, result: &SolveResult) {
         self.is_over = result.status != SolveStatus::IterationLimit;
+        let is_folded = || !self.system.poor(&result.x, 0.0).is_empty();
+        self.ended = (
+            result.step,
+            self.is_over && !result.status.is_linear() && !is_folded(),
+        );
         self.tally = Tally::default();
         self.ladder = if result.status.is_linear() {
             Ladder::default()
@@ -194,15 +240,69 @@ impl Cursor {
         boundary_normals(domain, &options.boundary_normals, given, options.interior_normals)
     }
 
-    /// Takes other boundary normals, of which these are given.
-    pub(super) fn prescribe(
+    /// Takes other boundary normals, of which these are given, as those without edits.
+    pub(super) fn ask_normals(
         &mut self,
         given: &GivenNormals,
         (normals, smooth_interior): (Vec<Vector3<f64>>, Vec<bool>),
     ) {
-        self.change();
         self.prepared.has_given_normal = given.at_boundary(&self.prepared.domain.region);
-        self.system.prescribe(normals, smooth_interior);
+        self.unedited.prescribed.normals = normals;
+        self.smooth_interior = smooth_interior;
+    }
+
+    /// What is prescribed where these edits have moved fixed vertices.
+    pub(super) fn moved(&self, edits: &Resolved) -> Prescribed {
+        let Prepared {
+            domain,
+            normalization,
+            ..
+        } = &self.prepared;
+        self.unedited.moved(edits, domain, normalization)
+    }
+
+    /// The first of its boundary loops through a vertex.
+    pub(super) fn loop_of(&self, vertex: u32) -> Option<usize> {
+        self.unedited.loop_of(&self.prepared.domain, vertex)
+    }
+
+    /// How the normals turn along all loops, by the bends of single ones, and by as much more everywhere.
+    pub(super) fn turns(
+        &self,
+        bends: &[(usize, Bend)],
+        bulge: f64,
+        prescribed: &Prescribed,
+    ) -> impl Iterator<Item = Turn> {
+        let place = (&*self.prepared.domain, &self.prepared.normalization);
+        (0..self.unedited.loops()).flat_map(move |k| {
+            let of_loop = bends.iter().filter(|(l, _)| *l == k);
+            let of_loop: Vec<Bend> = of_loop.map(|(_, bend)| *bend).collect();
+            if of_loop.is_empty() && bulge == 0.0 {
+                return Vec::new();
+            }
+            self.unedited.turns(k, &of_loop, bulge, place, prescribed)
+        })
+    }
+
+    /// The boundary vertices, by the caller's numbers.
+    pub(super) fn boundary(&self) -> &[u32] {
+        let region = &self.prepared.domain.region;
+        &region.vertex_ids[region.free..region.region_vertices()]
+    }
+
+    /// Follows what is prescribed. Where it is what was prescribed before, nothing is changed.
+    pub(super) fn follow(&mut self, prescribed: Prescribed) {
+        let before = self.system.problem();
+        if prescribed == self.prescribed && self.smooth_interior == before.smooth_interior {
+            return;
+        }
+        let before = before.boundary_normals.to_vec();
+        self.change();
+        self.system
+            .prescribe(prescribed.normals.clone(), self.smooth_interior.clone());
+        self.is_domain_old |= prescribed.fixed != self.prescribed.fixed;
+        self.prescribed = prescribed;
+        self.aim(&before);
     }
 
     /// Takes another right-hand side.
@@ -210,6 +310,7 @@ impl Cursor {
         self.change();
         let scale = self.prepared.normalization.scale;
         self.system.ask_right_hand_side(target.right_hand_side(scale));
+        self.aim(&[]);
     }
 
     /// Takes what the options say of the curvature along the boundary loops.
@@ -217,6 +318,12 @@ impl Cursor {
         self.change();
         self.system
             .ask_continuity(self.prepared.asked_continuity(options));
+        self.aim(&[]);
+    }
+
+    /// The vertices of its boundary loops, by the caller's numbers.
+    pub(super) fn on_loops(&self) -> impl Iterator<Item = u32> + '_ {
+        self.unedited.on_loops(&self.prepared.domain)
     }
 
     /// The region with its rings.
@@ -230,5 +337,136 @@ impl Cursor {
         self.ladder = std::mem::take(&mut self.ladder).renewed();
         self.tally = Tally::default();
         self.is_over = false;
+        self.untold = None;
+        let Some(x) = self.ladder.at_hand().filter(|_| !self.is_live) else {
+            return;
+        };
+        match &mut self.live {
+            Some(live) => live.take(x),
+            None => self.live = Some(Live::new(&self.system, x.to_vec())),
+        }
+        self.is_live = true;
     }
+
+    /// The surface at hand sets out for what is prescribed now; `normals` were those before.
+    fn aim(&mut self, normals: &[Vector3<f64>]) {
+        if let Some(live) = self.live.as_mut().filter(|_| self.is_live) {
+            let boundary = &self.prescribed.fixed[..self.prepared.domain.region.boundary];
+            if self.ladder.is_along_normals() {
+                self.system.step_along_normals();
+            }
+            live.aim(&mut self.system, boundary, normals);
+        }
+    }
+
+    /// One frame. Returns the step norm of its surface, and whether that has settled.
+    pub(super) fn update(
+        &mut self,
+        options: &Options,
+        tolerance: f64,
+        allowance: &mut Allowance,
+    ) -> Result<(f64, bool), Error> {
+        if self.is_over {
+            return Ok(self.ended);
+        }
+        if let Some(live) = self.live.as_mut().filter(|_| self.is_live) {
+            live.frame(&mut self.system, tolerance, allowance);
+            return Ok((live.step_norm(), live.is_settled(tolerance)));
+        }
+        self.sync_domain();
+        while allowance.left() > 0 && !self.is_over {
+            allowance.spent += 1;
+            let mut nobody = Shares::new(None, &Interrupt::default(), 0.0, std::iter::empty());
+            let result = self.advance(options, 1, &mut nobody)?;
+            if self.is_over {
+                self.untold = Some(result);
+            }
+        }
+        let step = if self.is_over {
+            self.ended.0
+        } else {
+            self.tally.step
+        };
+        let step = if step.is_nan() { f64::INFINITY } else { step };
+        Ok((step, self.is_over && self.ended.1))
+    }
+
+    /// The surface at hand, if there is one.
+    fn x(&self) -> Option<&[Vector3<f64>]> {
+        match &self.live {
+            Some(live) if self.is_live => Some(live.shown()),
+            _ => {
+                let untold = self.untold.as_ref().map(|result| &result.x[..]);
+                untold.or(self.ladder.x()).or(self.ladder.at_hand())
+            }
+        }
+    }
+
+    /// Writes the free vertices of the surface at hand to the host's; where they have not moved, as they were given.
+    pub(super) fn show(&self, precision: OutputPrecision, given: &[[f64; 3]], shown: &mut [[f64; 3]]) {
+        let Prepared {
+            domain,
+            normalization,
+            ..
+        } = &self.prepared;
+        let Some(x) = self.x() else { return };
+        let free = x.iter().zip(&domain.input).take(domain.region.free);
+        for ((p, before), &v) in free.zip(&domain.region.vertex_ids) {
+            shown[v as usize] = if p == before {
+                given[v as usize]
+            } else {
+                precision.round(normalization.leave(p))
+            };
+        }
+    }
+
+    /// Where it stands, after a run to the end.
+    pub(super) fn surface(&self) -> Surface {
+        Surface {
+            x: self.x().map(<[_]>::to_vec),
+            prescribed: self.prescribed.clone(),
+            ended: self.ended,
+        }
+    }
+
+    /// Back to where it stood.
+    pub(super) fn restore(&mut self, surface: Surface) {
+        self.change();
+        let normals = surface.prescribed.normals.clone();
+        self.system.prescribe(normals, self.smooth_interior.clone());
+        self.is_domain_old |= surface.prescribed.fixed != self.prescribed.fixed;
+        self.prescribed = surface.prescribed;
+        self.ended = surface.ended;
+        (self.is_over, self.is_live) = (true, false);
+        let (uniform, along) = (self.ladder.has_uniform_weights(), self.ladder.is_along_normals());
+        self.ladder = match surface.x {
+            Some(x) => Ladder::resume(x, uniform, along),
+            None => Ladder::default(),
+        };
+    }
+
+    /// The next run begins at the surface of the last frame.
+    fn leave_frames(&mut self) {
+        self.sync_domain();
+        if std::mem::take(&mut self.is_live) {
+            if let Some(live) = &mut self.live {
+                live.refresh(&mut self.system);
+            }
+            let (uniform, along) = (self.ladder.has_uniform_weights(), self.ladder.is_along_normals());
+            self.ladder = Ladder::resume(live_surface(&self.live).to_vec(), uniform, along);
+        }
+    }
+
+    /// The surroundings are where they are prescribed from now on.
+    fn sync_domain(&mut self) {
+        if std::mem::take(&mut self.is_domain_old) {
+            let moved = Arc::new(self.prepared.domain.with_fixed(&self.prescribed.fixed));
+            self.system.take_domain(&moved);
+            self.prepared.domain = moved;
+        }
+    }
+}
+
+fn live_surface(live: &Option<Live>) -> &[Vector3<f64>] {
+    live.as_ref().map_or(&[], Live::shown)
 }

@@ -6,6 +6,7 @@ from . import _abi
 from ._bridge import Bridged, bridge
 from ._choice import LoopChoice
 from ._curvature import mean_curvature
+from ._edits import Bulge, Frame, Move, Tilt, Twist
 from ._enums import AttemptEnd, FillOutcome, FillReason, LoopKind, LooseReason, Outcome, Status
 from ._erase import Carried, Erased, Trimmed, carry_over, erase, trim_boundary
 from ._errors import ElementKind, FairmeshError, InputError, OutOfMemoryError
@@ -36,6 +37,7 @@ __all__ = [
     "AttemptEnd",
     "Bends",
     "Bridged",
+    "Bulge",
     "Carried",
     "Component",
     "Continuity",
@@ -46,6 +48,7 @@ __all__ = [
     "FillOutcome",
     "FillReason",
     "Filled",
+    "Frame",
     "InputError",
     "JoinSuggestion",
     "Level",
@@ -56,6 +59,7 @@ __all__ = [
     "LoopReport",
     "LooseReason",
     "Monitor",
+    "Move",
     "Moved",
     "OutOfMemoryError",
     "Outcome",
@@ -67,7 +71,9 @@ __all__ = [
     "SeamWarning",
     "Solver",
     "Status",
+    "Tilt",
     "Trimmed",
+    "Twist",
     "boundary_loops",
     "bridge",
     "carry_over",

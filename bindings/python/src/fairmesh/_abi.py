@@ -68,6 +68,7 @@ class fairmesh_status(enum.IntEnum):
     BAD_CHAIN = 37
     NO_FAIR_PATCH = 38
     NO_BUMP = 39
+    BAD_EDIT = 40
     INTERNAL = 99
 
 
@@ -291,6 +292,13 @@ class fairmesh_vectors(enum.IntEnum):
 class fairmesh_scalars(enum.IntEnum):
     MEAN_CURVATURE = 0
     GAUSSIAN_CURVATURE = 1
+
+
+class fairmesh_edit_kind(enum.IntEnum):
+    TILT = 1
+    TWIST = 2
+    BULGE = 3
+    MOVE = 4
 
 
 class fairmesh_region_kind(enum.IntEnum):
@@ -753,6 +761,47 @@ class fairmesh_remesh_options(Structure):
     )
 
 
+class fairmesh_edit(Structure):
+    _fields_ = (
+        ("kind", c_uint32),
+        ("vertex", c_uint32),
+        ("amount", c_double),
+        ("falloff", c_double),
+        ("vertices", fairmesh_indices),
+        ("rotation", c_double * 3),
+        ("centre", c_double * 3),
+        ("translation", c_double * 3),
+    )
+
+
+class fairmesh_budget(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("evaluations", c_uint64),
+        ("seconds", c_double),
+        ("tolerance", c_double),
+    )
+
+
+class fairmesh_frame(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("is_settled", c_uint32),
+        ("evaluations", c_uint64),
+        ("step", c_double),
+    )
+
+
+class fairmesh_bulge_range(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("low", c_double),
+        ("high", c_double),
+    )
+
+
 class fairmesh_region_step(Structure):
     _fields_ = (
         ("kind", c_uint32),
@@ -982,6 +1031,40 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         ),
     ),
     "fairmesh_solver_free": (c_int32, (c_void_p,)),
+    "fairmesh_solver_edit": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_edit),
+            c_size_t,
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_update": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_budget),
+            POINTER(fairmesh_frame),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_finish": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_report),
+            POINTER(fairmesh_error),
+        ),
+    ),
+    "fairmesh_solver_bulge_range": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(fairmesh_bulge_range),
+            POINTER(fairmesh_error),
+        ),
+    ),
     "fairmesh_boundary_loops": (
         c_int32,
         (

@@ -81,6 +81,16 @@ def points(given: ArrayLike, name: str, *, rows: int | None = None) -> Floats:
     return array if _readable(array) else _packed(array)
 
 
+def point(given: ArrayLike, name: str) -> NDArray[np.float64]:
+    """Three real numbers."""
+    array = np.asarray(given)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
+    if array.shape != (3,):
+        raise ValueError(f"{name}: the shape has to be (3,), not {array.shape}")
+    return array.astype(np.float64)
+
+
 def numbers(given: ArrayLike, name: str, *, count: int) -> Floats:
     """Real numbers, (count,), float32 or float64; others become float64."""
     array = np.asarray(given)

@@ -249,6 +249,12 @@ class Status(Numbered):
         "the curvature does not tell where a bump ends",
         "say the region by its radius or by a list",
     )
+    #: An edit of a session has a number that is not finite, or moves a free vertex.
+    BAD_EDIT = (
+        40,
+        "an edit of a session has a number that is not finite, or moves a free vertex",
+        "name fixed vertices",
+    )
     #: A bug of fairmesh, caught; the handle, if there was one, answers so from now on.
     INTERNAL = (
         99,

@@ -110,6 +110,7 @@ _INPUT = {
     Status.GUIDES_CROSS,
     Status.BAD_CHAIN,
     Status.NO_BUMP,
+    Status.BAD_EDIT,
 }
 
 _KNOWN = {int(member): member for member in Status}

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
+from ._edits import Edit, EditsView, Frame, budget_struct
 from ._enums import Outcome, Status
 from ._errors import FairmeshError, call
 from ._handles import ResultHandle, result_of
@@ -28,6 +29,7 @@ from ._options import (
     Options,
     Target,
     how_far,
+    real,
     target_struct,
     whole,
     with_options,
@@ -37,6 +39,8 @@ from ._reports import Level, Report, report_of, sized
 from ._seams import seams_told, warn_of_seams
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from typing_extensions import Unpack
 
     from ._keywords import FairKeywords
@@ -235,6 +239,8 @@ def _free(library: Library, address: ctypes.c_void_p, process: int) -> int:
 class Solver(Generic[M]):
     """Fairing in steps: run some iterations, look, change the normals, the continuity or the target, go on.
 
+    For a live surface, `edit` the boundary, show a frame after each `update`, and `finish`.
+
     Everything is copied when the solver is made. Runs without changes find what `fair` finds, to the last bit. A solver
     is used by one thread at a time; others get a FairmeshError with `Status.BUSY`, and so does its own callback. It
     holds memory and idle threads until it is closed, also by ``with``, or collected. A forked process cannot use it.
@@ -334,9 +340,51 @@ class Solver(Generic[M]):
         """Asks for another target from now on, given as in `fair`. The next run starts at the surface at hand."""
         self._call("fairmesh_solver_set_target", ctypes.byref(target_struct(target)))
 
+    def edit(self, edits: Sequence[Edit]) -> None:
+        """Asks for these changes of the boundary: `Tilt`, `Twist`, `Bulge`, `Move`.
+
+        They take the place of the edits before, and are all relative to what was asked otherwise: no edits, and nothing is
+        changed of that. The next update or run starts at the surface at hand, with the matrices at hand.
+        """
+        view = EditsView(edits, self._shape[0])
+        self._call("fairmesh_solver_edit", view.structs, len(view.structs))
+
+    def update(self, *, evaluations: int = 0, seconds: float = 0.0, tolerance: float = 0.0) -> Frame:
+        """One frame: goes on until the surface is settled, or the limit is used up. `vertices` has the surface.
+
+        Args:
+            evaluations: Evaluations of the equations at most; 0: no limit.
+            seconds: About; 0: no limit. With a limit of seconds the surface depends on the machine.
+            tolerance: The step norm at which a frame is settled, in diagonals; 0: 1e-6.
+
+        """
+        limit = budget_struct(
+            whole(evaluations, "evaluations"), real(seconds, "seconds"), real(tolerance, "tolerance")
+        )
+        made = sized(_abi.fairmesh_frame)
+        self._call("fairmesh_solver_update", ctypes.byref(limit), ctypes.byref(made))
+        return Frame(made.step, made.evaluations, bool(made.is_settled))
+
+    def finish(self) -> Report:
+        """The converged surface with its report, checked: that of `fair` with what is asked and edited, to the tolerance."""
+        report = sized(_abi.fairmesh_report)
+        with self._relay:
+            self._call("fairmesh_solver_finish", ctypes.byref(report))
+        return report_of(report, self._component, self._attempt, self._continuity)
+
+    def bulge_range(self) -> tuple[float, float]:
+        """Between which amounts of a `Bulge`, beside the other edits in force, sound surfaces are found.
+
+        It costs some tens of frames; the surface at hand stays.
+        """
+        made = sized(_abi.fairmesh_bulge_range)
+        with self._relay:
+            self._call("fairmesh_solver_bulge_range", ctypes.byref(made))
+        return made.low, made.high
+
     @property
     def vertices(self) -> NDArray[Any]:
-        """All vertices as they stand, (n, 3), in the type given; before the first run, those given."""
+        """All vertices as they stand, (n, 3), in the type given; before the first run or update, those given."""
         made = np.empty(self._shape, self._dtype)
         self._call("fairmesh_solver_positions", ctypes.byref(_arrays.points_out(made)))
         return made

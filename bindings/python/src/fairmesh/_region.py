@@ -55,7 +55,7 @@ def select_ball(
         radius: Its radius.
 
     """
-    step = _step(_kinds.BALL, point=_point(centre, "centre"), value=real(radius, "radius"))
+    step = _step(_kinds.BALL, point=_arrays.point(centre, "centre"), value=real(radius, "radius"))
     return _select(vertices, faces, coincident, step)
 
 
@@ -93,7 +93,7 @@ def select_box(
         low, high: Its smallest and its largest coordinates.
 
     """
-    step = _step(_kinds.BOX, point=_point(low, "low"), vector=_point(high, "high"))
+    step = _step(_kinds.BOX, point=_arrays.point(low, "low"), vector=_arrays.point(high, "high"))
     return _select(vertices, faces, coincident, step)
 
 
@@ -132,7 +132,7 @@ def select_halfspace(
         normal: Points to the side, of any length but zero.
 
     """
-    step = _step(_kinds.HALF_SPACE, point=_point(point, "point"), vector=_point(normal, "normal"))
+    step = _step(_kinds.HALF_SPACE, point=_arrays.point(point, "point"), vector=_arrays.point(normal, "normal"))
     return _select(vertices, faces, coincident, step)
 
 
@@ -359,16 +359,6 @@ def shrink(
     return _spread(vertices, faces, coincident, region, _step(_kinds.SHRINK, rings=whole(rings, "rings")))
 
 
-def _point(given: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Three real numbers."""
-    array = np.asarray(given)
-    if array.dtype.kind not in "iuf":
-        raise TypeError(f"{name}: real numbers are needed, not {array.dtype}")
-    if array.shape != (3,):
-        raise ValueError(f"{name}: the shape has to be (3,), not {array.shape}")
-    return array.astype(np.float64)
-
-
 def _step(
     kind: _abi.fairmesh_region_kind, *, point: Any = None, vector: Any = None, value: float = 0.0, rings: int = 0
 ) -> _abi.fairmesh_region_step:
@@ -383,7 +373,7 @@ def _step(
 def _seeded(kind: _abi.fairmesh_region_kind, seed: ArrayLike, value: float = 0.0) -> _abi.fairmesh_region_step:
     """A step that begins at a vertex or a point."""
     if np.ndim(seed) != 0:
-        return _step(kind, point=_point(seed, "seed"), value=value)
+        return _step(kind, point=_arrays.point(seed, "seed"), value=value)
     made = _step(kind, value=value)
     made.seed_kind = _abi.fairmesh_seed_kind.VERTEX
     made.seed_vertex = int(_arrays.indices(np.asarray(seed).reshape(1), "seed")[0])

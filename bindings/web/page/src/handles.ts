@@ -1,0 +1,106 @@
+/** Arrows on the boundary of the region: they stand on it as the tangent planes do, and are dragged. */
+
+import { ConeGeometry, CylinderGeometry, type Group, Mesh, MeshBasicMaterial, Quaternion, SphereGeometry, Vector2, Vector3 } from "three";
+import type { LoopVertex, Surface } from "./surface.js";
+import type { Viewer } from "./viewer.js";
+
+/** Their length, in diagonals of the surface. */
+export const SIZE = 0.09;
+/** The sine of the largest angle: no surface follows further. */
+const MOST = 0.98;
+/** How many arrows a loop has, at most. */
+export const ARROWS = 8;
+
+/** The vertices of a loop that have arrows. */
+export function gripped(loop: readonly LoopVertex[]): LoopVertex[] {
+    const count = Math.min(ARROWS, loop.length);
+    return Array.from({ length: count }, (_, k) => loop[Math.floor((k * loop.length) / count)]!);
+}
+
+interface Arrow {
+    loop: number;
+    grip: LoopVertex;
+    foot: Vector3;
+    tip: Vector3;
+}
+
+const UP = new Vector3(0, 1, 0);
+const SHAFT = new CylinderGeometry(0.018, 0.018, 1, 8).translate(0, 0.5, 0);
+const HEAD = new ConeGeometry(0.075, 0.25, 16).translate(0, 1, 0);
+const BALL = new SphereGeometry(0.055, 16, 12);
+
+/** Finds and draws the arrows. */
+export class Handles {
+    readonly #viewer: Viewer;
+    readonly #idle = new MeshBasicMaterial({ color: 0x7a8793 });
+    readonly #active = new MeshBasicMaterial({ color: 0xd9730d });
+    readonly #held = new MeshBasicMaterial({ color: 0xb3126b });
+    #arrows: Arrow[] = [];
+
+    constructor(viewer: Viewer) {
+        this.#viewer = viewer;
+    }
+
+    /** Draws them; `held` is the number of the arrow of the active loop that the sliders mean. */
+    draw(loops: readonly LoopVertex[][], surface: Surface, active: number, held: number, angleAt: (loop: number, grip: LoopVertex) => number): void {
+        const group: Group = this.#viewer.handles;
+        group.clear();
+        const size = SIZE * surface.diagonal;
+        this.#arrows = [];
+        loops.forEach((loop, number) =>
+            gripped(loop).forEach((grip, k) => {
+                const foot = surface.vertex(grip.vertex);
+                const angle = angleAt(number, grip);
+                const direction = grip.normal.clone().multiplyScalar(Math.cos(angle)).addScaledVector(grip.inward, -Math.sin(angle));
+                this.#arrows.push({ loop: number, grip, foot, tip: foot.clone().addScaledVector(direction, size) });
+                const paint = number !== active ? this.#idle : k === held ? this.#held : this.#active;
+                const turn = new Quaternion().setFromUnitVectors(UP, direction.normalize());
+                for (const shape of [SHAFT, HEAD, BALL]) {
+                    const mesh = new Mesh(shape, paint);
+                    mesh.position.copy(foot);
+                    mesh.quaternion.copy(turn);
+                    mesh.scale.setScalar(size);
+                    group.add(mesh);
+                }
+            }),
+        );
+        this.#viewer.draw();
+    }
+
+    clear(): void {
+        this.#arrows = [];
+        this.#viewer.handles.clear();
+        this.#viewer.draw();
+    }
+
+    /** The arrow whose tip, or shaft, is nearest to a place of the window, within so many pixels; of those on top of each other the nearer one. */
+    at(place: Vector2, within: number): { loop: number; number: number; grip: LoopVertex; foot: Vector3 } | null {
+        let best = null;
+        let least = within;
+        for (const arrow of this.#arrows) {
+            const [tip, foot] = [this.#viewer.project(arrow.tip), this.#viewer.project(arrow.foot)];
+            const along = tip.clone().sub(foot);
+            const part = Math.max(0, Math.min(1, place.clone().sub(foot).dot(along) / (along.lengthSq() || 1)));
+            const distance = place.distanceTo(foot.addScaledVector(along, part));
+            if (distance < least) [least, best] = [distance, arrow];
+        }
+        if (best === null) return null;
+        const number = this.#arrows.filter(({ loop }) => loop === best.loop).indexOf(best);
+        return { loop: best.loop, number, grip: best.grip, foot: best.foot };
+    }
+
+    /** Where the tips are in the window, for tests. */
+    places(): { loop: number; x: number; y: number }[] {
+        return this.#arrows.map(({ loop, tip }) => ({ loop, ...this.#viewer.project(tip) }));
+    }
+
+    /** What a drag makes of an arrow's angle, in radians: its tip follows the pointer, as far as it can. */
+    angle(grip: LoopVertex, foot: Vector3, size: number, before: number, from: Vector2, to: Vector2): number {
+        const outward = this.#viewer.project(foot.clone().addScaledVector(grip.inward, -size)).sub(this.#viewer.project(foot));
+        const length = outward.length();
+        const moved = to.clone().sub(from);
+        // Where it would point at the eye, up is steeper.
+        const sine = Math.sin(before) + (length < 12 ? -moved.y / 60 : moved.dot(outward) / (length * length));
+        return Math.asin(Math.max(-MOST, Math.min(MOST, sine)));
+    }
+}

@@ -1,0 +1,305 @@
+/** What is worked on: a surface with a region, the steps that made it, and the solver that is live. No controls, no drawing. */
+
+import { createWorker, type Edit, type FairmeshWorker, type Watched, type WorkerSolver } from "../../src/index.js";
+import { module, type Shape, shape as embedded, type ShapeName, startWorker } from "./embedded.js";
+import { maskOf, runsOf, type Step } from "./link.js";
+import { lengthOf, type LoopVertex, moving, type Normals, regionLoops, Surface, type Triangles, trianglesAt, verticesOf } from "./surface.js";
+
+/** A solver that is held up at a fair surface, and what it was asked since. */
+export interface Live {
+    solver: WorkerSolver<Float64Array>;
+    loops: LoopVertex[][];
+    lengths: number[];
+    edits: Edit[];
+    /** How much the boundary may bulge, if known. */
+    range: { low: number; high: number } | null;
+}
+
+/** What is kept to come back to. */
+interface Snapshot extends Triangles {
+    region: Uint8Array;
+    normals: Normals | null;
+    held: Uint8Array | null;
+    steps: Step[];
+}
+
+/** Evaluations of the residual for a frame: a settled surface takes one to three iterations from the last one. */
+const FRAME = { evaluations: 8 };
+/** Frames that edits get to settle; what is still moving then is left to `finish`, which tells why. */
+const MOST_FRAMES = 60;
+const DEGREE = Math.PI / 180;
+
+export class Model {
+    readonly #worker: FairmeshWorker;
+    surface!: Surface;
+    /** What the surface was before the last step, for the swipe. */
+    before: Surface | null = null;
+    region: Uint8Array = new Uint8Array(0);
+    normals: Normals | null = null;
+    /** Vertices of a shape that stay where they are, though all around them is in the region: its curves. */
+    #held: Uint8Array | null = null;
+    /** Null: a file of the person, which no link can carry. */
+    shape: ShapeName | null = null;
+    steps: Step[] = [];
+    live: Live | null = null;
+    /** Frames shown since the page was loaded. */
+    frames = 0;
+    /** Other triangles, positions or another region: what is seen is out of date. */
+    changed: () => void = () => undefined;
+    #snapshots: Snapshot[] = [];
+    /** Counts edits and finishes: an older one shows nothing any more. */
+    #edition = 0;
+    /** Whether the surface is following edits. */
+    isFollowing = false;
+
+    static async start(): Promise<Model> {
+        return new Model(await createWorker({ source: await module(), start: startWorker }));
+    }
+
+    private constructor(worker: FairmeshWorker) {
+        this.#worker = worker;
+    }
+
+    get mesh(): Triangles {
+        return { positions: this.surface.positions, triangles: this.surface.triangles };
+    }
+
+    get canUndo(): boolean {
+        return (this.live?.edits.length ?? 0) > 0 || this.#snapshots.length > 0;
+    }
+
+    #show(mesh: Triangles, before: Triangles | null): void {
+        this.surface?.free();
+        this.before?.free();
+        this.surface = new Surface(mesh);
+        this.before = before && new Surface(before);
+        this.mark();
+    }
+
+    /** Colours the region, after a change of it. */
+    mark(): void {
+        this.surface.paint("chosen", verticesOf(this.region, this.mesh));
+        this.changed();
+    }
+
+    #begin(mesh: Triangles, region: Uint8Array, normals: Normals | null, shape: ShapeName | null): void {
+        this.end();
+        this.#held = null;
+        [this.region, this.normals, this.shape, this.steps, this.#snapshots] = [region, normals, shape, [], []];
+        this.#show(mesh, null);
+    }
+
+    /** Begins with a shape of the page. */
+    async take(name: ShapeName): Promise<void> {
+        const shape: Shape = await embedded(name);
+        this.#begin(shape, trianglesAt(shape.free, shape), shape.normals, name);
+        if (shape.free.length === 0) return;
+        this.#held = new Uint8Array(shape.positions.length / 3).fill(1);
+        for (const vertex of shape.free) this.#held[vertex] = 0;
+    }
+
+    /** Begins with a mesh of the person; the library looks at all of it first. */
+    async open(mesh: Triangles): Promise<number> {
+        const { length } = await this.#worker.boundaryLoops(mesh);
+        this.#begin(mesh, new Uint8Array(mesh.triangles.length / 3), null, null);
+        return length;
+    }
+
+    /** Another region: what was live is done with. */
+    choose(region: Uint8Array): void {
+        this.#remember();
+        this.end();
+        this.region = region;
+        this.mark();
+    }
+
+    async spread(kind: "grow" | "shrink"): Promise<void> {
+        this.choose(await this.#worker[kind](this.mesh, this.region));
+    }
+
+    #remember(): void {
+        const { surface, region, normals, steps } = this;
+        this.#snapshots.push({ positions: surface.positions, triangles: surface.triangles, region: region.slice(), normals, held: this.#held, steps: structuredClone(steps) });
+        if (this.#snapshots.length > 30) this.#snapshots.shift();
+    }
+
+    /** Ends what is live; the surface stays. */
+    end(): void {
+        void this.live?.solver.close().catch(() => undefined);
+        this.live = null;
+    }
+
+    /** Takes back the last edit, or the last step. */
+    async undo(): Promise<void> {
+        if (this.live !== null && this.live.edits.length > 0) return this.edit(this.live.edits.slice(0, -1));
+        const last = this.#snapshots.pop();
+        if (last === undefined) return;
+        this.end();
+        [this.region, this.normals, this.#held, this.steps] = [last.region, last.normals, last.held, last.steps];
+        this.#show(last, null);
+    }
+
+    /** Fairs the region, and holds the solver up there. What the library has found out is told. */
+    async fair(watched: Watched): Promise<string> {
+        const mesh = this.mesh;
+        const free = moving(this.region, mesh, this.#held);
+        const loops = regionLoops(free, this.surface, this.#held);
+        const asked = await this.#worker.solver(mesh, free, { ...this.#given(loops), ...watched });
+        try {
+            const report = await asked.run(undefined, watched);
+            const positions = await asked.positions();
+            this.#remember();
+            this.end();
+            this.#show({ positions, triangles: mesh.triangles }, mesh);
+            this.steps.push({ kind: "fair", region: runsOf(this.region), edits: [] });
+            const found = regionLoops(free, this.surface, this.#held);
+            this.live = { solver: asked, loops: found, lengths: found.map((loop) => lengthOf(loop, this.surface)), edits: [], range: null };
+            this.changed();
+            return `${report.freeVertices.toLocaleString("en")} vertices, ${report.iterations} iterations: ${report.text}${report.remedy && `. ${report.remedy}`}`;
+        } catch (why) {
+            void asked.close().catch(() => undefined);
+            throw why;
+        }
+    }
+
+    /** The shape's own normals, where they are at the boundary of the region. Where a boundary was moved they are no longer right. */
+    #given(loops: readonly LoopVertex[][]): { boundaryNormals?: { vertices: number[]; vectors: number[] } } {
+        if (this.normals === null || this.steps.some((step) => step.kind === "fair" && step.edits.length > 0)) return {};
+        const boundary = new Set(loops.flat().map(({ vertex }) => vertex));
+        const [vertices, vectors] = [[] as number[], [] as number[]];
+        this.normals.vertices.forEach((vertex, k) => {
+            if (!boundary.has(vertex)) return;
+            vertices.push(vertex);
+            vectors.push(...this.normals!.vectors.subarray(3 * k, 3 * k + 3));
+        });
+        return vertices.length === 0 ? {} : { boundaryNormals: { vertices, vectors } };
+    }
+
+    /** Fills all holes, or two with one patch. */
+    async fill(watched: Watched, joined: [number, number] | null): Promise<string> {
+        const mesh = this.mesh;
+        const choice = joined === null ? await this.#gaps() : { loops: joined, join: [joined] };
+        const filled = await this.#worker.fillHoles(mesh, { ...choice, ...watched });
+        const done = filled.loops.filter(({ triangleCount }) => triangleCount > 0);
+        const open = filled.loops.find(({ triangleCount }) => triangleCount === 0);
+        if (done.length === 0) return open === undefined ? "no hole was found" : `${open.text}${open.remedy && `. ${open.remedy}`}`;
+        this.#replace(filled, joined === null ? { kind: "fill" } : { kind: "join", loops: joined });
+        const worst = open ?? done.find(({ report }) => report?.isSuccess === false) ?? done[0]!;
+        const says = worst.report?.text ?? worst.text;
+        return `${done.length} of ${filled.loops.length} filled by ${filled.newTriangleCount.toLocaleString("en")} triangles: ${says}`;
+    }
+
+    /** Holes; where there are none, the one boundary that there is. */
+    async #gaps(): Promise<{ loops?: number[] }> {
+        const loops = await this.#worker.boundaryLoops(this.mesh);
+        return loops.length === 1 ? { loops: [0] } : {};
+    }
+
+    /** Deletes the region and fills what is left open: what was there is of no use. */
+    async refill(watched: Watched): Promise<string> {
+        const made = await this.#worker.refill(this.mesh, null, { freeTriangles: this.region, ...watched });
+        this.#replace(made, { kind: "refill", region: runsOf(this.region) });
+        return `erased, and filled by ${made.newTriangleCount.toLocaleString("en")} triangles`;
+    }
+
+    /** Other triangles, of which the last ones are new: they are the region now. */
+    #replace(made: Triangles & { newTriangleCount: number }, step: Step): void {
+        this.#remember();
+        this.end();
+        const before = this.mesh;
+        const count = made.triangles.length / 3;
+        this.region = new Uint8Array(count).fill(1, count - made.newTriangleCount);
+        this.steps.push(step);
+        // Vertices of a mesh that was refilled have other numbers.
+        if (step.kind === "refill") this.#held = this.normals = null;
+        this.#show(made, before);
+    }
+
+    /** Holes and boundaries, for the lists. */
+    async loops(): Promise<{ vertexCount: number }[]> {
+        return this.#worker.boundaryLoops(this.mesh);
+    }
+
+    async meanCurvature(mesh: Triangles): Promise<Float64Array> {
+        return this.#worker.meanCurvature(mesh);
+    }
+
+    /** Shows the surface with these edits, frame by frame until it has settled or other edits come. */
+    async edit(edits: Edit[], look: { meanCurvature?: boolean } = {}): Promise<void> {
+        const live = this.live;
+        if (live === null) return;
+        live.edits = edits;
+        const step = this.steps.at(-1);
+        if (step?.kind === "fair") step.edits = edits;
+        const mine = ++this.#edition;
+        this.isFollowing = true;
+        try {
+            await this.#follow(live, mine, look);
+        } finally {
+            if (mine === this.#edition) this.isFollowing = false;
+        }
+    }
+
+    async #follow(live: Live, mine: number, look: { meanCurvature?: boolean }): Promise<void> {
+        const { edits } = live;
+        for (let count = 0, isSettled = false; !isSettled && count < MOST_FRAMES; count++) {
+            const frame = await live.solver.show(edits, FRAME, look);
+            if (frame === null || this.live !== live || mine !== this.#edition) return;
+            this.surface.move(frame.positions);
+            if (frame.meanCurvature !== null) this.surface.paint("curvature", frame.meanCurvature);
+            this.frames++;
+            this.changed();
+            isSettled = frame.isSettled;
+        }
+    }
+
+    /** The surface to the last digit, and what the library says about it. */
+    async finish(watched: Watched): Promise<string> {
+        const live = this.live!;
+        const mine = ++this.#edition;
+        this.isFollowing = false;
+        await live.solver.edit(live.edits);
+        const report = await live.solver.finish(watched);
+        const positions = await live.solver.positions();
+        if (mine !== this.#edition) return "other edits have come";
+        this.surface.move(positions);
+        this.changed();
+        return `${report.text}${report.remedy && `. ${report.remedy}`}`;
+    }
+
+    async bulgeRange(watched: Watched): Promise<{ low: number; high: number }> {
+        const live = this.live!;
+        return (live.range ??= await live.solver.bulgeRange(watched));
+    }
+
+    /** Does again what a link tells. */
+    async replay(steps: readonly Step[], watched: Watched): Promise<void> {
+        for (const step of steps) {
+            if ("region" in step) this.region = maskOf(step.region, this.surface.triangles.length / 3);
+            if (step.kind === "fill" || step.kind === "join") await this.fill(watched, step.kind === "join" ? step.loops : null);
+            if (step.kind === "refill") await this.refill(watched);
+            if (step.kind !== "fair") continue;
+            await this.fair(watched);
+            if (step.edits.length === 0) continue;
+            await this.edit(step.edits);
+            await this.finish(watched);
+        }
+    }
+}
+
+/** The edits with one more; one like the last takes its place, so that a drag is one. None where it does nothing. */
+export function withEdit(edits: readonly Edit[], edit: Edit): Edit[] {
+    const bulges = edit.kind === "bulge";
+    const kept = edits.filter((each) => !(bulges ? each.kind === "bulge" : isAlike(each, edit)));
+    const isNothing = edit.kind === "bulge" ? edit.amount === 0 : edit.kind === "move" ? !Array.from(edit.translation ?? []).some((x) => x !== 0) : edit.angle === 0;
+    return isNothing ? kept : [...kept, edit];
+}
+
+/** Whether two edits are the same grip at the same place. */
+export function isAlike(a: Edit, b: Edit): boolean {
+    if (a.kind === "bulge" || b.kind === "bulge" || a.kind !== b.kind || a.falloff !== b.falloff) return false;
+    if (a.kind === "move" || b.kind === "move") return a.kind === "move" && b.kind === "move" && a.vertices[0] === b.vertices[0];
+    return a.vertex === b.vertex;
+}
+
+export { DEGREE };

@@ -1,0 +1,148 @@
+//! The range of the bulge: how far the boundary normals can be turned with a sound surface.
+
+use super::Session;
+use crate::error::Error;
+use crate::fairing::edit::{Budget, Edit};
+use crate::fairing::{Progress, ProgressCallback};
+
+/// Trials at the walk outward are so far apart, 10 degrees,
+const STEP: f64 = std::f64::consts::PI / 18.0;
+/// and end at 90: there the surface leaves the boundary along its normal.
+const STEPS: u32 = 9;
+/// Then the end is halved so often: to 1.25 degrees.
+const HALVINGS: u32 = 3;
+/// One trial may cost this many evaluations until it has settled,
+const EVALUATIONS: usize = 60;
+/// and this many iterations more to the tolerance, with its checks.
+const ITERATIONS: usize = 40;
+/// At most so many trials.
+const TRIALS: f64 = (2 * (STEPS + HALVINGS)) as f64;
+
+/// A search under way.
+struct Walk<'s, 'p, 'c> {
+    session: &'s mut Session,
+    progress: Option<&'p mut ProgressCallback<'c>>,
+    /// The edits that are no bulge.
+    others: Vec<Edit>,
+    trials: u32,
+    is_stopped: bool,
+}
+
+impl Session {
+    /// The amounts of [`Edit::Bulge`] between which a sound surface was found, in radians, with the other edits in force: the smallest is
+    /// not above 0, the largest not below. They are found by walking outward from the fair surface in steps of 10 degrees up to 90, and are told
+    /// to 1.25 degrees. Where there is no sound surface without bulge both are 0. The surface at hand stays; where there is none yet, it is
+    /// found first, as by [`finish`](Self::finish). After the callback has asked to stop, the range found until then.
+    ///
+    /// # Errors
+    /// Those of [`run`](Self::run).
+    pub fn bulge_range(
+        &mut self,
+        mut progress: Option<&mut ProgressCallback<'_>>,
+    ) -> Result<[f64; 2], Error> {
+        let mut is_stopped = false;
+        match &mut progress {
+            None => self.finish(None)?,
+            Some(told) => self.finish(Some(&mut |p| {
+                let answer = told(p);
+                is_stopped |= answer.is_break();
+                answer
+            }))?,
+        };
+        let before = (self.edited.list.clone(), self.solution.clone());
+        let surfaces = self.components.surfaces();
+        let others = before.0.iter().filter(|e| !matches!(e, Edit::Bulge { .. }));
+        let mut walk = Walk {
+            others: others.cloned().collect(),
+            session: self,
+            progress,
+            trials: 0,
+            is_stopped,
+        };
+        let found = walk.both_ways();
+        self.edit(&before.0)?;
+        self.components.restore(surfaces);
+        self.shown.clone_from(&before.1.positions);
+        self.solution = before.1;
+        found
+    }
+}
+
+impl Walk<'_, '_, '_> {
+    fn both_ways(&mut self) -> Result<[f64; 2], Error> {
+        let mut ends = [0.0; 2];
+        if !self.is_sound_at(0.0)? {
+            return Ok(ends);
+        }
+        let fair = self.session.components.surfaces();
+        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
+            self.session.components.restore(fair.clone());
+            *end = sign * self.outward(sign)?;
+        }
+        Ok(ends)
+    }
+
+    /// The largest amount of this sign.
+    fn outward(&mut self, sign: f64) -> Result<f64, Error> {
+        let (mut reached, mut beyond) = (0.0, f64::from(STEPS) * STEP);
+        for k in 1..=STEPS {
+            let amount = f64::from(k) * STEP;
+            if self.is_sound_at(sign * amount)? {
+                reached = amount;
+            } else {
+                beyond = amount;
+                break;
+            }
+        }
+        for _ in 0..HALVINGS {
+            let amount = (reached + beyond) / 2.0;
+            if amount == reached {
+                break;
+            }
+            if self.is_sound_at(sign * amount)? {
+                reached = amount;
+            } else {
+                beyond = amount;
+            }
+        }
+        Ok(reached)
+    }
+
+    /// Whether the surface at hand leads to a sound one with this bulge; if not, it stays at hand.
+    fn is_sound_at(&mut self, amount: f64) -> Result<bool, Error> {
+        if !self.goes_on() {
+            return Ok(false);
+        }
+        let before = self.session.components.surfaces();
+        let mut edits = self.others.clone();
+        edits.push(Edit::Bulge { amount });
+        self.session.edit(&edits)?;
+        let budget = Budget {
+            evaluations: EVALUATIONS,
+            ..Budget::default()
+        };
+        let is_sound = self.session.update(&budget)?.is_settled && {
+            let solution = self.session.run(ITERATIONS, None)?;
+            solution.report.outcome.is_success()
+        };
+        if !is_sound {
+            self.session.components.restore(before);
+        }
+        Ok(is_sound)
+    }
+
+    /// Tells of the next trial.
+    fn goes_on(&mut self) -> bool {
+        self.trials += 1;
+        if let (false, Some(callback)) = (self.is_stopped, &mut self.progress) {
+            let told = callback(&Progress {
+                fraction: (f64::from(self.trials) / TRIALS).min(0.99),
+                iterations: self.trials as usize,
+                step: self.session.solution.report.step,
+                phase: "range of the bulge",
+            });
+            self.is_stopped |= told.is_break();
+        }
+        !self.is_stopped
+    }
+}
