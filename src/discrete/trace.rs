@@ -52,23 +52,29 @@ impl Trace {
     pub(crate) fn new(
         normal: &Vector3<f64>,
         reach: Reach,
-        edges: impl Iterator<Item = (Vector3<f64>, u8)> + Clone,
+        edges: impl Iterator<Item = (Vector3<f64>, u8)>,
     ) -> Option<Self> {
-        let count = edges.clone().count();
+        Self::of_all(normal, reach, &edges.collect::<Vec<_>>())
+    }
+
+    /// The same, compiled once for all kinds of samples.
+    #[inline(never)]
+    fn of_all(normal: &Vector3<f64>, reach: Reach, edges: &[(Vector3<f64>, u8)]) -> Option<Self> {
+        let count = edges.len();
         if count < FEWEST {
             return None;
         }
         let [a, b] = tangents(normal);
-        let squares: f64 = edges.clone().map(|(e, _)| e.norm_squared()).sum();
+        let squares: f64 = edges.iter().map(|(e, _)| e.norm_squared()).sum();
         let unit = (count as f64 / squares.max(f64::MIN_POSITIVE)).sqrt();
         let weights = reach.weights();
-        let sample = |(e, ring): (Vector3<f64>, u8)| {
+        let sample = |&(e, ring): &(Vector3<f64>, u8)| {
             let (u, v) = (e.dot(&a) * unit, e.dot(&b) * unit);
             // Orthonormal in Bombieri's product: the ridge does not depend on where u points.
             let phi = SVector::from([1.0, u, v, u * u, 2f64.sqrt() * u * v, v * v]);
             (phi, weights[usize::from(ring).clamp(1, weights.len()) - 1])
         };
-        let samples: Vec<_> = edges.map(sample).collect();
+        let samples: Vec<_> = edges.iter().map(sample).collect();
         let mut matrix = SMatrix::<f64, N, N>::zeros();
         for (phi, weight) in &samples {
             matrix += phi * phi.transpose() * *weight;

@@ -125,6 +125,7 @@ impl LoopCondition {
 }
 
 /// See [`LoopCondition::trace`]; of these samples, at boundary vertex `b`.
+#[inline(never)]
 fn trace_inside(
     (vertices, reach): (&[u32], &[u8]),
     b: usize,
