@@ -56,6 +56,11 @@ build() {
     cargo "${command[@]}" --release --locked --target "$triple" "${packages[@]}" --config 'profile.release.strip="symbols"'
 }
 
+# strip_windows FROM TO: GNU's linker leaves the table of symbols, a seventh of the file.
+strip_windows() {
+    "$llvm/llvm-objcopy" --strip-all "$1" "$2"
+}
+
 # One object of all members, whose only global symbols are those of the header: two Rust libraries in one program do not meet.
 # For Windows and macOS the archive stays as rustc has made it: there GNU's linker makes an object whose thread-locals are broken, and Rust's none.
 static_library() {
@@ -117,7 +122,7 @@ library() {
         ;;
     windows-*)
         mkdir "$tree/bin"
-        cp "$built/fairmesh.dll" "$tree/bin"
+        strip_windows "$built/fairmesh.dll" "$tree/bin/fairmesh.dll"
         # For GCC, and for Microsoft's linker.
         install_zig
         { echo EXPORTS; header_functions; } >"$out/fairmesh.def"
@@ -141,7 +146,7 @@ command_line() {
     rm -rf "$tree"
     mkdir -p "$tree/completions"
     case $target in
-    windows-*) cp "$built/fairmesh.exe" "$tree" ;;
+    windows-*) strip_windows "$built/fairmesh.exe" "$tree/fairmesh.exe" ;;
     *) cp "$built/fairmesh" "$tree" ;;
     esac
     # A program of another system does not run here; its pages and completions are those of this one.

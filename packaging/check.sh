@@ -21,8 +21,12 @@ tree=$work/fairmesh-$version-$target
 program=$work/fairmesh-cli-$version-$target
 [ "$target" = wasm32 ] || library=$tree/$(library_file "$target")
 # What they are, and a little more.
-LIBRARY_BYTES=$((4800 * 1000))
-[ "$target" != linux-x86_64 ] || LIBRARY_BYTES=$((3300 * 1000))
+case $target in
+linux-aarch64) LIBRARY_BYTES=$((2600 * 1000)) ;;
+linux-x86_64) LIBRARY_BYTES=$((3200 * 1000)) ;;
+macos-*) LIBRARY_BYTES=$((3300 * 1000)) ;;
+*) LIBRARY_BYTES=$((3700 * 1000)) ;;
+esac
 PROGRAM_BYTES=$((10 * 1000 * 1000))
 WASM_BYTES=$((1000 * 1000))
 
@@ -80,6 +84,7 @@ check_windows() {
     for file in "$library" "$program/fairmesh.exe"; do
         "$llvm/llvm-readobj" --coff-imports "$file" | sed -n 's/^ *Name: //p' | grep -i '\.dll' |
             needs "${file##*/}" '(kernel32|ntdll|msvcrt|user32|userenv|ws2_32|advapi32|bcrypt|bcryptprimitives|dbghelp|api-ms-win-[a-z0-9-]*)\.dll'
+        "$llvm/llvm-readobj" --file-headers "$file" | grep -q 'SymbolCount: 0$' || bad "$file is not stripped"
     done
     "$llvm/llvm-readobj" --coff-exports "$library" | sed -n 's/^ *Name: \(fairmesh_.*\|[a-zA-Z_].*\)/\1/p' | grep -v '\.dll$' |
         shows fairmesh.dll

@@ -24,6 +24,8 @@ def main():
     # Pages of the repository are not there.
     text = re.sub(r" \[[^\]]*\]\(\.\./[^)]*\) says\s+more\.", "", text)
     page = markdown.markdown(text, extensions=["tables", "toc", "fenced_code"])
+    # Recordings would be a quarter of the add-on.
+    page = re.sub(r'<p><img [^>]*src="[^"]+\.gif"[^>]*></p>\n?', "", page)
     for picture in re.findall(r'src="([^"]+)"', page):
         name = Path(picture).name
         shutil.copy(HERE / picture, folder / name)
