@@ -23,6 +23,8 @@ export CARGO_TARGET_DIR=$work/target CARGO_PROFILE_DEV_OPT_LEVEL=0
 EXPECTED='ignoring (test|example|benchmark) .* is not included in the published package|profile package spec .* did not match any packages'
 pack() {
     rm -rf "$CARGO_TARGET_DIR/package"
+    # For cargo a version never changes; before it is published it does.
+    rm -rf "${CARGO_HOME:-$HOME/.cargo}"/registry/{src,cache}/*/fairmesh*-"$version"* "$CARGO_TARGET_DIR"/*/.fingerprint/fairmesh*
     cargo package --locked --allow-dirty "${names[@]}" 2>&1 | tee "$work/log"
     if grep '^warning' "$work/log" | grep -vE "$EXPECTED"; then
         fail "cargo package has warned"

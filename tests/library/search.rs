@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::boundary::tilted;
 use crate::fairing::*;
 use fairmesh::{
-    AttemptEnd, BoundaryNormals, InnerFairness, Options, Outcome, Report, Selection, Session, Solution, fair,
+    AttemptEnd, Edit, InnerFairness, Options, Outcome, Report, Selection, Session, Solution, fair,
 };
 use fairmesh_shapes::*;
 
@@ -273,7 +273,7 @@ fn most_of_a_sphere_is_found_along_the_normals() {
     let selection = Selection::Mask(&shape.free);
     let mut session = Session::new(&start, &shape.triangles, selection, &options(1e-6)).unwrap();
     session.run(1000, None).unwrap();
-    session.set_boundary_normals(BoundaryNormals::Fitted).unwrap();
+    session.edit(&[Edit::Bulge { amount: 1e-3 }]).unwrap();
     let renewed = &session.run(1000, None).unwrap().report;
     assert_eq!(renewed.outcome, Outcome::Converged);
     assert_eq!(renewed.fallback_weights, renewed.free_vertices);
