@@ -358,9 +358,7 @@ class Solver(Generic[M]):
             tolerance: The step norm at which a frame is settled, in diagonals; 0: 1e-6.
 
         """
-        limit = budget_struct(
-            whole(evaluations, "evaluations"), real(seconds, "seconds"), real(tolerance, "tolerance")
-        )
+        limit = budget_struct(whole(evaluations, "evaluations"), real(seconds, "seconds"), real(tolerance, "tolerance"))
         made = sized(_abi.fairmesh_frame)
         self._call("fairmesh_solver_update", ctypes.byref(limit), ctypes.byref(made))
         return Frame(made.step, made.evaluations, bool(made.is_settled))
