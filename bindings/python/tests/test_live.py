@@ -57,7 +57,7 @@ def test_frames_of_evaluations_have_the_same_bits():
 
 def test_a_handle_takes_the_surface_with_it(solver):
     first = solver.vertices
-    vertices, _, free, _ = dented_sphere()
+    _, _, free, _ = dented_sphere()
     angle = 0.3
     turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
     centre, shift = np.array([0.5, 0.0, 0.0]), np.array([0.0, 2.0, 1.0])

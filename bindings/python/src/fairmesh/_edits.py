@@ -25,7 +25,7 @@ class Tilt:
 
     Attributes:
         vertex: A boundary vertex of the region; its loop is meant.
-        angle: In radians. With a positive one the surface leaves the boundary steeper to the side that normals point to.
+        angle: In radians. With a positive one the surface leaves the boundary steeper to the side of the normals.
         falloff: How far along the loop from ``vertex`` it reaches, falling off smoothly; 0: the whole loop alike.
 
     """

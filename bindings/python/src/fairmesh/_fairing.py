@@ -343,8 +343,8 @@ class Solver(Generic[M]):
     def edit(self, edits: Sequence[Edit]) -> None:
         """Asks for these changes of the boundary: `Tilt`, `Twist`, `Bulge`, `Move`.
 
-        They take the place of the edits before, and are all relative to what was asked otherwise: no edits, and nothing is
-        changed of that. The next update or run starts at the surface at hand, with the matrices at hand.
+        They take the place of the edits before, and are all relative to what was asked otherwise: no edits, and nothing
+        is changed of that. The next update or run starts at the surface at hand, with the matrices at hand.
         """
         view = EditsView(edits, self._shape[0])
         self._call("fairmesh_solver_edit", view.structs, len(view.structs))
@@ -364,7 +364,7 @@ class Solver(Generic[M]):
         return Frame(made.step, made.evaluations, bool(made.is_settled))
 
     def finish(self) -> Report:
-        """The converged surface with its report, checked: that of `fair` with what is asked and edited, to the tolerance."""
+        """The converged surface with its report, checked: to the tolerance what `fair` finds for what is asked."""
         report = sized(_abi.fairmesh_report)
         with self._relay:
             self._call("fairmesh_solver_finish", ctypes.byref(report))
