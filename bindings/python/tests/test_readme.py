@@ -20,7 +20,7 @@ PROGRAMS = re.findall(r"^```python\n(.*?)^```", README, re.M | re.S)
 
 
 def test_all_programs_were_found():
-    assert len(PROGRAMS) == README.count("```python") == 13
+    assert len(PROGRAMS) == README.count("```python") == 14
 
 
 @pytest.mark.parametrize("number", range(13))
