@@ -23,7 +23,7 @@ def test_all_programs_were_found():
     assert len(PROGRAMS) == README.count("```python") == 14
 
 
-@pytest.mark.parametrize("number", range(13))
+@pytest.mark.parametrize("number", range(14))
 def test_programs(number, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     sphere = dented_sphere()
