@@ -352,7 +352,7 @@ int main(int count, char **arguments) {
     every_allocation(&s, fair_once, "fair, continuous curvature", by);
     s.options.continuity = 0.0;
     every_allocation(&s, steps, "solver", by);
-    every_allocation(&s, live, "live", 29 * by);
+    every_allocation(&s, live, "live", 97 * by);
     every_allocation(&s, erase, "erase, trim, components", by);
     every_allocation(&s, region, "region", by);
     /* Each point takes some. */
