@@ -97,9 +97,12 @@ class FairLiveTool(bpy.types.WorkSpaceTool):
 
 def register():
     bpy.utils.register_class(VIEW3D_GGT_fairmesh_live)
-    bpy.utils.register_tool(FairLiveTool, after={"builtin.smooth"}, separator=True)
+    # Without windows there is no tool bar, and while Blender starts no map of keys to put the tool's into.
+    if not bpy.app.background:
+        bpy.utils.register_tool(FairLiveTool, after={"builtin.smooth"}, separator=True)
 
 
 def unregister():
-    bpy.utils.unregister_tool(FairLiveTool)
+    if not bpy.app.background:
+        bpy.utils.unregister_tool(FairLiveTool)
     bpy.utils.unregister_class(VIEW3D_GGT_fairmesh_live)
