@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
+use crate::mesh::input;
 use crate::order;
 use crate::quality::smallest_angle;
 
@@ -99,6 +100,7 @@ pub fn erase_and_clean(
         return Err(Error::SelectionOutOfRange { index, count });
     }
     let joined = Joined::new(positions, triangles, coincident)?;
+    input::check(positions.len(), &joined.triangles)?;
     let mut cut = Cut {
         vertices: positions.len(),
         triangles: &joined.triangles,
@@ -289,6 +291,18 @@ mod tests {
             [[a, b, c], [a, c, d]]
         });
         (positions.collect(), squares.collect())
+    }
+
+    #[test]
+    fn an_erased_triangle_names_vertices_that_exist() {
+        let (x, mut t) = sheet(3);
+        t[7][1] = 1 << 18;
+        let expected = Error::IndexOutOfRange {
+            triangle: 7,
+            index: 1 << 18,
+            vertex_count: 16,
+        };
+        assert_eq!(erase(&x, &t, &[7], Coincident::default()), Err(expected));
     }
 
     #[test]
