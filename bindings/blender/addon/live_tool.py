@@ -80,6 +80,7 @@ class FairLiveTool(bpy.types.WorkSpaceTool):
         "Drag a handle, or beside a loop; T, W, B, G: tilt, twist, bulge, move; Enter confirms"
     )
     bl_icon = "ops.mesh.vertices_smooth"
+    is_there = False
     bl_widget = "VIEW3D_GGT_fairmesh_live"
     bl_keymap = (
         (
@@ -95,14 +96,20 @@ class FairLiveTool(bpy.types.WorkSpaceTool):
         layout.prop(properties, "boundary_normals")
 
 
+def has_key_maps():
+    """Whether there are maps that the tool's keys can be put into: not yet while Blender starts in the background."""
+    configurations = bpy.context.window_manager.keyconfigs
+    return configurations.default is not None and configurations.addon is not None
+
+
 def register():
     bpy.utils.register_class(VIEW3D_GGT_fairmesh_live)
-    # Without windows there is no tool bar, and while Blender starts no map of keys to put the tool's into.
-    if not bpy.app.background:
+    FairLiveTool.is_there = has_key_maps()
+    if FairLiveTool.is_there:
         bpy.utils.register_tool(FairLiveTool, after={"builtin.smooth"}, separator=True)
 
 
 def unregister():
-    if not bpy.app.background:
+    if FairLiveTool.is_there:
         bpy.utils.unregister_tool(FairLiveTool)
     bpy.utils.unregister_class(VIEW3D_GGT_fairmesh_live)
