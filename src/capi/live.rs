@@ -9,7 +9,6 @@ use super::solvers::Shared;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::Progress;
 
 /// Asks for these changes of the boundary: of its normals, and of where fixed vertices are. `edits` are `edit_count` edits, one after the
 /// other in memory; NULL only if there are none. They take the place of the edits before and are all relative to what was asked when
@@ -53,12 +52,7 @@ pub extern "C" fn fairmesh_solver_update(
         let limit = budget(limit, Argument(2), &mut aliases)?;
         let out = StructOut::new(frame, Argument(3), &mut aliases)?;
         aliases.error(error, Argument(4))?;
-        let mut solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let told = solver.session.update(&limit)?;
-        callback.memory()?;
+        let told = shared.work(|session, _| Ok(session.update(&limit)?))?;
         out.write(&fairmesh_frame {
             struct_size: size_of::<fairmesh_frame>() as u32,
             is_settled: told.is_settled.into(),
@@ -82,13 +76,7 @@ pub extern "C" fn fairmesh_solver_finish(
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         let report_out = StructOut::optional(report, Argument(2), &mut aliases)?;
         aliases.error(error, Argument(3))?;
-        let mut solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
-        let told = report::report(&solver.session.finish(Some(&mut tell))?.report);
-        callback.memory()?;
+        let told = shared.work(|session, tell| Ok(report::report(&session.finish(Some(tell))?.report)))?;
         if let Some(out) = report_out {
             out.write(&told);
         }
@@ -109,13 +97,7 @@ pub extern "C" fn fairmesh_solver_bulge_range(
         let shared = handles::get::<_, Shared>(solver, Argument(1))?;
         let out = StructOut::new(range, Argument(2), &mut aliases)?;
         aliases.error(error, Argument(3))?;
-        let mut solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
-        let [low, high] = solver.session.bulge_range(Some(&mut tell))?;
-        callback.memory()?;
+        let [low, high] = shared.work(|session, tell| Ok(session.bulge_range(Some(tell))?))?;
         out.write(&fairmesh_bulge_range {
             struct_size: size_of::<fairmesh_bulge_range>() as u32,
             reserved: 0,

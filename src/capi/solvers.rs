@@ -3,9 +3,11 @@
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
 use super::callback::HostCallback;
+use super::guard::point;
 use super::memory::Reserve;
+use super::memory_bounds;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
-use fairmesh::Session;
+use fairmesh::{Progress, ProgressCallback, Session};
 
 /// One user at a time. Who panics with the lock poisons it.
 pub(crate) struct Shared(Mutex<Solver>);
@@ -34,6 +36,21 @@ impl Shared {
                 format_args!("a bug has broken this solver; free it"),
             ),
         })
+    }
+
+    /// Works with the session, with memory set aside, and with what tells the host how far it is.
+    pub(crate) fn work<T>(
+        &self,
+        work: impl FnOnce(&mut Session, &mut ProgressCallback<'_>) -> CallResult<T>,
+    ) -> CallResult<T> {
+        let mut solver = self.take()?;
+        let _reserve = memory_bounds::reserve(solver.need)?;
+        let callback = solver.callback.fresh();
+        point();
+        let mut tell = |progress: &Progress| callback.tell(progress);
+        let made = work(&mut solver.session, &mut tell)?;
+        callback.memory()?;
+        Ok(made)
     }
 
     /// Whether somebody uses it.

@@ -15,7 +15,7 @@ use super::solvers::{Shared, Solver};
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Progress, Session};
+use fairmesh::Session;
 
 use fairmesh_status as Status;
 
@@ -86,14 +86,9 @@ pub extern "C" fn fairmesh_solver_run(
         }
         let report_out = StructOut::optional(report, Argument(3), &mut aliases)?;
         aliases.error(error, Argument(4))?;
-        let mut solver = shared.take()?;
-        let _reserve = memory_bounds::reserve(solver.need)?;
-        let callback = solver.callback.fresh();
-        point();
-        let mut tell = |progress: &Progress| callback.tell(progress);
         let iterations = usize::try_from(iterations).unwrap_or(usize::MAX);
-        let told = report::report(&solver.session.run(iterations, Some(&mut tell))?.report);
-        callback.memory()?;
+        let told =
+            shared.work(|session, tell| Ok(report::report(&session.run(iterations, Some(tell))?.report)))?;
         if let Some(out) = report_out {
             out.write(&told);
         }
