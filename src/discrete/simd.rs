@@ -32,8 +32,8 @@ impl<const L: usize> Simd<L> {
     #[inline(always)]
     pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut r = self.0;
-        for x in &mut r {
-            *x = f(*x);
+        for l in 0..L {
+            r[l] = f(r[l]);
         }
         Self(r)
     }
@@ -41,8 +41,8 @@ impl<const L: usize> Simd<L> {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut r = self.0;
-        for (x, y) in r.iter_mut().zip(other.0) {
-            *x = f(*x, y);
+        for l in 0..L {
+            r[l] = f(r[l], other.0[l]);
         }
         Self(r)
     }
@@ -69,8 +69,8 @@ impl<const L: usize> Simd<L> {
     #[inline(always)]
     pub(crate) fn sum(self) -> Simd<1> {
         let mut sum = 0.0;
-        for x in self.0 {
-            sum += x;
+        for l in 0..L {
+            sum += self.0[l];
         }
         Simd([sum])
     }

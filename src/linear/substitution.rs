@@ -130,21 +130,33 @@ fn backward_block<T: Real, const C: usize>(panel: &[T], m: usize, j: usize, v: &
 }
 
 #[inline(always)]
-fn scaled<T: Real>(a: [T; LANES], f: T) -> [T; LANES] {
-    std::array::from_fn(|l| a[l] * f)
+fn scaled<T: Real>(mut a: [T; LANES], f: T) -> [T; LANES] {
+    for l in 0..LANES {
+        a[l] = a[l] * f;
+    }
+    a
 }
 
 #[inline(always)]
-fn times<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
-    std::array::from_fn(|l| a[l] * b[l])
+fn times<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    for l in 0..LANES {
+        a[l] = a[l] * b[l];
+    }
+    a
 }
 
 #[inline(always)]
-fn plus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
-    std::array::from_fn(|l| a[l] + b[l])
+fn plus<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    for l in 0..LANES {
+        a[l] = a[l] + b[l];
+    }
+    a
 }
 
 #[inline(always)]
-fn minus<T: Real>(a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
-    std::array::from_fn(|l| a[l] - b[l])
+fn minus<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
+    for l in 0..LANES {
+        a[l] = a[l] - b[l];
+    }
+    a
 }

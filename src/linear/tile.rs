@@ -58,12 +58,18 @@ pub(crate) fn minus<T: Real, const G: usize, const N: usize>(
 
 /// `c + a f`.
 #[inline(always)]
-fn plus_product<T: Real>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
-    std::array::from_fn(|l| c[l] + a[l] * f)
+fn plus_product<T: Real>(mut c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    for l in 0..LANES {
+        c[l] = c[l] + a[l] * f;
+    }
+    c
 }
 
 /// `c - a f`.
 #[inline(always)]
-pub(crate) fn minus_product<T: Real>(c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
-    std::array::from_fn(|l| c[l] - a[l] * f)
+pub(crate) fn minus_product<T: Real>(mut c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
+    for l in 0..LANES {
+        c[l] = c[l] - a[l] * f;
+    }
+    c
 }
