@@ -28,6 +28,7 @@ const EAST: Seed = Seed::Point([1.0, 0.0, 0.0]);
 #[test]
 fn distances_along_the_surface_are_those_of_the_smooth_surface() {
     let shape = sphere(8000, irregular(1));
+    let near = shape.mean_edge();
     for radius in [0.3, 1.0, 2.0] {
         let chosen = select(&shape, &[add(Region::Geodesic { seed: EAST, radius })]);
         let angle = |v: u32| shape.positions[v as usize][0].clamp(-1.0, 1.0).acos();
@@ -35,7 +36,6 @@ fn distances_along_the_surface_are_those_of_the_smooth_surface() {
         chosen.triangles.iter().for_each(|&t| is_in[t as usize] = true);
         for (t, corners) in shape.triangles.iter().enumerate() {
             let farthest = corners.map(angle).into_iter().fold(0.0, f64::max);
-            let near = shape.mean_edge();
             assert!(
                 !is_in[t] || farthest < radius + 0.5 * near,
                 "{radius}: {farthest}"
