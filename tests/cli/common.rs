@@ -1,16 +1,21 @@
 //! A spherical cap with a dented middle, and the program.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::Mutex;
 
 /// Vertices along a side of the grid.
 pub const SIDE: usize = 15;
 /// Rows of quads around the region that are not selected.
 pub const FRAME: usize = 4;
 
-/// An empty directory of a test.
+/// An empty directory of a test. Two tests that share one would take it away from each other while programs start in it.
 pub fn directory(test: &str) -> PathBuf {
+    static TAKEN: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let is_first = TAKEN.lock().unwrap().insert(test.to_owned());
+    assert!(is_first, "two tests use the directory {test}");
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
     let _ = fs::remove_dir_all(&path);
     fs::create_dir_all(&path).unwrap();

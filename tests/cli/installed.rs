@@ -1,12 +1,13 @@
 //! What is installed beside the program: completions and manual pages; and what every command says of its end.
 
 use std::fs;
+use std::path::Path;
 
 use crate::common::*;
 
 /// All commands, as `fairmesh --help` lists them.
-fn commands() -> Vec<String> {
-    let (out, _) = expect(&directory("commands_listed"), &["--help"], 0);
+fn commands(directory: &Path) -> Vec<String> {
+    let (out, _) = expect(directory, &["--help"], 0);
     let list = out.split("Commands:\n").nth(1).unwrap();
     let list = list.split("\n\n").next().unwrap();
     let names = list.lines().filter_map(|line| line.split_whitespace().next());
@@ -18,7 +19,7 @@ fn commands() -> Vec<String> {
 #[test]
 fn every_command_tells_its_exit_codes() {
     let directory = directory("exit_codes_told");
-    for command in commands() {
+    for command in commands(&directory) {
         for flag in ["-h", "--help"] {
             let (out, _) = expect(&directory, &[&command, flag], 0);
             assert!(out.contains("Exit codes: 0 "), "{command} {flag}: {out}");
@@ -32,7 +33,7 @@ fn completions_know_commands_flags_and_values() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let (script, err) = expect(&directory, &["completions", shell], 0);
         assert_eq!(err, "");
-        for command in commands() {
+        for command in commands(&directory) {
             assert!(script.contains(&command), "{shell}: {command}");
         }
         // These two have no list of a flag's values.
@@ -72,7 +73,7 @@ fn bash_completes_a_flag() {
 fn there_is_a_manual_page_for_every_command() {
     let directory = directory("manual");
     let (out, _) = expect(&directory, &["man", "new/man1"], 0);
-    let mut names: Vec<String> = commands()
+    let mut names: Vec<String> = commands(&directory)
         .iter()
         .map(|name| format!("fairmesh-{name}.1"))
         .collect();
