@@ -5,6 +5,8 @@
 #   ./test.sh long     everything, then the long tier: a million vertices, a hundred meshes, many seeds, the torture run,
 #                      and fuzzing for FUZZ_SECONDS a target (default 600)
 #   ./test.sh packaging   of the long tier only what is published for each target, built, run and checked (docs/releasing.md)
+#   ./test.sh NAME...  these steps of the full tier alone: lint workflows demo rust site python web blender meshlab address fuzzing
+#                      thread; and `tests` of the quick tier
 set -euo pipefail
 cd "$(dirname "$0")"
 logs=target/test
@@ -106,38 +108,50 @@ lint() {
         RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --lib
 }
 
+# The steps by their names.
+run() {
+    case $1 in
+    lint) step lint lint --workspace --features fairmesh-capi/hooks ;;
+    workflows) step workflows packaging/check_workflows.sh ;;
+    demo) step demo demo ;;
+    tests) step tests cargo test --locked ;;
+    rust) step rust cargo test --release --locked --workspace -- --include-ignored --skip long:: ;;
+    site) step site site/build.sh ;;
+    # The programs that carry the library.
+    python) step python bindings/python/test.sh ;;
+    web) step web bindings/web/test.sh ;;
+    blender) step blender bindings/blender/test.sh ;;
+    meshlab) step meshlab meshlab_plugin/test.sh gui ;;
+    # Builds of their own, with other compiler flags.
+    address) step address tests/sanitize.sh address ;;
+    fuzzing) step fuzzing fuzz/run.sh 60 ;;
+    thread) step thread tests/sanitize.sh thread ;;
+    *)
+        sed -n '2,10p' "$0" >&2
+        exit 2
+        ;;
+    esac
+}
+
+run_all() {
+    local name
+    for name in "$@"; do run "$name"; done
+}
+
 quick() {
     step lint lint
-    step tests cargo test --locked
-}
-
-# The programs that carry the library. They build in target/release and so come one after the other.
-hosts() {
-    step python bindings/python/test.sh
-    step web bindings/web/test.sh
-    step blender bindings/blender/test.sh
-    step meshlab meshlab_plugin/test.sh gui
-}
-
-# Builds of their own, with other compiler flags.
-sanitizers() {
-    step address tests/sanitize.sh address
-    step fuzzing fuzz/run.sh 60
-    step thread tests/sanitize.sh thread
+    run tests
 }
 
 full() {
     install_c_tools
-    step lint lint --workspace --features fairmesh-capi/hooks
-    step workflows packaging/check_workflows.sh
-    step demo demo
-    step rust cargo test --release --locked --workspace -- --include-ignored --skip long::
-    step site site/build.sh
+    run_all lint workflows demo rust site
     # On two cores; each lane goes on when the other one has failed.
     trap 'kill 0' INT
-    hosts &
+    # These build in target/release and so come one after the other.
+    run_all python web blender meshlab &
     local lane=$! failed=0
-    sanitizers &
+    run_all address fuzzing thread &
     wait $! || failed=1
     wait $lane || failed=1
     [ $failed -eq 0 ]
@@ -169,8 +183,9 @@ packaging)
     packaging
     ;;
 *)
-    sed -n '2,8p' "$0" >&2
-    exit 2
+    # What the tests of the C interface need, the sanitizers and the lint of the workspace too.
+    case " $* " in *\ lint\ * | *\ rust\ * | *\ address\ * | *\ thread\ *) install_c_tools ;; esac
+    run_all "$@"
     ;;
 esac
 printf 'All tests have passed in %d s.\n' $SECONDS
