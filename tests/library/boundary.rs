@@ -99,10 +99,22 @@ fn fitted_against_exact_normals() {
 /// off as with exact normals, but for a factor, and not as far as single triangles are tilted.
 #[test]
 fn normals_of_coordinates_rounded_far_away_are_averaged() {
+    are_averaged(&[(1_000, 1), (13_000, 2)], &FAR[..1]);
+}
+
+#[test]
+#[ignore = "full tier: three places, seeds more"]
+fn normals_of_coordinates_rounded_in_three_places_are_averaged() {
+    are_averaged(&[(1_000, 1), (13_000, 2), (13_000, 3)], &FAR);
+}
+
+const FAR: [[f64; 3]; 3] = [[1_000.0, 0.0, 0.0], [0.0, 0.0, -1_000.0], [577.0, 577.0, 577.0]];
+
+fn are_averaged(cases: &[(usize, u64)], offsets: &[[f64; 3]]) {
     let mut bars = Bars::default();
-    for (n, seed) in [(1_000, 1), (13_000, 2), (13_000, 3)] {
+    for &(n, seed) in cases {
         let shape = sphere_cap(60.0, n, irregular(seed), 10);
-        for offset in [[1_000.0, 0.0, 0.0], [0.0, 0.0, -1_000.0], [577.0, 577.0, 577.0]] {
+        for &offset in offsets {
             let mut far = shape.clone();
             for p in &mut far.positions {
                 *p = std::array::from_fn(|k| f64::from((p[k] + offset[k]) as f32));
