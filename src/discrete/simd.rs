@@ -32,12 +32,14 @@ impl<const L: usize> Simd<L> {
     #[inline(always)]
     pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut r = self.0;
-        for l in 0..L {
-            r[l] = f(r[l]);
+        for x in &mut r {
+            *x = f(*x);
         }
         Self(r)
     }
 
+    // `Iterator::zip` is a call where the crate is compiled in many units.
+    #[allow(clippy::needless_range_loop)]
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut r = self.0;

@@ -131,8 +131,8 @@ fn backward_block<T: Real, const C: usize>(panel: &[T], m: usize, j: usize, v: &
 
 #[inline(always)]
 fn scaled<T: Real>(mut a: [T; LANES], f: T) -> [T; LANES] {
-    for l in 0..LANES {
-        a[l] = a[l] * f;
+    for a in &mut a {
+        *a *= f;
     }
     a
 }
@@ -140,7 +140,7 @@ fn scaled<T: Real>(mut a: [T; LANES], f: T) -> [T; LANES] {
 #[inline(always)]
 fn times<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
     for l in 0..LANES {
-        a[l] = a[l] * b[l];
+        a[l] *= b[l];
     }
     a
 }
@@ -148,7 +148,7 @@ fn times<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
 #[inline(always)]
 fn plus<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
     for l in 0..LANES {
-        a[l] = a[l] + b[l];
+        a[l] += b[l];
     }
     a
 }
@@ -156,7 +156,7 @@ fn plus<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
 #[inline(always)]
 fn minus<T: Real>(mut a: [T; LANES], b: [T; LANES]) -> [T; LANES] {
     for l in 0..LANES {
-        a[l] = a[l] - b[l];
+        a[l] -= b[l];
     }
     a
 }

@@ -60,7 +60,7 @@ pub(crate) fn minus<T: Real, const G: usize, const N: usize>(
 #[inline(always)]
 fn plus_product<T: Real>(mut c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
     for l in 0..LANES {
-        c[l] = c[l] + a[l] * f;
+        c[l] += a[l] * f;
     }
     c
 }
@@ -69,7 +69,7 @@ fn plus_product<T: Real>(mut c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
 #[inline(always)]
 pub(crate) fn minus_product<T: Real>(mut c: Lanes<T>, a: Lanes<T>, f: T) -> Lanes<T> {
     for l in 0..LANES {
-        c[l] = c[l] - a[l] * f;
+        c[l] -= a[l] * f;
     }
     c
 }
