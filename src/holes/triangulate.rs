@@ -126,7 +126,7 @@ impl Polygon<'_> {
     }
 
     fn normal(&self, a: u32, b: u32, c: u32) -> (Vector3<f64>, f64) {
-        let [a, b, c] = [a, b, c].map(|v| self.x[v as usize]);
+        let (a, b, c) = (self.x[a as usize], self.x[b as usize], self.x[c as usize]);
         let cross = (b - a).cross(&(c - a));
         let twice = cross.norm();
         // A triangle whose height is rounding (single precision's, too) has no direction, and counts as a wide one, so that
@@ -252,12 +252,12 @@ impl Polygon<'_> {
     #[inline]
     fn cost(
         &self,
-        corners: [u32; 3],
+        [a, b, c]: [u32; 3],
         (normal, own): (&Vector3<f64>, f64),
         [left, right]: [&Cell; 2],
         beyond: Option<&Vector3<f64>>,
     ) -> f64 {
-        let [a, b, c] = corners.map(|v| self.x[v as usize]);
+        let (a, b, c) = (self.x[a as usize], self.x[b as usize], self.x[c as usize]);
         let over = |edge: Vector3<f64>, other: &Vector3<f64>, theirs: f64| {
             // The mesh beyond a boundary edge takes no part of the bend.
             let theirs = if theirs > 0.0 { theirs } else { own };

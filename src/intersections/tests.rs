@@ -229,7 +229,7 @@ fn all_pairs(mesh: &Mesh) -> Vec<[u32; 2]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: if cfg!(debug_assertions) { 60 } else { 300 }, ..ProptestConfig::default() })]
 
     /// Winding sheets that are height fields in parts, meet themselves often, touch, and lie in one plane with themselves.
     #[test]

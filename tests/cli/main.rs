@@ -18,4 +18,6 @@ mod pictures;
 mod pipes;
 mod references;
 mod select;
+#[path = "../common/tier.rs"]
+mod tier;
 mod words;

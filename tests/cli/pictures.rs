@@ -6,6 +6,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use crate::common::{cap, directory, expect, obj, write_lists};
+use crate::tier::tier;
 
 /// A picture's pixels, as red, green and blue, and its size.
 struct Shown {
@@ -64,8 +65,8 @@ fn sphere(radius: f64, round: usize) -> String {
 #[test]
 fn concentric_spheres_are_as_far_as_their_radii_differ() {
     let directory = directory("pictures-spheres");
-    fs::write(directory.join("inner.off"), sphere(1.0, 64)).unwrap();
-    fs::write(directory.join("outer.off"), sphere(1.25, 48)).unwrap();
+    fs::write(directory.join("inner.off"), sphere(1.0, 48)).unwrap();
+    fs::write(directory.join("outer.off"), sphere(1.25, 40)).unwrap();
     let args = [
         "render",
         "inner.off",
@@ -87,7 +88,7 @@ fn concentric_spheres_are_as_far_as_their_radii_differ() {
     for way in ["to_first", "from_first"] {
         let figure = |name: &str| found[way][name].as_f64().unwrap();
         for name in ["largest", "largest_bound", "rms", "mean"] {
-            // The facets lie inside the spheres, by less than 0.003 of the radius.
+            // The facets lie inside the spheres, by less than 0.004 of the radius.
             assert!((figure(name) - 0.25).abs() < 0.005, "{way} {name}: {found}");
         }
         assert!(figure("mean") <= figure("rms") && figure("rms") <= figure("largest"));
@@ -246,12 +247,16 @@ fn several_meshes_have_a_picture_each() {
         &[&fair[..], &["-o", "out/", "--picture", "shown/"]].concat(),
         0,
     );
-    expect(
-        &directory,
-        &[&fair[..], &["--in-place", "--picture", "placed/"]].concat(),
-        0,
-    );
-    for name in ["shown/a.png", "shown/b.png", "placed/a.png", "placed/b.png"] {
+    let mut made = vec!["shown/a.png", "shown/b.png"];
+    if tier(false, true) {
+        expect(
+            &directory,
+            &[&fair[..], &["--in-place", "--picture", "placed/"]].concat(),
+            0,
+        );
+        made.extend(["placed/a.png", "placed/b.png"]);
+    }
+    for name in made {
         assert_eq!(shown(&directory.join(name)).size[1], 48 + 3 * 464);
     }
     refused(
@@ -674,7 +679,8 @@ fn a_picture_that_cannot_be_written_is_told_with_what_was() {
     let directory = directory("pictures-full");
     fs::write(directory.join("cap.obj"), obj(&cap())).unwrap();
     write_lists(&directory);
-    for (flag, name) in [("--picture", "full.png"), ("--report", "full.html")] {
+    let both = [("--picture", "full.png"), ("--report", "full.html")];
+    for &(flag, name) in tier(&both[..1], &both) {
         std::os::unix::fs::symlink("/dev/full", directory.join(name)).unwrap();
         let output = format!("{name}.obj");
         let args = ["fair", "cap.obj", "-o", &output, "--free", "free.txt", flag, name];
@@ -718,7 +724,8 @@ fn what_is_not_finite_elsewhere_in_the_file_does_not_count() {
     assert!(text.contains("226"));
     fs::write(directory.join("cap.obj"), text).unwrap();
     write_lists(&directory);
-    let args = [&FAIR[..], &["--picture", "a.png", "--report", "a.html"]].concat();
+    let shown = ["--report", "a.html", "--picture", "a.png"];
+    let args = [&FAIR[..], tier(&shown[..2], &shown)].concat();
     expect(&directory, &args, 0);
     let page = fs::read_to_string(directory.join("a.html")).unwrap();
     assert!(page.contains("moved at most</th><td>0.09981 (at"));

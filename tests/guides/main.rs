@@ -99,6 +99,7 @@ fn join_tubes() {
 }
 
 #[test]
+#[ignore = "full tier: large pictures"]
 fn compare_in_a_picture() {
     let folder = runner::run("compare-in-a-picture");
     assert_picture(&folder.join("compare.png"), None);

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::fairing::*;
+use crate::tier::tier;
 use fairmesh::{BoundaryNormals, Discretization, Options, Solution};
 use fairmesh_shapes::*;
 
@@ -175,7 +176,7 @@ fn large_cap() {
 fn check_bands(bands: &[(&str, Generator)], most: [f64; 2]) {
     let mut bars = Bars::default();
     for &(name, generate) in bands {
-        for (n, seeds, bar) in [(1_000, 1..6, most[0]), (13_000, 1..2, most[1])] {
+        for (n, seeds, bar) in [(1_000, 1..tier(4, 6), most[0]), (13_000, 1..tier(1, 2), most[1])] {
             for seed in seeds {
                 let shape = generate(n, seed);
                 for (start, positions) in starts(&shape, seed) {
@@ -336,7 +337,7 @@ fn paper_discretization_is_a_hundred_times_worse() {
 #[test]
 fn fitted_normals() {
     let mut bars = Bars::default();
-    for (n, seeds) in [(1_000, 1..4), (13_000, 1..2)] {
+    for (n, seeds) in [(1_000, 1..4), (13_000, 1..tier(1, 2))] {
         for seed in seeds {
             for (name, generate) in [
                 ("cap", cap as Generator),
@@ -424,7 +425,7 @@ fn few_iterations() {
         );
         bars.converged(format!("{name} {n}"), &solution);
     };
-    for n in [1_000, 13_000] {
+    for &n in tier(&[1_000][..], &[1_000, 13_000]) {
         for (name, generate) in SPHERES.into_iter().chain(BANDS) {
             count(name, n, &generate(n, 1));
         }

@@ -2,6 +2,8 @@
 #![allow(clippy::print_stdout, reason = "the measured figures, for --nocapture")]
 
 mod fairing;
+#[path = "../common/tier.rs"]
+mod tier;
 
 mod accuracy;
 mod boundary;

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::fairing::irregular;
+use crate::tier::tier;
 use fairmesh::{
     Coincident, Combine, Error, Options, Outcome, Place, Region, RegionStep, Seed, SelectedRegion, Selection,
     fair, select_region,
@@ -266,7 +267,7 @@ fn bumps_are_found_among_noise() {
         (4, 0.08, 0.5),
         (5, 0.3, 0.1),
     ];
-    for (seed, width, height) in cases {
+    for &(seed, width, height) in tier(&cases[..2], &cases) {
         for noise in [0.002, 0.01] {
             let x = spoiled(&shape, width, height, noise, seed);
             let (left, reach) = left(&shape, &x, width, height);

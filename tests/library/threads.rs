@@ -1,6 +1,7 @@
 //! The same bits for any number of threads and in every run.
 
 use crate::fairing::*;
+use crate::tier::tier;
 use fairmesh::{InnerFairness, Options, Report, Seconds, Solution};
 use fairmesh_shapes::*;
 
@@ -33,9 +34,10 @@ fn assert_same(what: &str, a: &Solution, b: &Solution) {
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
     use InnerFairness::{Conformal, Uniform};
+    let n = tier(6_000, 13_000);
     for (name, shape, inner) in [
-        ("cap", sphere_cap(60.0, 13_000, irregular(1), OUTSIDE), Uniform),
-        ("cylinder", cylinder_band(13_000, irregular(1), OUTSIDE), Uniform),
+        ("cap", sphere_cap(60.0, n, irregular(1), OUTSIDE), Uniform),
+        ("cylinder", cylinder_band(n, irregular(1), OUTSIDE), Uniform),
         ("blend", cylinder_blend(), Conformal),
         // Conformal weights of a noisy surface: harder means are tried one after the other.
         (

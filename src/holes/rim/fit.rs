@@ -107,7 +107,8 @@ impl Sphere {
         let height = (2.0 * z - k * d.norm_squared()) / (1.0 + away);
         let before = away + 1.0 - k * z;
         let is_in_front = before > 0.5 * away;
-        let uv = self.tangents.map(|t| 2.0 * d.dot(&t) / before);
+        let [s, t] = &self.tangents;
+        let uv = [2.0 * d.dot(s) / before, 2.0 * d.dot(t) / before];
         is_in_front.then_some((uv, height))
     }
 }
@@ -133,9 +134,12 @@ fn solve<const N: usize>(
 ) -> Option<(SVector<f64, N>, SVector<f64, N>)> {
     let (mut matrix, mut right) = (SMatrix::<f64, N, N>::zeros(), SVector::<f64, N>::zeros());
     for (powers, height, weight) in rows {
-        let powers = powers.fixed_rows::<N>(0);
-        matrix.ger(*weight, &powers, &powers, 1.0);
-        right.axpy(weight * height, &powers, 1.0);
+        for j in 0..N {
+            for i in 0..N {
+                matrix[(i, j)] += weight * powers[j] * powers[i];
+            }
+            right[j] += weight * height * powers[j];
+        }
     }
     let ridge = RIDGE * matrix.trace();
     (0..N).for_each(|i| matrix[(i, i)] += ridge);
