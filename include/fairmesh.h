@@ -604,10 +604,6 @@ enum fairmesh_outcome
      */
     FAIRMESH_OUTCOME_CONVERGED_LOOSELY = 2,
     /**
-     * No surface with these boundary normals was found; that of the linear problem is returned.
-     */
-    FAIRMESH_OUTCOME_NORMALS_NOT_REACHABLE = 3,
-    /**
      * A surface was found for a part of the target only; that of the linear problem is returned.
      */
     FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE = 4,
@@ -668,10 +664,6 @@ enum fairmesh_loose_reason
      * Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
      */
     FAIRMESH_LOOSE_REASON_ROUNDING = 2,
-    /**
-     * The surface holds with the first-order curvature alone.
-     */
-    FAIRMESH_LOOSE_REASON_FIRST_ORDER_CURVATURE = 3,
     /**
      * The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
      */
@@ -1082,10 +1074,6 @@ enum fairmesh_list
      * Boundary vertices whose normal contradicts the surface or its neighbours'.
      */
     FAIRMESH_LIST_SUSPICIOUS_NORMALS = 3,
-    /**
-     * Boundary vertices whose normals stood farthest away, worst first.
-     */
-    FAIRMESH_LIST_UNREACHED_VERTICES = 4,
     /**
      * Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
      */
@@ -2061,10 +2049,6 @@ typedef struct fairmesh_report {
      * Size of the list SUSPICIOUS_NORMALS.
      */
     uint64_t suspicious_normal_count;
-    /**
-     * Size of the list UNREACHED_VERTICES.
-     */
-    uint64_t unreached_vertex_count;
     /**
      * The smallest angle of a triangle of the region, in degrees.
      */

@@ -62,8 +62,6 @@ struct openmesh_report : fairmesh_report {
     std::vector<OpenMesh::FaceHandle> poor_triangles;
     /** Boundary vertices whose normal contradicts the surface or its neighbours'. */
     std::vector<OpenMesh::VertexHandle> suspicious_normals;
-    /** Boundary vertices whose normals stood farthest away, worst first. */
-    std::vector<OpenMesh::VertexHandle> unreached_vertices;
     /** Pairs of faces that intersect; at least one of each has a free vertex. */
     std::vector<std::array<OpenMesh::FaceHandle, 2>> intersections;
     /** Where `continuity` is not 0: how far the curvature of the surroundings is continued along each boundary loop. */
@@ -339,7 +337,6 @@ template <class View> openmesh_report openmesh_told(const View &view, const resu
         for (std::uint64_t loop = 0; loop < loops; loop++) told.continuity.push_back(found.continuity(part, loop));
     }
     told.suspicious_normals = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_SUSPICIOUS_NORMALS));
-    told.unreached_vertices = openmesh_handles<OpenMesh::VertexHandle>(found.list(FAIRMESH_LIST_UNREACHED_VERTICES));
     const auto pairs = found.list(FAIRMESH_LIST_INTERSECTIONS);
     const auto face = [&](std::uint32_t triangle) { return OpenMesh::FaceHandle(static_cast<int>(view.face(triangle))); };
     for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) told.intersections.push_back({face(pairs[k]), face(pairs[k + 1])});

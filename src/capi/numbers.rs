@@ -102,8 +102,6 @@ pub enum fairmesh_outcome {
     ConvergedPoorTriangles = 1,
     /// Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names.
     ConvergedLoosely = 2,
-    /// No surface with these boundary normals was found; that of the linear problem is returned.
-    NormalsNotReachable = 3,
     /// A surface was found for a part of the target only; that of the linear problem is returned.
     TargetNotReachable = 4,
     /// No sound surface was found; that of the linear problem is returned.
@@ -133,8 +131,6 @@ pub enum fairmesh_loose_reason {
     SuspiciousNormals = 1,
     /// Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit.
     Rounding = 2,
-    /// The surface holds with the first-order curvature alone.
-    FirstOrderCurvature = 3,
     /// The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
     Bump = 4,
     /// The steps have become as small as double precision allows here, but stay above the tolerance.

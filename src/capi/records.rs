@@ -39,8 +39,6 @@ pub struct fairmesh_report {
     pub needle_count: u64,
     /// Size of the list SUSPICIOUS_NORMALS.
     pub suspicious_normal_count: u64,
-    /// Size of the list UNREACHED_VERTICES.
-    pub unreached_vertex_count: u64,
     /// The smallest angle of a triangle of the region, in degrees.
     pub worst_angle: f64,
     /// The triangle that has it.
@@ -289,8 +287,6 @@ pub enum fairmesh_list {
     Needles = 2,
     /// Boundary vertices whose normal contradicts the surface or its neighbours'.
     SuspiciousNormals = 3,
-    /// Boundary vertices whose normals stood farthest away, worst first.
-    UnreachedVertices = 4,
     /// Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop.
     Intersections = 5,
     /// Boundary vertices where the surface has a crease, where the outcome is about them.

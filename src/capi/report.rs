@@ -27,7 +27,6 @@ pub(crate) fn report(of: &Report) -> fairmesh_report {
         flipped_count: quality.flipped.len() as u64,
         needle_count: quality.needles.len() as u64,
         suspicious_normal_count: of.suspicious_normals.len() as u64,
-        unreached_vertex_count: unreached(of).len() as u64,
         worst_angle: quality.worst_angle,
         worst_triangle: quality.worst_triangle as u64,
         h_inside: quality.h_inside,
@@ -121,13 +120,6 @@ pub(crate) fn poor(of: &Report) -> &[u32] {
     }
 }
 
-pub(crate) fn unreached(of: &Report) -> &[u32] {
-    match &of.outcome {
-        Outcome::NormalsNotReachable { vertices, .. } => vertices,
-        _ => &[],
-    }
-}
-
 /// Pairs of intersecting triangles.
 pub(crate) fn intersections(of: &Report) -> &[[u32; 2]] {
     of.self_intersections.as_ref().map_or(&[], |found| &found.pairs)
@@ -140,10 +132,10 @@ pub(crate) fn creased(of: &Report) -> &[u32] {
     }
 }
 
-/// How much of the boundary normals or the target was reached.
+/// How much of the target was reached.
 fn reached(of: &Outcome) -> f64 {
     match of {
-        Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => *reached,
+        Outcome::TargetNotReachable { reached } => *reached,
         Outcome::NotConverged => 0.0,
         _ => 1.0,
     }

@@ -352,7 +352,6 @@ impl Content {
             (1, _) => self.report(index).map(|r| of(&r.quality.flipped)),
             (2, _) => self.report(index).map(|r| of(&r.quality.needles)),
             (3, _) => self.report(index).map(|r| of(&r.suspicious_normals)),
-            (4, _) => self.report(index).map(|r| of(report::unreached(r))),
             (5, Self::Filled { .. } | Self::Bridged { .. }) => {
                 self.patch(index).map(|l| of_pairs(&l.self_intersections))
             }

@@ -101,11 +101,6 @@ pub fn outcome(report: &Report) -> String {
             format!(" ({} triangles)", triangles.len())
         }
         Outcome::SelfIntersecting { pairs } => format!(" ({pairs} pairs)"),
-        Outcome::NormalsNotReachable { reached, vertices } => format!(
-            " ({:.0} % of the way was reached, and the normals of {} vertices stand farthest off)",
-            100.0 * reached,
-            vertices.len()
-        ),
         Outcome::BoundaryCrease { vertices } => format!(
             " ({} vertices, up to {:.0} degrees; {:.0} in the input)",
             vertices.len(),

@@ -71,7 +71,7 @@ boundary vertices, fitted at those that are not named.
 
 The report (--json) has the keys outcome, reason, advice, iterations, levels (of --solver paper), defect
 (of Delta_B H = 0, without unit), step, seconds, quality, components, free_vertices, diagonal, linear_surface,
-suspicious_normals, unreachable_normals, creased_vertices, reached, member_weight (w of the equation
+suspicious_normals, creased_vertices, reached, member_weight (w of the equation
 Delta_B H = -2 w H (H^2 - K), where the outcome is nearest_member), fallback_weights and stale_normals (vertices
 whose normals in the file could not be updated) and references (what is said of materials and textures that the file names). In seconds, 'solve' is everything from the arrays of the input to the arrays of
 the result; 'setup' (connectivity, boundary normals), 'start', 'iterate' and 'quality' are parts of it;

@@ -70,14 +70,6 @@ impl Summary<'_> {
         faces
     }
 
-    /// The vertices that an outcome blames.
-    fn blamed(&self) -> &[u32] {
-        match &self.report.outcome {
-            Outcome::NormalsNotReachable { vertices, .. } => vertices,
-            _ => &[],
-        }
-    }
-
     /// Lines for people.
     pub fn readable(&self) -> String {
         let mut table = Table(format!("{}\n", explain::outcome(self.report)));
@@ -201,9 +193,6 @@ impl Summary<'_> {
                 format_args!("{count} vertices (inner fairness does not spread them as asked)"),
             );
         }
-        if !self.blamed().is_empty() {
-            table.row("normals far off", listed(self.blamed(), VERTICES));
-        }
         if !creased(self.report).is_empty() {
             table.row("crease at", listed(creased(self.report), VERTICES));
         }
@@ -229,9 +218,7 @@ impl Summary<'_> {
         let reason = (report.outcome != Outcome::Converged).then(|| explain::outcome(report));
         let advice = Some(report.outcome.remedy()).filter(|advice| !advice.is_empty());
         let reached = match report.outcome {
-            Outcome::NormalsNotReachable { reached, .. } | Outcome::TargetNotReachable { reached } => {
-                Some(reached)
-            }
+            Outcome::TargetNotReachable { reached } => Some(reached),
             _ => None,
         };
         json!({
@@ -251,7 +238,6 @@ impl Summary<'_> {
             "diagonal": report.diagonal,
             "linear_surface": report.linear_surface,
             "suspicious_normals": report.suspicious_normals,
-            "unreachable_normals": self.blamed(),
             "creased_vertices": creased(self.report),
             "reached": reached,
             "member_weight": member_weight(&report.outcome),
@@ -524,10 +510,6 @@ mod tests {
             Outcome::ConvergedPoorTriangles { triangles: vec![1] },
             Outcome::ConvergedLoosely {
                 reason: LooseReason::Bump,
-            },
-            Outcome::NormalsNotReachable {
-                reached: 0.4,
-                vertices: vec![5, 1],
             },
             Outcome::TargetNotReachable { reached: 0.25 },
             Outcome::SelfIntersecting { pairs: 3 },

@@ -16,9 +16,6 @@ pub(crate) const RIDGE: f64 = 1e-6;
 /// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
 pub(crate) const TILT_RIDGE: f64 = 1e-3;
 
-/// A tilt ridge so large that the tilt stays zero: plain Moreton-Sequin, first order on irregular meshes.
-pub(crate) const NO_TILT: f64 = 1e6;
-
 /// Weight of the flap vertices (across the ring's edges) beside the ring's own weight of 1.
 pub(crate) const FLAP_WEIGHT: f64 = 0.1;
 
@@ -219,7 +216,7 @@ impl<const L: usize> TangentFrame<L> {
 /// The normal of a one-ring is wrong by `O(h)` on irregular meshes, and a normal tilted by `g` changes every `kappa`
 /// by `2 <g, e> / |e|^2`: an `O(1)` error. Two more unknowns `g` take that tilt out; their ridge is relative to the
 /// mean square length of the ring. `ring` has weight 1; `flaps` are further samples with their weights (0 for none).
-/// `tilt_ridge` is [`TILT_RIDGE`] or, for plain Moreton-Sequin, [`NO_TILT`].
+/// `tilt_ridge` is [`TILT_RIDGE`]; with a far larger one it is plain Moreton-Sequin.
 #[inline(always)]
 pub(crate) fn gradient_corrected<const L: usize, const RESPONSE: bool>(
     n: &Vec3<L>,
@@ -348,6 +345,9 @@ mod tests {
     use crate::discrete::ring_edges::ring_of;
     use crate::discrete::simd::{lane, one};
     use nalgebra::Vector3;
+
+    /// So large that the tilt stays zero: plain Moreton-Sequin, first order on irregular meshes.
+    const NO_TILT: f64 = 1e6;
 
     const RING: [(f64, f64); 6] = [
         (0.1, 1.0),

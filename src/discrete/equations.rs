@@ -13,7 +13,7 @@ use std::ops::Range;
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
-use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, gradient_corrected};
+use super::curvature::{Curvature, FLAP_WEIGHT, MoretonSequin, TILT_RIDGE, gradient_corrected};
 use super::inner_fairness::FairnessWeights;
 use super::laplace_beltrami::{area, cotangent, ring_weights};
 use super::low_valence::spiral_sample;
@@ -26,13 +26,10 @@ use crate::mesh::{NONE, Rings};
 use crate::profile::clock;
 
 /// How `H` is taken at free vertices.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FreeCurvature {
-    /// Max's normals and the gradient-corrected fit with this tilt ridge.
-    GradientCorrected {
-        /// [`super::curvature::TILT_RIDGE`], or [`super::curvature::NO_TILT`] for plain Moreton-Sequin.
-        tilt_ridge: f64,
-    },
+    /// Max's normals and the gradient-corrected fit.
+    GradientCorrected,
     /// The paper's: cross-product normals, plain Moreton-Sequin, spiral samples at valence 3 and 4.
     Paper,
 }
@@ -268,7 +265,7 @@ impl Equations<'_> {
         ring: &[RingEdge<LANES>],
         flaps: &mut [(Vec3<LANES>, Simd<LANES>)],
     ) -> (Vec3<LANES>, Curvature<LANES>) {
-        let FreeCurvature::GradientCorrected { tilt_ridge } = self.curvature else {
+        if self.curvature != FreeCurvature::GradientCorrected {
             let (normal, zero) = (cross_product_normal(ring), Simd::zero());
             let nothing = Curvature {
                 h: zero,
@@ -277,11 +274,11 @@ impl Equations<'_> {
                 response: zero,
             };
             return (normal, nothing);
-        };
+        }
         let n = max_normal(ring);
         self.gather_flaps(x, self.batches.slots(batch), q, flaps);
         self.gather_boundary(x, batch, flaps);
-        let curvature = gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, tilt_ridge);
+        let curvature = gradient_corrected::<LANES, RESPONSE>(&n, ring, flaps, TILT_RIDGE);
         (n, curvature)
     }
 
@@ -413,7 +410,6 @@ fn add_vertices(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::curvature::TILT_RIDGE;
     use crate::mesh::{Region, Selection};
     use fairmesh_shapes::{Sampling, sphere_cap};
 
@@ -428,12 +424,7 @@ mod tests {
             .iter()
             .map(|p| p.normalize())
             .collect();
-        for curvature in [
-            FreeCurvature::GradientCorrected {
-                tilt_ridge: TILT_RIDGE,
-            },
-            FreeCurvature::Paper,
-        ] {
+        for curvature in [FreeCurvature::GradientCorrected, FreeCurvature::Paper] {
             let equations = Equations {
                 rings: &rings,
                 batches: &batches,

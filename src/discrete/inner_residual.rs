@@ -83,7 +83,7 @@ impl Equations<'_> {
             self.gather_ring(x, batch, ring);
             let n = match self.curvature {
                 FreeCurvature::Paper => cross_product_normal(ring),
-                FreeCurvature::GradientCorrected { .. } => max_normal(ring),
+                FreeCurvature::GradientCorrected => max_normal(ring),
             };
             let residual = self.inner_residual(slots, ring, &n);
             // Backwards, as in the whole evaluation: only the first of a repeated vertex's lanes has its weights.

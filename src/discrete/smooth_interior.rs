@@ -5,6 +5,7 @@
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
+use super::curvature::TILT_RIDGE;
 use super::equations::{Equations, FreeCurvature, State};
 use super::normals::cross_product_normal;
 use super::simd::{lane, one};
@@ -63,10 +64,10 @@ impl Equations<'_> {
         let to = |j: u32| one(&(x[j as usize] - q));
         let edges = triangles.iter().zip(flaps);
         ring.fill(edges.map(|(&[j, _], &flap)| (to(j), (flap != NONE).then(|| to(flap)))));
-        let FreeCurvature::GradientCorrected { tilt_ridge } = self.curvature else {
+        if self.curvature != FreeCurvature::GradientCorrected {
             return (lane(&cross_product_normal(&ring.ring), 0), 0.0);
-        };
-        let fit = ring.fit(tilt_ridge);
+        }
+        let fit = ring.fit(TILT_RIDGE);
         (lane(&fit.normal, 0), fit.h.0[0])
     }
 }

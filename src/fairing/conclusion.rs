@@ -60,7 +60,7 @@ impl Found<'_> {
             report,
             boundary: domain.region.boundary,
             suspicious_normals,
-            fallback_weights: if self.result.uniform_weights || self.result.along_normals {
+            fallback_weights: if self.result.along_normals {
                 domain.region.free
             } else {
                 self.prepared.weights.clamped
@@ -193,12 +193,6 @@ impl Found<'_> {
             SolveStatus::TargetNotReached(reached) => {
                 return Outcome::TargetNotReachable { reached: *reached };
             }
-            SolveStatus::NormalsNotReached { reached, farthest } => {
-                return Outcome::NormalsNotReachable {
-                    reached: *reached,
-                    vertices: ids(farthest, &region.vertex_ids[region.free..]),
-                };
-            }
             _ if !poor.is_empty() => {
                 return Outcome::ConvergedPoorTriangles {
                     triangles: ids(poor, &region.half_edges.triangle_ids),
@@ -220,7 +214,6 @@ impl Found<'_> {
             _ if !suspicious_normals.is_empty() => LooseReason::SuspiciousNormals,
             SolveStatus::ConvergedToRounding => LooseReason::Rounding,
             SolveStatus::AboveTolerance => LooseReason::Tolerance,
-            SolveStatus::FirstOrder => LooseReason::FirstOrderCurvature,
             SolveStatus::Converged => return Outcome::Converged,
         };
         Outcome::ConvergedLoosely { reason }

@@ -8,7 +8,6 @@ use super::continuity::{asked_continuity, check_loops, on_loops};
 use super::normalization::Normalization;
 use super::normals::{GivenNormals, boundary_normals};
 use super::options::{Discretization, InnerFairness, Options, Solver};
-use crate::discrete::curvature::TILT_RIDGE;
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
@@ -162,8 +161,6 @@ impl Prepared {
 fn curvature(options: &Options) -> FreeCurvature {
     match (&options.solver, options.discretization) {
         (Solver::Paper(_), _) | (_, Discretization::Paper) => FreeCurvature::Paper,
-        (Solver::Fast, Discretization::SecondOrder) => FreeCurvature::GradientCorrected {
-            tilt_ridge: TILT_RIDGE,
-        },
+        (Solver::Fast, Discretization::SecondOrder) => FreeCurvature::GradientCorrected,
     }
 }

@@ -6,7 +6,6 @@ use super::continuity::CurvatureContinuity;
 use crate::discrete::target::Target;
 #[cfg(doc)]
 use crate::fairing::{Options, Solver};
-use crate::order;
 use crate::paper::LevelReport;
 use crate::quality::Quality;
 use crate::solve::{Trial, TrialEnd};
@@ -48,13 +47,6 @@ pub enum Outcome {
     ConvergedLoosely {
         /// What.
         reason: LooseReason,
-    },
-    /// No surface with the prescribed boundary normals was found; the linear surface is returned.
-    NormalsNotReachable {
-        /// How much of the way from the membrane's normals to the prescribed ones was found, 0 to 1.
-        reached: f64,
-        /// The boundary vertices whose normals stood farthest away, worst first.
-        vertices: Vec<u32>,
     },
     /// A surface was found only for a part of the right-hand side of [`Options::target`]; the linear surface is returned.
     TargetNotReachable {
@@ -101,9 +93,6 @@ choices! {
         2 "rounding" Rounding =>
             "max |Delta_B H| is as small as the rounding of the positions allows, but above its limit",
             "set a larger limit, or move the mesh near to the origin and give it in double precision";
-        3 "first_order_curvature" FirstOrderCurvature =>
-            "the surface holds with the first-order curvature alone",
-            "the surface is usable; a better mesh of the region usually cures it";
         4 "bump" Bump =>
             "the surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals",
             "look at it; a larger region, or one with a smoother boundary, usually cures it";
@@ -124,15 +113,12 @@ table!(Outcome {
     2 "converged_loosely" Outcome::ConvergedLoosely { .. } =>
         "tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names",
         "see the remedy of the reason";
-    3 "normals_not_reachable" Outcome::NormalsNotReachable { .. } =>
-        "no surface with these boundary normals was found; that of the linear problem is returned",
-        "check the normals of the vertices named (flipped? noise?); try averaged normals, or select more";
     4 "target_not_reachable" Outcome::TargetNotReachable { .. } =>
         "a surface was found for a part of the target only; that of the linear problem is returned",
         "ask for a smaller constant, or select a smaller region";
     5 "not_converged" Outcome::NotConverged =>
         "no sound surface was found; that of the linear problem is returned",
-        "select more, or remesh the region and try again";
+        "select more, check the boundary normals (flipped? noise?) or average them, or remesh the region";
     6 "iteration_limit" Outcome::IterationLimit =>
         "the iterations ran out; the best surface so far is returned",
         "allow more iterations, or fair the result once more";
@@ -200,7 +186,7 @@ impl Outcome {
     }
 
     /// The outcome of a whole: the worst of its parts', with what all parts of that outcome tell of it. From bad to good:
-    /// cancelled, iteration limit, not converged, target or normals not reachable, poor triangles, boundary crease, intersecting,
+    /// cancelled, iteration limit, not converged, target not reachable, poor triangles, boundary crease, intersecting,
     /// nearest member, loosely, converged.
     pub(crate) fn of_all(parts: &[&Self]) -> Self {
         let first = parts
@@ -218,12 +204,6 @@ impl Outcome {
             Self::ConvergedPoorTriangles { triangles } => *triangles = all(Self::poor),
             Self::PoorWhenRounded { triangles } => *triangles = all(Self::poor_when_rounded),
             Self::BoundaryCrease { vertices } => *vertices = all(Self::creased),
-            Self::NormalsNotReachable { reached, vertices } => {
-                let mut unreached: Vec<_> = parts.iter().filter_map(|o| o.unreached()).collect();
-                order::by_number(&mut unreached, |of| order::ascending(of.0));
-                *reached = unreached[0].0;
-                *vertices = unreached.into_iter().flat_map(|(_, v)| v).copied().collect();
-            }
             Self::TargetNotReachable { reached: least } => {
                 for part in parts {
                     if let Self::TargetNotReachable { reached } = part {
@@ -248,7 +228,6 @@ impl Outcome {
         match self {
             Self::Converged => 0,
             Self::ConvergedLoosely { reason } => match reason {
-                LooseReason::FirstOrderCurvature => 1,
                 LooseReason::Rounding => 2,
                 LooseReason::Tolerance => 3,
                 LooseReason::SuspiciousNormals => 4,
@@ -260,7 +239,6 @@ impl Outcome {
             Self::BoundaryCrease { .. } => 9,
             Self::PoorWhenRounded { .. } => 10,
             Self::ConvergedPoorTriangles { .. } => 11,
-            Self::NormalsNotReachable { .. } => 12,
             Self::TargetNotReachable { .. } => 13,
             Self::NotConverged => 14,
             Self::IterationLimit => 15,
@@ -286,14 +264,6 @@ impl Outcome {
         match self {
             Self::BoundaryCrease { vertices } => vertices,
             _ => &[],
-        }
-    }
-
-    /// How far normals were reached, and where they were not.
-    fn unreached(&self) -> Option<(f64, &[u32])> {
-        match self {
-            Self::NormalsNotReachable { reached, vertices } => Some((*reached, vertices)),
-            _ => None,
         }
     }
 

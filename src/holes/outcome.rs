@@ -225,7 +225,7 @@ fn renumber_judgement(
         Outcome::ConvergedPoorTriangles { triangles } | Outcome::PoorWhenRounded { triangles } => {
             triangles.iter_mut().for_each(|t| *t = triangle(*t))
         }
-        Outcome::NormalsNotReachable { vertices, .. } | Outcome::BoundaryCrease { vertices } => {
+        Outcome::BoundaryCrease { vertices } => {
             vertices.iter_mut().for_each(|v| *v = vertex(*v));
         }
         _ => {}

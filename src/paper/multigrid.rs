@@ -81,7 +81,6 @@ pub(crate) fn solve(
         step: ended.step,
         defect: defect * run.diagonal,
         iterations: control.tally.iterations,
-        uniform_weights: false,
         along_normals: false,
         trials: Vec::new(),
         continuity: Vec::new(),

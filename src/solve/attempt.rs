@@ -4,7 +4,6 @@ use super::control::Control;
 use super::procedure::Procedure;
 use super::quasi_newton::IterateOptions;
 use super::system::System;
-use crate::discrete::equations::FreeCurvature;
 
 /// One attempt at a surface.
 #[derive(Debug)]
@@ -17,8 +16,6 @@ pub(crate) struct Attempt {
     pub condition: Condition,
     /// The inner fairness that it begins with.
     pub weights: Weights,
-    /// The curvature at free vertices.
-    pub curvature: Curvature,
     /// Where it begins.
     pub start: Start,
     /// How it goes on from there.
@@ -48,10 +45,6 @@ pub(crate) enum Condition {
     Always,
     /// With a right-hand side that is not zero.
     Target,
-    /// With the second-order curvature.
-    SecondOrder,
-    /// With other inner fairness than uniform, while iterations are left.
-    NotUniform,
     /// With a harmonic surface asked; also where a sound one is found whose total curvature leaves room for another.
     Harmonic,
 }
@@ -62,10 +55,6 @@ impl Condition {
         match self {
             Self::Always => true,
             Self::Target => system.asks_for_target(),
-            Self::SecondOrder => {
-                matches!(system.asked_curvature(), FreeCurvature::GradientCorrected { .. })
-            }
-            Self::NotUniform => system.asks_for_weights() && !control.exhausted(),
             Self::Harmonic => !system.asks_for_target() && !control.exhausted(),
         }
     }
@@ -78,21 +67,10 @@ pub(crate) enum Weights {
     Asked,
     /// As the attempts before have left it, repaired.
     AsLeft,
-    /// Uniform.
-    Uniform,
     /// None: vertices move along the normals alone. On a surface that is nearly closed, inner fairness (7.3) has no solution, or one that
     /// the vertices slide away from: an elastic net drawn over a ball slips off to one side. To (4) it is all one where the vertices lie,
     /// as long as the triangles are sound.
     None,
-}
-
-/// Curvature at free vertices.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Curvature {
-    /// As asked.
-    Asked,
-    /// Plain Moreton-Sequin: first order, but with a larger basin of convergence.
-    Plain,
 }
 
 /// Where an attempt begins.
@@ -108,12 +86,8 @@ pub(crate) enum Start {
     Coarse,
     /// where that is harmonic no more.
     CoarseMember,
-    /// The surface with plain curvature.
-    PlainSolution,
     /// The surface of minimal energy.
     MinimalEnergy,
-    /// The linear surface with the inner fairness of the attempt.
-    LinearAnew,
     /// The surface of smallest step norm at which an attempt at the solution has stalled.
     Stalled,
     /// Where a second surface may be, beside the sound one that is found.
@@ -125,21 +99,15 @@ pub(crate) enum Start {
 pub(crate) enum Kept {
     /// A surface that meets the tolerance but is not sound is a result, if there is none better.
     Result,
-    /// The same, as one of first order.
-    FirstOrder,
     /// Only a sound surface.
     Sound,
     /// It is where other attempts begin.
     Start,
-    /// The same, as the surface of minimal energy.
-    MinimalEnergy,
 }
 
 /// Quasi-Newton steps to the tolerance.
 pub(super) const DIRECT: IterateOptions = IterateOptions {
     tolerance_floor: 0.0,
-    // Every change of matrix makes the step norm jump.
-    divergence_factor: 10.0,
     patience: 5,
     stop_on_folds: false,
     measured_response: true,
@@ -154,13 +122,6 @@ const PATIENT: IterateOptions = IterateOptions {
     ..DIRECT
 };
 
-/// With plain curvature the step norm falls more steadily.
-const PLAIN: IterateOptions = IterateOptions {
-    divergence_factor: 5.0,
-    phase: "plain curvature",
-    ..DIRECT
-};
-
 /// Step norm of surfaces that others begin with.
 const COARSE: f64 = 1e-4;
 
@@ -171,7 +132,6 @@ const fn along_normals(mesh: Mesh) -> Attempt {
         mesh,
         condition: Condition::Always,
         weights: Weights::None,
-        curvature: Curvature::Asked,
         start: Start::Stalled,
         procedure: Procedure::Iteration,
         options: IterateOptions {
@@ -189,7 +149,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
-        curvature: Curvature::Asked,
         start: Start::AtHand,
         procedure: Procedure::Iteration,
         options: IterateOptions {
@@ -203,7 +162,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Fine,
         condition: Condition::Always,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::Coarse,
         procedure: Procedure::RepairHere,
         options: DIRECT,
@@ -215,7 +173,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Fine,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::CoarseMember,
         procedure: Procedure::Retreat,
         options: DIRECT,
@@ -226,7 +183,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Any,
         condition: Condition::Always,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::Linear,
         procedure: Procedure::WeightRepair,
         options: DIRECT,
@@ -237,7 +193,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Any,
         condition: Condition::Target,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::Linear,
         procedure: Procedure::TargetContinuation,
         options: IterateOptions {
@@ -252,7 +207,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::MembraneMetric,
         procedure: Procedure::WeightRepair,
         options: IterateOptions {
@@ -267,7 +221,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Any,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::BesideSound,
         procedure: Procedure::RepairHere,
         options: PATIENT,
@@ -278,7 +231,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::Linear,
         procedure: Procedure::MinimalEnergy,
         options: IterateOptions {
@@ -288,45 +240,16 @@ pub(crate) const LADDER: &[Attempt] = &[
             phase: "minimal energy",
             ..DIRECT
         },
-        kept: Kept::MinimalEnergy,
+        kept: Kept::Start,
     },
     Attempt {
         name: "from minimal energy",
         mesh: Mesh::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::MinimalEnergy,
         procedure: Procedure::RepairHere,
         options: DIRECT,
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "plain curvature",
-        mesh: Mesh::Any,
-        condition: Condition::SecondOrder,
-        weights: Weights::Asked,
-        curvature: Curvature::Plain,
-        start: Start::Linear,
-        procedure: Procedure::WeightRepair,
-        options: IterateOptions {
-            tolerance_floor: COARSE,
-            ..PLAIN
-        },
-        kept: Kept::Start,
-    },
-    Attempt {
-        name: "jump to second order",
-        mesh: Mesh::Any,
-        condition: Condition::Always,
-        weights: Weights::AsLeft,
-        curvature: Curvature::Asked,
-        start: Start::PlainSolution,
-        procedure: Procedure::Iteration,
-        options: IterateOptions {
-            phase: "second order",
-            ..DIRECT
-        },
         kept: Kept::Result,
     },
     Attempt {
@@ -334,7 +257,6 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::Linear,
         procedure: Procedure::RepairEverywhere,
         options: DIRECT,
@@ -345,72 +267,10 @@ pub(crate) const LADDER: &[Attempt] = &[
         mesh: Mesh::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
-        curvature: Curvature::Asked,
         start: Start::MinimalEnergy,
         procedure: Procedure::Approach,
         options: IterateOptions {
             phase: "nearest member",
-            ..DIRECT
-        },
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "pseudo-time to second order",
-        mesh: Mesh::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::AsLeft,
-        curvature: Curvature::Asked,
-        start: Start::PlainSolution,
-        procedure: Procedure::PseudoTime,
-        options: DIRECT,
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "plain curvature to the end",
-        mesh: Mesh::Any,
-        condition: Condition::Always,
-        weights: Weights::AsLeft,
-        curvature: Curvature::Plain,
-        start: Start::PlainSolution,
-        procedure: Procedure::Iteration,
-        options: PLAIN,
-        kept: Kept::FirstOrder,
-    },
-    Attempt {
-        name: "pseudo-time",
-        mesh: Mesh::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::Asked,
-        curvature: Curvature::Asked,
-        start: Start::Linear,
-        procedure: Procedure::PseudoTime,
-        options: DIRECT,
-        kept: Kept::Result,
-    },
-    Attempt {
-        name: "uniform inner fairness",
-        mesh: Mesh::Any,
-        condition: Condition::NotUniform,
-        weights: Weights::Uniform,
-        curvature: Curvature::Asked,
-        start: Start::LinearAnew,
-        procedure: Procedure::WeightRepair,
-        options: DIRECT,
-        kept: Kept::Sound,
-    },
-    Attempt {
-        name: "normal continuation",
-        mesh: Mesh::Coarsest,
-        condition: Condition::Always,
-        weights: Weights::Asked,
-        curvature: Curvature::Asked,
-        start: Start::Linear,
-        procedure: Procedure::NormalContinuation,
-        options: IterateOptions {
-            tolerance_floor: COARSE,
-            // Each step is short.
-            divergence_factor: 3.0,
-            phase: "turning the normals",
             ..DIRECT
         },
         kept: Kept::Result,
@@ -431,19 +291,12 @@ mod tests {
         let condition = match attempt.condition {
             Condition::Always => "",
             Condition::Target => "right-hand side not zero",
-            Condition::SecondOrder => "second-order curvature asked",
-            Condition::NotUniform => "weights asked, iterations left",
             Condition::Harmonic => "harmonic surface asked, iterations left",
         };
         let weights = match attempt.weights {
             Weights::Asked => "asked",
             Weights::AsLeft => "as left",
-            Weights::Uniform => "uniform",
             Weights::None => "none",
-        };
-        let curvature = match attempt.curvature {
-            Curvature::Asked => "asked",
-            Curvature::Plain => "plain",
         };
         let start = match attempt.start {
             Start::AtHand => "surface at hand",
@@ -451,27 +304,22 @@ mod tests {
             Start::MembraneMetric => "linear, membrane's metric",
             Start::Coarse => "of the coarse mesh",
             Start::CoarseMember => "member of the coarse mesh",
-            Start::PlainSolution => "plain solution",
             Start::MinimalEnergy => "minimal energy",
-            Start::LinearAnew => "linear, these weights",
             Start::Stalled => "best that stalled",
             Start::BesideSound => "along the softest mode",
         };
         let procedure = match attempt.procedure {
             Procedure::Iteration => "iteration",
             Procedure::WeightRepair => "iteration, weight repair",
-            Procedure::PseudoTime => "pseudo-time, iteration",
             Procedure::RepairHere => "iteration, weight repair from there",
             Procedure::RepairEverywhere => "weight repair everywhere, iteration",
             Procedure::MinimalEnergy => "iteration, weight repair, minimal energy",
             Procedure::Approach => "members of the family, towards harmonic",
             Procedure::Retreat => "members of the family, from that of the coarse mesh",
             Procedure::TargetContinuation => "parts of the right-hand side",
-            Procedure::NormalContinuation => "normals turned from the membrane's",
         };
         let IterateOptions {
             tolerance_floor,
-            divergence_factor,
             measured_response,
             reuse_factor,
             ..
@@ -488,13 +336,12 @@ mod tests {
         };
         let kept = match attempt.kept {
             Kept::Result => "result",
-            Kept::FirstOrder => "first-order result",
             Kept::Sound => "if sound",
-            Kept::Start | Kept::MinimalEnergy => "as start",
+            Kept::Start => "as start",
         };
         let name = attempt.name;
         format!(
-            "| {name} | {mesh} | {condition} | {weights} | {curvature} | {start} | {procedure} | {tolerance} | {divergence_factor} | {matrix} | {kept} |"
+            "| {name} | {mesh} | {condition} | {weights} | {start} | {procedure} | {tolerance} | {matrix} | {kept} |"
         )
     }
 

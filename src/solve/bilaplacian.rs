@@ -290,14 +290,8 @@ impl Metric {
         }
     }
 
-    /// Puts the values of `P`, or `P + diag(mass)`, on `pattern`, row by row.
-    pub(crate) fn assemble(
-        &self,
-        rings: &Rings,
-        pattern: &SymmetricPattern,
-        mass: Option<&[f64]>,
-        values: &mut [f64],
-    ) {
+    /// Puts the values of `P` on `pattern`, row by row.
+    pub(crate) fn assemble(&self, rings: &Rings, pattern: &SymmetricPattern, values: &mut [f64]) {
         let _clock = clock("assemble P");
         let free = pattern.order();
         let pieces = split_rows(pattern, values);
@@ -310,9 +304,6 @@ impl Metric {
                     let offset = pattern.start[i] - pattern.start[first];
                     let row = &mut piece[offset..offset + pattern.row(i).len()];
                     self.row(rings, pattern, i, place, row);
-                    if let (Some(diagonal), Some(mass)) = (row.last_mut(), mass) {
-                        *diagonal += mass[i];
-                    }
                 }
             },
         );

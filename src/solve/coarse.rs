@@ -179,7 +179,6 @@ fn mean_edge(region: &Region, x: &[Vector3<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discrete::curvature::TILT_RIDGE;
     use crate::discrete::equations::FreeCurvature;
     use crate::discrete::target::RightHandSide;
     use crate::mesh::Selection;
@@ -198,9 +197,7 @@ mod tests {
             smooth_interior: &[],
             weights: &Arc::new(FairnessWeights::uniform()),
             weigh: None,
-            curvature: FreeCurvature::GradientCorrected {
-                tilt_ridge: TILT_RIDGE,
-            },
+            curvature: FreeCurvature::GradientCorrected,
             right_hand_side: RightHandSide::default(),
         };
         let level = CoarseLevel::new(&problem).unwrap();

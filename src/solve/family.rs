@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
-use super::procedure::{Next, Run};
+use super::procedure::Next;
 use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
@@ -127,6 +127,6 @@ impl Family {
     fn run(&mut self, w: f64, system: &mut System, control: &Control<'_>) -> Next {
         self.tried = w;
         system.use_member(w);
-        Next::Run(Run::iterate(system, self.x.clone(), self.options, control))
+        Next::iterate(system, self.x.clone(), self.options, control)
     }
 }

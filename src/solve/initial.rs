@@ -146,7 +146,7 @@ impl System {
             None => metric.combinatorial(rings, batches, self.weights()),
         }
         self.metric = metric;
-        self.refactor(None)?;
+        self.refactor()?;
         self.linear_solve(control)
     }
 
@@ -157,7 +157,7 @@ impl System {
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         self.evaluate(membrane);
-        self.rebuild(membrane, false, None)?;
+        self.rebuild(membrane, false)?;
         self.linear_solve(control)
     }
 

@@ -5,12 +5,12 @@ mod starts;
 
 use nalgebra::Vector3;
 
-use super::attempt::{Attempt, Curvature, Kept, LADDER, Mesh, Start};
+use super::attempt::{Attempt, Kept, LADDER, Mesh, Start};
 use super::candidate::Candidate;
 use super::continuation::Continuation;
 use super::control::Control;
-use super::procedure::{Next, Procedure, Run, Underway};
-use super::quasi_newton::IterationStatus;
+use super::procedure::{Next, Procedure, Underway};
+use super::quasi_newton::{Iteration, IterationStatus};
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
 use super::system::{Collapsed, System};
@@ -38,8 +38,6 @@ pub(crate) struct Ladder {
     at_hand: Option<Vec<Vector3<f64>>>,
     /// The linear surface, once it is needed.
     linear: Option<Vec<Vector3<f64>>>,
-    /// The solution with plain curvature, if there is one.
-    plain: Option<Vec<Vector3<f64>>>,
     /// The surface of smallest step norm at which an attempt at the solution has stalled since the last one along the normals, and that
     /// step norm.
     stalled: Option<(Vec<Vector3<f64>>, f64)>,
@@ -52,7 +50,7 @@ pub(crate) struct Ladder {
     /// and the iterations until then.
     iterations: usize,
     /// A sound surface, while another one is looked for that may be better,
-    sound: Option<(Candidate, SolveStatus)>,
+    sound: Option<Candidate>,
     /// the iterations that led to it,
     until_sound: usize,
     /// and those that led to none better.
@@ -60,15 +58,13 @@ pub(crate) struct Ladder {
     /// Attempts begun or passed over.
     attempts: usize,
     underway: Option<Underway>,
-    run: Option<Run>,
+    iteration: Option<Box<Iteration>>,
     /// The best of what has met the tolerance without being sound.
-    fallback: Option<(Candidate, SolveStatus)>,
+    fallback: Option<Candidate>,
     /// How far the first continuation came that came anywhere.
     shortfall: Option<SolveStatus>,
     /// The surface found is the start on another mesh.
     is_search: bool,
-    /// Uniform weights have taken the place of those that are asked for.
-    uniform_weights: bool,
     /// The surface at hand moves along the normals alone.
     along_normals: bool,
     start_seconds: f64,
@@ -79,10 +75,9 @@ pub(crate) struct Ladder {
 impl Ladder {
     /// A solve that goes on from a surface that solved a problem close to this one, with the matrices and weights that are
     /// there; where that leads to no sound surface, it begins at the beginning.
-    pub(crate) fn resume(x: Vec<Vector3<f64>>, uniform_weights: bool, along_normals: bool) -> Self {
+    pub(crate) fn resume(x: Vec<Vector3<f64>>, along_normals: bool) -> Self {
         Self {
             at_hand: Some(x),
-            uniform_weights,
             along_normals,
             ..Self::default()
         }
@@ -99,9 +94,9 @@ impl Ladder {
 
     /// A solve of another problem close to this one, from where this one stands.
     pub(crate) fn renewed(self) -> Self {
-        let x = self.run.map(Run::into_x).or(self.at_hand);
+        let x = self.iteration.map(|iteration| iteration.x).or(self.at_hand);
         match x {
-            Some(x) => Self::resume(x, self.uniform_weights, self.along_normals),
+            Some(x) => Self::resume(x, self.along_normals),
             None => Self::default(),
         }
     }
@@ -114,12 +109,7 @@ impl Ladder {
     /// The surface at hand, at which the system stands evaluated; none before the first iteration.
     pub(crate) fn x(&self) -> Option<&[Vector3<f64>]> {
         let continued = self.continuation.as_ref().map(Continuation::x);
-        continued.or_else(|| self.run.as_ref().map(Run::x))
-    }
-
-    /// Whether uniform weights have taken the place of those that are asked for.
-    pub(crate) fn has_uniform_weights(&self) -> bool {
-        self.uniform_weights
+        continued.or_else(|| self.iteration.as_ref().map(|iteration| &iteration.x[..]))
     }
 
     /// Whether inner fairness is not asked of the surface at hand.
@@ -159,13 +149,13 @@ impl Ladder {
     /// The same, without continuation.
     fn climb(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
         let mut ended = None;
-        if let Some(run) = &mut self.run {
-            ended = run.advance(system, control);
-            if ended.is_none() {
+        if let Some(iteration) = &mut self.iteration {
+            let Some(status) = iteration.advance(system, control) else {
                 return Ok(Step::Iterated);
-            }
+            };
+            ended = Some(iteration.candidate(status, system));
         }
-        // The next run: of this attempt, or of another.
+        // The next iteration: of this attempt, or of another.
         loop {
             let next = match (ended.take(), &mut self.underway) {
                 (Some(candidate), Some(underway)) => underway.next(candidate, system, control),
@@ -179,12 +169,12 @@ impl Ladder {
             self.note(&next, system, control);
             self.keep_stalled(&next);
             match next {
-                Next::Run(mut run) => {
-                    ended = run.begin(system, control);
-                    if ended.is_none() {
-                        self.run = Some(run);
+                Next::Iteration(mut iteration) => {
+                    let Some(status) = iteration.begin(system, control) else {
+                        self.iteration = Some(iteration);
                         return Ok(Step::Iterated);
-                    }
+                    };
+                    ended = Some(iteration.candidate(status, system));
                 }
                 Next::Done(candidate) => {
                     if let Some((candidate, status)) = self.consider(candidate, control) {
@@ -210,7 +200,7 @@ impl Ladder {
     /// Keeps in mind how an attempt has ended.
     fn note(&mut self, next: &Next, system: &System, control: &Control<'_>) {
         let candidate = match next {
-            Next::Run(_) => return,
+            Next::Iteration(_) => return,
             Next::Done(candidate) | Next::Member(candidate, _) => Some(candidate),
             Next::Short(_) => None,
         };
@@ -228,9 +218,8 @@ impl Ladder {
     /// Keeps the surface of an attempt at what is asked that stalled nearest to a solution.
     fn keep_stalled(&mut self, next: &Next) {
         let attempt = &LADDER[self.attempts - 1];
-        let is_asked = attempt.kept == Kept::Result && attempt.curvature == Curvature::Asked;
         if let Next::Done(candidate) = next
-            && is_asked
+            && attempt.kept == Kept::Result
             && candidate.status == IterationStatus::Stalled
             && !candidate.along_normals
             && self
@@ -283,7 +272,7 @@ impl Ladder {
         let is_rival = match attempt.start {
             Start::MinimalEnergy => attempt.procedure != Procedure::Approach,
             Start::BesideSound => true,
-            _ => attempt.kept == Kept::MinimalEnergy,
+            _ => attempt.kept == Kept::Start,
         };
         if self.sound.is_some() && !is_rival {
             return false;
@@ -331,49 +320,39 @@ impl Ladder {
     /// What becomes of an attempt's surface. Returns it if nothing else is to be tried.
     fn consider(&mut self, candidate: Candidate, control: &Control<'_>) -> Option<(Candidate, SolveStatus)> {
         let kept = LADDER[self.attempts - 1].kept;
-        let status = match kept {
-            Kept::FirstOrder => SolveStatus::FirstOrder,
-            _ => SolveStatus::Converged,
-        };
         if kept == Kept::Start && !candidate.is_stopped() {
-            self.plain = candidate.is_converged().then_some(candidate.x);
-        } else if kept == Kept::MinimalEnergy && !candidate.is_stopped() {
             self.minimal_energy =
                 (candidate.is_converged() && candidate.poor.is_empty()).then_some(candidate.x);
         } else if candidate.is_settled() || self.is_search && candidate.is_good_start() {
-            return self.best_of((candidate, status), control);
+            return Some((self.best_of(candidate, control)?, SolveStatus::Converged));
         } else if kept != Kept::Start && candidate.is_at_rounding() {
             return Some((candidate, SolveStatus::AboveTolerance));
         } else if kept != Kept::Sound && candidate.is_converged() {
             // Of equals the first.
-            let best = self.fallback.as_ref().map(|(best, _)| best.rank());
+            let best = self.fallback.as_ref().map(Candidate::rank);
             if best.is_none_or(|best| candidate.rank() < best) {
-                self.fallback = Some((candidate, status));
+                self.fallback = Some(candidate);
             }
         }
         None
     }
 
     /// Of two sound surfaces the one of less bending energy; the first one alone where it may be the only one.
-    fn best_of(
-        &mut self,
-        found: (Candidate, SolveStatus),
-        control: &Control<'_>,
-    ) -> Option<(Candidate, SolveStatus)> {
+    fn best_of(&mut self, found: Candidate, control: &Control<'_>) -> Option<Candidate> {
         let Some(first) = self.sound.take() else {
             let is_new = LADDER[self.attempts - 1].start != Start::AtHand;
-            if is_new && found.0.is_converged() && found.0.total_curvature > ONLY_ONE_BELOW {
+            if is_new && found.is_converged() && found.total_curvature > ONLY_ONE_BELOW {
                 self.sound = Some(found);
                 self.until_sound = control.tally.iterations;
                 return None;
             }
             return Some(found);
         };
-        if found.0.is_stopped() {
+        if found.is_stopped() {
             self.in_vain = control.tally.iterations - self.until_sound;
             return Some(first);
         }
-        let is_better = found.0.is_better_than(&first.0);
+        let is_better = found.is_better_than(&first);
         if is_better {
             self.until_sound = control.tally.iterations;
         }
@@ -384,26 +363,19 @@ impl Ladder {
     /// The sound surface that no other one was found to be better than.
     fn settle(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
         system.reset();
-        let (candidate, status) = match self.sound.take() {
-            Some((candidate, status)) => {
-                self.in_vain = control.tally.iterations - self.until_sound;
-                (Some(candidate), status)
-            }
-            None => (None, SolveStatus::Failed),
-        };
-        self.result(candidate, status, system, control)
+        self.in_vain = control.tally.iterations - self.until_sound;
+        let candidate = self.sound.take();
+        self.result(candidate, SolveStatus::Converged, system, control)
     }
 
     /// After the last attempt: the best of what there is.
     fn give_up(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
         system.reset();
-        self.uniform_weights = false;
-        let (candidate, status) = match self.fallback.take() {
-            Some((candidate, SolveStatus::Converged)) if candidate.has_bump() => {
-                (Some(candidate), SolveStatus::Bump)
-            }
-            Some((candidate, status)) => (Some(candidate), status),
-            None => (None, self.shortfall.take().unwrap_or(SolveStatus::Failed)),
+        let candidate = self.fallback.take();
+        let status = match &candidate {
+            Some(candidate) if candidate.has_bump() => SolveStatus::Bump,
+            Some(_) => SolveStatus::Converged,
+            None => self.shortfall.take().unwrap_or(SolveStatus::Failed),
         };
         self.result(candidate, status, system, control)
     }
@@ -440,7 +412,6 @@ impl Ladder {
             defect: system.defect(),
             iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
-            uniform_weights: self.uniform_weights,
             along_normals,
             trials: std::mem::take(&mut self.trials),
             continuity: Vec::new(),

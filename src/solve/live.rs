@@ -200,7 +200,7 @@ impl Live {
         if self.wants_matrix {
             self.wants_matrix = false;
             self.matrix_area = f64::NAN;
-            if system.rebuild(&self.x, true, None).is_err() {
+            if system.rebuild(&self.x, true).is_err() {
                 self.stand = Stand::Stuck;
                 return;
             }
@@ -241,7 +241,7 @@ impl Live {
         let change = area / self.matrix_area;
         if change.max(1.0 / change) > LARGEST_GROWTH {
             // Where it fails, so do the steps, and the solve begins anew.
-            let _ = system.rebuild(&self.shown, true, None);
+            let _ = system.rebuild(&self.shown, true);
             self.matrix_area = f64::NAN;
         }
     }

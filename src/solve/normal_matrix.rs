@@ -81,7 +81,7 @@ impl NormalMatrix {
         }
     }
 
-    /// Takes the matrix of a metric, that of the surface `x` or of connectivity, with `mass` on its diagonal: that the plate cannot do.
+    /// Takes the matrix of a metric, that of the surface `x` or of connectivity.
     /// `graph` is the free one-ring graph.
     pub(crate) fn factor(
         &mut self,
@@ -89,10 +89,9 @@ impl NormalMatrix {
         rings: &Rings,
         x: Option<&[Vector3<f64>]>,
         graph: &SymmetricPattern,
-        mass: Option<&[f64]>,
         stacks: &mut Stacks,
     ) -> Result<(), Collapsed> {
-        if let (Some(plate), None) = (&mut self.plate, mass) {
+        if let Some(plate) = &mut self.plate {
             let made = plate.factor(metric, rings, x, graph, &mut stacks.single);
             if made.is_ok() {
                 self.factored = None;
@@ -105,10 +104,10 @@ impl NormalMatrix {
             self.plate = None;
         }
         let factored = self.factored_matrix(rings, graph);
-        metric.assemble(rings, &factored.pattern, mass, &mut factored.values);
+        metric.assemble(rings, &factored.pattern, &mut factored.values);
         let made = factored.factor(stacks);
         if made.is_err() && !self.interrupt.is_set() {
-            return self.factor_double(metric, rings, graph, mass, stacks);
+            return self.factor_double(metric, rings, graph, stacks);
         }
         made.map_err(|_| Collapsed)
     }
@@ -119,7 +118,6 @@ impl NormalMatrix {
         metric: &Metric,
         rings: &Rings,
         graph: &SymmetricPattern,
-        mass: Option<&[f64]>,
         stacks: &mut Stacks,
     ) -> Result<(), Collapsed> {
         if self.is_double() {
@@ -127,7 +125,7 @@ impl NormalMatrix {
         }
         let interrupt = self.interrupt.clone();
         let factored = self.factored_matrix(rings, graph);
-        metric.assemble(rings, &factored.pattern, mass, &mut factored.values);
+        metric.assemble(rings, &factored.pattern, &mut factored.values);
         factored.factor = Factor::new(&factored.symbolic, true);
         factored.factor.set_interrupt(&interrupt);
         factored.factor(stacks).map_err(|_| Collapsed)

@@ -265,7 +265,6 @@ mod tests {
 
     use nalgebra::Vector3;
 
-    use crate::discrete::curvature::TILT_RIDGE;
     use crate::discrete::equations::FreeCurvature;
     use crate::discrete::inner_fairness::FairnessWeights;
     use crate::discrete::target::RightHandSide;
@@ -357,9 +356,7 @@ mod tests {
                 .collect::<Vec<_>>(),
             weights: &Arc::new(FairnessWeights::uniform()),
             weigh: None,
-            curvature: FreeCurvature::GradientCorrected {
-                tilt_ridge: TILT_RIDGE,
-            },
+            curvature: FreeCurvature::GradientCorrected,
             right_hand_side: RightHandSide::default(),
         })
     }
@@ -370,12 +367,12 @@ mod tests {
         let mut system = System::by_means(problem, means);
         if on_surface {
             system.evaluate(domain.surface());
-            system.rebuild(domain.surface(), true, None).unwrap();
+            system.rebuild(domain.surface(), true).unwrap();
         } else {
             let mut metric = std::mem::take(&mut system.metric);
             metric.combinatorial(&domain.rings, &domain.batches, problem.weights);
             system.metric = metric;
-            system.refactor(None).unwrap();
+            system.refactor().unwrap();
         }
         system
     }
@@ -480,25 +477,6 @@ mod tests {
             let mut system = System::by_means(problem, Means::Plate);
             assert!(system.linear_surface(&mut Control::new(1e-9, 100, None)).is_ok());
             assert!(!system.is_by_plate());
-        });
-    }
-
-    /// Pseudo-time adds to the diagonal, which the plate cannot do.
-    #[test]
-    fn with_mass_a_factor_takes_its_place() {
-        with_problem(&cases(3000)[0], |problem| {
-            let [mut factor, mut plate] = [Means::Factor, Means::Plate].map(|m| system(problem, m, true));
-            let mass: Vec<f64> = (0..plate.free()).map(|i| 1.0 + i as f64).collect();
-            factor.refactor(Some(&mass)).unwrap();
-            plate.refactor(Some(&mass)).unwrap();
-            assert!(!plate.is_by_plate());
-            let mut x = right_hand_sides(&plate);
-            let mut y = x.clone();
-            factor.solve_p(&mut x);
-            plate.solve_p(&mut y);
-            assert_eq!(x, y);
-            plate.refactor(None).unwrap();
-            assert!(plate.is_by_plate());
         });
     }
 

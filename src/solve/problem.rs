@@ -128,7 +128,6 @@ impl<'a> Problem<'a> {
             status: SolveStatus::Cancelled,
             step: f64::NAN,
             iterations: 0,
-            uniform_weights: false,
             along_normals: false,
             trials: Vec::new(),
             continuity: Vec::new(),

@@ -5,25 +5,27 @@ use nalgebra::Vector3;
 use super::candidate::Candidate;
 use super::control::Control;
 use super::family::Family;
-use super::normal_continuation::NormalContinuation;
-use super::pseudo_time::{FlowStatus, PseudoTime};
-use super::quasi_newton::{IterateOptions, Iteration, IterationStatus};
+use super::quasi_newton::{IterateOptions, Iteration};
 use super::result::SolveStatus;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
 use super::weight_repair::{Anew, WeightRepair};
 
-/// Something that iterates.
+/// How an attempt goes on.
 #[derive(Debug)]
-pub(crate) enum Run {
-    /// Quasi-Newton steps.
+pub(crate) enum Next {
+    /// With this iteration.
     Iteration(Box<Iteration>),
-    /// Pseudo-time, and quasi-Newton steps from where it leads.
-    Flow(PseudoTime, IterateOptions),
+    /// It is over, with this surface.
+    Done(Candidate),
+    /// It is over, with this surface of member `w` of the family.
+    Member(Candidate, f64),
+    /// It is over, without a surface: so far it came.
+    Short(SolveStatus),
 }
 
-impl Run {
-    /// Quasi-Newton steps from `x`.
+impl Next {
+    /// With an iteration from `x`.
     pub(crate) fn iterate(
         system: &System,
         x: Vec<Vector3<f64>>,
@@ -32,71 +34,6 @@ impl Run {
     ) -> Self {
         Self::Iteration(Box::new(Iteration::new(system, x, options, control)))
     }
-
-    /// The surface at which the system stands evaluated, once it is begun.
-    pub(crate) fn x(&self) -> &[Vector3<f64>] {
-        match self {
-            Self::Iteration(iteration) => &iteration.x,
-            Self::Flow(flow, _) => &flow.x,
-        }
-    }
-
-    /// The same, taken out.
-    pub(crate) fn into_x(self) -> Vec<Vector3<f64>> {
-        match self {
-            Self::Iteration(iteration) => iteration.x,
-            Self::Flow(flow, _) => flow.x,
-        }
-    }
-
-    /// What comes before the first iteration. Returns what it has led to if that is as far as it goes.
-    pub(crate) fn begin(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<Candidate> {
-        match self {
-            Self::Iteration(iteration) => {
-                let status = iteration.begin(system, control)?;
-                Some(iteration.candidate(status, system))
-            }
-            Self::Flow(flow, _) => {
-                system.evaluate(&flow.x);
-                None
-            }
-        }
-    }
-
-    /// One iteration. Returns what the run has led to, if that was the last.
-    pub(crate) fn advance(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<Candidate> {
-        match self {
-            Self::Iteration(iteration) => {
-                let status = iteration.advance(system, control)?;
-                Some(iteration.candidate(status, system))
-            }
-            Self::Flow(flow, options) => {
-                let status = match flow.advance(system, control)? {
-                    FlowStatus::Reached => {
-                        let x = std::mem::take(&mut flow.x);
-                        *self = Self::iterate(system, x, *options, control);
-                        return self.begin(system, control);
-                    }
-                    FlowStatus::Stalled => IterationStatus::Stalled,
-                    FlowStatus::Stopped => IterationStatus::Stopped,
-                };
-                Some(Candidate::new(system, flow.x.clone(), status, f64::NAN))
-            }
-        }
-    }
-}
-
-/// How an attempt goes on.
-#[derive(Debug)]
-pub(crate) enum Next {
-    /// With this.
-    Run(Run),
-    /// It is over, with this surface.
-    Done(Candidate),
-    /// It is over, with this surface of member `w` of the family.
-    Member(Candidate, f64),
-    /// It is over, without a surface: so far it came.
-    Short(SolveStatus),
 }
 
 /// How an attempt gets from its start to a surface.
@@ -110,12 +47,8 @@ pub(crate) enum Procedure {
     RepairHere,
     /// The same, with all weights repaired before.
     RepairEverywhere,
-    /// Pseudo-time, then one iteration.
-    PseudoTime,
     /// Iterations along parts of the right-hand side.
     TargetContinuation,
-    /// Iterations along boundary normals from the membrane's own to the prescribed ones.
-    NormalContinuation,
     /// The same as [`Self::WeightRepair`], with minimal energy as the target.
     MinimalEnergy,
     /// Members of the family between the harmonic equation and minimal energy, towards harmonic.
@@ -133,8 +66,6 @@ pub(crate) enum Underway {
     WeightRepair(Box<WeightRepair>),
     /// See [`Procedure::TargetContinuation`].
     TargetContinuation(Box<TargetContinuation>),
-    /// See [`Procedure::NormalContinuation`].
-    NormalContinuation(Box<NormalContinuation>),
     /// See [`Procedure::Approach`] and [`Procedure::Retreat`].
     Family(Box<Family>),
 }
@@ -150,14 +81,7 @@ impl Procedure {
         control: &mut Control<'_>,
     ) -> (Underway, Next) {
         match self {
-            Self::Iteration => {
-                let run = Run::iterate(system, x, options, control);
-                (Underway::Single, Next::Run(run))
-            }
-            Self::PseudoTime => {
-                let run = Run::Flow(PseudoTime::new(system, x), options);
-                (Underway::Single, Next::Run(run))
-            }
+            Self::Iteration => (Underway::Single, Next::iterate(system, x, options, control)),
             Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere | Self::RepairEverywhere => {
                 let anew = match self {
                     Self::RepairHere => Anew::FromSurface,
@@ -173,10 +97,6 @@ impl Procedure {
             Self::TargetContinuation => {
                 let (continuation, next) = TargetContinuation::begin(x, options, system, control);
                 (Underway::TargetContinuation(Box::new(continuation)), next)
-            }
-            Self::NormalContinuation => {
-                let (continuation, next) = NormalContinuation::begin(x, options, system, control);
-                (Underway::NormalContinuation(Box::new(continuation)), next)
             }
             Self::Approach => {
                 let (family, next) = Family::approach(x, options, system, control);
@@ -197,7 +117,6 @@ impl Underway {
             Self::Single => Next::Done(last),
             Self::WeightRepair(repair) => repair.next(last, system, control),
             Self::TargetContinuation(continuation) => continuation.next(last, system, control),
-            Self::NormalContinuation(continuation) => continuation.next(last, system, control),
             Self::Family(family) => family.next(last, system, control),
         }
     }

@@ -37,6 +37,8 @@ const _: () = assert!(WINDOW <= MAX_WINDOW && WINDOW_OF_LARGE <= MAX_WINDOW);
 const LONG_UP_TO: usize = 50_000;
 /// A round that gains less than this in [`IterateOptions::patience`] steps is left.
 const STALL: f64 = 0.7;
+/// A round is left when the step norm exceeds this many times the best: every change of matrix makes it jump.
+const DIVERGED: f64 = 10.0;
 /// At most this many rounds, each with a matrix made at the best surface so far.
 const ROUNDS: usize = 5;
 /// A round with a fresh matrix that gains less than this will not gain in another.
@@ -60,8 +62,6 @@ pub(crate) enum IterationStatus {
 pub(crate) struct IterateOptions {
     /// The step norm to reach, in diagonals, where the tolerance that is asked for is smaller; 0: that one.
     pub tolerance_floor: f64,
-    /// A round is left when the step norm exceeds this many times the best.
-    pub divergence_factor: f64,
     /// A round is left when it gains little in so many steps.
     pub patience: usize,
     /// Stop near the solution when triangles are folded or thin: their repair starts anew.
@@ -207,7 +207,7 @@ impl Iteration {
         let made = if reuse {
             Ok(())
         } else {
-            system.rebuild(&self.x, measured_response, None)
+            system.rebuild(&self.x, measured_response)
         };
         // A factorization that is interrupted fails as well.
         if !control.checkpoint(self.options.phase) {
@@ -303,7 +303,7 @@ impl Iteration {
         let history = &mut self.round.history;
         history.push(d);
         let k = history.len() - 1;
-        d > self.options.divergence_factor * self.best.d || k >= patience && d > STALL * history[k - patience]
+        d > DIVERGED * self.best.d || k >= patience && d > STALL * history[k - patience]
     }
 
     /// After a round that stalls: another one from the best surface, if that promises something.

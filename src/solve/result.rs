@@ -11,21 +11,12 @@ pub(crate) enum SolveStatus {
     ConvergedToRounding,
     /// As small a step as rounding allows, but above the tolerance.
     AboveTolerance,
-    /// Tolerance met with plain (first-order) curvature only.
-    FirstOrder,
     /// Tolerance met by a surface that has a bump, see [`Candidate::has_bump`](super::candidate::Candidate::has_bump).
     Bump,
     /// No sound harmonic surface; the member `w` of the family `Delta_B H = -2 w H (H^2 - K)` that is nearest to it.
     NearestMember(f64),
     /// No sound nonlinear surface; the linear one.
     Failed,
-    /// Boundary normals reached only to a fraction of the way; the linear surface.
-    NormalsNotReached {
-        /// The fraction.
-        reached: f64,
-        /// Boundary vertices (numbered from the first boundary vertex), those whose normals turn most first.
-        farthest: Vec<u32>,
-    },
     /// A surface was found for this part of the right-hand side only; the linear surface.
     TargetNotReached(f64),
     /// The limit of iterations: the best surface so far.
@@ -37,10 +28,7 @@ pub(crate) enum SolveStatus {
 impl SolveStatus {
     /// Whether the surface is the linear one, for want of a better.
     pub(crate) fn is_linear(&self) -> bool {
-        matches!(
-            self,
-            Self::Failed | Self::NormalsNotReached { .. } | Self::TargetNotReached(_)
-        )
+        matches!(self, Self::Failed | Self::TargetNotReached(_))
     }
 }
 
@@ -108,8 +96,6 @@ pub(crate) struct SolveResult {
     pub iterations: usize,
     /// Triangles of the region (local numbers) that are folded or needles.
     pub poor: Vec<u32>,
-    /// The vertices are distributed evenly, because no surface was found with the inner fairness that was asked for.
-    pub uniform_weights: bool,
     /// Inner fairness is not met, because none was found to go with a surface: the vertices were moved along the normals alone.
     pub along_normals: bool,
     /// Where the curvature of the surroundings was to be continued, what came of it.

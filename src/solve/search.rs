@@ -46,7 +46,7 @@ impl Search {
         };
         let trials = std::mem::take(&mut result.trials);
         let member = match result.status {
-            SolveStatus::Converged | SolveStatus::FirstOrder | SolveStatus::AboveTolerance => 0.0,
+            SolveStatus::Converged | SolveStatus::AboveTolerance => 0.0,
             SolveStatus::NearestMember(w) => w,
             status => return (Self::Missed(status), trials),
         };

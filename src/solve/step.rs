@@ -126,11 +126,6 @@ impl System {
             s.copy_from_slice((n * t[0]).as_slice());
         }
     }
-
-    /// The tangential part of the last step.
-    pub(crate) fn tangential_step(&self, step: &mut [f64]) {
-        step.copy_from_slice(self.tangential_step.as_flattened());
-    }
 }
 
 /// The sums of the squares of normal and tangential steps, and the largest normal one.

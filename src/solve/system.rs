@@ -31,14 +31,13 @@ const KEPT_UP_TO: usize = 50_000;
 /// What is asked, besides the boundary normals.
 struct Asked {
     weights: Arc<FairnessWeights>,
-    curvature: FreeCurvature,
     right_hand_side: RightHandSide,
     continuity: Option<Arc<AskedContinuity>>,
 }
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
 ///
-/// What attempts vary for a while (inner fairness, curvature, boundary normals, right-hand side) is set by methods, and
+/// What attempts vary for a while (inner fairness, right-hand side) is set by methods, and
 /// [`System::reset`] and [`System::use_asked_weights`] go back to what is asked.
 pub(crate) struct System {
     /// The region and its rings.
@@ -49,8 +48,6 @@ pub(crate) struct System {
     right_hand_side: RightHandSide,
     /// Prescribed normals; those of the last evaluation where the surface passes smoothly.
     pub(super) boundary_normals: Vec<Vector3<f64>>,
-    /// The prescribed ones, while others take their place.
-    prescribed: Option<Vec<Vector3<f64>>>,
     /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
     smooth_interior: Vec<bool>,
     /// Steps have no tangential part, until [`System::reset`].
@@ -127,7 +124,6 @@ impl System {
             domain: problem.domain.clone(),
             asked: Asked {
                 weights: weights.clone(),
-                curvature: problem.curvature,
                 right_hand_side: problem.right_hand_side,
                 continuity: problem.continuity.cloned(),
             },
@@ -135,7 +131,6 @@ impl System {
             curvature: problem.curvature,
             right_hand_side: problem.right_hand_side,
             boundary_normals: problem.boundary_normals.to_vec(),
-            prescribed: None,
             smooth_interior: problem.smooth_interior.to_vec(),
             along_normals: false,
             state: State::new(batches, region.boundary),
@@ -161,7 +156,6 @@ impl System {
     /// Asks for other boundary normals from now on, and says where the surface passes smoothly instead.
     pub(crate) fn prescribe(&mut self, normals: Vec<Vector3<f64>>, smooth_interior: Vec<bool>) {
         self.boundary_normals = normals;
-        self.prescribed = None;
         self.smooth_interior = smooth_interior;
     }
 
@@ -176,30 +170,15 @@ impl System {
         self.right_hand_side = right_hand_side;
     }
 
-    /// Back to the curvature, boundary normals and right-hand side that are asked for, and to tangential steps.
+    /// Back to the right-hand side that is asked for, and to tangential steps.
     pub(crate) fn reset(&mut self) {
         self.along_normals = false;
-        self.curvature = self.asked.curvature;
         self.right_hand_side = self.asked.right_hand_side;
-        if let Some(prescribed) = self.prescribed.take() {
-            self.boundary_normals = prescribed;
-        }
-    }
-
-    /// Takes another curvature, until [`System::reset`].
-    pub(crate) fn use_curvature(&mut self, curvature: FreeCurvature) {
-        self.curvature = curvature;
     }
 
     /// Steps along the normals alone, until [`System::reset`].
     pub(crate) fn step_along_normals(&mut self) {
         self.along_normals = true;
-    }
-
-    /// Takes other boundary normals, until [`System::reset`].
-    pub(crate) fn use_boundary_normals(&mut self, normals: Vec<Vector3<f64>>) {
-        let before = std::mem::replace(&mut self.boundary_normals, normals);
-        self.prescribed.get_or_insert(before);
     }
 
     /// Takes a part of the right-hand side that is asked for, from 0 to 1, until [`System::reset`].
@@ -243,19 +222,9 @@ impl System {
         &self.weights
     }
 
-    /// Whether inner fairness is asked for that is not uniform.
-    pub(crate) fn asks_for_weights(&self) -> bool {
-        self.asked.weights.slots.is_some()
-    }
-
     /// Whether another right-hand side than zero is asked for.
     pub(crate) fn asks_for_target(&self) -> bool {
         !self.asked.right_hand_side.is_zero()
-    }
-
-    /// The curvature that is asked for.
-    pub(crate) fn asked_curvature(&self) -> FreeCurvature {
-        self.asked.curvature
     }
 
     /// The boundary normals in force.
@@ -273,11 +242,11 @@ impl System {
         Problem {
             continuity: None,
             domain: &self.domain,
-            boundary_normals: self.prescribed.as_ref().unwrap_or(&self.boundary_normals),
+            boundary_normals: &self.boundary_normals,
             smooth_interior: &self.smooth_interior,
             weights: &self.asked.weights,
             weigh: None,
-            curvature: self.asked.curvature,
+            curvature: self.curvature,
             right_hand_side: self.asked.right_hand_side,
         }
     }
@@ -368,14 +337,8 @@ impl System {
         self.state = state;
     }
 
-    /// Makes `P` from the last evaluation, which was at `x`, with `mass` on its diagonal. With `response` it evaluates at
-    /// `x` itself.
-    pub(crate) fn rebuild(
-        &mut self,
-        x: &[Vector3<f64>],
-        response: bool,
-        mass: Option<&[f64]>,
-    ) -> Result<(), Collapsed> {
+    /// Makes `P` from the last evaluation, which was at `x`. With `response` it evaluates at `x` itself.
+    pub(crate) fn rebuild(&mut self, x: &[Vector3<f64>], response: bool) -> Result<(), Collapsed> {
         if response {
             let mut state = std::mem::take(&mut self.state);
             self.equations().evaluate_with_response(x, &mut state);
@@ -386,31 +349,31 @@ impl System {
         let mut metric = std::mem::take(&mut self.metric);
         metric.update(&self.equations(), x, &self.state, response);
         self.metric = metric;
-        let made = self.refactor_at(Some(x), mass);
+        let made = self.refactor_at(Some(x));
         let made = made.and_then(|()| self.prepare_continuity());
         // The next one is far off, and the iterations need the memory.
-        if response && mass.is_none() && self.free() > KEPT_UP_TO {
+        if response && self.free() > KEPT_UP_TO {
             self.stacks = Stacks::default();
         }
         made
     }
 
     /// Makes `P` of the metric that is there.
-    pub(crate) fn refactor(&mut self, mass: Option<&[f64]>) -> Result<(), Collapsed> {
-        self.refactor_at(None, mass)
+    pub(crate) fn refactor(&mut self) -> Result<(), Collapsed> {
+        self.refactor_at(None)
     }
 
-    fn refactor_at(&mut self, x: Option<&[Vector3<f64>]>, mass: Option<&[f64]>) -> Result<(), Collapsed> {
+    fn refactor_at(&mut self, x: Option<&[Vector3<f64>]>) -> Result<(), Collapsed> {
         let rings = &self.domain.rings;
         self.p
-            .factor(&self.metric, rings, x, &self.graph, mass, &mut self.stacks)
+            .factor(&self.metric, rings, x, &self.graph, &mut self.stacks)
     }
 
-    /// Goes over to a 64-bit factor of the same matrix, without mass.
+    /// Goes over to a 64-bit factor of the same matrix.
     pub(crate) fn refactor_double(&mut self) -> Result<(), Collapsed> {
         let rings = &self.domain.rings;
         self.p
-            .factor_double(&self.metric, rings, &self.graph, None, &mut self.stacks)
+            .factor_double(&self.metric, rings, &self.graph, &mut self.stacks)
     }
 
     /// Whether `P` is factored in 64 bits.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
-use super::procedure::{Next, Run};
+use super::procedure::Next;
 use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
@@ -45,7 +45,7 @@ impl TargetContinuation {
             tried: 0.0,
             step: FIRST_STEP,
         };
-        (continuation, Next::Run(Run::iterate(system, x, options, control)))
+        (continuation, Next::iterate(system, x, options, control))
     }
 
     /// After the iteration with the part that was tried.
@@ -70,7 +70,7 @@ impl TargetContinuation {
         match &self.x {
             Some(x) if self.step >= SHORTEST && !control.exhausted() => {
                 let x = x.clone();
-                Next::Run(self.run(x, system, control))
+                self.iterate(x, system, control)
             }
             _ if self.reached > 0.0 => Next::Short(SolveStatus::TargetNotReached(self.reached)),
             _ => Next::Short(SolveStatus::Failed),
@@ -78,7 +78,7 @@ impl TargetContinuation {
     }
 
     /// One step further from `x`.
-    fn run(&mut self, x: Vec<Vector3<f64>>, system: &mut System, control: &Control<'_>) -> Run {
+    fn iterate(&mut self, x: Vec<Vector3<f64>>, system: &mut System, control: &Control<'_>) -> Next {
         self.tried = (self.reached + self.step).min(1.0);
         system.use_part_of_target(self.tried);
         let options = if self.tried >= 1.0 {
@@ -86,6 +86,6 @@ impl TargetContinuation {
         } else {
             self.options
         };
-        Run::iterate(system, x, options, control)
+        Next::iterate(system, x, options, control)
     }
 }

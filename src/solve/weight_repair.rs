@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
-use super::procedure::{Next, Run};
+use super::procedure::Next;
 use super::quasi_newton::{IterateOptions, IterationStatus};
 use super::system::System;
 use super::untangle::untangle;
@@ -126,7 +126,7 @@ impl WeightRepair {
             stop_on_folds,
             ..self.options
         };
-        Next::Run(Run::iterate(system, x, options, control))
+        Next::iterate(system, x, options, control)
     }
 }
 

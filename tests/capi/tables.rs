@@ -31,10 +31,6 @@ pub(crate) fn outcomes() -> Vec<Outcome> {
         Outcome::ConvergedLoosely {
             reason: LooseReason::Rounding,
         },
-        Outcome::NormalsNotReachable {
-            reached: 0.0,
-            vertices: Vec::new(),
-        },
         Outcome::TargetNotReachable { reached: 0.0 },
         Outcome::NotConverged,
         Outcome::IterationLimit,

@@ -94,10 +94,6 @@ def remember(part):
         vertices = result.creased_vertices
         what = f"{len(vertices)} boundary vertices with a crease"
         found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
-    elif len(result.unreached_vertices):
-        vertices = result.unreached_vertices
-        what = f"{len(vertices)} boundary vertices with unreachable normals"
-        found.remember(found.Found(mesh.object, mesh.counts, what, vertices=vertices))
     elif len(result.intersections):
         faces = np.unique(mesh.face_of[result.intersections])
         found.remember(found.Found(mesh.object, mesh.counts, f"{len(faces)} intersecting faces", faces=faces))

@@ -23,7 +23,6 @@ _FIGURES = {
     Outcome.POOR_WHEN_ROUNDED: " ({r.poor_triangle_count} triangles)",
     Outcome.BOUNDARY_CREASE: " ({r.creased_vertex_count} vertices, up to {r.boundary_kink:.0f} degrees)",
     Outcome.SELF_INTERSECTING: " ({r.intersection_count} pairs, {r.intersections_in_input} before the fairing)",
-    Outcome.NORMALS_NOT_REACHABLE: " ({reached:.0f} % of the way)",
     Outcome.TARGET_NOT_REACHABLE: " ({reached:.0f} % of it)",
     Outcome.NEAREST_MEMBER: " (w = {r.member_weight:.3g} between the shapes Natural, 0, and Elastic Sheet, 1)",
 }

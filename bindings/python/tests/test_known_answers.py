@@ -285,7 +285,7 @@ def test_curvatures_of_the_result():
     assert low == result.mean_curvature[free].min() and high == result.mean_curvature[free].max()
     assert len(result.poor_triangles) == len(result.flipped_triangles) == len(result.needles) == 0
     assert result.report.intersections_checked and result.intersections.shape == (0, 2)
-    assert len(result.suspicious_normals) == len(result.unreached_vertices) == 0
+    assert len(result.suspicious_normals) == 0
     assert result.mean_curvature is result.mean_curvature
 
 

@@ -102,8 +102,6 @@ export const enums = {
         converged_poor_triangles: 1,
         /** Tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names. */
         converged_loosely: 2,
-        /** No surface with these boundary normals was found; that of the linear problem is returned. */
-        normals_not_reachable: 3,
         /** A surface was found for a part of the target only; that of the linear problem is returned. */
         target_not_reachable: 4,
         /** No sound surface was found; that of the linear problem is returned. */
@@ -128,8 +126,6 @@ export const enums = {
         suspicious_normals: 1,
         /** Max |Delta_B H| is as small as the rounding of the positions allows, but above its limit. */
         rounding: 2,
-        /** The surface holds with the first-order curvature alone. */
-        first_order_curvature: 3,
         /** The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals. */
         bump: 4,
         /** The steps have become as small as double precision allows here, but stay above the tolerance. */
@@ -376,8 +372,6 @@ export const enums = {
         needles: 2,
         /** Boundary vertices whose normal contradicts the surface or its neighbours'. */
         suspicious_normals: 3,
-        /** Boundary vertices whose normals stood farthest away, worst first. */
-        unreached_vertices: 4,
         /** Intersecting triangles, two for each pair, the smaller number first; of a filled mesh those of the loop. */
         intersections: 5,
         /** Boundary vertices where the surface has a crease, where the outcome is about them. */
@@ -715,7 +709,7 @@ export const structs = {
         },
     },
     report: {
-        size: 312,
+        size: 304,
         align: 8,
         fields: {
             structSize: [0, "u32"],
@@ -734,30 +728,29 @@ export const structs = {
             flippedCount: [88, "u64"],
             needleCount: [96, "u64"],
             suspiciousNormalCount: [104, "u64"],
-            unreachedVertexCount: [112, "u64"],
-            worstAngle: [120, "f64"],
-            worstTriangle: [128, "orNone"],
-            hInside: [136, "f64", 2],
-            hBoundary: [152, "f64", 2],
-            normalDeviation: [168, "f64"],
-            normalDeviationVertex: [176, "orNone"],
-            normalDeviationRms: [184, "f64"],
-            secondsSetup: [192, "f64"],
-            secondsStart: [200, "f64"],
-            secondsIterate: [208, "f64"],
-            secondsQuality: [216, "f64"],
-            secondsTotal: [224, "f64"],
-            intersectionCount: [232, "u64"],
-            intersectionsInInput: [240, "u64"],
-            intersectionsChecked: [248, "flag"],
-            reserved: [252, "u32"],
-            boundaryKink: [256, "f64"],
-            boundaryKinkBefore: [264, "f64"],
-            boundaryKinkVertex: [272, "orNone"],
-            creasedVertexCount: [280, "u64"],
-            componentCount: [288, "u64"],
-            memberWeight: [296, "f64"],
-            bendingEnergy: [304, "f64"],
+            worstAngle: [112, "f64"],
+            worstTriangle: [120, "orNone"],
+            hInside: [128, "f64", 2],
+            hBoundary: [144, "f64", 2],
+            normalDeviation: [160, "f64"],
+            normalDeviationVertex: [168, "orNone"],
+            normalDeviationRms: [176, "f64"],
+            secondsSetup: [184, "f64"],
+            secondsStart: [192, "f64"],
+            secondsIterate: [200, "f64"],
+            secondsQuality: [208, "f64"],
+            secondsTotal: [216, "f64"],
+            intersectionCount: [224, "u64"],
+            intersectionsInInput: [232, "u64"],
+            intersectionsChecked: [240, "flag"],
+            reserved: [244, "u32"],
+            boundaryKink: [248, "f64"],
+            boundaryKinkBefore: [256, "f64"],
+            boundaryKinkVertex: [264, "orNone"],
+            creasedVertexCount: [272, "u64"],
+            componentCount: [280, "u64"],
+            memberWeight: [288, "f64"],
+            bendingEnergy: [296, "f64"],
         },
     },
     component: {
@@ -1160,8 +1153,6 @@ export interface Report {
     needleCount: number;
     /** Size of the list SUSPICIOUS_NORMALS. */
     suspiciousNormalCount: number;
-    /** Size of the list UNREACHED_VERTICES. */
-    unreachedVertexCount: number;
     /** The smallest angle of a triangle of the region, in degrees. */
     worstAngle: number;
     /** The triangle that has it. */

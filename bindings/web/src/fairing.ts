@@ -38,8 +38,6 @@ export interface FairResult<P extends Floats = Floats> {
     needles: Uint32Array;
     /** Boundary vertices whose normal contradicts the surface or its neighbours'. */
     suspiciousNormals: Uint32Array;
-    /** Boundary vertices whose normals stood farthest away, worst first. */
-    unreachedVertices: Uint32Array;
     /** Boundary vertices where the surface has a crease, where the outcome is about them. */
     creasedVertices: Uint32Array;
     /** Pairs of triangles that intersect, one after the other, the smaller index first. */
@@ -84,7 +82,6 @@ function faired(result: ResultHandle, mesh: MeshIn): FairResult {
         flippedTriangles: result.list("flipped_triangles"),
         needles: result.list("needles"),
         suspiciousNormals: result.list("suspicious_normals"),
-        unreachedVertices: result.list("unreached_vertices"),
         creasedVertices: result.list("creased_vertices"),
         intersections: result.list("intersections"),
         levels: Array.from({ length: report.levelCount }, (_, k) => result.struct<abi.Level>("fairmesh_result_level", "level", k)),

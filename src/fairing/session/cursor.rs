@@ -211,7 +211,7 @@ impl Cursor {
         self.ladder = if result.status.is_linear() {
             Ladder::default()
         } else {
-            Ladder::resume(result.x.clone(), result.uniform_weights, result.along_normals)
+            Ladder::resume(result.x.clone(), result.along_normals)
         };
     }
 
@@ -225,7 +225,6 @@ impl Cursor {
             step: self.tally.step,
             defect: self.system.defect(),
             iterations: self.tally.iterations,
-            uniform_weights: self.ladder.has_uniform_weights(),
             along_normals: self.ladder.is_along_normals(),
             trials: self.ladder.trials().to_vec(),
             continuity: Vec::new(),
@@ -449,9 +448,9 @@ impl Cursor {
         self.prescribed = surface.prescribed;
         self.ended = surface.ended;
         (self.is_over, self.is_live) = (true, false);
-        let (uniform, along) = (self.ladder.has_uniform_weights(), self.ladder.is_along_normals());
+        let along = self.ladder.is_along_normals();
         self.ladder = match surface.x {
-            Some(x) => Ladder::resume(x, uniform, along),
+            Some(x) => Ladder::resume(x, along),
             None => Ladder::default(),
         };
     }
@@ -463,8 +462,8 @@ impl Cursor {
             if let Some(live) = &mut self.live {
                 live.refresh(&mut self.system);
             }
-            let (uniform, along) = (self.ladder.has_uniform_weights(), self.ladder.is_along_normals());
-            self.ladder = Ladder::resume(live_surface(&self.live).to_vec(), uniform, along);
+            let along = self.ladder.is_along_normals();
+            self.ladder = Ladder::resume(live_surface(&self.live).to_vec(), along);
         }
     }
 

@@ -1,14 +1,9 @@
 //! Where attempts begin, and with what.
 
-use std::sync::Arc;
-
 use nalgebra::Vector3;
 
 use super::Ladder;
-use crate::discrete::curvature::NO_TILT;
-use crate::discrete::equations::FreeCurvature;
-use crate::discrete::inner_fairness::FairnessWeights;
-use crate::solve::attempt::{Attempt, Curvature, Start, Weights};
+use crate::solve::attempt::{Attempt, Start, Weights};
 use crate::solve::control::{Control, STARTED};
 use crate::solve::initial::PHASE;
 use crate::solve::problem::diagonal;
@@ -77,14 +72,7 @@ impl Ladder {
         match attempt.weights {
             Weights::Asked => system.use_asked_weights(),
             Weights::AsLeft => {}
-            Weights::Uniform => {
-                let uniform = Arc::new(FairnessWeights::uniform());
-                system.use_weights(uniform).ok()?;
-            }
             Weights::None => system.step_along_normals(),
-        }
-        if attempt.curvature == Curvature::Plain {
-            system.use_curvature(FreeCurvature::GradientCorrected { tilt_ridge: NO_TILT });
         }
         let start = match attempt.start {
             Start::AtHand => {
@@ -97,10 +85,8 @@ impl Ladder {
             Start::Coarse => self.of_coarse_mesh(true, system, control),
             Start::CoarseMember => self.of_coarse_mesh(false, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
-            Start::PlainSolution => self.plain.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
-            Start::BesideSound => second_surface(&self.sound.as_ref()?.0.x, system, control),
-            Start::LinearAnew => system.start(control).ok(),
+            Start::BesideSound => second_surface(&self.sound.as_ref()?.x, system, control),
             Start::MembraneMetric => {
                 let membrane = system.membrane();
                 let mut x = system.linear_surface_on(&membrane, control).ok()?;
@@ -109,9 +95,6 @@ impl Ladder {
             }
         };
         self.along_normals = system.along_normals;
-        if start.is_some() && matches!(attempt.weights, Weights::Asked | Weights::Uniform) {
-            self.uniform_weights = attempt.weights == Weights::Uniform;
-        }
         start
     }
 }

@@ -76,7 +76,6 @@ class fairmesh_outcome(enum.IntEnum):
     CONVERGED = 0
     CONVERGED_POOR_TRIANGLES = 1
     CONVERGED_LOOSELY = 2
-    NORMALS_NOT_REACHABLE = 3
     TARGET_NOT_REACHABLE = 4
     NOT_CONVERGED = 5
     ITERATION_LIMIT = 6
@@ -91,7 +90,6 @@ class fairmesh_loose_reason(enum.IntEnum):
     NONE = 0
     SUSPICIOUS_NORMALS = 1
     ROUNDING = 2
-    FIRST_ORDER_CURVATURE = 3
     BUMP = 4
     TOLERANCE = 5
     DRAWN_NORMALS = 6
@@ -263,7 +261,6 @@ class fairmesh_list(enum.IntEnum):
     FLIPPED_TRIANGLES = 1
     NEEDLES = 2
     SUSPICIOUS_NORMALS = 3
-    UNREACHED_VERTICES = 4
     INTERSECTIONS = 5
     CREASED_VERTICES = 6
     BOUNDARY_VERTICES = 16
@@ -465,7 +462,6 @@ class fairmesh_report(Structure):
         ("flipped_count", c_uint64),
         ("needle_count", c_uint64),
         ("suspicious_normal_count", c_uint64),
-        ("unreached_vertex_count", c_uint64),
         ("worst_angle", c_double),
         ("worst_triangle", c_uint64),
         ("h_inside", c_double * 2),

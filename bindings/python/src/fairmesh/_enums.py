@@ -287,13 +287,6 @@ class Outcome(Named):
         "tolerance met, and no triangle is poor, but the surface has a reservation, which the reason names",
         "see the remedy of the reason",
     )
-    #: No surface with these boundary normals was found; that of the linear problem is returned.
-    NORMALS_NOT_REACHABLE = (
-        3,
-        "normals_not_reachable",
-        "no surface with these boundary normals was found; that of the linear problem is returned",
-        "check the normals of the vertices named (flipped? noise?); try averaged normals, or select more",
-    )
     #: A surface was found for a part of the target only; that of the linear problem is returned.
     TARGET_NOT_REACHABLE = (
         4,
@@ -306,7 +299,7 @@ class Outcome(Named):
         5,
         "not_converged",
         "no sound surface was found; that of the linear problem is returned",
-        "select more, or remesh the region and try again",
+        "select more, check the boundary normals (flipped? noise?) or average them, or remesh the region",
     )
     #: The iterations ran out; the best surface so far is returned.
     ITERATION_LIMIT = (
@@ -387,13 +380,6 @@ class LooseReason(Named):
         "rounding",
         "max |Delta_B H| is as small as the rounding of the positions allows, but above its limit",
         "set a larger limit, or move the mesh near to the origin and give it in double precision",
-    )
-    #: The surface holds with the first-order curvature alone.
-    FIRST_ORDER_CURVATURE = (
-        3,
-        "first_order_curvature",
-        "the surface holds with the first-order curvature alone",
-        "the surface is usable; a better mesh of the region usually cures it",
     )
     #: The surface has a bump: its curvature inside exceeds what the boundary allows, or it leaves single boundary normals.
     BUMP = (

@@ -122,11 +122,6 @@ class Result(Generic[M]):
         return self._handle.list(_lists.SUSPICIOUS_NORMALS)
 
     @cached_property
-    def unreached_vertices(self) -> NDArray[np.intp]:
-        """Boundary vertices whose normals stood farthest away, worst first."""
-        return self._handle.list(_lists.UNREACHED_VERTICES)
-
-    @cached_property
     def creased_vertices(self) -> NDArray[np.intp]:
         """Boundary vertices where the surface has a crease, where the outcome is about them."""
         return self._handle.list(_lists.CREASED_VERTICES)

@@ -43,7 +43,6 @@ class Report:
     flipped_count: int
     needle_count: int
     suspicious_normal_count: int
-    unreached_vertex_count: int
     #: The smallest angle of a triangle of the region, and the triangle (None: there is none).
     worst_angle: float
     worst_triangle: int | None
