@@ -45,8 +45,8 @@ pub(crate) struct Continuation {
 }
 
 impl Continuation {
-    /// Begins at the tangent-continuous result, if curvature is to be continued and can be; else returns that as it is.
-    pub(super) fn begin(
+    /// From the tangent-continuous result, if curvature is to be continued and can be; else returns that as it is.
+    pub(super) fn new(
         tangent: SolveResult,
         system: &mut System,
         control: &mut Control<'_>,
@@ -91,28 +91,29 @@ impl Continuation {
             (asked.of_loop(&l.vertices), largest(along))
         });
         let ways = Ways::new(asked, allowed);
-        let iteration = Iteration::new(system, tangent.x.clone(), OPTIONS, control);
-        let mut this = Self {
+        system.set_continuity(loops);
+        Ok(Self {
             judged,
             allowed,
             before: control.tally.iterations,
-            iteration: Box::new(iteration),
+            iteration: along(&ways, &tangent, system, control),
             ways,
-            tries: 0,
+            tries: 1,
             best: None,
             tangent,
-        };
-        system.set_continuity(loops);
-        match this.try_parts(system, control) {
-            Some(result) => Err(Box::new(result)),
-            None => Ok(this),
-        }
+        })
     }
 
-    /// One iteration. Returns the result, if that was the last.
-    pub(super) fn advance(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
-        let status = self.iteration.advance(system, control)?;
-        self.conclude(status, system, control)
+    /// Part after part of the way. `None`: the run is held up.
+    pub(super) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
+        loop {
+            let status = self.iteration.run(system, control)?;
+            if let Some(result) = self.conclude(status, system, control) {
+                return Some(result);
+            }
+            self.tries += 1;
+            self.iteration = along(&self.ways, &self.tangent, system, control);
+        }
     }
 
     /// The surface at hand.
@@ -120,15 +121,7 @@ impl Continuation {
         &self.iteration.x
     }
 
-    /// Tries the parts of the way that are due, from the tangent-continuous surface.
-    fn try_parts(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
-        self.tries += 1;
-        system.aim(&self.ways.parts());
-        *self.iteration = Iteration::new(system, self.tangent.x.clone(), OPTIONS, control);
-        let status = self.iteration.begin(system, control)?;
-        self.conclude(status, system, control)
-    }
-
+    /// After the iteration with the parts that were tried: the result, if there are no others to try.
     fn conclude(
         &mut self,
         status: IterationStatus,
@@ -162,10 +155,8 @@ impl Continuation {
         } else {
             self.best.is_none() && self.ways.shorten()
         };
-        if is_left && self.tries < TRIES && !control.exhausted() {
-            return self.try_parts(system, control);
-        }
-        Some(self.best_of_tries(system))
+        let goes_on = is_left && self.tries < TRIES && !control.exhausted();
+        (!goes_on).then(|| self.best_of_tries(system))
     }
 
     /// Whether a surface is no worse than the tangent-continuous one, but for boundary normals.
@@ -237,6 +228,12 @@ const OPTIONS: IterateOptions = IterateOptions {
     phase: PHASE,
     ..DIRECT
 };
+
+/// The parts of the way that are due, from the tangent-continuous surface.
+fn along(ways: &Ways, tangent: &SolveResult, system: &mut System, control: &Control<'_>) -> Box<Iteration> {
+    system.aim(&ways.parts());
+    Box::new(Iteration::new(system, tangent.x.clone(), OPTIONS, control))
+}
 
 fn largest<'a>(deviations: impl Iterator<Item = &'a f64>) -> f64 {
     deviations.copied().fold(0.0, f64::max)

@@ -32,6 +32,17 @@ pub(crate) struct Attempt {
     first: f64,
 }
 
+/// Where a run is held up: after one iteration at least.
+#[derive(Debug, Clone, Copy)]
+struct Hold {
+    /// Iterations before.
+    before: usize,
+    /// So many later,
+    after: usize,
+    /// or once the callback has asked to stop.
+    is_asked: bool,
+}
+
 /// How far a run is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tally {
@@ -66,6 +77,7 @@ pub(crate) struct Control<'a> {
     pub tolerance: f64,
     /// Set when the callback asked to stop.
     pub cancelled: bool,
+    hold: Option<Hold>,
     /// Set when the run is to stop, also between two calls of the callback.
     pub interrupt: Interrupt,
     callback: Option<&'a mut Callback<'a>>,
@@ -79,9 +91,32 @@ impl<'a> Control<'a> {
             max_iterations,
             tolerance,
             cancelled: false,
+            hold: None,
             interrupt: Interrupt::default(),
             callback,
         }
+    }
+
+    /// The run goes on from here for so many iterations, or until the callback asks to stop, and is held up then.
+    pub(crate) fn hold_after(&mut self, iterations: usize) {
+        self.hold = Some(Hold {
+            before: self.tally.iterations,
+            after: iterations,
+            is_asked: false,
+        });
+    }
+
+    /// Whether the run is held up, to go on later.
+    pub(crate) fn is_held(&self) -> bool {
+        self.hold.is_some_and(|hold| {
+            let done = self.tally.iterations - hold.before;
+            done > 0 && (hold.is_asked || done >= hold.after)
+        })
+    }
+
+    /// Whether the callback has asked to hold it up.
+    pub(crate) fn is_asked_to_hold(&self) -> bool {
+        self.hold.is_some_and(|hold| hold.is_asked)
     }
 
     /// Reports a phase between iterations, at `fraction` of the whole; returns whether to go on.
@@ -160,7 +195,11 @@ impl<'a> Control<'a> {
         self.tally.step = d;
         // Who has asked to stop is not asked again.
         if let (false, Some(callback)) = (self.cancelled, &mut self.callback) {
-            self.cancelled |= callback(self.tally.fraction, self.tally.iterations, d, phase).is_break();
+            let is_break = callback(self.tally.fraction, self.tally.iterations, d, phase).is_break();
+            match &mut self.hold {
+                Some(hold) => hold.is_asked |= is_break,
+                None => self.cancelled |= is_break,
+            }
         }
     }
 

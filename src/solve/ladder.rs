@@ -1,5 +1,5 @@
-//! The loop over [`LADDER`]: attempt after attempt, until a sound surface is found or none is left. It can be held up after
-//! every iteration, and goes on as if nothing had been.
+//! The loop over [`LADDER`]: attempt after attempt, until a sound surface is found or none is left. Where the run is held up between two
+//! iterations, the next call goes on as if nothing had been.
 
 mod starts;
 
@@ -17,11 +17,11 @@ use super::system::{Collapsed, System};
 use crate::quality::NEEDLE;
 use crate::stopwatch::Stopwatch;
 
-/// What a call of [`Ladder::advance`] has led to.
+/// What a call of [`Ladder::run`] has led to.
 #[derive(Debug)]
 pub(crate) enum Step {
-    /// One iteration further, or ready for the first one: to be called again.
-    Iterated,
+    /// Held up: to be called again.
+    Held,
     /// The end. The system stands evaluated at the surface.
     Ended(SolveResult),
     /// Stopped by the caller before there was a surface.
@@ -117,48 +117,38 @@ impl Ladder {
         self.along_normals
     }
 
-    /// One iteration, and everything up to the next one; after the surface is found, of its continuation to one that continues the
-    /// curvature as well, where that is asked for.
+    /// To the end: the search on the coarse mesh, attempts until there is a surface, and from that the one that continues the curvature,
+    /// where that is asked for.
     ///
     /// # Errors
     /// [`Collapsed`] where not even the linear surface exists.
-    pub(crate) fn advance(
-        &mut self,
-        system: &mut System,
-        control: &mut Control<'_>,
-    ) -> Result<Step, Collapsed> {
-        if let Some(continuation) = &mut self.continuation {
-            return Ok(continuation
-                .advance(system, control)
-                .map_or(Step::Iterated, Step::Ended));
-        }
-        system.end_continuity();
-        let result = match self.climb(system, control)? {
-            Step::Ended(result) => result,
-            step => return Ok(step),
-        };
-        Ok(match Continuation::begin(result, system, control) {
-            Ok(continuation) => {
-                self.continuation = Some(continuation);
-                Step::Iterated
+    pub(crate) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
+        if self.continuation.is_none() {
+            system.end_continuity();
+            let tangent = match self.climb(system, control)? {
+                Step::Ended(tangent) => tangent,
+                step => return Ok(step),
+            };
+            match Continuation::new(tangent, system, control) {
+                Ok(continuation) => self.continuation = Some(continuation),
+                Err(tangent) => return Ok(Step::Ended(*tangent)),
             }
-            Err(result) => Step::Ended(*result),
-        })
+        }
+        let continued = self.continuation.as_mut().and_then(|c| c.run(system, control));
+        Ok(continued.map_or(Step::Held, Step::Ended))
     }
 
-    /// The same, without continuation.
+    /// Attempt after attempt, iteration after iteration.
     fn climb(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
-        let mut ended = None;
-        if let Some(iteration) = &mut self.iteration {
-            let Some(status) = iteration.advance(system, control) else {
-                return Ok(Step::Iterated);
-            };
-            ended = Some(iteration.candidate(status, system));
-        }
-        // The next iteration: of this attempt, or of another.
         loop {
-            let next = match (ended.take(), &mut self.underway) {
-                (Some(candidate), Some(underway)) => underway.next(candidate, system, control),
+            let next = match (&mut self.iteration, &mut self.underway) {
+                (Some(iteration), Some(underway)) => {
+                    let Some(status) = iteration.run(system, control) else {
+                        return Ok(Step::Held);
+                    };
+                    let candidate = iteration.candidate(status, system);
+                    underway.next(candidate, system, control)
+                }
                 _ => match self.next_attempt(system, control)? {
                     Some(next) => next,
                     None if self.sound.is_some() => return Ok(Step::Ended(self.settle(system, control))),
@@ -169,14 +159,9 @@ impl Ladder {
             self.note(&next, system, control);
             self.keep_stalled(&next);
             match next {
-                Next::Iteration(mut iteration) => {
-                    let Some(status) = iteration.begin(system, control) else {
-                        self.iteration = Some(iteration);
-                        return Ok(Step::Iterated);
-                    };
-                    ended = Some(iteration.candidate(status, system));
-                }
+                Next::Iteration(iteration) => self.iteration = Some(iteration),
                 Next::Done(candidate) => {
+                    self.underway = None;
                     if let Some((candidate, status)) = self.consider(candidate, control) {
                         // A surface that meets the tolerance is better than one that the iterations did not suffice for.
                         if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
@@ -189,9 +174,11 @@ impl Ladder {
                     let status = SolveStatus::NearestMember(w);
                     return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
                 }
-                Next::Short(SolveStatus::Failed) => {}
                 Next::Short(status) => {
-                    self.shortfall.get_or_insert(status);
+                    self.underway = None;
+                    if status != SolveStatus::Failed {
+                        self.shortfall.get_or_insert(status);
+                    }
                 }
             }
         }
@@ -243,7 +230,9 @@ impl Ladder {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Result<Option<Next>, Collapsed> {
-        self.underway = None;
+        if self.at_hand.is_none() {
+            self.search_coarse_mesh(system, control);
+        }
         while let Some(attempt) = LADDER.get(self.attempts) {
             self.attempts += 1;
             if !self.is_due(attempt, system, control) {
@@ -266,8 +255,25 @@ impl Ladder {
         Ok(None)
     }
 
+    /// The search on the coarse mesh, where there is one, once: attempts on this mesh begin where it has led to.
+    fn search_coarse_mesh(&mut self, system: &System, control: &mut Control<'_>) {
+        if self.coarse.is_some() {
+            return;
+        }
+        let clock = Stopwatch::start();
+        let (search, trials) = Search::of_coarse_mesh(system, control);
+        if let Search::Missed(status) = &search
+            && status.is_linear()
+        {
+            self.shortfall = Some(status.clone());
+        }
+        self.coarse = Some(search);
+        self.trials.extend(trials);
+        self.start_seconds += clock.seconds();
+    }
+
     /// Whether an attempt is to be made.
-    fn is_due(&mut self, attempt: &Attempt, system: &System, control: &mut Control<'_>) -> bool {
+    fn is_due(&self, attempt: &Attempt, system: &System, control: &Control<'_>) -> bool {
         // Beside a sound surface only those that may find another one.
         let is_rival = match attempt.start {
             Start::MinimalEnergy => attempt.procedure != Procedure::Approach,
@@ -277,31 +283,13 @@ impl Ladder {
         if self.sound.is_some() && !is_rival {
             return false;
         }
+        let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
         attempt.condition.holds(system, control)
             && match attempt.mesh {
                 Mesh::Any => true,
-                Mesh::Fine => !self.is_coarsest(system, control),
-                Mesh::Coarsest => {
-                    self.is_coarsest(system, control) || self.sound.is_none() && self.has_coarse_solution()
-                }
+                Mesh::Fine => !is_coarsest,
+                Mesh::Coarsest => is_coarsest || self.sound.is_none() && self.has_coarse_solution(),
             }
-    }
-
-    /// Whether there is no coarser mesh. Searches it the first time.
-    fn is_coarsest(&mut self, system: &System, control: &mut Control<'_>) -> bool {
-        if self.coarse.is_none() {
-            let clock = Stopwatch::start();
-            let (search, trials) = Search::of_coarse_mesh(system, control);
-            if let Search::Missed(status) = &search
-                && status.is_linear()
-            {
-                self.shortfall = Some(status.clone());
-            }
-            self.coarse = Some(search);
-            self.trials.extend(trials);
-            self.start_seconds += clock.seconds();
-        }
-        matches!(self.coarse, Some(Search::NoCoarseMesh))
     }
 
     /// Whether the coarse mesh has a harmonic surface: then there ought to be one on the fine mesh too, at any price.

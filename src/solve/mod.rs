@@ -82,15 +82,12 @@ fn solve_by(
     let analysis_seconds = clock.seconds();
     system.set_interrupt(&control.interrupt);
     control.phase(ANALYSED, initial::PHASE);
-    loop {
-        match ladder.advance(&mut system, control)? {
-            Step::Iterated => {}
-            Step::Ended(mut result) => {
-                result.start_seconds += analysis_seconds;
-                control.phase(ITERATED, "checks");
-                return Ok((result, system.into_state()));
-            }
-            Step::Unmoved => return Ok(problem.unmoved()),
+    Ok(match ladder.run(&mut system, control)? {
+        Step::Ended(mut result) => {
+            result.start_seconds += analysis_seconds;
+            control.phase(ITERATED, "checks");
+            (result, system.into_state())
         }
-    }
+        Step::Held | Step::Unmoved => problem.unmoved(),
+    })
 }

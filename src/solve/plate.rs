@@ -500,17 +500,11 @@ mod tests {
     fn faired(problem: &Problem<'_>, means: Means) -> (Vec<Vector3<f64>>, usize) {
         let mut control = Control::new(1e-9, 100, None);
         let mut system = System::by_means(problem, means);
-        let mut ladder = Ladder::default();
-        loop {
-            match ladder.advance(&mut system, &mut control).unwrap() {
-                Step::Iterated => {}
-                Step::Ended(result) => {
-                    assert_eq!(result.status, SolveStatus::Converged);
-                    return (result.x, result.iterations);
-                }
-                Step::Unmoved => unreachable!("nothing stops it"),
-            }
-        }
+        let Ok(Step::Ended(result)) = Ladder::default().run(&mut system, &mut control) else {
+            panic!("nothing stops it");
+        };
+        assert_eq!(result.status, SolveStatus::Converged);
+        (result.x, result.iterations)
     }
 
     #[test]

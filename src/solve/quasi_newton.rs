@@ -103,7 +103,7 @@ struct Best {
     d: f64,
 }
 
-/// An iteration under way. Between two calls the system stands evaluated at [`Iteration::x`].
+/// An iteration, perhaps held up.
 #[derive(Debug)]
 pub(crate) struct Iteration {
     options: IterateOptions,
@@ -138,7 +138,7 @@ struct Round {
 }
 
 impl Iteration {
-    /// An iteration from `x`, to be begun.
+    /// An iteration from `x`.
     pub(crate) fn new(
         system: &System,
         x: Vec<Vector3<f64>>,
@@ -177,13 +177,47 @@ impl Iteration {
         }
     }
 
-    /// Begins a round: evaluates both equations at `x` and makes `P` there. Returns how the iteration ended if that is as
-    /// far as it goes.
-    pub(crate) fn begin(
-        &mut self,
-        system: &mut System,
-        control: &mut Control<'_>,
-    ) -> Option<IterationStatus> {
+    /// Iterates to the end. `None`: the run is held up, with the system evaluated at [`Iteration::x`]; the next call goes on.
+    pub(crate) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
+        if self.rounds == 0
+            && let Some(status) = self.begin_round(system, control)
+        {
+            return Some(status);
+        }
+        loop {
+            if control.is_held() {
+                return None;
+            }
+            // P t = R1 (12) and G d = inner residual (7.3).
+            let norm = system.step(&mut self.step);
+            control.iteration(norm.total(), self.options.phase);
+            match self.stop(&norm, system, control) {
+                None if self.went_too_far(norm.total()) => self.go_back(system),
+                None => self.accelerate(system),
+                Some(IterationStatus::Converged) => {
+                    let left = self.take_last_step() / system.diagonal;
+                    if left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA {
+                        system.set_modes(&self.modes);
+                        return Some(IterationStatus::Converged);
+                    }
+                }
+                Some(IterationStatus::Stalled) => match self.next_round(system, control) {
+                    None => continue,
+                    status => return status,
+                },
+                status => {
+                    self.take_best(system);
+                    return status;
+                }
+            }
+            // (4), (7.3) at the new surface.
+            system.set_modes(&self.modes);
+            system.evaluate(&self.x);
+        }
+    }
+
+    /// Evaluates both equations at `x` and makes `P` there. Returns how the iteration ended if that is as far as it goes.
+    fn begin_round(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
         let IterateOptions {
             measured_response,
             stop_on_folds,
@@ -215,43 +249,6 @@ impl Iteration {
             return Some(IterationStatus::Stopped);
         }
         made.is_err().then_some(IterationStatus::Stalled)
-    }
-
-    /// One iteration. Returns how the iteration ended, if it has.
-    pub(crate) fn advance(
-        &mut self,
-        system: &mut System,
-        control: &mut Control<'_>,
-    ) -> Option<IterationStatus> {
-        // P t = R1 (12) and G d = inner residual (7.3).
-        let norm = system.step(&mut self.step);
-        control.iteration(norm.total(), self.options.phase);
-        match self.stop(&norm, system, control) {
-            Some(IterationStatus::Stalled) => return self.next_round(system, control),
-            Some(IterationStatus::Converged) => {
-                let left = self.take_last_step() / system.diagonal;
-                system.set_modes(&self.modes);
-                if left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA {
-                    return Some(IterationStatus::Converged);
-                }
-                system.evaluate(&self.x);
-                return None;
-            }
-            Some(status) => {
-                self.take_best(system);
-                return Some(status);
-            }
-            None => {}
-        }
-        if self.went_too_far(norm.total()) {
-            self.go_back(system);
-        } else {
-            self.accelerate(system);
-        }
-        // (4), (7.3) at the new surface.
-        system.set_modes(&self.modes);
-        system.evaluate(&self.x);
-        None
     }
 
     /// The surface where it ended, judged.
@@ -316,7 +313,7 @@ impl Iteration {
         if self.best.d > ROUND_GAIN * self.round.first || self.rounds == ROUNDS {
             return Some(IterationStatus::Stalled);
         }
-        self.begin(system, control)
+        self.begin_round(system, control)
     }
 
     /// Whether the last, accelerated step has extrapolated too far.

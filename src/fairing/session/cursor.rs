@@ -1,8 +1,6 @@
 //! Where a [`Session`](super::Session) stands with one component: the solve that [`fair`](crate::fair) runs through, held up
 //! between two iterations.
 
-use std::cell::Cell;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -165,37 +163,23 @@ impl Cursor {
         shares: &mut Shares<'_>,
     ) -> Result<SolveResult, Error> {
         let free = self.free();
-        let is_held = Cell::new(false);
-        // The solve itself is never stopped by the callback, but held up after the next iteration.
-        let mut tell = |fraction, iterations, step, phase| {
-            let told = shares.tell(free, (fraction, iterations, step, phase));
-            is_held.set(told.is_break());
-            ControlFlow::Continue(())
-        };
+        let mut tell =
+            |fraction, iterations, step, phase| shares.tell(free, (fraction, iterations, step, phase));
         let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
         control.tally = self.tally;
-        let before = self.tally.iterations;
-        loop {
-            let step = self.ladder.advance(&mut self.system, &mut control);
-            let step = step.map_err(|Collapsed| self.prepared.nothing_fixed())?;
-            self.tally = control.tally;
-            let done = self.tally.iterations - before;
-            match step {
-                Step::Ended(result) => {
-                    self.end(&result);
-                    return Ok(result);
-                }
-                Step::Iterated | Step::Unmoved if done == 0 => {}
-                Step::Iterated | Step::Unmoved => {
-                    if is_held.get() {
-                        return Ok(self.at_hand(SolveStatus::Cancelled));
-                    }
-                    if done >= iterations {
-                        return Ok(self.at_hand(SolveStatus::IterationLimit));
-                    }
-                }
+        // The solve itself is never stopped by the callback, but held up after the next iteration.
+        control.hold_after(iterations);
+        let step = self.ladder.run(&mut self.system, &mut control);
+        let step = step.map_err(|Collapsed| self.prepared.nothing_fixed())?;
+        self.tally = control.tally;
+        Ok(match step {
+            Step::Ended(result) => {
+                self.end(&result);
+                result
             }
-        }
+            _ if control.is_asked_to_hold() => self.at_hand(SolveStatus::Cancelled),
+            _ => self.at_hand(SolveStatus::IterationLimit),
+        })
     }
 
     /// After the end: the next solve begins at its surface, if that is not the linear one. The limit of iterations of the
