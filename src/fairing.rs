@@ -16,6 +16,8 @@ mod session;
 mod shares;
 mod whole_intersections;
 
+use std::ops::ControlFlow;
+
 pub use crate::discrete::target::Target;
 use crate::error::Error;
 use crate::mesh::Joined;
@@ -23,7 +25,8 @@ pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::region::Selection;
 use crate::paper::{self, PaperResult};
 use crate::profile;
-use crate::solve::control::{Callback, Interrupt};
+use crate::solve::control::Callback;
+pub(crate) use crate::solve::control::Interrupt;
 use crate::solve::{self, Control};
 use crate::stopwatch::Stopwatch;
 use component_solution::{ComponentSolution, whole};
@@ -115,6 +118,55 @@ pub fn fair_with_progress(
     relay(&Workers::new(options.threads)?, progress, |told, interrupt| {
         run_joined(positions, triangles, selection, options, Some(told), interrupt)
     })?
+}
+
+/// [`fair`] as a part of another run, on its threads, which tells of it and stops it. The options are valid.
+pub(crate) fn fair_within(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    selection: Selection<'_>,
+    options: &Options,
+    progress: &mut ProgressCallback<'_>,
+    interrupt: &Interrupt,
+) -> Result<Solution, Error> {
+    let mut tell = |fraction, iterations, step, phase| {
+        progress(&Progress {
+            fraction,
+            iterations,
+            step,
+            phase,
+        })
+    };
+    run_joined(
+        positions,
+        triangles,
+        selection,
+        options,
+        Some(&mut tell),
+        interrupt,
+    )
+}
+
+/// Runs `work` on a pool of so many threads. It is handed what tells `progress`, which is called on this thread, and what is set when
+/// that stops the run.
+pub(crate) fn on_workers<T: Send>(
+    threads: usize,
+    progress: Option<&mut ProgressCallback<'_>>,
+    work: impl FnOnce(&mut ProgressCallback<'_>, &Interrupt) -> T + Send,
+) -> Result<T, Error> {
+    let workers = Workers::new(threads)?;
+    match progress {
+        Some(progress) => relay(&workers, progress, |told, interrupt| {
+            work(
+                &mut |p: &Progress| told(p.fraction, p.iterations, p.step, p.phase),
+                interrupt,
+            )
+        }),
+        None => {
+            let mut untold = |_: &Progress| ControlFlow::Continue(());
+            Ok(workers.install(|| work(&mut untold, &Interrupt::default())))
+        }
+    }
 }
 
 /// The surface of the joined mesh, for all copies of its vertices.

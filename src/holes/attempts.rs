@@ -5,7 +5,7 @@ use super::options::OnFailure;
 use super::outcome::OpenReason;
 use super::patch::Patch;
 use super::piece::{Piece, Task};
-use crate::fairing::{ProgressCallback, Workers};
+use crate::fairing::ProgressCallback;
 
 /// What patches are looked at for.
 pub(super) struct Check<'c, 'm> {
@@ -13,14 +13,13 @@ pub(super) struct Check<'c, 'm> {
     pub(super) of: usize,
     /// What it may intersect; none if that is not asked for.
     pub(super) neighbours: Option<&'c mut Neighbours<'m>>,
-    pub(super) workers: &'c Workers,
 }
 
 impl Check<'_, '_> {
     /// The piece with its intersections.
     fn judged(&self, piece: Piece) -> Piece {
         match &self.neighbours {
-            Some(neighbours) => self.workers.install(|| neighbours.judged(self.of, piece)),
+            Some(neighbours) => neighbours.judged(self.of, piece),
             None => piece,
         }
     }
@@ -55,9 +54,7 @@ impl Task<'_> {
             }
         }
         match &mut check.neighbours {
-            Some(neighbours) => check
-                .workers
-                .install(|| neighbours.settle(check.of, self, piece, avoiding.as_ref(), on_failure)),
+            Some(neighbours) => neighbours.settle(check.of, self, piece, avoiding.as_ref(), on_failure),
             None => piece,
         }
     }

@@ -7,14 +7,16 @@ use std::ops::ControlFlow;
 
 use super::bridge_chains::Chains;
 use super::bridge_strip::Strip;
-use super::fill::fill_holes_with_progress;
+use super::fill::fill_within;
 use super::loops::{BoundaryLoop, Links, LoopKind, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, FlatReason, LoopReport};
 use super::parents::{Parents, compose};
 use super::rim::Rim;
 use crate::error::Error;
-use crate::fairing::{Outcome, Progress, ProgressCallback, Report, Selection, fair_with_progress};
+use crate::fairing::{
+    Interrupt, Outcome, Progress, ProgressCallback, Report, Selection, fair_within, on_workers,
+};
 use crate::mesh::Joined;
 
 /// What of the progress the strip is, and what the rest is filled in.
@@ -131,8 +133,7 @@ pub fn bridge(
     chains: [&[u32]; 2],
     options: &BridgeOptions,
 ) -> Result<Bridged, Error> {
-    let mut go_on = |_: &Progress| ControlFlow::Continue(());
-    bridge_with_progress(positions, triangles, chains, options, &mut go_on)
+    bridged(positions, triangles, chains, options, None)
 }
 
 /// [`bridge`], which calls `progress` on the calling thread. `Break` stops the run: what is not done is left open.
@@ -146,7 +147,32 @@ pub fn bridge_with_progress(
     options: &BridgeOptions,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Bridged, Error> {
+    bridged(positions, triangles, chains, options, Some(progress))
+}
+
+fn bridged(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    chains: [&[u32]; 2],
+    options: &BridgeOptions,
+    progress: Option<&mut ProgressCallback<'_>>,
+) -> Result<Bridged, Error> {
     options.validate()?;
+    on_workers(
+        options.filling.fairing.threads,
+        progress,
+        |progress, interrupt| run(positions, triangles, chains, options, progress, interrupt),
+    )?
+}
+
+fn run(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    chains: [&[u32]; 2],
+    options: &BridgeOptions,
+    progress: &mut ProgressCallback<'_>,
+    interrupt: &Interrupt,
+) -> Result<Bridged, Error> {
     let filling = &options.filling;
     let joined = Joined::new(positions, triangles, filling.fairing.coincident)?;
     let links = Links::new(positions.len(), &joined.triangles)?;
@@ -159,11 +185,12 @@ pub fn bridge_with_progress(
     let ends = lookup.resolved(chains, options.width)?;
     let share = if options.fill { STRIP } else { 1.0 };
     let strip = Strip::new(&links, positions, &ends, filling)?;
-    let made = strip.make(&joined, triangles, filling, &mut part(progress, 0.0, share))?;
-    let mut bridged = made;
+    let mut tell = part(progress, 0.0, share);
+    let mut bridged = strip.make(&joined, triangles, filling, &mut tell, interrupt)?;
+    drop(tell);
     let is_there = !matches!(bridged.strip.outcome, FillOutcome::LeftOpen(_));
     if options.fill && is_there {
-        bridged.fill_rest(positions.len() as u32, &strip, filling, progress)?;
+        bridged.fill_rest(positions.len() as u32, &strip, filling, progress, interrupt)?;
     }
     Ok(bridged)
 }
@@ -190,6 +217,7 @@ impl Bridged {
         strip: &Strip<'_>,
         filling: &FillOptions,
         progress: &mut ProgressCallback<'_>,
+        interrupt: &Interrupt,
     ) -> Result<(), Error> {
         let coincident = filling.fairing.coincident;
         let loops = boundary_loops_joined(&self.positions, &self.triangles, coincident)?;
@@ -210,7 +238,7 @@ impl Bridged {
         };
         let filled = {
             let mut tell = part(progress, STRIP, REST);
-            fill_holes_with_progress(&self.positions, &self.triangles, &options, &mut tell)?
+            fill_within(&self.positions, &self.triangles, &options, &mut tell, interrupt)?
         };
         let first = self.parents.len();
         self.parents.extend(&filled.parents);
@@ -232,7 +260,14 @@ impl Bridged {
         let options = strip.with_normals(&filling.fairing);
         let mut tell = part(progress, STRIP + REST, 1.0 - STRIP - REST);
         let selection = Selection::Vertices(&free);
-        match fair_with_progress(&self.positions, &self.triangles, selection, &options, &mut tell) {
+        match fair_within(
+            &self.positions,
+            &self.triangles,
+            selection,
+            &options,
+            &mut tell,
+            interrupt,
+        ) {
             Ok(solution) => {
                 if solution.report.outcome == Outcome::Converged {
                     self.positions = solution.positions;

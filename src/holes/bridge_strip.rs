@@ -19,7 +19,7 @@ use super::piece::{Piece, Task};
 use super::surroundings::Surroundings;
 use super::units::local_options;
 use crate::error::Error;
-use crate::fairing::{BoundaryNormals, Intersections, Options, ProgressCallback, Workers, joined_options};
+use crate::fairing::{BoundaryNormals, Interrupt, Intersections, Options, ProgressCallback, joined_options};
 use crate::mesh::{Joined, NONE};
 use crate::stopwatch::Stopwatch;
 
@@ -179,6 +179,7 @@ impl<'m> Strip<'m> {
         triangles: &[[u32; 3]],
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
+        interrupt: &Interrupt,
     ) -> Result<Bridged, Error> {
         let clock = Stopwatch::start();
         let positions = self.all_positions();
@@ -188,7 +189,7 @@ impl<'m> Strip<'m> {
                 let [a, b] = [self.chains[0].of, self.chains[1].of];
                 Piece::open(OpenReason::OppositeSides { a, b })
             }
-            false => self.piece(joined, (&positions, &boundary), filling, tell)?,
+            false => self.piece(joined, (&positions, &boundary), filling, tell, interrupt)?,
         };
         let is_there = !matches!(piece.outcome, FillOutcome::LeftOpen(_));
         let old = self.positions.len();
@@ -254,6 +255,7 @@ impl<'m> Strip<'m> {
         (positions, boundary): (&[[f64; 3]], &BoundaryLoop),
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
+        interrupt: &Interrupt,
     ) -> Result<Piece, Error> {
         let surroundings = self.surroundings(positions, boundary);
         let fairing = self.with_normals(&joined_options(&joined.copies, &filling.fairing));
@@ -266,16 +268,15 @@ impl<'m> Strip<'m> {
             fair: filling.fair,
             options: local_options(&surroundings, &fairing),
             precision: filling.fairing.output_precision,
+            interrupt,
         };
-        let workers = Workers::new(filling.fairing.threads)?;
         let mut neighbours = (filling.fairing.intersections == Intersections::Check).then(|| {
             let chosen = std::iter::once(vec![boundary]);
-            workers.install(|| Neighbours::new(positions, &joined.triangles, chosen))
+            Neighbours::new(positions, &joined.triangles, chosen)
         });
         let check = Check {
             of: 0,
             neighbours: neighbours.as_mut(),
-            workers: &workers,
         };
         Ok(task.settled(check, filling.on_failure, tell))
     }

@@ -20,8 +20,8 @@ use super::units::local_options;
 use super::work::{Tries, Work};
 use crate::error::Error;
 use crate::fairing::{
-    Intersections, Options, Progress, ProgressCallback, SelfIntersections, Workers, check_loops, in_given,
-    joined_options,
+    Interrupt, Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
+    joined_options, on_workers,
 };
 use crate::mesh::{Joined, NONE};
 use crate::order;
@@ -69,7 +69,7 @@ pub fn fill_holes(
     triangles: &[[u32; 3]],
     options: &FillOptions,
 ) -> Result<Filled, Error> {
-    run(positions, triangles, options, None)
+    filled(positions, triangles, options, None)
 }
 
 /// [`fill_holes`], which calls `progress` on the calling thread, with the fraction of all loops. `Break` stops the run: the
@@ -96,7 +96,7 @@ pub fn fill_holes_with_progress(
     options: &FillOptions,
     progress: &mut ProgressCallback<'_>,
 ) -> Result<Filled, Error> {
-    run(positions, triangles, options, Some(progress))
+    filled(positions, triangles, options, Some(progress))
 }
 
 /// Which loops [`Join::Auto`](super::Join::Auto) would give one patch, by the options' `loops`, whatever their `join` is. None
@@ -149,13 +149,26 @@ pub fn suggest_joins(
     Ok(groups.into_iter().filter_map(suggestion).collect())
 }
 
-fn run<'a>(
+fn filled(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
-    options: &'a FillOptions,
-    progress: Option<&'a mut ProgressCallback<'a>>,
+    options: &FillOptions,
+    progress: Option<&mut ProgressCallback<'_>>,
 ) -> Result<Filled, Error> {
     options.validate()?;
+    on_workers(options.fairing.threads, progress, |progress, interrupt| {
+        fill_within(positions, triangles, options, progress, interrupt)
+    })?
+}
+
+/// [`fill_holes`] as a part of another run, on its threads, which tells of it and stops it. The options are valid.
+pub(super) fn fill_within(
+    positions: &[[f64; 3]],
+    triangles: &[[u32; 3]],
+    options: &FillOptions,
+    progress: &mut ProgressCallback<'_>,
+    interrupt: &Interrupt,
+) -> Result<Filled, Error> {
     let joined = Joined::new(positions, triangles, options.fairing.coincident)?;
     let fairing = joined_options(&joined.copies, &options.fairing);
     let links = Links::new(positions.len(), &joined.triangles)?;
@@ -180,28 +193,25 @@ fn run<'a>(
     order::by_number(&mut order, |&i| edges(i) as u64);
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
-    let workers = Workers::new(options.fairing.threads)?;
     let asked = asked_for(options, positions, &loops);
     let mut rims = Rims::none(groups.len(), positions);
     if options.rim.relax > 0 {
         let is_filled =
             |i: &usize| objection(options, &asked, &groups[*i], (&of_group(*i), positions)).is_none();
         let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
-        workers.install(|| rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i)))));
+        rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i))));
     }
     let mut run = Run {
         positions: &rims.positions,
         rims: &rims,
-        neighbours: is_checked
-            .then(|| workers.install(|| Neighbours::new(&rims.positions, &joined.triangles, chosen))),
-        workers: &workers,
+        neighbours: is_checked.then(|| Neighbours::new(&rims.positions, &joined.triangles, chosen)),
         links: &links,
         place: vec![NONE; triangles.len()],
         made: HashSet::new(),
         left: options.max_new_vertices,
         options,
         fairing: &fairing,
-        progress,
+        interrupt,
         asked,
         guides,
         work: Work::new(triangles.len(), options.density, (0..groups.len()).map(edges)),
@@ -211,7 +221,7 @@ fn run<'a>(
     for i in order {
         let clock = Stopwatch::start();
         let boundary = of_group(i);
-        let mut piece = run.fill(i, &groups[i], &boundary);
+        let mut piece = run.fill(i, &groups[i], &boundary, progress);
         if !joined.copies.is_empty() {
             let copies: Vec<u32> = boundary.iter().flat_map(|of| of.copies(triangles)).collect();
             piece.name_copies(&copies);
@@ -295,12 +305,11 @@ pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]
     pieces.iter().map(numbered).collect()
 }
 
-struct Run<'m, 'o> {
+struct Run<'m> {
     positions: &'m [[f64; 3]],
     rims: &'m Rims<'m>,
     /// What patches may intersect; none if they are not checked.
     neighbours: Option<Neighbours<'m>>,
-    workers: &'m Workers,
     links: &'m Links<'m>,
     /// Scratch of [`Surroundings`].
     place: Vec<u32>,
@@ -308,10 +317,10 @@ struct Run<'m, 'o> {
     made: HashSet<(u32, u32)>,
     /// New vertices that may still be made.
     left: usize,
-    options: &'o FillOptions,
+    options: &'m FillOptions,
     /// In the joined mesh's numbers.
     fairing: &'m Options,
-    progress: Option<&'o mut ProgressCallback<'o>>,
+    interrupt: &'m Interrupt,
     /// Per loop whether it has the size and the place that are asked for.
     asked: Vec<bool>,
     /// Per group its guides, by the places of their ends.
@@ -320,9 +329,15 @@ struct Run<'m, 'o> {
     cancelled: bool,
 }
 
-impl Run<'_, '_> {
+impl Run<'_> {
     /// Fills the loops of a group, which is number `i` among those asked for.
-    fn fill(&mut self, i: usize, group: &Group, loops: &[&BoundaryLoop]) -> Piece {
+    fn fill(
+        &mut self,
+        i: usize,
+        group: &Group,
+        loops: &[&BoundaryLoop],
+        callback: &mut ProgressCallback<'_>,
+    ) -> Piece {
         if let Some(reason) = objection(self.options, &self.asked, group, (loops, self.positions)) {
             return Piece::open(reason);
         }
@@ -345,16 +360,12 @@ impl Run<'_, '_> {
         }
         let edges = surroundings.loop_vertices;
         let (done, share) = self.work.share(edges);
-        let callback = &mut self.progress;
         let (mut cancelled, mut tries) = (false, Tries::new());
         let mut tell = |progress: &Progress| {
             // Who has asked to stop is not asked again.
             if cancelled {
                 return ControlFlow::Break(());
             }
-            let Some(callback) = callback else {
-                return ControlFlow::Continue(());
-            };
             let answer = callback(&Progress {
                 fraction: done + share * tries.reached(progress.fraction),
                 ..*progress
@@ -371,11 +382,11 @@ impl Run<'_, '_> {
                 .rims
                 .with_normals(i, &surroundings, local_options(&surroundings, self.fairing)),
             precision: self.options.fairing.output_precision,
+            interrupt: self.interrupt,
         };
         let check = Check {
             of: i,
             neighbours: self.neighbours.as_mut(),
-            workers: self.workers,
         };
         let piece = task.settled(check, self.options.on_failure, &mut tell);
         self.cancelled = cancelled;

@@ -17,8 +17,8 @@ use super::triangulate::{Barred, Measure};
 use super::units::{first_of_loops, in_units};
 use crate::error::Error;
 use crate::fairing::{
-    BoundaryNormals, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report, Selection,
-    Solution, fair_with_progress,
+    BoundaryNormals, Interrupt, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report,
+    Selection, Solution, fair_within,
 };
 
 /// The fraction at which the coarse patch is faired, and the one at which it is refined: shares of the time, measured.
@@ -151,6 +151,7 @@ pub(super) struct Task<'a> {
     pub(super) options: Options,
     /// What the mesh will be written in.
     pub(super) precision: OutputPrecision,
+    pub(super) interrupt: &'a Interrupt,
 }
 
 /// Asks between two parts of the work.
@@ -374,7 +375,8 @@ impl Task<'_> {
         let mut triangles = around.triangles.clone();
         triangles.extend(patch.triangles.iter().map(|t| t.map(number)));
         let free: Vec<u32> = (known..positions.len() as u32).collect();
-        fair_with_progress(&positions, &triangles, Selection::Vertices(&free), options, tell)
+        let selection = Selection::Vertices(&free);
+        fair_within(&positions, &triangles, selection, options, tell, self.interrupt)
     }
 
     /// The new vertices of a solution.

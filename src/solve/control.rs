@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 pub(crate) use fairmesh_linear::interrupt::Interrupt;
 
 /// What is called after an iteration: fraction done, iterations, step norm, phase.
-pub(crate) type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + 'a;
+pub(crate) type Callback<'a> = dyn FnMut(f64, usize, f64, &'static str) -> ControlFlow<()> + Send + 'a;
 
 /// The fraction at which the matrices' patterns are analysed. Fractions are shares of the time, measured on regions of 1,000 to
 /// 100,000 free vertices that find their surface at the first attempt.
