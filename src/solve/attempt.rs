@@ -109,9 +109,11 @@ pub(crate) enum Kept {
 pub(super) const DIRECT: IterateOptions = IterateOptions {
     tolerance_floor: 0.0,
     patience: 5,
+    rounds: 5,
     stop_on_folds: false,
     measured_response: true,
     reuse_factor: false,
+    follows: false,
     phase: "fairing",
 };
 

@@ -118,7 +118,12 @@ impl Continuation {
 
     /// The surface at hand.
     pub(super) fn x(&self) -> &[Vector3<f64>] {
-        &self.iteration.x
+        self.iteration.x()
+    }
+
+    /// Evaluates both equations there.
+    pub(super) fn evaluate_at_hand(&mut self, system: &mut System) {
+        self.iteration.evaluate_at_hand(system);
     }
 
     /// After the iteration with the parts that were tried: the result, if there are no others to try.

@@ -94,7 +94,10 @@ impl Ladder {
 
     /// A solve of another problem close to this one, from where this one stands.
     pub(crate) fn renewed(self) -> Self {
-        let x = self.iteration.map(|iteration| iteration.x).or(self.at_hand);
+        let x = self
+            .iteration
+            .map(|iteration| iteration.x().to_vec())
+            .or(self.at_hand);
         match x {
             Some(x) => Self::resume(x, self.along_normals),
             None => Self::default(),
@@ -106,10 +109,19 @@ impl Ladder {
         self.at_hand.as_deref()
     }
 
-    /// The surface at hand, at which the system stands evaluated; none before the first iteration.
+    /// The surface at hand; none before the first iteration.
     pub(crate) fn x(&self) -> Option<&[Vector3<f64>]> {
         let continued = self.continuation.as_ref().map(Continuation::x);
-        continued.or_else(|| self.iteration.as_ref().map(|iteration| &iteration.x[..]))
+        continued.or_else(|| self.iteration.as_ref().map(|iteration| iteration.x()))
+    }
+
+    /// Evaluates both equations at the surface at hand.
+    pub(crate) fn evaluate_at_hand(&mut self, system: &mut System) {
+        match (&mut self.continuation, &mut self.iteration) {
+            (Some(continuation), _) => continuation.evaluate_at_hand(system),
+            (None, Some(iteration)) => iteration.evaluate_at_hand(system),
+            (None, None) => {}
+        }
     }
 
     /// Whether inner fairness is not asked of the surface at hand.

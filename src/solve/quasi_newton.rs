@@ -39,8 +39,6 @@ const LONG_UP_TO: usize = 50_000;
 const STALL: f64 = 0.7;
 /// A round is left when the step norm exceeds this many times the best: every change of matrix makes it jump.
 const DIVERGED: f64 = 10.0;
-/// At most this many rounds, each with a matrix made at the best surface so far.
-const ROUNDS: usize = 5;
 /// A round with a fresh matrix that gains less than this will not gain in another.
 const ROUND_GAIN: f64 = 0.7;
 
@@ -64,6 +62,8 @@ pub(crate) struct IterateOptions {
     pub tolerance_floor: f64,
     /// A round is left when it gains little in so many steps.
     pub patience: usize,
+    /// At most this many rounds, each with a matrix made at the best surface so far.
+    pub rounds: usize,
     /// Stop near the solution when triangles are folded or thin: their repair starts anew.
     pub stop_on_folds: bool,
     /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
@@ -71,6 +71,9 @@ pub(crate) struct IterateOptions {
     pub measured_response: bool,
     /// Begin with the factor of `P` that is there.
     pub reuse_factor: bool,
+    /// Frames ([`super::live`]): the surface solved a problem close to this one. What is within the tolerance at first sight has settled,
+    /// unless triangles are folded, and what has grown since the matrix was made takes steps that are too short by as much.
+    pub follows: bool,
     /// What to call it in progress reports.
     pub phase: &'static str,
 }
@@ -94,37 +97,54 @@ enum Step {
     Accelerated,
 }
 
-/// The surface with the smallest step norm of a round. Norms of different rounds do not compare: each round has a
+/// The surface with the smallest step norm of a round, and the step there. Norms of different rounds do not compare: each round has a
 /// matrix of its own.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Best {
     x: Vec<Vector3<f64>>,
     modes: Vec<f64>,
+    step: Vec<f64>,
     d: f64,
 }
 
+/// What is to be done before the next step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Due {
+    /// Nothing: the system stands evaluated at the surface.
+    Nothing,
+    /// Both equations are evaluated.
+    Evaluation,
+    /// And a round begins, with `P` as it is,
+    Round,
+    /// or made at the surface.
+    Matrix,
+}
+
 /// An iteration, perhaps held up.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Iteration {
     options: IterateOptions,
     tolerance: f64,
     /// The surface.
-    pub(crate) x: Vec<Vector3<f64>>,
+    x: Vec<Vector3<f64>>,
     /// The coefficients of curvature continuity, where that is asked for.
     modes: Vec<f64>,
+    due: Due,
     best: Best,
     anderson: Anderson,
     step: Vec<f64>,
     accelerated: Vec<f64>,
     /// How much of `accelerated` was taken.
     taken: f64,
+    /// The area of the surface that the matrix was made at.
+    matrix_area: f64,
     /// Rounds begun.
     rounds: usize,
     round: Round,
 }
 
 /// What a round keeps in mind.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Round {
     /// Step norms of the round.
     history: Vec<f64>,
@@ -135,6 +155,19 @@ struct Round {
     was_accelerated: bool,
     /// Iterations within the tolerance.
     within: usize,
+}
+
+impl Round {
+    /// After one with this first step norm.
+    fn new(options: &IterateOptions, first: f64) -> Self {
+        Self {
+            history: Vec::new(),
+            first,
+            stop_on_folds: options.stop_on_folds,
+            was_accelerated: true,
+            within: 0,
+        }
+    }
 }
 
 impl Iteration {
@@ -154,97 +187,135 @@ impl Iteration {
         };
         Self {
             tolerance: options.tolerance_floor.max(control.tolerance),
-            options,
             best: Best {
                 x: x.clone(),
                 modes: modes.clone(),
+                step: vec![0.0; n],
                 d: f64::INFINITY,
             },
             x,
             modes,
+            due: if options.reuse_factor {
+                Due::Round
+            } else {
+                Due::Matrix
+            },
             anderson: Anderson::new(n, window),
             step: vec![0.0; n],
             accelerated: vec![0.0; n],
             taken: 1.0,
-            rounds: 0,
-            round: Round {
-                history: Vec::new(),
-                first: f64::INFINITY,
-                stop_on_folds: options.stop_on_folds,
-                was_accelerated: true,
-                within: 0,
-            },
+            matrix_area: f64::NAN,
+            rounds: 1,
+            round: Round::new(&options, f64::INFINITY),
+            options,
         }
     }
 
-    /// Iterates to the end. `None`: the run is held up, with the system evaluated at [`Iteration::x`]; the next call goes on.
+    /// Iterates to the end. `None`: it is held up between two steps, and the next call goes on.
     pub(crate) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
-        if self.rounds == 0
-            && let Some(status) = self.begin_round(system, control)
-        {
-            return Some(status);
-        }
         loop {
             if control.is_held() {
                 return None;
             }
+            // (4), (7.3) at the surface.
+            if let Some(status) = self.evaluate(system, control) {
+                return Some(status);
+            }
             // P t = R1 (12) and G d = inner residual (7.3).
             let norm = system.step(&mut self.step);
-            control.iteration(norm.total(), self.options.phase);
-            match self.stop(&norm, system, control) {
-                None if self.went_too_far(norm.total()) => self.go_back(system),
+            let d = norm.total() * self.growth(system);
+            control.iteration(d, self.options.phase);
+            match self.judge(d, &norm, system, control) {
+                None if self.went_too_far(d) => self.go_back(system),
                 None => self.accelerate(system),
                 Some(IterationStatus::Converged) => {
                     let left = self.take_last_step() / system.diagonal;
-                    if left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA {
+                    let is_even = left <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
+                    if is_even || self.options.follows {
                         system.set_modes(&self.modes);
                         return Some(IterationStatus::Converged);
                     }
                 }
-                Some(IterationStatus::Stalled) => match self.next_round(system, control) {
-                    None => continue,
-                    status => return status,
-                },
+                Some(IterationStatus::Stalled) => {
+                    let ended = self.next_round(system);
+                    if ended.is_some() {
+                        return ended;
+                    }
+                }
                 status => {
                     self.take_best(system);
                     return status;
                 }
             }
-            // (4), (7.3) at the new surface.
-            system.set_modes(&self.modes);
-            system.evaluate(&self.x);
         }
     }
 
-    /// Evaluates both equations at `x` and makes `P` there. Returns how the iteration ended if that is as far as it goes.
-    fn begin_round(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
-        let IterateOptions {
-            measured_response,
-            stop_on_folds,
-            ..
-        } = self.options;
-        let reuse = self.options.reuse_factor && self.rounds == 0;
-        self.rounds += 1;
+    /// The surface at hand.
+    pub(crate) fn x(&self) -> &[Vector3<f64>] {
+        &self.x
+    }
+
+    /// The surface of smallest step norm since the round has begun, and that; none before the first step.
+    pub(crate) fn best(&self) -> Option<(&[Vector3<f64>], f64)> {
+        self.best.d.is_finite().then_some((&self.best.x, self.best.d))
+    }
+
+    /// Evaluates both equations at the surface at hand, where the system does not stand there.
+    pub(crate) fn evaluate_at_hand(&mut self, system: &mut System) {
+        if self.due == Due::Evaluation {
+            system.set_modes(&self.modes);
+            system.evaluate(&self.x);
+            self.due = Due::Nothing;
+        }
+    }
+
+    /// Goes on from `x` to this tolerance, where the boundary data have changed, with the matrix that is there and what acceleration has
+    /// learned.
+    pub(crate) fn follow(&mut self, x: &[Vector3<f64>]) {
+        self.x.copy_from_slice(x);
+        self.due = Due::Round;
         self.best.d = f64::INFINITY;
-        self.round = Round {
-            history: Vec::new(),
-            first: self.round.first,
-            stop_on_folds,
-            was_accelerated: true,
-            within: 0,
-        };
+        self.anderson.resume();
+        self.rounds = 1;
+        self.round = Round::new(&self.options, f64::INFINITY);
+        self.round.was_accelerated = false;
+    }
+
+    /// Forgets what acceleration has learned.
+    pub(crate) fn forget(&mut self) {
         self.anderson.clear();
+    }
+
+    /// The step norm to reach.
+    pub(crate) fn set_tolerance(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+    }
+
+    /// The matrix is another one than that the last steps were taken with.
+    pub(crate) fn take_matrix(&mut self) {
+        self.matrix_area = f64::NAN;
+    }
+
+    /// Evaluates both equations at the surface, and makes `P` there if that is due. Returns how the iteration ended if that is as far as
+    /// it goes.
+    fn evaluate(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
+        let due = std::mem::replace(&mut self.due, Due::Nothing);
+        if due == Due::Nothing {
+            return None;
+        }
+        let is_matrix_due = due == Due::Matrix;
+        let measured = self.options.measured_response;
         system.set_modes(&self.modes);
-        if reuse || !measured_response {
+        if !(is_matrix_due && measured) {
             system.evaluate(&self.x);
         }
-        let made = if reuse {
-            Ok(())
-        } else {
-            system.rebuild(&self.x, measured_response)
-        };
+        let mut made = Ok(());
+        if is_matrix_due {
+            made = system.rebuild(&self.x, measured);
+            self.take_matrix();
+        }
         // A factorization that is interrupted fails as well.
-        if !control.checkpoint(self.options.phase) {
+        if due != Due::Evaluation && !control.checkpoint(self.options.phase) {
             self.best.d = f64::NAN;
             return Some(IterationStatus::Stopped);
         }
@@ -257,8 +328,13 @@ impl Iteration {
     }
 
     /// Takes note of the step, and says whether the round ends with it.
-    fn stop(&mut self, norm: &StepNorm, system: &System, control: &Control<'_>) -> Option<IterationStatus> {
-        let d = norm.total();
+    fn judge(
+        &mut self,
+        d: f64,
+        norm: &StepNorm,
+        system: &System,
+        control: &Control<'_>,
+    ) -> Option<IterationStatus> {
         if !d.is_finite() {
             return Some(IterationStatus::Stalled);
         }
@@ -269,9 +345,16 @@ impl Iteration {
             self.best.d = d;
             self.best.x.clone_from(&self.x);
             self.best.modes.clone_from(&self.modes);
+            self.best.step.clone_from(&self.step);
         }
-        if self.is_converged(norm) {
-            return Some(IterationStatus::Converged);
+        self.round.within += usize::from(d <= self.tolerance);
+        if self.is_converged(d, norm) {
+            let is_folded = self.options.follows && !system.poor(&self.x, 0.0).is_empty();
+            return Some(if is_folded {
+                IterationStatus::Stalled
+            } else {
+                IterationStatus::Converged
+            });
         }
         if control.exhausted() {
             return Some(IterationStatus::Stopped);
@@ -282,38 +365,63 @@ impl Iteration {
                 return Some(IterationStatus::Folded);
             }
         }
-        self.is_stalling(d).then_some(IterationStatus::Stalled)
+        self.round.history.push(d);
+        self.is_stalling().then_some(IterationStatus::Stalled)
     }
 
-    fn is_converged(&mut self, norm: &StepNorm) -> bool {
-        if norm.total() > self.tolerance {
-            return false;
+    /// By how much the surface has grown since the matrix was made.
+    fn growth(&mut self, system: &System) -> f64 {
+        if !self.options.follows {
+            return 1.0;
         }
-        self.round.within += 1;
+        let area = system.area();
+        if self.matrix_area.is_nan() {
+            self.matrix_area = area;
+        }
+        (area / self.matrix_area).max(1.0)
+    }
+
+    /// By which factor the surface has changed its area since the matrix was made, grown or shrunk.
+    pub(crate) fn change_since_matrix(&self, system: &System) -> f64 {
+        let change = system.area() / self.matrix_area;
+        change.max(1.0 / change)
+    }
+
+    fn is_converged(&self, d: f64, norm: &StepNorm) -> bool {
         let is_even = norm.largest <= LARGEST_STEP * self.tolerance || self.round.within > EXTRA;
         // Not on the first sight: a start may be close for reasons of its own.
-        is_even && !self.round.history.is_empty()
+        d <= self.tolerance && (self.options.follows || is_even && !self.round.history.is_empty())
     }
 
-    fn is_stalling(&mut self, d: f64) -> bool {
-        let patience = self.options.patience;
-        let history = &mut self.round.history;
-        history.push(d);
+    fn is_stalling(&self) -> bool {
+        let (patience, history) = (self.options.patience, &self.round.history);
         let k = history.len() - 1;
+        let d = history[k];
         d > DIVERGED * self.best.d || k >= patience && d > STALL * history[k - patience]
     }
 
     /// After a round that stalls: another one from the best surface, if that promises something.
-    fn next_round(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<IterationStatus> {
+    fn next_round(&mut self, system: &mut System) -> Option<IterationStatus> {
         self.take_best(system);
-        if self.best.d <= self.tolerance {
+        let best = self.best.d;
+        if best <= self.tolerance && !self.options.follows {
             // The mean step is small enough; a few slow vertices do not gain any more.
             return Some(IterationStatus::Converged);
         }
-        if self.best.d > ROUND_GAIN * self.round.first || self.rounds == ROUNDS {
+        let is_hopeless = if self.options.follows {
+            !best.is_finite()
+        } else {
+            best > ROUND_GAIN * self.round.first
+        };
+        if is_hopeless || self.rounds == self.options.rounds {
             return Some(IterationStatus::Stalled);
         }
-        self.begin_round(system, control)
+        self.rounds += 1;
+        self.due = Due::Matrix;
+        self.best.d = f64::INFINITY;
+        self.round = Round::new(&self.options, self.round.first);
+        self.anderson.clear();
+        None
     }
 
     /// Whether the last, accelerated step has extrapolated too far.
@@ -330,9 +438,8 @@ impl Iteration {
     fn go_back(&mut self, system: &mut System) {
         self.round.was_accelerated = false;
         self.take_best(system);
+        self.step.clone_from(&self.best.step);
         self.anderson.clear();
-        system.evaluate(&self.x);
-        system.step(&mut self.step);
         self.plain_step(system);
     }
 
@@ -395,6 +502,7 @@ impl Iteration {
         };
         let (of_x, of_modes) = step.split_at(step.len() - self.modes.len());
         advance(&mut self.x, of_x, part);
+        self.due = Due::Evaluation;
         self.modes
             .iter_mut()
             .zip(of_modes)

@@ -284,6 +284,11 @@ impl System {
         }
     }
 
+    /// Three times the area of the surface evaluated last: that of all 1-disks.
+    pub(crate) fn area(&self) -> f64 {
+        self.state.area.iter().sum()
+    }
+
     /// Defect of the outer equation at the last evaluation, without unit.
     pub(crate) fn defect(&self) -> f64 {
         self.equations().defect(&self.state).0 * self.diagonal

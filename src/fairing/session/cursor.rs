@@ -200,7 +200,8 @@ impl Cursor {
     }
 
     /// The surface of the last iteration.
-    fn at_hand(&self, status: SolveStatus) -> SolveResult {
+    fn at_hand(&mut self, status: SolveStatus) -> SolveResult {
+        self.ladder.evaluate_at_hand(&mut self.system);
         let x = self.ladder.x().unwrap_or_default().to_vec();
         SolveResult {
             poor: self.system.poor(&x, NEEDLE),
@@ -336,7 +337,7 @@ impl Cursor {
         };
         match &mut self.live {
             Some(live) => live.take(x),
-            None => self.live = Some(Live::new(&self.system, x.to_vec())),
+            None => self.live = Some(Live::new(&mut self.system, x.to_vec())),
         }
         self.is_live = true;
     }
