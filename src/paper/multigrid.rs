@@ -292,5 +292,6 @@ fn status(
 /// The linear surface of connectivity and boundary data, its vertices distributed by inner fairness.
 fn linear_start(problem: &Problem<'_>, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
     let mut system = System::new(problem);
-    system.start(control)
+    let asked = system.asked().clone();
+    system.start(&asked, control)
 }

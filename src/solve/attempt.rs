@@ -1,8 +1,8 @@
 //! What is tried, in which order, until a sound surface is found: [`LADDER`].
 
 use super::control::Control;
+use super::iterate_options::IterateOptions;
 use super::procedure::Procedure;
-use super::quasi_newton::IterateOptions;
 use super::system::System;
 
 /// One attempt at a surface.

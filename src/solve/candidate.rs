@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::quasi_newton::IterationStatus;
+use super::formulation::Formulation;
+use super::iterate_options::IterationStatus;
 use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
@@ -51,8 +52,14 @@ pub(crate) struct Candidate {
 
 impl Candidate {
     /// Evaluates and judges `x`, at which an iteration ended.
-    pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>, status: IterationStatus, step: f64) -> Self {
-        system.evaluate(&x);
+    pub(crate) fn new(
+        system: &mut System,
+        formulation: &Formulation,
+        x: Vec<Vector3<f64>>,
+        status: IterationStatus,
+        step: f64,
+    ) -> Self {
+        system.evaluate(&x, formulation);
         let _clock = clock("poor triangles, judging");
         let surface = system.surface(&x);
         let domain = &system.domain;
@@ -63,9 +70,9 @@ impl Candidate {
             suspicious_normals: surface.suspicious_normals(&domain.rings, &domain.input).len(),
             status,
             step,
-            along_normals: system.along_normals,
+            along_normals: formulation.along_normals,
             poor: surface.poor(NEEDLE),
-            curvature_overshoot: system.overshoots(),
+            curvature_overshoot: system.overshoots(formulation),
             detached_from_normals: surface.is_detached_from_normals(),
             needles_from_input: false,
             x,

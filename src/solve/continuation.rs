@@ -6,7 +6,9 @@ use super::attempt::DIRECT;
 use super::boundary_curvature::{LoopCondition, loop_conditions};
 use super::candidate::Candidate;
 use super::control::Control;
-use super::quasi_newton::{IterateOptions, Iteration, IterationStatus};
+use super::formulation::Formulation;
+use super::iterate_options::{IterateOptions, IterationStatus};
+use super::quasi_newton::Iteration;
 use super::result::{LoopContinuity, SolveResult, SolveStatus, Trial};
 use super::system::System;
 use super::ways::Ways;
@@ -36,6 +38,7 @@ pub(crate) struct Continuation {
     allowed: f64,
     /// Iterations until then, and until the last trial.
     before: usize,
+    formulation: Formulation,
     iteration: Box<Iteration>,
     /// The part of the way that is tried, for each loop, and how many were.
     ways: Ways,
@@ -48,6 +51,7 @@ impl Continuation {
     /// From the tangent-continuous result, if curvature is to be continued and can be; else returns that as it is.
     pub(super) fn new(
         tangent: SolveResult,
+        formulation: Formulation,
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Result<Self, Box<SolveResult>> {
@@ -74,11 +78,9 @@ impl Continuation {
                 ..tangent
             }));
         }
-        if tangent.along_normals {
-            system.step_along_normals();
-        }
         let judged = Candidate::new(
             system,
+            &formulation,
             tangent.x.clone(),
             IterationStatus::Converged,
             tangent.step,
@@ -96,7 +98,8 @@ impl Continuation {
             judged,
             allowed,
             before: control.tally.iterations,
-            iteration: along(&ways, &tangent, system, control),
+            iteration: along(&ways, &tangent, &formulation, system, control),
+            formulation,
             ways,
             tries: 1,
             best: None,
@@ -112,7 +115,7 @@ impl Continuation {
                 return Some(result);
             }
             self.tries += 1;
-            self.iteration = along(&self.ways, &self.tangent, system, control);
+            self.iteration = along(&self.ways, &self.tangent, &self.formulation, system, control);
         }
     }
 
@@ -186,7 +189,7 @@ impl Continuation {
         SolveResult {
             status,
             step: candidate.step,
-            defect: system.defect(),
+            defect: system.defect(&self.formulation),
             continuity: reached(system, &self.ways.parts(), (&candidate.x, &system.state.h)),
             poor: candidate.poor,
             x: candidate.x,
@@ -199,7 +202,7 @@ impl Continuation {
         let best = self.best.take();
         let x = best.as_ref().map_or(&self.tangent.x, |best| &best.x);
         system.set_modes(&[]);
-        system.evaluate(x);
+        system.evaluate(x, &self.formulation);
         let best = best.unwrap_or_else(|| {
             let none = vec![0.0; system.continuity().map_or(0, |c| c.loops.len())];
             SolveResult {
@@ -235,9 +238,16 @@ const OPTIONS: IterateOptions = IterateOptions {
 };
 
 /// The parts of the way that are due, from the tangent-continuous surface.
-fn along(ways: &Ways, tangent: &SolveResult, system: &mut System, control: &Control<'_>) -> Box<Iteration> {
+fn along(
+    ways: &Ways,
+    tangent: &SolveResult,
+    formulation: &Formulation,
+    system: &mut System,
+    control: &Control<'_>,
+) -> Box<Iteration> {
     system.aim(&ways.parts());
-    Box::new(Iteration::new(system, tangent.x.clone(), OPTIONS, control))
+    let (formulation, x) = (formulation.clone(), tangent.x.clone());
+    Box::new(Iteration::new(system, formulation, x, OPTIONS, control))
 }
 
 fn largest<'a>(deviations: impl Iterator<Item = &'a f64>) -> f64 {

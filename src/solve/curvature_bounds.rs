@@ -2,6 +2,7 @@
 //! equations, but no smooth one does.
 
 use super::continuity::Continuity;
+use super::formulation::Formulation;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::target::RightHandSide;
@@ -16,10 +17,10 @@ const TOTAL_CURVATURE: f64 = 4.0;
 
 impl System {
     /// [`Judged::overshoots`] at the last evaluation.
-    pub(crate) fn overshoots(&self) -> bool {
+    pub(crate) fn overshoots(&self, formulation: &Formulation) -> bool {
         let judged = Judged {
             state: self.state(),
-            right_hand_side: self.right_hand_side(),
+            right_hand_side: formulation.right_hand_side,
             phi: self.continuity().map_or(&[], Continuity::phi),
             diagonal: self.diagonal,
         };

@@ -5,8 +5,9 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::IterateOptions;
 use super::procedure::Next;
-use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
 
@@ -16,6 +17,7 @@ const RESOLUTION: f64 = 1.0 / 32.0;
 /// The search for the nearest member.
 #[derive(Debug)]
 pub(crate) struct Family {
+    formulation: Formulation,
     options: IterateOptions,
     /// Where the next member begins.
     x: Vec<Vector3<f64>>,
@@ -33,34 +35,38 @@ pub(crate) struct Family {
 impl Family {
     /// From the surface `x` of minimal energy towards harmonic, whose surface is not found from there.
     pub(crate) fn approach(
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
-        system: &mut System,
+        system: &System,
         control: &Control<'_>,
     ) -> (Self, Next) {
-        Self::begin(x, options, 0.5, true, system, control)
+        Self::begin(formulation, x, options, 0.5, true, system, control)
     }
 
     /// From a start `x` for member `w`; a greater `w` where that has none on this mesh.
     pub(crate) fn retreat(
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
         w: f64,
-        system: &mut System,
+        system: &System,
         control: &Control<'_>,
     ) -> (Self, Next) {
-        Self::begin(x, options, w, false, system, control)
+        Self::begin(formulation, x, options, w, false, system, control)
     }
 
     fn begin(
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
         w: f64,
         approaches: bool,
-        system: &mut System,
+        system: &System,
         control: &Control<'_>,
     ) -> (Self, Next) {
         let mut family = Self {
+            formulation,
             options,
             x,
             best: None,
@@ -74,7 +80,7 @@ impl Family {
     }
 
     /// After the iteration with the member that was tried.
-    pub(crate) fn next(&mut self, last: Candidate, system: &mut System, control: &Control<'_>) -> Next {
+    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Next {
         if last.is_stopped() {
             return Next::Done(self.best.take().unwrap_or(last));
         }
@@ -124,9 +130,9 @@ impl Family {
         }
     }
 
-    fn run(&mut self, w: f64, system: &mut System, control: &Control<'_>) -> Next {
+    fn run(&mut self, w: f64, system: &System, control: &Control<'_>) -> Next {
         self.tried = w;
-        system.use_member(w);
-        Next::iterate(system, self.x.clone(), self.options, control)
+        let formulation = self.formulation.member(w);
+        Next::iterate(system, formulation, self.x.clone(), self.options, control)
     }
 }

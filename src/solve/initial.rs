@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
+use super::formulation::Formulation;
 use super::limited_step::{LARGEST_CHANGE, advance_limited};
 use super::problem::{Domain, diagonal};
 use super::system::{Collapsed, System};
@@ -28,23 +29,29 @@ const TANGENTIAL_STEPS: usize = 4;
 pub(crate) const PHASE: &str = "start surface";
 
 impl System {
-    /// The start with the weights and normals in force: linear surface and tangential steps.
-    pub(crate) fn start(&mut self, control: &mut Control<'_>) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        let mut x = self.linear_surface(control)?;
+    /// The start: linear surface and tangential steps.
+    pub(crate) fn start(
+        &mut self,
+        formulation: &Formulation,
+        control: &mut Control<'_>,
+    ) -> Result<Vec<Vector3<f64>>, Collapsed> {
+        let mut x = self.linear_surface(formulation, control)?;
         self.diagonal = diagonal(&x);
-        self.tangential_steps(&mut x, control);
+        self.tangential_steps(&mut x, formulation, control);
         Ok(x)
     }
 
     /// The surface with `sum_j lambda_ij (q_j - q_i) = 0`. Fixed vertices inside the region relax with it, where their
     /// component has other fixed ones: they give their place to a better metric.
-    pub(crate) fn membrane(&mut self) -> Vec<Vector3<f64>> {
+    pub(crate) fn membrane(&mut self, formulation: &Formulation) -> Vec<Vector3<f64>> {
+        // They were factored before, so that they can be again.
+        let _ = self.factor_inner(&formulation.weights);
         let mut x = self.domain.surface().to_vec();
         self.relax_fixed_inside(&mut x);
         x[..self.free()].fill(Vector3::zeros());
         let mut correction = vec![[0.0; 3]; self.free()];
         for _ in 0..4 {
-            self.fairness_residual(&x, &mut correction);
+            self.fairness_residual(&x, formulation, &mut correction);
             self.solve_g(&mut correction);
             let size = norm(&correction);
             for (x, c) in x.iter_mut().zip(&correction) {
@@ -58,12 +65,12 @@ impl System {
     }
 
     /// `sum_j lambda_ij (q_j - q_i)` at free vertices.
-    fn fairness_residual(&self, x: &[Vector3<f64>], residual: &mut [[f64; 3]]) {
+    fn fairness_residual(&self, x: &[Vector3<f64>], formulation: &Formulation, residual: &mut [[f64; 3]]) {
         for (i, r) in residual.iter_mut().enumerate() {
             let (first, lane) = self.domain.batches.place(i);
             let mut sum = Vector3::zeros();
             for (k, &j) in self.domain.rings.ring(i).iter().enumerate() {
-                sum += (x[j as usize] - x[i]) * self.weights().at(first + k, lane);
+                sum += (x[j as usize] - x[i]) * formulation.weights.at(first + k, lane);
             }
             *r = [sum.x, sum.y, sum.z];
         }
@@ -131,6 +138,7 @@ impl System {
     /// Where the run is stopped meanwhile, it is a surface on the way there.
     pub(crate) fn linear_surface(
         &mut self,
+        formulation: &Formulation,
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
         let mut metric = std::mem::take(&mut self.metric);
@@ -143,7 +151,7 @@ impl System {
         } = &*self.domain;
         match lengths {
             Some(lengths) => metric.of_lengths(region, rings, lengths),
-            None => metric.combinatorial(rings, batches, self.weights()),
+            None => metric.combinatorial(rings, batches, &formulation.weights),
         }
         self.metric = metric;
         self.refactor()?;
@@ -154,10 +162,11 @@ impl System {
     pub(crate) fn linear_surface_on(
         &mut self,
         membrane: &[Vector3<f64>],
+        formulation: &Formulation,
         control: &mut Control<'_>,
     ) -> Result<Vec<Vector3<f64>>, Collapsed> {
-        self.evaluate(membrane);
-        self.rebuild(membrane, false)?;
+        self.evaluate(membrane, formulation);
+        self.rebuild(membrane, formulation, false)?;
         self.linear_solve(control)
     }
 
@@ -247,13 +256,20 @@ impl System {
     }
 
     /// Tangential steps alone, each as long as the edges allow.
-    pub(crate) fn tangential_steps(&mut self, x: &mut [Vector3<f64>], control: &mut Control<'_>) {
+    pub(crate) fn tangential_steps(
+        &mut self,
+        x: &mut [Vector3<f64>],
+        formulation: &Formulation,
+        control: &mut Control<'_>,
+    ) {
+        // They were factored before, so that they can be again.
+        let _ = self.factor_inner(&formulation.weights);
         let mut step = vec![0.0; 3 * self.free()];
         for _ in 0..TANGENTIAL_STEPS {
             if !control.checkpoint(PHASE) {
                 return;
             }
-            self.evaluate_inner(x);
+            self.evaluate_inner(x, formulation);
             self.inner_step(&mut step);
             let change = self.edge_change(x, &step);
             advance_limited(x, &step, change, LARGEST_CHANGE);

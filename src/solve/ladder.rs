@@ -9,8 +9,10 @@ use super::attempt::{Attempt, Kept, LADDER, Mesh, Start};
 use super::candidate::Candidate;
 use super::continuation::Continuation;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::IterationStatus;
 use super::procedure::{Next, Procedure, Underway};
-use super::quasi_newton::{Iteration, IterationStatus};
+use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
 use super::system::{Collapsed, System};
@@ -65,22 +67,30 @@ pub(crate) struct Ladder {
     shortfall: Option<SolveStatus>,
     /// The surface found is the start on another mesh.
     is_search: bool,
-    /// The surface at hand moves along the normals alone.
-    along_normals: bool,
+    /// The formulation of the last attempt; none: that which is asked for.
+    left: Option<Formulation>,
     start_seconds: f64,
     /// To the curvature-continuous surface, once this one is found.
     continuation: Option<Continuation>,
 }
 
 impl Ladder {
-    /// A solve that goes on from a surface that solved a problem close to this one, with the matrices and weights that are
-    /// there; where that leads to no sound surface, it begins at the beginning.
-    pub(crate) fn resume(x: Vec<Vector3<f64>>, along_normals: bool) -> Self {
+    /// A solve that goes on from a surface that solved a problem close to this one, with the matrices that are there and the inner fairness
+    /// that this one has left; where that leads to no sound surface, it begins at the beginning.
+    pub(crate) fn resumed(self, x: Vec<Vector3<f64>>) -> Self {
         Self {
             at_hand: Some(x),
-            along_normals,
+            left: self.left,
             ..Self::default()
         }
+    }
+
+    /// The same after a surface along the normals alone, or not.
+    pub(crate) fn resumed_after(mut self, result: &SolveResult) -> Self {
+        if let Some(left) = &mut self.left {
+            left.along_normals = result.along_normals;
+        }
+        self.resumed(result.x.clone())
     }
 
     /// A solve on a mesh that is coarse already.
@@ -93,13 +103,10 @@ impl Ladder {
     }
 
     /// A solve of another problem close to this one, from where this one stands.
-    pub(crate) fn renewed(self) -> Self {
-        let x = self
-            .iteration
-            .map(|iteration| iteration.x().to_vec())
-            .or(self.at_hand);
-        match x {
-            Some(x) => Self::resume(x, self.along_normals),
+    pub(crate) fn renewed(mut self) -> Self {
+        let iterated = self.iteration.as_ref().map(|iteration| iteration.x().to_vec());
+        match iterated.or(self.at_hand.take()) {
+            Some(x) => self.resumed(x),
             None => Self::default(),
         }
     }
@@ -124,9 +131,22 @@ impl Ladder {
         }
     }
 
-    /// Whether inner fairness is not asked of the surface at hand.
-    pub(crate) fn is_along_normals(&self) -> bool {
-        self.along_normals
+    /// What the surface at hand is iterated to.
+    pub(crate) fn formulation(&self, system: &System) -> Formulation {
+        let iterated = self
+            .iteration
+            .as_ref()
+            .map(|iteration| iteration.formulation().clone());
+        iterated.unwrap_or_else(|| self.left(system))
+    }
+
+    /// What is asked for, with the inner fairness that the last attempt has left.
+    pub(crate) fn left(&self, system: &System) -> Formulation {
+        let left = self.left.as_ref().unwrap_or(system.asked()).clone();
+        Formulation {
+            right_hand_side: system.asked().right_hand_side,
+            ..left
+        }
     }
 
     /// To the end: the search on the coarse mesh, attempts until there is a surface, and from that the one that continues the curvature,
@@ -141,7 +161,11 @@ impl Ladder {
                 Step::Ended(tangent) => tangent,
                 step => return Ok(step),
             };
-            match Continuation::new(tangent, system, control) {
+            let formulation = Formulation {
+                along_normals: tangent.along_normals,
+                ..self.left(system)
+            };
+            match Continuation::new(tangent, formulation, system, control) {
                 Ok(continuation) => self.continuation = Some(continuation),
                 Err(tangent) => return Ok(Step::Ended(*tangent)),
             }
@@ -171,7 +195,10 @@ impl Ladder {
             self.note(&next, system, control);
             self.keep_stalled(&next);
             match next {
-                Next::Iteration(iteration) => self.iteration = Some(iteration),
+                Next::Iteration(iteration) => {
+                    self.left = Some(iteration.formulation().clone());
+                    self.iteration = Some(iteration);
+                }
                 Next::Done(candidate) => {
                     self.underway = None;
                     if let Some((candidate, status)) = self.consider(candidate, control) {
@@ -179,12 +206,15 @@ impl Ladder {
                         if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
                             return Ok(Step::Ended(self.give_up(system, control)));
                         }
-                        return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
+                        let formulation = self.formulation(system);
+                        let result = self.result(Some(candidate), status, &formulation, system, control);
+                        return Ok(Step::Ended(result));
                     }
                 }
                 Next::Member(candidate, w) => {
-                    let status = SolveStatus::NearestMember(w);
-                    return Ok(Step::Ended(self.result(Some(candidate), status, system, control)));
+                    let (status, formulation) = (SolveStatus::NearestMember(w), self.left(system).member(w));
+                    let result = self.result(Some(candidate), status, &formulation, system, control);
+                    return Ok(Step::Ended(result));
                 }
                 Next::Short(status) => {
                     self.underway = None;
@@ -250,16 +280,15 @@ impl Ladder {
             if !self.is_due(attempt, system, control) {
                 continue;
             }
-            system.reset();
             if attempt.start == Start::Linear && !self.make_linear(system, control)? {
                 return Ok(None);
             }
-            if let Some(x) = self.set_up(attempt, system, control) {
+            if let Some((x, formulation)) = self.set_up(attempt, system, control) {
                 control.begin_attempt();
                 let (underway, next) =
                     attempt
                         .procedure
-                        .begin(x, attempt.options, self.member(), system, control);
+                        .begin(formulation, x, attempt.options, self.member(), system, control);
                 self.underway = Some(underway);
                 return Ok(Some(next));
             }
@@ -362,28 +391,29 @@ impl Ladder {
 
     /// The sound surface that no other one was found to be better than.
     fn settle(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
-        system.reset();
         self.in_vain = control.tally.iterations - self.until_sound;
         let candidate = self.sound.take();
-        self.result(candidate, SolveStatus::Converged, system, control)
+        let formulation = self.left(system);
+        self.result(candidate, SolveStatus::Converged, &formulation, system, control)
     }
 
     /// After the last attempt: the best of what there is.
     fn give_up(&mut self, system: &mut System, control: &Control<'_>) -> SolveResult {
-        system.reset();
         let candidate = self.fallback.take();
         let status = match &candidate {
             Some(candidate) if candidate.has_bump() => SolveStatus::Bump,
             Some(_) => SolveStatus::Converged,
             None => self.shortfall.take().unwrap_or(SolveStatus::Failed),
         };
-        self.result(candidate, status, system, control)
+        let formulation = self.left(system);
+        self.result(candidate, status, &formulation, system, control)
     }
 
     fn result(
         &mut self,
         candidate: Option<Candidate>,
         status: SolveStatus,
+        formulation: &Formulation,
         system: &mut System,
         control: &Control<'_>,
     ) -> SolveResult {
@@ -405,11 +435,11 @@ impl Ladder {
             }
             (None, linear) => (linear.unwrap_or_default(), f64::NAN, None),
         };
-        system.evaluate(&x);
+        system.evaluate(&x, formulation);
         SolveResult {
             status,
             step,
-            defect: system.defect(),
+            defect: system.defect(formulation),
             iterations: control.tally.iterations - self.in_vain,
             poor: poor.unwrap_or_else(|| system.poor(&x, NEEDLE)),
             along_normals,

@@ -6,8 +6,10 @@ use nalgebra::Vector3;
 use super::attempt::DIRECT;
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::{IterateOptions, IterationStatus};
 use super::problem::diagonal;
-use super::quasi_newton::{IterateOptions, Iteration, IterationStatus};
+use super::quasi_newton::Iteration;
 use super::system::System;
 use crate::stopwatch::Stopwatch;
 
@@ -73,11 +75,11 @@ pub(crate) struct Live {
 
 impl Live {
     /// From a surface that solved a problem close to the one at hand.
-    pub(crate) fn new(system: &mut System, x: Vec<Vector3<f64>>) -> Self {
+    pub(crate) fn new(system: &mut System, formulation: Formulation, x: Vec<Vector3<f64>>) -> Self {
         system.end_continuity();
         let control = Control::new(0.0, usize::MAX, None);
         Self {
-            iteration: Iteration::new(system, x.clone(), FOLLOWING, &control),
+            iteration: Iteration::new(system, formulation, x.clone(), FOLLOWING, &control),
             shown: x.clone(),
             settled: x,
             step_norm: f64::INFINITY,
@@ -110,7 +112,13 @@ impl Live {
     }
 
     /// Sets out for other boundary data, which the system has already but for the boundary's positions. `normals` are those before.
-    pub(crate) fn aim(&mut self, system: &mut System, boundary: &[Vector3<f64>], normals: &[Vector3<f64>]) {
+    pub(crate) fn aim(
+        &mut self,
+        system: &mut System,
+        formulation: Formulation,
+        boundary: &[Vector3<f64>],
+        normals: &[Vector3<f64>],
+    ) {
         if self.is_stuck {
             self.shown.clone_from(&self.settled);
             self.iteration.forget();
@@ -122,7 +130,7 @@ impl Live {
             self.shown[free..].copy_from_slice(boundary);
             system.diagonal = diagonal(&x);
         }
-        self.iteration.follow(&x);
+        self.iteration.follow(&x, formulation);
         self.step_norm = f64::INFINITY;
         (self.is_folded, self.is_stuck) = (false, false);
     }
@@ -156,7 +164,7 @@ impl Live {
     pub(crate) fn refresh(&mut self, system: &mut System) {
         if self.iteration.change_since_matrix(system) > LARGEST_GROWTH {
             // Where it fails, so do the steps, and the solve begins anew.
-            let _ = system.rebuild(&self.shown, true);
+            let _ = system.rebuild(&self.shown, self.iteration.formulation(), true);
             self.iteration.take_matrix();
         }
     }

@@ -366,8 +366,8 @@ mod tests {
         let domain = problem.domain;
         let mut system = System::by_means(problem, means);
         if on_surface {
-            system.evaluate(domain.surface());
-            system.rebuild(domain.surface(), true).unwrap();
+            let asked = system.asked().clone();
+            system.rebuild(domain.surface(), &asked, true).unwrap();
         } else {
             let mut metric = std::mem::take(&mut system.metric);
             metric.combinatorial(&domain.rings, &domain.batches, problem.weights);
@@ -475,7 +475,9 @@ mod tests {
             .for_each(|v| shape.free[v] = false);
         with_problem(&("pieces", shape, vec![]), |problem| {
             let mut system = System::by_means(problem, Means::Plate);
-            assert!(system.linear_surface(&mut Control::new(1e-9, 100, None)).is_ok());
+            let asked = system.asked().clone();
+            let mut control = Control::new(1e-9, 100, None);
+            assert!(system.linear_surface(&asked, &mut control).is_ok());
             assert!(!system.is_by_plate());
         });
     }

@@ -5,7 +5,9 @@ use nalgebra::Vector3;
 use super::candidate::Candidate;
 use super::control::Control;
 use super::family::Family;
-use super::quasi_newton::{IterateOptions, Iteration};
+use super::formulation::Formulation;
+use super::iterate_options::IterateOptions;
+use super::quasi_newton::Iteration;
 use super::result::SolveStatus;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
@@ -28,11 +30,12 @@ impl Next {
     /// With an iteration from `x`.
     pub(crate) fn iterate(
         system: &System,
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
         control: &Control<'_>,
     ) -> Self {
-        Self::Iteration(Box::new(Iteration::new(system, x, options, control)))
+        Self::Iteration(Box::new(Iteration::new(system, formulation, x, options, control)))
     }
 }
 
@@ -74,6 +77,7 @@ impl Procedure {
     /// Begins at `x`; `member` is the coarse mesh's, for [`Self::Retreat`].
     pub(crate) fn begin(
         self,
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
         member: f64,
@@ -81,29 +85,34 @@ impl Procedure {
         control: &mut Control<'_>,
     ) -> (Underway, Next) {
         match self {
-            Self::Iteration => (Underway::Single, Next::iterate(system, x, options, control)),
+            Self::Iteration => (
+                Underway::Single,
+                Next::iterate(system, formulation, x, options, control),
+            ),
             Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere | Self::RepairEverywhere => {
                 let anew = match self {
                     Self::RepairHere => Anew::FromSurface,
                     Self::RepairEverywhere => Anew::Everywhere,
                     _ => Anew::FromLinear,
                 };
-                if self == Self::MinimalEnergy {
-                    system.use_member(1.0);
-                }
-                let (repair, next) = WeightRepair::begin(x, options, anew, system, control);
+                let formulation = match self {
+                    Self::MinimalEnergy => formulation.member(1.0),
+                    _ => formulation,
+                };
+                let (repair, next) = WeightRepair::begin(formulation, x, options, anew, system, control);
                 (Underway::WeightRepair(Box::new(repair)), next)
             }
             Self::TargetContinuation => {
-                let (continuation, next) = TargetContinuation::begin(x, options, system, control);
+                let (continuation, next) =
+                    TargetContinuation::begin(formulation, x, options, system, control);
                 (Underway::TargetContinuation(Box::new(continuation)), next)
             }
             Self::Approach => {
-                let (family, next) = Family::approach(x, options, system, control);
+                let (family, next) = Family::approach(formulation, x, options, system, control);
                 (Underway::Family(Box::new(family)), next)
             }
             Self::Retreat => {
-                let (family, next) = Family::retreat(x, options, member, system, control);
+                let (family, next) = Family::retreat(formulation, x, options, member, system, control);
                 (Underway::Family(Box::new(family)), next)
             }
         }

@@ -5,6 +5,8 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::{IterateOptions, IterationStatus};
 use super::limited_step::{LARGEST_CHANGE, advance, limited_part};
 use super::step::StepNorm;
 use super::system::System;
@@ -42,52 +44,6 @@ const DIVERGED: f64 = 10.0;
 /// A round with a fresh matrix that gains less than this will not gain in another.
 const ROUND_GAIN: f64 = 0.7;
 
-/// How an iteration ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum IterationStatus {
-    /// The step norm is below the tolerance.
-    Converged,
-    /// No round gains any more.
-    Stalled,
-    /// Near the solution, but on poor triangles: see [`IterateOptions::stop_on_folds`].
-    Folded,
-    /// Limit or cancel, see [`Control`].
-    Stopped,
-}
-
-/// How to iterate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct IterateOptions {
-    /// The step norm to reach, in diagonals, where the tolerance that is asked for is smaller; 0: that one.
-    pub tolerance_floor: f64,
-    /// A round is left when it gains little in so many steps.
-    pub patience: usize,
-    /// At most this many rounds, each with a matrix made at the best surface so far.
-    pub rounds: usize,
-    /// Stop near the solution when triangles are folded or thin: their repair starts anew.
-    pub stop_on_folds: bool,
-    /// Take `D` from how the curvature of the surface at hand answers; else from the ring alone, which is coarser and
-    /// safer.
-    pub measured_response: bool,
-    /// Begin with the factor of `P` that is there.
-    pub reuse_factor: bool,
-    /// Frames ([`super::live`]): the surface solved a problem close to this one. What is within the tolerance at first sight has settled,
-    /// unless triangles are folded, and what has grown since the matrix was made takes steps that are too short by as much.
-    pub follows: bool,
-    /// What to call it in progress reports.
-    pub phase: &'static str,
-}
-
-impl IterateOptions {
-    /// The same to the tolerance that is asked for.
-    pub(crate) fn to_the_end(self) -> Self {
-        Self {
-            tolerance_floor: 0.0,
-            ..self
-        }
-    }
-}
-
 /// Which step is taken.
 #[derive(Debug, Clone, Copy)]
 enum Step {
@@ -124,6 +80,7 @@ enum Due {
 #[derive(Debug, Clone)]
 pub(crate) struct Iteration {
     options: IterateOptions,
+    formulation: Formulation,
     tolerance: f64,
     /// The surface.
     x: Vec<Vector3<f64>>,
@@ -174,6 +131,7 @@ impl Iteration {
     /// An iteration from `x`.
     pub(crate) fn new(
         system: &System,
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
         control: &Control<'_>,
@@ -208,6 +166,7 @@ impl Iteration {
             rounds: 1,
             round: Round::new(&options, f64::INFINITY),
             options,
+            formulation,
         }
     }
 
@@ -222,7 +181,7 @@ impl Iteration {
                 return Some(status);
             }
             // P t = R1 (12) and G d = inner residual (7.3).
-            let norm = system.step(&mut self.step);
+            let norm = system.step(&mut self.step, &self.formulation);
             let d = norm.total() * self.growth(system);
             control.iteration(d, self.options.phase);
             match self.judge(d, &norm, system, control) {
@@ -250,6 +209,11 @@ impl Iteration {
         }
     }
 
+    /// Which equations it solves.
+    pub(crate) fn formulation(&self) -> &Formulation {
+        &self.formulation
+    }
+
     /// The surface at hand.
     pub(crate) fn x(&self) -> &[Vector3<f64>] {
         &self.x
@@ -264,14 +228,15 @@ impl Iteration {
     pub(crate) fn evaluate_at_hand(&mut self, system: &mut System) {
         if self.due == Due::Evaluation {
             system.set_modes(&self.modes);
-            system.evaluate(&self.x);
+            system.evaluate(&self.x, &self.formulation);
             self.due = Due::Nothing;
         }
     }
 
     /// Goes on from `x` to this tolerance, where the boundary data have changed, with the matrix that is there and what acceleration has
     /// learned.
-    pub(crate) fn follow(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn follow(&mut self, x: &[Vector3<f64>], formulation: Formulation) {
+        self.formulation = formulation;
         self.x.copy_from_slice(x);
         self.due = Due::Round;
         self.best.d = f64::INFINITY;
@@ -303,15 +268,19 @@ impl Iteration {
         if due == Due::Nothing {
             return None;
         }
+        if due != Due::Evaluation {
+            // They were factored before, so that they can be again.
+            let _ = system.factor_inner(&self.formulation.weights);
+        }
         let is_matrix_due = due == Due::Matrix;
         let measured = self.options.measured_response;
         system.set_modes(&self.modes);
         if !(is_matrix_due && measured) {
-            system.evaluate(&self.x);
+            system.evaluate(&self.x, &self.formulation);
         }
         let mut made = Ok(());
         if is_matrix_due {
-            made = system.rebuild(&self.x, measured);
+            made = system.rebuild(&self.x, &self.formulation, measured);
             self.take_matrix();
         }
         // A factorization that is interrupted fails as well.
@@ -324,7 +293,7 @@ impl Iteration {
 
     /// The surface where it ended, judged.
     pub(crate) fn candidate(&self, status: IterationStatus, system: &mut System) -> Candidate {
-        Candidate::new(system, self.x.clone(), status, self.best.d)
+        Candidate::new(system, &self.formulation, self.x.clone(), status, self.best.d)
     }
 
     /// Takes note of the step, and says whether the round ends with it.

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::candidate::bending_energy;
 use super::control::Control;
+use super::formulation::Formulation;
 use super::system::System;
 
 /// What it is called in progress reports.
@@ -28,6 +29,7 @@ const NEARLY: f64 = 0.8;
 
 /// Displacements along the normals of a surface.
 struct Displaced {
+    formulation: Formulation,
     x: Vec<Vector3<f64>>,
     normal: Vec<Vector3<f64>>,
 }
@@ -44,9 +46,9 @@ impl Displaced {
 
     /// The normal step `P^-1 R1` there.
     fn step(&self, mode: &[f64], scale: f64, system: &mut System) -> Vec<f64> {
-        system.evaluate(&self.at(mode, scale));
+        system.evaluate(&self.at(mode, scale), &self.formulation);
         let mut step = vec![0.0; 3 * mode.len()];
-        system.step(&mut step);
+        system.step(&mut step, &self.formulation);
         system.normal_step(&mut step);
         let steps = step.as_chunks().0.iter();
         steps
@@ -59,11 +61,13 @@ impl Displaced {
 /// Where the second surface is to be expected, if it has less bending energy than the solution `x`, near which `P` was made.
 pub(crate) fn second_surface(
     x: &[Vector3<f64>],
+    formulation: &Formulation,
     system: &mut System,
     control: &mut Control<'_>,
 ) -> Option<Vec<Vector3<f64>>> {
-    system.evaluate(x);
+    system.evaluate(x, formulation);
     let surface = Displaced {
+        formulation: formulation.clone(),
         x: x.to_vec(),
         normal: system.state().normal[..system.free()].to_vec(),
     };
@@ -113,7 +117,7 @@ struct Place {
 /// The place to one side where the residual in `mode` vanishes once more, or nearly: the way there is not quite straight.
 fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> Option<Place> {
     let along = |scale: f64, system: &mut System| {
-        system.evaluate(&surface.at(mode, scale));
+        system.evaluate(&surface.at(mode, scale), &surface.formulation);
         let residuals = system.state().outer.iter().zip(mode);
         residuals.map(|(r, m)| r * m).sum::<f64>()
     };

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::direction;
 use super::factor::Factor;
+use super::formulation::Formulation;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::valence_batches::CHUNK;
@@ -34,8 +35,8 @@ impl StepNorm {
 impl System {
     /// The quasi-Newton step at the last evaluation, as one vector of three numbers per free vertex: along the normals
     /// (see [`direction`]) `P^-1 R1`, and the tangential field `G^-1(inner residual)`, if there is to be one.
-    pub(crate) fn step(&mut self, step: &mut [f64]) -> StepNorm {
-        let has_inner = !self.along_normals;
+    pub(crate) fn step(&mut self, step: &mut [f64], formulation: &Formulation) -> StepNorm {
+        let has_inner = !formulation.along_normals;
         let (state, p, g) = (&self.state, &mut self.p, &mut self.g);
         let (t, d) = (&mut self.normal_step, &mut self.tangential_step);
         parallel::join(

@@ -10,6 +10,7 @@ use super::bilaplacian::Metric;
 use super::boundary_curvature::AskedContinuity;
 use super::continuity::Continuity;
 use super::factor::{Factor, Stacks};
+use super::formulation::Formulation;
 use super::normal_matrix::{Means, NormalMatrix};
 use super::plate::Plate;
 use super::problem::{Domain, Problem};
@@ -28,30 +29,19 @@ use fairmesh_linear::symbolic::Symbolic;
 /// Larger regions give the memory for update matrices back when the iterations begin.
 const KEPT_UP_TO: usize = 50_000;
 
-/// What is asked, besides the boundary normals.
-struct Asked {
-    weights: Arc<FairnessWeights>,
-    right_hand_side: RightHandSide,
-    continuity: Option<Arc<AskedContinuity>>,
-}
-
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
 ///
-/// What attempts vary for a while (inner fairness, right-hand side) is set by methods, and
-/// [`System::reset`] and [`System::use_asked_weights`] go back to what is asked.
+/// What attempts vary of the problem ([`Formulation`]) is handed to each method that needs it.
 pub(crate) struct System {
     /// The region and its rings.
     pub(super) domain: Arc<Domain>,
-    asked: Asked,
-    weights: Arc<FairnessWeights>,
+    asked: Formulation,
+    asked_continuity: Option<Arc<AskedContinuity>>,
     curvature: FreeCurvature,
-    right_hand_side: RightHandSide,
     /// Prescribed normals; those of the last evaluation where the surface passes smoothly.
     pub(super) boundary_normals: Vec<Vector3<f64>>,
     /// Boundary vertices with a closed ring that the surface passes smoothly; empty: none.
     smooth_interior: Vec<bool>,
-    /// Steps have no tangential part, until [`System::reset`].
-    pub(super) along_normals: bool,
     /// The last evaluation.
     pub(super) state: State,
     /// The metric that `P` was made from.
@@ -64,6 +54,8 @@ pub(crate) struct System {
     /// The further unknowns of curvature continuity, while they are.
     pub(super) continuity: Option<Box<Continuity>>,
     pub(super) g: Factor,
+    /// The weights that `G` is factored with.
+    weights: Arc<FairnessWeights>,
     pub(super) p: NormalMatrix,
     stacks: Stacks,
     pub(super) normal_step: Vec<[f64; 1]>,
@@ -122,17 +114,15 @@ impl System {
         let free = region.free;
         Self {
             domain: problem.domain.clone(),
-            asked: Asked {
-                weights: weights.clone(),
+            asked: Formulation {
                 right_hand_side: problem.right_hand_side,
-                continuity: problem.continuity.cloned(),
+                weights: weights.clone(),
+                along_normals: false,
             },
-            weights: weights.clone(),
+            asked_continuity: problem.continuity.cloned(),
             curvature: problem.curvature,
-            right_hand_side: problem.right_hand_side,
             boundary_normals: problem.boundary_normals.to_vec(),
             smooth_interior: problem.smooth_interior.to_vec(),
-            along_normals: false,
             state: State::new(batches, region.boundary),
             metric: Metric::default(),
             diagonal: 1.0,
@@ -140,6 +130,7 @@ impl System {
             graph_symbolic: symbolic,
             continuity: None,
             g,
+            weights: weights.clone(),
             p,
             stacks,
             normal_step: vec![[0.0]; free],
@@ -167,59 +158,11 @@ impl System {
     /// Asks for another right-hand side from now on.
     pub(crate) fn ask_right_hand_side(&mut self, right_hand_side: RightHandSide) {
         self.asked.right_hand_side = right_hand_side;
-        self.right_hand_side = right_hand_side;
     }
 
-    /// Back to the right-hand side that is asked for, and to tangential steps.
-    pub(crate) fn reset(&mut self) {
-        self.along_normals = false;
-        self.right_hand_side = self.asked.right_hand_side;
-    }
-
-    /// Steps along the normals alone, until [`System::reset`].
-    pub(crate) fn step_along_normals(&mut self) {
-        self.along_normals = true;
-    }
-
-    /// Takes a part of the right-hand side that is asked for, from 0 to 1, until [`System::reset`].
-    pub(crate) fn use_part_of_target(&mut self, part: f64) {
-        self.right_hand_side = if part >= 1.0 {
-            self.asked.right_hand_side
-        } else if part > 0.0 {
-            self.asked.right_hand_side.share(part)
-        } else {
-            RightHandSide::default()
-        };
-    }
-
-    /// Takes the member `w` of the family between the harmonic equation and minimal energy, until [`System::reset`].
-    pub(crate) fn use_member(&mut self, w: f64) {
-        self.right_hand_side = RightHandSide {
-            constant: 0.0,
-            energy: w,
-        };
-    }
-
-    /// Takes these inner-fairness weights, until [`System::use_asked_weights`].
-    pub(crate) fn use_weights(&mut self, weights: Arc<FairnessWeights>) -> Result<(), Collapsed> {
-        let Domain { rings, batches, .. } = &*self.domain;
-        let values = laplacian(&self.graph, rings, batches, &weights);
-        self.weights = weights;
-        let _clock = clock("factor G");
-        self.g.factor(&values, &mut self.stacks).map_err(|_| Collapsed)
-    }
-
-    /// Back to the inner-fairness weights that are asked for.
-    pub(crate) fn use_asked_weights(&mut self) {
-        if !Arc::ptr_eq(&self.weights, &self.asked.weights) {
-            // They were factored before, so that they can be again.
-            let _ = self.use_weights(self.asked.weights.clone());
-        }
-    }
-
-    /// The inner-fairness weights in force.
-    pub(crate) fn weights(&self) -> &Arc<FairnessWeights> {
-        &self.weights
+    /// What is asked for.
+    pub(crate) fn asked(&self) -> &Formulation {
+        &self.asked
     }
 
     /// Whether another right-hand side than zero is asked for.
@@ -227,14 +170,21 @@ impl System {
         !self.asked.right_hand_side.is_zero()
     }
 
+    /// Factors `G` with these weights, if it is not.
+    pub(super) fn factor_inner(&mut self, weights: &Arc<FairnessWeights>) -> Result<(), Collapsed> {
+        if Arc::ptr_eq(&self.weights, weights) {
+            return Ok(());
+        }
+        let Domain { rings, batches, .. } = &*self.domain;
+        let values = laplacian(&self.graph, rings, batches, weights);
+        self.weights = weights.clone();
+        let _clock = clock("factor G");
+        self.g.factor(&values, &mut self.stacks).map_err(|_| Collapsed)
+    }
+
     /// The boundary normals in force.
     pub(crate) fn boundary_normals(&self) -> &[Vector3<f64>] {
         &self.boundary_normals
-    }
-
-    /// The right-hand side in force.
-    pub(crate) fn right_hand_side(&self) -> RightHandSide {
-        self.right_hand_side
     }
 
     /// What is asked, on this mesh.
@@ -271,16 +221,16 @@ impl System {
         self.domain.region.free
     }
 
-    /// The equations with the normals, weights, curvature and right-hand side in force.
-    pub(crate) fn equations(&self) -> Equations<'_> {
+    /// The equations.
+    pub(crate) fn equations<'s>(&'s self, formulation: &'s Formulation) -> Equations<'s> {
         Equations {
             rings: &self.domain.rings,
             batches: &self.domain.batches,
             boundary_normals: &self.boundary_normals,
             smooth_interior: &self.smooth_interior,
-            weights: &self.weights,
+            weights: &formulation.weights,
             curvature: self.curvature,
-            right_hand_side: self.right_hand_side,
+            right_hand_side: formulation.right_hand_side,
         }
     }
 
@@ -290,8 +240,8 @@ impl System {
     }
 
     /// Defect of the outer equation at the last evaluation, without unit.
-    pub(crate) fn defect(&self) -> f64 {
-        self.equations().defect(&self.state).0 * self.diagonal
+    pub(crate) fn defect(&self, formulation: &Formulation) -> f64 {
+        self.equations(formulation).defect(&self.state).0 * self.diagonal
     }
 
     /// The surface `x`, which was evaluated last, to be judged.
@@ -313,11 +263,11 @@ impl System {
     }
 
     /// Evaluates both equations at `x` ((4), 7.3).
-    pub(crate) fn evaluate(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate(&mut self, x: &[Vector3<f64>], formulation: &Formulation) {
         let mut state = std::mem::take(&mut self.state);
-        self.equations().evaluate(x, &mut state);
+        self.equations(formulation).evaluate(x, &mut state);
         self.state = state;
-        self.evaluate_continuity(x);
+        self.evaluate_continuity(x, formulation);
         self.take_smooth_interior_normals();
     }
 
@@ -336,26 +286,31 @@ impl System {
     }
 
     /// Evaluates only what a tangential step needs.
-    pub(crate) fn evaluate_inner(&mut self, x: &[Vector3<f64>]) {
+    pub(crate) fn evaluate_inner(&mut self, x: &[Vector3<f64>], formulation: &Formulation) {
         let mut state = std::mem::take(&mut self.state);
-        self.equations().evaluate_inner(x, &mut state);
+        self.equations(formulation).evaluate_inner(x, &mut state);
         self.state = state;
     }
 
     /// Makes `P` from the last evaluation, which was at `x`. With `response` it evaluates at `x` itself.
-    pub(crate) fn rebuild(&mut self, x: &[Vector3<f64>], response: bool) -> Result<(), Collapsed> {
+    pub(crate) fn rebuild(
+        &mut self,
+        x: &[Vector3<f64>],
+        formulation: &Formulation,
+        response: bool,
+    ) -> Result<(), Collapsed> {
         if response {
             let mut state = std::mem::take(&mut self.state);
-            self.equations().evaluate_with_response(x, &mut state);
+            self.equations(formulation).evaluate_with_response(x, &mut state);
             self.state = state;
-            self.evaluate_continuity(x);
+            self.evaluate_continuity(x, formulation);
             self.take_smooth_interior_normals();
         }
         let mut metric = std::mem::take(&mut self.metric);
-        metric.update(&self.equations(), x, &self.state, response);
+        metric.update(&self.equations(formulation), x, &self.state, response);
         self.metric = metric;
         let made = self.refactor_at(Some(x));
-        let made = made.and_then(|()| self.prepare_continuity());
+        let made = made.and_then(|()| self.prepare_continuity(formulation));
         // The next one is far off, and the iterations need the memory.
         if response && self.free() > KEPT_UP_TO {
             self.stacks = Stacks::default();

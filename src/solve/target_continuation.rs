@@ -5,8 +5,9 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::IterateOptions;
 use super::procedure::Next;
-use super::quasi_newton::IterateOptions;
 use super::result::SolveStatus;
 use super::system::System;
 
@@ -18,6 +19,8 @@ const SHORTEST: f64 = 1.0 / 64.0;
 /// The way to the whole right-hand side.
 #[derive(Debug)]
 pub(crate) struct TargetContinuation {
+    /// With the whole right-hand side.
+    formulation: Formulation,
     /// On the way; the whole is iterated to the asked tolerance.
     options: IterateOptions,
     /// The last surface reached; `None`: the harmonic one is not there yet.
@@ -32,24 +35,26 @@ pub(crate) struct TargetContinuation {
 impl TargetContinuation {
     /// Begins with the harmonic surface.
     pub(crate) fn begin(
+        formulation: Formulation,
         x: Vec<Vector3<f64>>,
         options: IterateOptions,
-        system: &mut System,
+        system: &System,
         control: &Control<'_>,
     ) -> (Self, Next) {
-        system.use_part_of_target(0.0);
+        let harmonic = formulation.part(0.0);
         let continuation = Self {
+            formulation,
             options,
             x: None,
             reached: 0.0,
             tried: 0.0,
             step: FIRST_STEP,
         };
-        (continuation, Next::iterate(system, x, options, control))
+        (continuation, Next::iterate(system, harmonic, x, options, control))
     }
 
     /// After the iteration with the part that was tried.
-    pub(crate) fn next(&mut self, last: Candidate, system: &mut System, control: &Control<'_>) -> Next {
+    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Next {
         if self.tried >= 1.0 && (last.is_converged() && !last.is_flawed() || last.is_stopped()) {
             return Next::Done(last);
         }
@@ -78,14 +83,13 @@ impl TargetContinuation {
     }
 
     /// One step further from `x`.
-    fn iterate(&mut self, x: Vec<Vector3<f64>>, system: &mut System, control: &Control<'_>) -> Next {
+    fn iterate(&mut self, x: Vec<Vector3<f64>>, system: &System, control: &Control<'_>) -> Next {
         self.tried = (self.reached + self.step).min(1.0);
-        system.use_part_of_target(self.tried);
         let options = if self.tried >= 1.0 {
             self.options.to_the_end()
         } else {
             self.options
         };
-        Next::iterate(system, x, options, control)
+        Next::iterate(system, self.formulation.part(self.tried), x, options, control)
     }
 }

@@ -6,8 +6,9 @@ use nalgebra::Vector3;
 
 use super::candidate::Candidate;
 use super::control::Control;
+use super::formulation::Formulation;
+use super::iterate_options::{IterateOptions, IterationStatus};
 use super::procedure::Next;
-use super::quasi_newton::{IterateOptions, IterationStatus};
 use super::system::System;
 use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
@@ -23,6 +24,8 @@ const SURE: f64 = 0.5 * NEEDLE;
 /// An iteration that begins anew with other weights where triangles end folded or thin.
 #[derive(Debug)]
 pub(crate) struct WeightRepair {
+    /// With the weights of the last round.
+    formulation: Formulation,
     options: IterateOptions,
     marks: Marks,
     /// Needles of the start that no weights widen; `None`: there are none, or they are widened.
@@ -33,6 +36,7 @@ pub(crate) struct WeightRepair {
 impl WeightRepair {
     /// Iterates from `x`.
     pub(crate) fn begin(
+        mut formulation: Formulation,
         mut x: Vec<Vector3<f64>>,
         options: IterateOptions,
         anew: Anew,
@@ -40,8 +44,8 @@ impl WeightRepair {
         control: &mut Control<'_>,
     ) -> (Self, Next) {
         let surface = (anew == Anew::FromSurface).then(|| x.clone());
-        let mut marks = Marks::new(system, surface, anew == Anew::Everywhere);
-        system.evaluate(&x);
+        let mut marks = Marks::new(system, &formulation, surface, anew == Anew::Everywhere);
+        system.evaluate(&x, &formulation);
         let needles = system.poor(&x, NEEDLE).len();
         let mut stubborn_needles = None;
         // A start is distributed almost as the result will be: what folds here would be found after the iterations.
@@ -51,19 +55,18 @@ impl WeightRepair {
             Anew::FromSurface => !system.poor(&x, SURE).is_empty(),
         };
         if repairs_start
-            && let Some(start) = marks.restart(&x, system, control)
+            && let Some((start, repaired)) = marks.restart(&x, &formulation, system, control)
             && !control.cancelled
         {
-            system.evaluate(&start);
+            system.evaluate(&start, &repaired);
             if needles > 0 && system.poor(&start, NEEDLE).len() >= needles {
-                // They were factored before, so that they can be again.
-                let _ = system.use_weights(marks.asked.clone());
                 stubborn_needles = Some(needles);
             } else {
-                x = start;
+                (x, formulation) = (start, repaired);
             }
         }
         let repair = Self {
+            formulation,
             options,
             marks,
             stubborn_needles,
@@ -97,7 +100,7 @@ impl WeightRepair {
         }
         let is_repairable = matches!(last.status, IterationStatus::Converged | IterationStatus::Folded);
         let restarted = if is_repairable && !last.poor.is_empty() {
-            self.marks.restart(&last.x, system, control)
+            self.marks.restart(&last.x, &self.formulation, system, control)
         } else {
             None
         };
@@ -108,8 +111,8 @@ impl WeightRepair {
                 status: IterationStatus::Stopped,
                 ..best
             }),
-            Some(start) => {
-                self.best = Some(best);
+            Some((start, repaired)) => {
+                (self.best, self.formulation) = (Some(best), repaired);
                 self.iterate(start, self.marks.has_more(), system, control)
             }
         }
@@ -126,7 +129,7 @@ impl WeightRepair {
             stop_on_folds,
             ..self.options
         };
-        Next::iterate(system, x, options, control)
+        Next::iterate(system, self.formulation.clone(), x, options, control)
     }
 }
 
@@ -155,41 +158,54 @@ struct Marks {
 
 impl Marks {
     /// Nothing marked, or every vertex.
-    fn new(system: &System, surface: Option<Vec<Vector3<f64>>>, everywhere: bool) -> Self {
+    fn new(
+        system: &System,
+        formulation: &Formulation,
+        surface: Option<Vec<Vector3<f64>>>,
+        everywhere: bool,
+    ) -> Self {
         Self {
             surface,
-            asked: system.weights().clone(),
+            asked: formulation.weights.clone(),
             marked: vec![everywhere; system.free()],
             round: 0,
         }
     }
 
-    /// The start surface with the weights of the next round.
+    /// The start surface with the weights of the next round, and those.
     fn restart(
         &mut self,
         x: &[Vector3<f64>],
+        formulation: &Formulation,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Option<Vec<Vector3<f64>>> {
-        let weights = self.next(system, x)?;
-        system.use_weights(weights.into()).ok()?;
-        match &self.surface {
-            None => system.start(control).ok(),
+    ) -> Option<(Vec<Vector3<f64>>, Formulation)> {
+        let weights = self.next(system, formulation, x)?;
+        let repaired = formulation.weighted(weights.into());
+        system.factor_inner(&repaired.weights).ok()?;
+        let start = match &self.surface {
+            None => system.start(&repaired, control).ok()?,
             Some(surface) => {
                 let mut x = surface.clone();
-                system.tangential_steps(&mut x, control);
-                Some(x)
+                system.tangential_steps(&mut x, &repaired, control);
+                x
             }
-        }
+        };
+        Some((start, repaired))
     }
 
     /// Marks the vertices of poor triangles at `x` and gives them the mean-value weights of better places in their rings:
     /// like everything here, taken from connectivity and boundary alone and not from the input's interior. `None` when
     /// there is nothing left to try.
-    fn next(&mut self, system: &mut System, x: &[Vector3<f64>]) -> Option<FairnessWeights> {
+    fn next(
+        &mut self,
+        system: &mut System,
+        formulation: &Formulation,
+        x: &[Vector3<f64>],
+    ) -> Option<FairnessWeights> {
         let threshold = *THRESHOLDS.get(self.round)?;
         self.round += 1;
-        system.evaluate(x);
+        system.evaluate(x, formulation);
         for t in system.poor(x, threshold) {
             for v in system.domain.region.half_edges.triangles[t as usize] {
                 if (v as usize) < system.free() {

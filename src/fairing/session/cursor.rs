@@ -195,22 +195,23 @@ impl Cursor {
         self.ladder = if result.status.is_linear() {
             Ladder::default()
         } else {
-            Ladder::resume(result.x.clone(), result.along_normals)
+            std::mem::take(&mut self.ladder).resumed_after(result)
         };
     }
 
     /// The surface of the last iteration.
     fn at_hand(&mut self, status: SolveStatus) -> SolveResult {
         self.ladder.evaluate_at_hand(&mut self.system);
+        let formulation = self.ladder.formulation(&self.system);
         let x = self.ladder.x().unwrap_or_default().to_vec();
         SolveResult {
             poor: self.system.poor(&x, NEEDLE),
             x,
             status,
             step: self.tally.step,
-            defect: self.system.defect(),
+            defect: self.system.defect(&formulation),
             iterations: self.tally.iterations,
-            along_normals: self.ladder.is_along_normals(),
+            along_normals: formulation.along_normals,
             trials: self.ladder.trials().to_vec(),
             continuity: Vec::new(),
             start_seconds: 0.0,
@@ -327,7 +328,6 @@ impl Cursor {
 
     /// From here on it is another problem, close to the last.
     fn change(&mut self) {
-        self.system.reset();
         self.ladder = std::mem::take(&mut self.ladder).renewed();
         self.tally = Tally::default();
         self.is_over = false;
@@ -337,7 +337,12 @@ impl Cursor {
         };
         match &mut self.live {
             Some(live) => live.take(x),
-            None => self.live = Some(Live::new(&mut self.system, x.to_vec())),
+            None => {
+                self.live = Some({
+                    let (formulation, x) = (self.ladder.left(&self.system), x.to_vec());
+                    Live::new(&mut self.system, formulation, x)
+                })
+            }
         }
         self.is_live = true;
     }
@@ -346,10 +351,8 @@ impl Cursor {
     fn aim(&mut self, normals: &[Vector3<f64>]) {
         if let Some(live) = self.live.as_mut().filter(|_| self.is_live) {
             let boundary = &self.prescribed.fixed[..self.prepared.domain.region.boundary];
-            if self.ladder.is_along_normals() {
-                self.system.step_along_normals();
-            }
-            live.aim(&mut self.system, boundary, normals);
+            let formulation = self.ladder.left(&self.system);
+            live.aim(&mut self.system, formulation, boundary, normals);
         }
     }
 
@@ -433,9 +436,9 @@ impl Cursor {
         self.prescribed = surface.prescribed;
         self.ended = surface.ended;
         (self.is_over, self.is_live) = (true, false);
-        let along = self.ladder.is_along_normals();
+        let ladder = std::mem::take(&mut self.ladder);
         self.ladder = match surface.x {
-            Some(x) => Ladder::resume(x, along),
+            Some(x) => ladder.resumed(x),
             None => Ladder::default(),
         };
     }
@@ -447,8 +450,8 @@ impl Cursor {
             if let Some(live) = &mut self.live {
                 live.refresh(&mut self.system);
             }
-            let along = self.ladder.is_along_normals();
-            self.ladder = Ladder::resume(live_surface(&self.live).to_vec(), along);
+            let x = live_surface(&self.live).to_vec();
+            self.ladder = std::mem::take(&mut self.ladder).resumed(x);
         }
     }
 

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::Ladder;
 use crate::solve::attempt::{Attempt, Start, Weights};
 use crate::solve::control::{Control, STARTED};
+use crate::solve::formulation::Formulation;
 use crate::solve::initial::PHASE;
 use crate::solve::problem::diagonal;
 use crate::solve::search::Search;
@@ -13,10 +14,11 @@ use crate::solve::system::{Collapsed, System};
 use crate::stopwatch::Stopwatch;
 
 impl Ladder {
-    /// The coarse mesh's surface, if it is harmonic or not, as asked; where that was found along the normals, the system goes on so.
+    /// The coarse mesh's surface, if it is harmonic or not, as asked; along the normals where it was found so.
     fn of_coarse_mesh(
         &self,
         harmonic: bool,
+        formulation: &mut Formulation,
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Option<Vec<Vector3<f64>>> {
@@ -33,10 +35,9 @@ impl Ladder {
         }
         let mut x = x.clone();
         system.diagonal = diagonal(&x);
-        if *along_normals {
-            system.step_along_normals();
-        } else {
-            system.tangential_steps(&mut x, control);
+        formulation.along_normals = *along_normals;
+        if !along_normals {
+            system.tangential_steps(&mut x, formulation, control);
         }
         Some(x)
     }
@@ -51,8 +52,8 @@ impl Ladder {
             return Ok(true);
         }
         let clock = Stopwatch::start();
-        system.use_asked_weights();
-        let linear = system.start(control);
+        let asked = system.asked().clone();
+        let linear = system.start(&asked, control);
         if !control.checkpoint(PHASE) {
             return Ok(false);
         }
@@ -62,39 +63,36 @@ impl Ladder {
         Ok(true)
     }
 
-    /// Weights, curvature and start of an attempt; `None` where there is no such start.
+    /// Start and formulation of an attempt; `None` where there is no such start.
     pub(super) fn set_up(
         &mut self,
         attempt: &Attempt,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Option<Vec<Vector3<f64>>> {
-        match attempt.weights {
-            Weights::Asked => system.use_asked_weights(),
-            Weights::AsLeft => {}
-            Weights::None => system.step_along_normals(),
-        }
+    ) -> Option<(Vec<Vector3<f64>>, Formulation)> {
+        let mut formulation = match attempt.weights {
+            Weights::Asked => system.asked().clone(),
+            Weights::AsLeft => self.left(system),
+            Weights::None => Formulation {
+                along_normals: true,
+                ..self.left(system)
+            },
+        };
         let start = match attempt.start {
-            Start::AtHand => {
-                if self.along_normals {
-                    system.step_along_normals();
-                }
-                self.at_hand.take()
-            }
+            Start::AtHand => self.at_hand.take(),
             Start::Linear => self.linear.clone(),
-            Start::Coarse => self.of_coarse_mesh(true, system, control),
-            Start::CoarseMember => self.of_coarse_mesh(false, system, control),
+            Start::Coarse => self.of_coarse_mesh(true, &mut formulation, system, control),
+            Start::CoarseMember => self.of_coarse_mesh(false, &mut formulation, system, control),
             Start::MinimalEnergy => self.minimal_energy.clone(),
             Start::Stalled => self.stalled.take().map(|(x, _)| x),
-            Start::BesideSound => second_surface(&self.sound.as_ref()?.x, system, control),
+            Start::BesideSound => second_surface(&self.sound.as_ref()?.x, &formulation, system, control),
             Start::MembraneMetric => {
-                let membrane = system.membrane();
-                let mut x = system.linear_surface_on(&membrane, control).ok()?;
-                system.tangential_steps(&mut x, control);
+                let membrane = system.membrane(&formulation);
+                let mut x = system.linear_surface_on(&membrane, &formulation, control).ok()?;
+                system.tangential_steps(&mut x, &formulation, control);
                 Some(x)
             }
         };
-        self.along_normals = system.along_normals;
-        start
+        start.map(|x| (x, formulation))
     }
 }

@@ -8,16 +8,17 @@ use super::{Collapsed, System};
 use crate::discrete::equations::Equations;
 use crate::solve::boundary_curvature::{AskedContinuity, LoopCondition};
 use crate::solve::continuity::Continuity;
+use crate::solve::formulation::Formulation;
 
 impl System {
     /// The continuity of curvature that is asked for.
     pub(in crate::solve) fn asked_continuity(&self) -> Option<Arc<AskedContinuity>> {
-        self.asked.continuity.clone()
+        self.asked_continuity.clone()
     }
 
     /// Asks for another continuity of curvature from now on.
     pub(crate) fn ask_continuity(&mut self, asked: Option<Arc<AskedContinuity>>) {
-        self.asked.continuity = asked;
+        self.asked_continuity = asked;
     }
 
     /// Takes the curvatures along the loops as conditions, until [`System::end_continuity`].
@@ -58,16 +59,16 @@ impl System {
         }
     }
 
-    pub(super) fn evaluate_continuity(&mut self, x: &[Vector3<f64>]) {
+    pub(super) fn evaluate_continuity(&mut self, x: &[Vector3<f64>], formulation: &Formulation) {
         if let Some(mut continuity) = self.continuity.take() {
             let mut state = std::mem::take(&mut self.state);
-            continuity.evaluate(&self.equations(), x, &mut state);
+            continuity.evaluate(&self.equations(formulation), x, &mut state);
             self.state = state;
             self.continuity = Some(continuity);
         }
     }
 
-    pub(super) fn prepare_continuity(&mut self) -> Result<(), Collapsed> {
+    pub(super) fn prepare_continuity(&mut self, formulation: &Formulation) -> Result<(), Collapsed> {
         let Some(mut continuity) = self.continuity.take() else {
             return Ok(());
         };
@@ -78,9 +79,9 @@ impl System {
             batches: &domain.batches,
             boundary_normals: &self.boundary_normals,
             smooth_interior: &self.smooth_interior,
-            weights: &self.weights,
+            weights: &formulation.weights,
             curvature: self.curvature,
-            right_hand_side: self.right_hand_side,
+            right_hand_side: formulation.right_hand_side,
         };
         let made = continuity.prepare(
             &equations,
