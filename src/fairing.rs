@@ -22,7 +22,7 @@ pub use crate::discrete::target::Target;
 use crate::error::Error;
 use crate::mesh::Joined;
 pub use crate::mesh::coincident::Coincident;
-pub use crate::mesh::region::Selection;
+pub use crate::mesh::selection::Selection;
 use crate::paper::{self, PaperResult};
 use crate::profile;
 use crate::solve::control::Callback;

@@ -14,7 +14,7 @@ use crate::discrete::target::RightHandSide;
 use crate::error::Error;
 use crate::mesh::Region;
 use crate::mesh::numbering::Numbering;
-use crate::mesh::region::Selection;
+use crate::mesh::selection::Selection;
 use crate::profile::clock;
 use crate::solve::problem::Weigh;
 use crate::solve::{AskedContinuity, Domain, Problem};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::search::Member;
+use super::member::Member;
 use super::triangles::intersect;
 
 /// Triangles in a group, at most.

@@ -3,12 +3,14 @@
 
 mod groups;
 mod height_field;
+mod member;
 mod neighbours;
 mod search;
 mod tree;
 mod triangles;
 
-pub(crate) use search::{Bounds, Member, bounds_of, member, members_near, of_all, of_some, pairs};
+pub(crate) use member::{Bounds, Member, bounds_of, member};
+pub(crate) use search::{members_near, of_all, of_some, pairs};
 pub(crate) use triangles::{facing, intersect};
 
 #[cfg(test)]

@@ -1,11 +1,10 @@
 //! All pairs of triangles that intersect: a tree of boxes gives candidates, exact signs decide.
 
-use rstar::{AABB, Envelope, RTreeObject};
-
 use super::height_field::is_height_field;
+use super::member::{Bounds, Member, bounds_of, member};
 use super::neighbours::neighbours;
 use super::tree::{Content, Tree};
-use super::triangles::{Corners, PROJECTIONS, facing};
+use super::triangles::{PROJECTIONS, facing};
 use fairmesh_linear::dispatch::vectorized;
 use fairmesh_linear::parallel;
 
@@ -13,71 +12,6 @@ use fairmesh_linear::parallel;
 const CHUNK: usize = 64;
 /// Triangles in a piece of a loop over all.
 const RUN: usize = 4096;
-
-/// An upright box in space.
-pub(crate) type Bounds = AABB<[f64; 3]>;
-
-/// A triangle with its number, and whether its intersections are asked for.
-#[derive(Clone)]
-pub(crate) struct Member {
-    /// Finite.
-    pub(crate) corners: Corners,
-    pub(crate) number: u32,
-    pub(crate) is_asked: bool,
-    /// Which sides it shows: see [`facing`]. Known in [`pairs`].
-    pub(super) facing: u8,
-}
-
-impl Member {
-    pub(crate) fn bounds(&self) -> Bounds {
-        AABB::from_points(&self.corners)
-    }
-
-    /// One without area that has this box: a tree of boxes would be one more kind of tree to compile.
-    pub(crate) fn filling(bounds: &Bounds) -> Self {
-        Self {
-            corners: [bounds.lower(), bounds.upper(), bounds.upper()],
-            number: 0,
-            is_asked: false,
-            facing: 0,
-        }
-    }
-}
-
-impl RTreeObject for Member {
-    type Envelope = Bounds;
-
-    fn envelope(&self) -> Bounds {
-        self.bounds()
-    }
-}
-
-/// A triangle of a mesh, if its vertices exist and are finite.
-pub(crate) fn member(
-    positions: &[[f64; 3]],
-    triangles: &[[u32; 3]],
-    number: u32,
-    is_asked: bool,
-) -> Option<Member> {
-    let mut corners = [[0.0; 3]; 3];
-    for (corner, &v) in corners.iter_mut().zip(&triangles[number as usize]) {
-        *corner = *positions.get(v as usize)?;
-    }
-    let is_finite = corners.iter().flatten().all(|x| x.is_finite());
-    is_finite.then_some(Member {
-        corners,
-        number,
-        is_asked,
-        facing: 0,
-    })
-}
-
-/// The box around some triangles.
-pub(crate) fn bounds_of(members: &[Member]) -> Bounds {
-    let mut all = Bounds::new_empty();
-    members.iter().for_each(|member| all.merge(&member.bounds()));
-    all
-}
 
 /// The triangles of a mesh, none of them asked for, that `is_near` takes.
 pub(crate) fn members_near(

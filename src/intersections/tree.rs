@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use rstar::Envelope;
 
 use super::groups::{Box32, Group, SIZE};
-use super::search::{Member, bounds_of};
+use super::member::{Member, bounds_of};
 
 /// Bits of a place on the curve for each axis.
 const BITS: u32 = 21;

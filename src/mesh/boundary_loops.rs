@@ -1,9 +1,9 @@
 //! The simple loops of the region's boundary, in their order.
 
 use super::halfedge::HalfEdges;
+use super::halfedge::NONE;
 use super::region::Region;
 use super::rings::Rings;
-use crate::mesh::NONE;
 use crate::order;
 
 /// The closed runs of boundary edges that visit no vertex twice, each as boundary vertices (numbered from the first of them)

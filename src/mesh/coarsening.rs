@@ -6,10 +6,12 @@
 //! coordinates (M. Floater, "Mean value coordinates", CAGD 20, 2003) in the ring that it leaves. They bring it back.
 
 use super::disk::{Disk, half_tangent, is_fit};
+use super::editable::EditableMesh;
+use super::halfedge::NONE;
 use super::halfedge::{next, previous};
-use super::region::{Region, Selection};
+use super::region::Region;
 use super::rows::Rows;
-use super::{EditableMesh, NONE};
+use super::selection::Selection;
 
 /// From pass to pass, longer edges are collapsed by this factor.
 const GROWTH: f64 = 1.5;

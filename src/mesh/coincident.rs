@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 
 use super::input;
-use super::region::Selection;
+use super::selection::Selection;
 use super::stitches::representatives;
 use crate::error::Error;
 use crate::order;

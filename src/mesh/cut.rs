@@ -1,8 +1,8 @@
 //! Cuts along curves of fixed vertices inside the region whose normals are prescribed: both sides meet the curve with that
 //! normal, each with a curvature of its own, and neither sees the other. To the discretization they are boundary.
 
-use super::NONE;
 use super::halfedge::HalfEdges;
+use super::halfedge::NONE;
 
 /// Half-edges whose boundary vertices have a copy for each side of the curves through them.
 #[derive(Debug)]

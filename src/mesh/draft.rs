@@ -1,16 +1,17 @@
 //! Finds what takes part in the fairing of a region, and numbers it.
 
-use super::NONE;
 use super::checks::{check_corners, check_finite, check_valence, finite, repeated};
 use super::components::Components;
 use super::cut::cut;
+use super::halfedge::NONE;
 use super::halfedge::{HalfEdges, each_edge};
 use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::numbering::{Numbering, breadth_first};
 use super::outside_neighbours::RINGS_WIDE;
-use super::region::{Region, Selection};
+use super::region::Region;
 use super::rounding;
+use super::selection::Selection;
 use crate::error::Error;
 
 /// What a vertex is to the region.
@@ -37,6 +38,60 @@ pub(super) struct Draft {
     /// In local numbers.
     triangles: Vec<[u32; 3]>,
     pub(super) components: Components,
+}
+
+impl Region {
+    /// Finds the region and checks that it and the outside ring are sound.
+    ///
+    /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise. Triangles elsewhere need only name
+    /// vertices that exist; vertices elsewhere may be anything. Triangles without area are legal.
+    ///
+    /// # Errors
+    /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
+    /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
+    /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`], [`Error::CoordinateTooLarge`],
+    /// [`Error::ValenceTooLarge`],
+    /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
+    /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
+    /// [`Error::NothingFixed`].
+    pub(crate) fn new(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+    ) -> Result<Self, Error> {
+        Self::with_normals(positions, triangles, selection, |_| false)
+    }
+
+    /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
+    /// number); those are boundary then, and have a local number for each side.
+    ///
+    /// # Errors
+    /// As [`Region::new`].
+    pub(crate) fn with_normals(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: impl Fn(u32) -> bool,
+    ) -> Result<Self, Error> {
+        let numbering = (Numbering::AsGiven, false);
+        Self::numbered(positions, triangles, selection, &prescribed, numbering)
+    }
+
+    /// The same with another numbering of the free vertices, and with [`Region::beyond`] as where coordinates are rounded, if that is asked
+    /// for.
+    ///
+    /// # Errors
+    /// As [`Region::new`].
+    pub(super) fn numbered(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: &dyn Fn(u32) -> bool,
+        (numbering, is_wide): (Numbering, bool),
+    ) -> Result<Self, Error> {
+        let draft = Draft::new(positions, triangles, selection, prescribed)?;
+        draft.check(positions, triangles, prescribed, (numbering, is_wide))
+    }
 }
 
 impl Draft {

@@ -1,8 +1,9 @@
 //! A half-edge mesh whose connectivity changes: half-edge collapses and, in reverse order, the vertex splits that undo
 //! them (H. Hoppe, "Progressive meshes", SIGGRAPH 1996).
 
+use super::halfedge::NONE;
 use super::halfedge::{next, previous};
-use super::{NONE, Region};
+use super::region::Region;
 
 /// The triangles of a region and of its outside ring. Half-edge `3t + k` runs from corner `k` of triangle `t` to corner
 /// `k + 1`, as in [`super::HalfEdges`]. A collapse takes two triangles away, whose entries stay as they were: that is all a

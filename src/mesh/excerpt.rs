@@ -1,12 +1,13 @@
 //! The part of a mesh that one component of the region needs: cut out, so that the work on a component does not depend on
 //! the size of the mesh. It has the order of the mesh's vertices and triangles, so its region is that of the whole mesh.
 
-use super::NONE;
-use super::draft::RINGS_BEYOND;
+use super::draft::{Draft, RINGS_BEYOND, Role};
+use super::halfedge::NONE;
 use super::numbering::Numbering;
 use super::outside_neighbours::RINGS_WIDE;
-use super::region::{Region, Selection};
+use super::region::Region;
 use super::rows::Rows;
+use super::selection::Selection;
 use crate::error::Error;
 
 /// A mesh, and scratch to cut parts out of it.
@@ -123,5 +124,45 @@ impl<'a> Excerpts<'a> {
         vertices.sort_unstable();
         triangles.sort_unstable();
         Excerpt { vertices, triangles }
+    }
+}
+
+impl Region {
+    /// The region of each component, as [`numbered`](Self::numbered) finds it where the component's vertices alone are
+    /// selected, by their smallest free vertices.
+    ///
+    /// # Errors
+    /// As [`Region::new`], those that concern the whole mesh first, then those of the first component that has any.
+    pub(crate) fn of_components(
+        positions: &[[f64; 3]],
+        triangles: &[[u32; 3]],
+        selection: Selection<'_>,
+        prescribed: &dyn Fn(u32) -> bool,
+        (numbering, is_wide): (Numbering, bool),
+    ) -> Result<Vec<Self>, Error> {
+        let draft = Draft::new(positions, triangles, selection, prescribed)?;
+        if draft.components.count == 1 {
+            return Ok(vec![draft.check(
+                positions,
+                triangles,
+                prescribed,
+                (numbering, is_wide),
+            )?]);
+        }
+        let mut members = vec![Vec::new(); draft.components.count];
+        for (&c, &v) in draft.components.number.iter().zip(&draft.vertex_ids) {
+            members[c as usize].push(v);
+        }
+        let is_free: Vec<bool> = draft.role.iter().map(|role| *role == Role::Free).collect();
+        drop(draft);
+        let mut excerpts = Excerpts::new(positions, triangles);
+        let regions = members.iter().map(|free| {
+            let mut region = excerpts.region(free, prescribed, (numbering, is_wide))?;
+            let outside = region.vertex_ids.iter().skip(region.free);
+            let moves = outside.map(|&v| is_free[v as usize]);
+            region.moves_elsewhere = std::iter::repeat_n(false, region.free).chain(moves).collect();
+            Ok(region)
+        });
+        regions.collect()
     }
 }

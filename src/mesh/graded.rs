@@ -5,8 +5,10 @@ use nalgebra::Vector3;
 
 use super::circles::circles;
 use super::coarsening::coarsen_graded;
+use super::halfedge::NONE;
+use super::region::Region;
+use super::rings::Rings;
 use super::rows::Rows;
-use super::{NONE, Region, Rings};
 use crate::order;
 
 /// Rows of vertices beside the boundary that are all kept.

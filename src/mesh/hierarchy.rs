@@ -7,7 +7,8 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 use super::editable::EditableMesh;
-use super::region::{Region, Selection};
+use super::region::Region;
+use super::selection::Selection;
 use crate::error::Error;
 
 /// A collapse must leave no triangle with less than this roundness.

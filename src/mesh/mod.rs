@@ -24,17 +24,17 @@ pub(crate) mod region;
 pub(crate) mod rings;
 mod rounding;
 pub(crate) mod rows;
+pub(crate) mod selection;
 mod stitches;
 
 pub(crate) use coincident::Joined;
 pub(crate) use editable::EditableMesh;
+pub(crate) use halfedge::NONE;
 pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
 pub(crate) use outside_neighbours::OutsideNeighbours;
-pub(crate) use region::{Region, Selection};
+pub(crate) use region::Region;
 pub(crate) use rings::Rings;
+pub(crate) use selection::Selection;
 
 #[cfg(test)]
 mod tests;
-
-/// No element: the partner of a boundary half-edge, the flap that is not there.
-pub(crate) const NONE: u32 = u32::MAX;

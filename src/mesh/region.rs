@@ -2,23 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::draft::{Draft, Role};
-use super::excerpt::Excerpts;
 use super::halfedge::HalfEdges;
-use super::numbering::Numbering;
-use crate::error::Error;
-
-/// Which vertices may move.
-#[derive(Debug, Clone, Copy)]
-pub enum Selection<'a> {
-    /// One entry per vertex, true: free.
-    Mask(&'a [bool]),
-    /// The free vertices, in any order, repeats allowed.
-    Vertices(&'a [u32]),
-    /// Selected triangles: free are the vertices all of whose triangles are selected and that are not on
-    /// the boundary of the mesh.
-    Faces(&'a [u32]),
-}
 
 /// The part of a mesh that is faired, with its surroundings.
 ///
@@ -51,96 +35,6 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// Finds the region and checks that it and the outside ring are sound.
-    ///
-    /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise. Triangles elsewhere need only name
-    /// vertices that exist; vertices elsewhere may be anything. Triangles without area are legal.
-    ///
-    /// # Errors
-    /// In this order, each for the smallest offending index: [`Error::TooLarge`], [`Error::MaskLength`],
-    /// [`Error::SelectionOutOfRange`], [`Error::IndexOutOfRange`] (of any triangle of the mesh),
-    /// [`Error::EmptyRegion`], [`Error::RepeatedIndex`], [`Error::NotFinite`], [`Error::CoordinateTooLarge`],
-    /// [`Error::ValenceTooLarge`],
-    /// [`Error::FreeVertexWithoutTriangle`], [`Error::DuplicateTriangle`], [`Error::NonManifoldEdge`],
-    /// [`Error::InconsistentOrientation`], [`Error::FreeVertexOnBoundary`], [`Error::NonManifoldVertex`],
-    /// [`Error::NothingFixed`].
-    pub(crate) fn new(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
-        selection: Selection<'_>,
-    ) -> Result<Self, Error> {
-        Self::with_normals(positions, triangles, selection, |_| false)
-    }
-
-    /// The same, cut along curves of fixed vertices inside the region whose normals are `prescribed` (by the caller's
-    /// number); those are boundary then, and have a local number for each side.
-    ///
-    /// # Errors
-    /// As [`Region::new`].
-    pub(crate) fn with_normals(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
-        selection: Selection<'_>,
-        prescribed: impl Fn(u32) -> bool,
-    ) -> Result<Self, Error> {
-        let numbering = (Numbering::AsGiven, false);
-        Self::numbered(positions, triangles, selection, &prescribed, numbering)
-    }
-
-    /// The same with another numbering of the free vertices, and with [`Region::beyond`] as where coordinates are rounded, if that is asked
-    /// for.
-    ///
-    /// # Errors
-    /// As [`Region::new`].
-    pub(super) fn numbered(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
-        selection: Selection<'_>,
-        prescribed: &dyn Fn(u32) -> bool,
-        (numbering, is_wide): (Numbering, bool),
-    ) -> Result<Self, Error> {
-        let draft = Draft::new(positions, triangles, selection, prescribed)?;
-        draft.check(positions, triangles, prescribed, (numbering, is_wide))
-    }
-
-    /// The region of each component, as [`numbered`](Self::numbered) finds it where the component's vertices alone are
-    /// selected, by their smallest free vertices.
-    ///
-    /// # Errors
-    /// As [`Region::new`], those that concern the whole mesh first, then those of the first component that has any.
-    pub(crate) fn of_components(
-        positions: &[[f64; 3]],
-        triangles: &[[u32; 3]],
-        selection: Selection<'_>,
-        prescribed: &dyn Fn(u32) -> bool,
-        (numbering, is_wide): (Numbering, bool),
-    ) -> Result<Vec<Self>, Error> {
-        let draft = Draft::new(positions, triangles, selection, prescribed)?;
-        if draft.components.count == 1 {
-            return Ok(vec![draft.check(
-                positions,
-                triangles,
-                prescribed,
-                (numbering, is_wide),
-            )?]);
-        }
-        let mut members = vec![Vec::new(); draft.components.count];
-        for (&c, &v) in draft.components.number.iter().zip(&draft.vertex_ids) {
-            members[c as usize].push(v);
-        }
-        let is_free: Vec<bool> = draft.role.iter().map(|role| *role == Role::Free).collect();
-        drop(draft);
-        let mut excerpts = Excerpts::new(positions, triangles);
-        let regions = members.iter().map(|free| {
-            let mut region = excerpts.region(free, prescribed, (numbering, is_wide))?;
-            let outside = region.vertex_ids.iter().skip(region.free);
-            let moves = outside.map(|&v| is_free[v as usize]);
-            region.moves_elsewhere = std::iter::repeat_n(false, region.free).chain(moves).collect();
-            Ok(region)
-        });
-        regions.collect()
-    }
-
     /// Whether a local vertex is free.
     #[inline]
     pub(crate) fn is_free(&self, vertex: u32) -> bool {

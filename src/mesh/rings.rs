@@ -1,6 +1,6 @@
 //! Ordered one-rings as compressed rows, and the sparsity patterns that follow from them.
 
-use super::NONE;
+use super::halfedge::NONE;
 use super::halfedge::{next, previous};
 use super::region::Region;
 use super::rows::Rows;

@@ -3,8 +3,8 @@
 //! Only vertices on boundary edges are looked at. So a mesh without copies costs one pass over its triangles, and nothing is
 //! joined to a vertex that has a closed ring.
 
-use super::NONE;
 use super::disjoint_sets::DisjointSets;
+use super::halfedge::NONE;
 use super::places::places;
 use super::rows::Rows;
 use crate::order;

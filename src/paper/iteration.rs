@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::estimate::{Dirichlet, Residual};
 use super::local::Answer;
+use super::options::{Estimate, PaperOptions};
 use super::vertex::Ring;
-use super::{Estimate, PaperOptions};
 use crate::discrete::equations::State;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::ValenceBatches;

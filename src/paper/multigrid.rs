@@ -6,15 +6,16 @@ use nalgebra::Vector3;
 
 use super::estimate::Residual;
 use super::iteration::{Goal, Level, LevelResult, LevelStatus};
+use super::level_report::LevelReport;
+use super::options::PaperOptions;
 use super::prolongation::Prolongation;
-use super::{LevelReport, PaperOptions};
 use crate::discrete::equations::State;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::mesh::{ProgressiveMesh, decimate, level_sizes};
 use crate::quality::{NEEDLE, Surface};
 use crate::solve::curvature_bounds::Judged;
+use crate::solve::factor::Collapsed;
 use crate::solve::problem::diagonal;
-use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, Problem, SolveResult, SolveStatus, System};
 use crate::stopwatch::Stopwatch;
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::curvature_trust::Trusted;
-use super::problem::Domain;
+use super::domain::Domain;
 use super::surroundings::{MOST_FITS, Outside};
 use crate::discrete::boundary_samples::BoundarySamples;
 use crate::discrete::loop_modes::LoopModes;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::problem::{Domain, Problem};
+use super::domain::Domain;
+use super::problem::Problem;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::mesh::circles::circles;
 use crate::mesh::coarsening::{Coarsening, coarsen};

@@ -11,9 +11,9 @@ use nalgebra::{DMatrix, DVector, Dyn, LU, Vector3};
 
 use super::bilaplacian::Metric;
 use super::boundary_curvature::LoopCondition;
+use super::factor::Collapsed;
 use super::factor::{Factor, Stacks};
 use super::normal_matrix::NormalMatrix;
-use super::system::Collapsed;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;

@@ -24,6 +24,10 @@ pub(crate) struct Stacks {
     pub(crate) double: UpdateStacks<f64>,
 }
 
+/// A matrix that should be positive definite is not: the surface behind it has collapsed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Collapsed;
+
 impl Factor {
     /// Room for a factor.
     pub(crate) fn new(symbolic: &Arc<Symbolic>, double: bool) -> Self {

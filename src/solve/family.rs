@@ -7,7 +7,7 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
-use super::procedure::Next;
+use super::next_run::Next;
 use super::result::SolveStatus;
 use super::system::System;
 

@@ -6,10 +6,12 @@ use nalgebra::Vector3;
 
 use super::bilaplacian::conormal_flux;
 use super::control::Control;
+use super::domain::Domain;
+use super::factor::Collapsed;
 use super::formulation::Formulation;
 use super::limited_step::{LARGEST_CHANGE, advance_limited};
-use super::problem::{Domain, diagonal};
-use super::system::{Collapsed, System};
+use super::problem::diagonal;
+use super::system::System;
 use fairmesh_linear::cholesky::Cholesky;
 use fairmesh_linear::ordering::amd;
 use fairmesh_linear::sparse::SymmetricPattern;

@@ -1,6 +1,7 @@
 //! The loop over [`LADDER`]: attempt after attempt, until a sound surface is found or none is left. Where the run is held up between two
 //! iterations, the next call goes on as if nothing had been.
 
+mod coarse_search;
 mod starts;
 
 use nalgebra::Vector3;
@@ -8,14 +9,19 @@ use nalgebra::Vector3;
 use super::attempt::{Attempt, Kept, LADDER, Mesh, Start};
 use super::candidate::Candidate;
 use super::continuation::Continuation;
-use super::control::Control;
+use super::control::{ANALYSED, Control, ITERATED};
+use super::factor::Collapsed;
 use super::formulation::Formulation;
+use super::initial;
 use super::iterate_options::IterationStatus;
-use super::procedure::{Next, Procedure, Underway};
+use super::next_run::Next;
+use super::problem::Problem;
+use super::procedure::{Procedure, Underway};
 use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
 use super::search::Search;
-use super::system::{Collapsed, System};
+use super::system::System;
+use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
 use crate::stopwatch::Stopwatch;
 
@@ -93,15 +99,6 @@ impl Ladder {
         self.resumed(result.x.clone())
     }
 
-    /// A solve on a mesh that is coarse already.
-    pub(crate) fn on_coarsest() -> Self {
-        Self {
-            coarse: Some(Search::NoCoarseMesh),
-            is_search: true,
-            ..Self::default()
-        }
-    }
-
     /// A solve of another problem close to this one, from where this one stands.
     pub(crate) fn renewed(mut self) -> Self {
         let iterated = self.iteration.as_ref().map(|iteration| iteration.x().to_vec());
@@ -147,6 +144,33 @@ impl Ladder {
             right_hand_side: system.asked().right_hand_side,
             ..left
         }
+    }
+
+    /// The whole of it, without being held up. Returns the surface, and its evaluation.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub(crate) fn solve(
+        mut self,
+        problem: &Problem<'_>,
+        control: &mut Control<'_>,
+    ) -> Result<(SolveResult, State), Collapsed> {
+        if !control.phase(0.01, initial::PHASE) {
+            return Ok(problem.unmoved());
+        }
+        let clock = Stopwatch::start();
+        let mut system = System::new(problem);
+        let analysis_seconds = clock.seconds();
+        system.set_interrupt(&control.interrupt);
+        control.phase(ANALYSED, initial::PHASE);
+        Ok(match self.run(&mut system, control)? {
+            Step::Ended(mut result) => {
+                result.start_seconds += analysis_seconds;
+                control.phase(ITERATED, "checks");
+                (result, system.into_state())
+            }
+            Step::Held | Step::Unmoved => problem.unmoved(),
+        })
     }
 
     /// To the end: the search on the coarse mesh, attempts until there is a surface, and from that the one that continues the curvature,
@@ -294,23 +318,6 @@ impl Ladder {
             }
         }
         Ok(None)
-    }
-
-    /// The search on the coarse mesh, where there is one, once: attempts on this mesh begin where it has led to.
-    fn search_coarse_mesh(&mut self, system: &System, control: &mut Control<'_>) {
-        if self.coarse.is_some() {
-            return;
-        }
-        let clock = Stopwatch::start();
-        let (search, trials) = Search::of_coarse_mesh(system, control);
-        if let Search::Missed(status) = &search
-            && status.is_linear()
-        {
-            self.shortfall = Some(status.clone());
-        }
-        self.coarse = Some(search);
-        self.trials.extend(trials);
-        self.start_seconds += clock.seconds();
     }
 
     /// Whether an attempt is to be made.

@@ -14,6 +14,7 @@ pub(crate) mod control;
 pub(crate) mod curvature_bounds;
 mod curvature_trust;
 pub(crate) mod direction;
+pub(crate) mod domain;
 pub(crate) mod factor;
 pub(crate) mod family;
 pub(crate) mod formulation;
@@ -23,6 +24,7 @@ pub(crate) mod iterate_options;
 pub(crate) mod ladder;
 pub(crate) mod limited_step;
 pub(crate) mod live;
+pub(crate) mod next_run;
 pub(crate) mod normal_matrix;
 pub(crate) mod plate;
 pub(crate) mod problem;
@@ -40,56 +42,21 @@ mod ways;
 pub(crate) mod weight_repair;
 
 use crate::discrete::equations::State;
-use crate::stopwatch::Stopwatch;
 pub(crate) use boundary_curvature::AskedContinuity;
 pub(crate) use control::Control;
-use control::{ANALYSED, ITERATED};
-use ladder::{Ladder, Step};
-pub(crate) use problem::{Domain, Problem};
+pub(crate) use domain::Domain;
+use ladder::Ladder;
+pub(crate) use problem::Problem;
 pub(crate) use result::{LoopContinuity, SolveResult, SolveStatus, Trial, TrialEnd};
 pub(crate) use system::System;
 
 /// Solves both fairness equations. Returns the surface, and its evaluation.
 ///
 /// # Errors
-/// [`Collapsed`](system::Collapsed) where not even the linear surface exists.
+/// [`Collapsed`](factor::Collapsed) where not even the linear surface exists.
 pub(crate) fn solve(
     problem: &Problem<'_>,
     control: &mut Control<'_>,
-) -> Result<(SolveResult, State), system::Collapsed> {
-    solve_by(Ladder::default(), problem, control)
-}
-
-/// The same on a coarse mesh.
-///
-/// # Errors
-/// As [`solve`].
-pub(crate) fn solve_on_coarsest(
-    problem: &Problem<'_>,
-    control: &mut Control<'_>,
-) -> Result<(SolveResult, State), system::Collapsed> {
-    solve_by(Ladder::on_coarsest(), problem, control)
-}
-
-fn solve_by(
-    mut ladder: Ladder,
-    problem: &Problem<'_>,
-    control: &mut Control<'_>,
-) -> Result<(SolveResult, State), system::Collapsed> {
-    if !control.phase(0.01, initial::PHASE) {
-        return Ok(problem.unmoved());
-    }
-    let clock = Stopwatch::start();
-    let mut system = System::new(problem);
-    let analysis_seconds = clock.seconds();
-    system.set_interrupt(&control.interrupt);
-    control.phase(ANALYSED, initial::PHASE);
-    Ok(match ladder.run(&mut system, control)? {
-        Step::Ended(mut result) => {
-            result.start_seconds += analysis_seconds;
-            control.phase(ITERATED, "checks");
-            (result, system.into_state())
-        }
-        Step::Held | Step::Unmoved => problem.unmoved(),
-    })
+) -> Result<(SolveResult, State), factor::Collapsed> {
+    Ladder::default().solve(problem, control)
 }

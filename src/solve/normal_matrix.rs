@@ -5,9 +5,9 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
+use super::factor::Collapsed;
 use super::factor::{Factor, Stacks};
 use super::plate::Plate;
-use super::system::Collapsed;
 use crate::mesh::Rings;
 use crate::mesh::graded::GradedMesh;
 use crate::profile::clock;

@@ -16,8 +16,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
+use super::factor::Collapsed;
 use super::graded_plate::GradedPlate;
-use super::system::Collapsed;
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::graded::GradedMesh;
 use crate::mesh::{Region, Rings};

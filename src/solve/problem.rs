@@ -5,63 +5,13 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::boundary_curvature::AskedContinuity;
+use super::domain::Domain;
 use super::result::{SolveResult, SolveStatus};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
 use crate::discrete::valence_batches::ValenceBatches;
-use crate::mesh::{Region, Rings};
 use crate::quality::{NEEDLE, Surface};
-
-/// The region and what is made of its connectivity once.
-#[derive(Debug, Clone)]
-pub(crate) struct Domain {
-    /// The region.
-    pub region: Region,
-    /// Its rings.
-    pub rings: Rings,
-    /// The same, transposed.
-    pub batches: ValenceBatches,
-    /// The given positions (free, boundary, outside).
-    pub input: Vec<Vector3<f64>>,
-    /// On a coarse mesh the lengths of the edges of the region's triangles, from each corner to the next, in the metric that spreads the
-    /// vertices of the fine mesh; else all edges are alike in it.
-    pub lengths: Option<Vec<[f64; 3]>>,
-}
-
-impl Domain {
-    /// Makes the rings of a region with these positions.
-    pub(crate) fn new(region: Region, input: Vec<Vector3<f64>>) -> Self {
-        let rings = Rings::new(&region);
-        Self {
-            batches: ValenceBatches::new(&rings),
-            region,
-            rings,
-            input,
-            lengths: None,
-        }
-    }
-
-    /// The same with these positions of the fixed vertices (boundary, outside).
-    pub(crate) fn with_fixed(&self, fixed: &[Vector3<f64>]) -> Self {
-        let mut moved = self.clone();
-        moved.input[self.region.free..].copy_from_slice(fixed);
-        moved
-    }
-
-    /// The same with the lengths of a coarse mesh.
-    pub(crate) fn with_lengths(self, lengths: Vec<[f64; 3]>) -> Self {
-        Self {
-            lengths: Some(lengths),
-            ..self
-        }
-    }
-
-    /// The given surface of the region (free, boundary).
-    pub(crate) fn surface(&self) -> &[Vector3<f64>] {
-        &self.input[..self.region.region_vertices()]
-    }
-}
 
 /// Inner fairness of a mesh.
 pub(crate) type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;

@@ -7,37 +7,10 @@ use super::control::Control;
 use super::family::Family;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
-use super::quasi_newton::Iteration;
-use super::result::SolveStatus;
+use super::next_run::Next;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
 use super::weight_repair::{Anew, WeightRepair};
-
-/// How an attempt goes on.
-#[derive(Debug)]
-pub(crate) enum Next {
-    /// With this iteration.
-    Iteration(Box<Iteration>),
-    /// It is over, with this surface.
-    Done(Candidate),
-    /// It is over, with this surface of member `w` of the family.
-    Member(Candidate, f64),
-    /// It is over, without a surface: so far it came.
-    Short(SolveStatus),
-}
-
-impl Next {
-    /// With an iteration from `x`.
-    pub(crate) fn iterate(
-        system: &System,
-        formulation: Formulation,
-        x: Vec<Vector3<f64>>,
-        options: IterateOptions,
-        control: &Control<'_>,
-    ) -> Self {
-        Self::Iteration(Box::new(Iteration::new(system, formulation, x, options, control)))
-    }
-}
 
 /// How an attempt gets from its start to a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

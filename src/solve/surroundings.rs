@@ -3,7 +3,7 @@
 //! Fits to positions are right to third order; traces of the curvatures of vertices err as those of the equation inside do, in the mean.
 //! The most certain one is taken, and both together tell how far it can be relied on.
 
-use super::problem::Domain;
+use super::domain::Domain;
 use crate::discrete::boundary_samples::BoundarySamples;
 use crate::discrete::loop_modes::LoopModes;
 use crate::discrete::mesh_curvature::closed_ring_curvature;

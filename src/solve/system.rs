@@ -9,11 +9,12 @@ use nalgebra::Vector3;
 use super::bilaplacian::Metric;
 use super::boundary_curvature::AskedContinuity;
 use super::continuity::Continuity;
-use super::factor::{Factor, Stacks};
+use super::domain::Domain;
+use super::factor::{Collapsed, Factor, Stacks};
 use super::formulation::Formulation;
 use super::normal_matrix::{Means, NormalMatrix};
 use super::plate::Plate;
-use super::problem::{Domain, Problem};
+use super::problem::Problem;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
@@ -61,10 +62,6 @@ pub(crate) struct System {
     pub(super) normal_step: Vec<[f64; 1]>,
     pub(super) tangential_step: Vec<[f64; 3]>,
 }
-
-/// A matrix that should be positive definite is not: the surface behind it has collapsed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Collapsed;
 
 impl System {
     /// Orders and analyses the matrices from connectivity, and factors `G`.

@@ -8,7 +8,7 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
-use super::procedure::Next;
+use super::next_run::Next;
 use super::system::System;
 use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;

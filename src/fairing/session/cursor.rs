@@ -17,9 +17,9 @@ use crate::fairing::{Options, OutputPrecision, Seconds};
 use crate::mesh::Region;
 use crate::quality::NEEDLE;
 use crate::solve::control::{Interrupt, Tally};
+use crate::solve::factor::Collapsed;
 use crate::solve::ladder::{Ladder, Step};
 use crate::solve::live::{Allowance, Live};
-use crate::solve::system::Collapsed;
 use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
 use crate::stopwatch::Stopwatch;
 

@@ -5,12 +5,13 @@ use nalgebra::Vector3;
 use super::Ladder;
 use crate::solve::attempt::{Attempt, Start, Weights};
 use crate::solve::control::{Control, STARTED};
+use crate::solve::factor::Collapsed;
 use crate::solve::formulation::Formulation;
 use crate::solve::initial::PHASE;
 use crate::solve::problem::diagonal;
 use crate::solve::search::Search;
 use crate::solve::soft_mode::second_surface;
-use crate::solve::system::{Collapsed, System};
+use crate::solve::system::System;
 use crate::stopwatch::Stopwatch;
 
 impl Ladder {

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::{Collapsed, System};
+use super::System;
 use crate::discrete::equations::Equations;
 use crate::solve::boundary_curvature::{AskedContinuity, LoopCondition};
 use crate::solve::continuity::Continuity;
+use crate::solve::factor::Collapsed;
 use crate::solve::formulation::Formulation;
 
 impl System {

@@ -1,0 +1,65 @@
+//! The search on the coarse mesh: a solve of its own, whose surface is where the one on the fine mesh begins.
+
+use super::Ladder;
+use crate::solve::coarse::CoarseLevel;
+use crate::solve::control::{Control, SEARCHED};
+use crate::solve::initial::PHASE;
+use crate::solve::result::{SolveStatus, Trial};
+use crate::solve::search::Search;
+use crate::solve::system::System;
+use crate::stopwatch::Stopwatch;
+
+/// Step norm of surfaces on the coarse mesh: it is smaller than what lies between both meshes.
+const TOLERANCE: f64 = 1e-4;
+/// Iterations there.
+const ITERATIONS: usize = 600;
+
+impl Ladder {
+    /// Searches the coarse mesh, where there is one, once: attempts on this mesh begin where that has led to.
+    pub(super) fn search_coarse_mesh(&mut self, system: &System, control: &mut Control<'_>) {
+        if self.coarse.is_some() {
+            return;
+        }
+        let clock = Stopwatch::start();
+        let (search, trials) = searched(system, control);
+        if let Search::Missed(status) = &search
+            && status.is_linear()
+        {
+            self.shortfall = Some(status.clone());
+        }
+        self.coarse = Some(search);
+        self.trials.extend(trials);
+        self.start_seconds += clock.seconds();
+    }
+}
+
+/// What the coarse mesh has led to, and what was tried there.
+fn searched(system: &System, control: &mut Control<'_>) -> (Search, Vec<Trial>) {
+    let fine = system.problem();
+    let Some(level) = CoarseLevel::new(&fine) else {
+        return (Search::NoCoarseMesh, Vec::new());
+    };
+    let solved = control.within((PHASE, SEARCHED), TOLERANCE, ITERATIONS, |control| {
+        let ladder = Ladder {
+            coarse: Some(Search::NoCoarseMesh),
+            is_search: true,
+            ..Ladder::default()
+        };
+        ladder.solve(&level.problem(&fine), control)
+    });
+    let Ok((mut result, state)) = solved else {
+        return (Search::Missed(SolveStatus::Failed), Vec::new());
+    };
+    let trials = std::mem::take(&mut result.trials);
+    let member = match result.status {
+        SolveStatus::Converged | SolveStatus::AboveTolerance => 0.0,
+        SolveStatus::NearestMember(w) => w,
+        status => return (Search::Missed(status), trials),
+    };
+    let found = Search::Found {
+        x: level.prolongate(&fine, &result.x, &state.corrected),
+        member,
+        along_normals: result.along_normals,
+    };
+    (found, trials)
+}
