@@ -1,5 +1,6 @@
 //! The public entry: `fair`.
 
+mod boundary_curvature;
 mod component_solution;
 mod conclusion;
 mod continuity;
@@ -15,6 +16,7 @@ mod report;
 mod session;
 mod shares;
 mod whole_intersections;
+mod whole_solution;
 
 use std::ops::ControlFlow;
 
@@ -29,10 +31,11 @@ use crate::solve::control::Callback;
 pub(crate) use crate::solve::control::Interrupt;
 use crate::solve::{self, Control};
 use crate::stopwatch::Stopwatch;
-use component_solution::{ComponentSolution, whole};
+pub use boundary_curvature::BoundaryCurvature;
+use component_solution::ComponentSolution;
 use conclusion::Found;
+pub use continuity::CurvatureContinuity;
 pub(crate) use continuity::check_loops;
-pub use continuity::{BoundaryCurvature, CurvatureContinuity};
 pub use edit::{Budget, Edit, Frame};
 pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
@@ -46,6 +49,7 @@ pub use report::{
 };
 pub use session::Session;
 use shares::{PREPARED, Shares};
+use whole_solution::whole;
 
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
 /// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.

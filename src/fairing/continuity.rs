@@ -1,34 +1,12 @@
 //! How far the surface continues the curvature of its surroundings: what is asked, and what came of it.
 
+use super::boundary_curvature::BoundaryCurvature;
 use super::options::Options;
 use crate::error::Error;
 use crate::mesh::Region;
 use crate::mesh::boundary_loops::boundary_loops;
 use crate::order;
 use crate::solve::{AskedContinuity, Domain, LoopContinuity};
-
-/// Where the mean curvature along the boundary loops comes from that the surface is to continue, see
-/// [`Options::continuity`](crate::Options::continuity).
-#[derive(Debug, Clone, PartialEq, Default)]
-pub enum BoundaryCurvature {
-    /// Fitted to the surface outside the region, to three to eight rings, whichever is most certain along the loop.
-    #[default]
-    Estimated,
-    /// Given for some or all boundary vertices (`(vertex, mean curvature)`), in one over the unit of the positions, negative on a sphere with
-    /// outward normals; fitted for the others. Entries for vertices that are not on the boundary are ignored.
-    Given(Vec<(u32, f64)>),
-}
-
-impl BoundaryCurvature {
-    /// Checks that the numbers are finite.
-    pub(super) fn validate(&self) -> Result<(), Error> {
-        let Self::Given(list) = self else { return Ok(()) };
-        for (_, h) in list {
-            Error::check_option("boundary_curvature", *h, h.is_finite(), "finite numbers")?;
-        }
-        Ok(())
-    }
-}
 
 /// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
 pub(super) fn asked_continuity(region: &Region, options: &Options, scale: f64) -> Option<AskedContinuity> {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use super::continuity::BoundaryCurvature;
+use super::boundary_curvature::BoundaryCurvature;
 use super::normals::{BoundaryNormals, is_unit};
 use super::options::Options;
 use super::report::Solution;

@@ -1,6 +1,6 @@
 //! What is asked: plain data, checked in one place.
 
-use super::continuity::BoundaryCurvature;
+use super::boundary_curvature::BoundaryCurvature;
 use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
 use crate::error::Error;

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use fairmesh_linear::parallel;
 
-use super::{Progress, ProgressCallback};
+use super::report::{Progress, ProgressCallback};
 use crate::error::Error;
 use crate::solve::control::{Callback, Interrupt};
 

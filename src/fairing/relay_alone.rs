@@ -1,7 +1,7 @@
 //! What `relay.rs` offers, where there are no threads (WebAssembly): the work runs on the caller's thread, and calls the
 //! progress callback from within.
 
-use super::{Progress, ProgressCallback};
+use super::report::{Progress, ProgressCallback};
 use crate::error::Error;
 use crate::solve::control::{Callback, Interrupt};
 

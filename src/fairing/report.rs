@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::continuity::CurvatureContinuity;
 use crate::discrete::target::Target;
 #[cfg(doc)]
-use crate::fairing::{Options, Solver};
+use crate::fairing::options::{Options, Solver};
 use crate::paper::LevelReport;
 use crate::quality::Quality;
 use crate::solve::{Trial, TrialEnd};

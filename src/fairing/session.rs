@@ -5,19 +5,22 @@ mod cursor;
 mod edited;
 mod live;
 
-use super::component_solution::{ComponentSolution, whole};
+use super::boundary_curvature::BoundaryCurvature;
+use super::component_solution::ComponentSolution;
 use super::continuity::check_loops;
 use super::edit::Edit;
 use super::edit::resolved::{Followers, Resolved};
 use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
+use super::normals::BoundaryNormals;
 use super::normals::GivenNormals;
+use super::options::{Options, Solver};
 use super::prepared::{Prepared, regions};
 use super::relay::{Workers, relay};
+use super::report::{Outcome, ProgressCallback, Solution};
 use super::shares::Shares;
-use super::{
-    BoundaryCurvature, BoundaryNormals, Options, Outcome, ProgressCallback, Selection, Solution, Solver,
-    Target,
-};
+use super::whole_solution::whole;
+use crate::discrete::target::Target;
+use crate::mesh::selection::Selection;
 use std::borrow::Cow;
 
 use crate::error::Error;

@@ -7,8 +7,8 @@
 use nalgebra::{Matrix5, Unit, Vector3, Vector5};
 
 use super::bridge_chains::Chain;
-use super::loops::Links;
-use super::surroundings::normal;
+use super::links::Links;
+use super::loop_set::normal;
 use crate::mesh::halfedge::{next, previous};
 
 /// Curves are measured in so many steps.

@@ -5,13 +5,14 @@ use std::f64::consts::{SQRT_2, TAU};
 use nalgebra::Vector3;
 
 use super::attempts::Check;
-use super::bridge::Bridged;
 use super::bridge_chains::Chain;
 use super::bridge_sides::{Corner, End, Side};
+use super::bridged::Bridged;
 use super::crossing::Neighbours;
 use super::fill::{Filled, crossings};
 use super::groups::Group;
-use super::loops::{BoundaryLoop, Links, LoopKind};
+use super::links::Links;
+use super::loops::{BoundaryLoop, LoopKind};
 use super::options::{FillOptions, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::parents::{Parents, compose};

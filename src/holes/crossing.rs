@@ -6,6 +6,7 @@ use rstar::{AABB, Envelope, RTree};
 use super::loops::BoundaryLoop;
 use super::options::OnFailure;
 use super::outcome::{FillOutcome, OpenReason};
+use super::owned::Owned;
 use super::patch::Patch;
 use super::piece::{Piece, Task};
 use super::surroundings::bounds;
@@ -14,13 +15,6 @@ use crate::intersections::{Bounds, Member, bounds_of, member, members_near, pair
 
 /// Part of a loop's diagonal around its box in which the mesh is looked at once for all loops.
 const NEAR: f64 = 0.5;
-
-/// A triangle of the mesh, or of a patch (by its place among those asked for).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Owned {
-    Mesh(u32),
-    Patch { of: usize, triangle: u32 },
-}
 
 /// The mesh near the loops, and the patches made so far.
 pub(super) struct Neighbours<'m> {

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::loops::Links;
-use super::surroundings::normal;
+use super::links::Links;
+use super::loop_set::normal;
 use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;

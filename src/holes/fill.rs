@@ -4,14 +4,16 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use super::attempts::Check;
-use super::crossing::{Neighbours, Owned};
+use super::crossing::Neighbours;
 use super::groups::{Group, JoinSuggestion, asked_for, choose};
 use super::guides::Guides;
 use super::joint;
-use super::loops::{BoundaryLoop, Links};
+use super::links::Links;
+use super::loops::BoundaryLoop;
 use super::objection::objection;
 use super::options::{FillOptions, Join, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
+use super::owned::Owned;
 use super::parents::Parents;
 use super::piece::{Piece, Task};
 use super::rim::Rims;

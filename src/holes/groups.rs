@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 
 use super::connections::connections;
 use super::joint::{Bends, bends, triangulate};
+use super::links::Links;
 use super::loop_set::LoopSet;
-use super::loops::{BoundaryLoop, Links, LoopKind};
+use super::loops::{BoundaryLoop, LoopKind};
 use super::options::{FillOptions, Join, LoopFilter, Loops};
 use super::surroundings::bounds;
 use super::triangulate::Measure;

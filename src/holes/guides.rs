@@ -2,8 +2,9 @@
 
 use super::connections::{Cut, connections};
 use super::groups::Group;
+use super::links::Links;
 use super::loop_set::LoopSet;
-use super::loops::{BoundaryLoop, Links};
+use super::loops::BoundaryLoop;
 use super::triangulate::cross;
 use crate::error::Error;
 use crate::mesh::coincident::Copies;

@@ -4,8 +4,10 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::loops::{BoundaryLoop, Links};
-use super::surroundings::{normal, taken};
+use super::links::Links;
+use super::loops::BoundaryLoop;
+use crate::mesh::halfedge::{next, previous};
+use crate::order;
 
 /// Four unit normals that nearly cancel, to a sum shorter than this, say nothing.
 const OPPOSITE: f64 = 0.5;
@@ -120,4 +122,38 @@ impl LoopSet {
         let unit = |sum: &Vector3<f64>| sum.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         sums.iter().map(unit).collect()
     }
+}
+
+/// The unit normal of a triangle, zero if it has no area to speak of.
+pub(super) fn normal([a, b, c]: &[Vector3<f64>; 3]) -> Vector3<f64> {
+    let (e, f) = (b - a, c - a);
+    let cross = e.cross(&f);
+    let longest = e.norm_squared().max(f.norm_squared());
+    if cross.norm() > 1e-12 * longest {
+        cross.normalize()
+    } else {
+        Vector3::zeros()
+    }
+}
+
+/// Pairs of the loops' vertices between which the mesh has an edge, sound or not.
+pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32)> {
+    let vertices = loops.iter().flat_map(|boundary| &boundary.vertices).copied();
+    let ordered: Vec<(u32, u32)> = vertices.zip(0..).collect();
+    let mut order = ordered.clone();
+    order::pairs(&mut order);
+    let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
+    let mut pairs = Vec::new();
+    for (v, i) in ordered {
+        for &h in links.at(v) {
+            for other in [next(h), previous(h)] {
+                if let Some(j) = place(links.origin(other)).filter(|&j| j != i) {
+                    pairs.push((i.min(j), i.max(j)));
+                }
+            }
+        }
+    }
+    order::pairs(&mut pairs);
+    pairs.dedup();
+    pairs
 }

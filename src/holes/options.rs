@@ -1,6 +1,6 @@
 //! What filling is asked.
 
-use super::rim::Rim;
+use super::rim::options::Rim;
 use crate::error::Error;
 use crate::fairing::Options;
 use crate::table::table;

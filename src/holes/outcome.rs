@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::groups::JoinReason;
-use super::rim::RimReport;
+use super::rim::report::RimReport;
 use crate::error::Error;
 use crate::fairing::{Outcome, Report};
 use crate::quality::Quality;

@@ -9,6 +9,9 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 use crate::order;
 
+/// The length wanted grows at most by this much per unit of length away from a short boundary edge.
+pub(super) const GRADE: f64 = 0.5;
+
 /// The surface and, per vertex, where it is and what belongs to it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Patch {
@@ -229,7 +232,7 @@ impl Patch {
         self.hint.push(self.hint[if i < self.fixed { j } else { i }]);
         self.size.push(0.5 * (self.size[i] + self.size[j]));
         self.depth.push(self.depth[i].min(self.depth[j]) + half);
-        let limit = self.limit[i].min(self.limit[j]) + super::refine::GRADE * half;
+        let limit = self.limit[i].min(self.limit[j]) + GRADE * half;
         self.limit.push(limit);
         self.old.push(NONE);
         self.out.push(NONE);

@@ -5,9 +5,9 @@
 
 use nalgebra::Vector3;
 
-use super::crossing::Owned;
 use super::joint;
 use super::outcome::{FillOutcome, FlatReason, OpenReason};
+use super::owned::Owned;
 use super::parents::{Parents, parents};
 use super::patch::Patch;
 use super::refine::{Fineness, Refiner};

@@ -1,6 +1,6 @@
 //! Gaps that meet in a point of which each side has a vertex of its own: so meshes are written whose vertices have to be manifold.
 
-use super::loops::{BOUNDARY, Links};
+use super::links::{BOUNDARY, Links};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
 use crate::mesh::places::places;

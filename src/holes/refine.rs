@@ -10,14 +10,12 @@ use nalgebra::Vector3;
 
 use super::lenses::{Lenses, is_wide};
 use super::patch::Patch;
-use super::relax::Sweeps;
+use super::relax::{Sweeps, turns_over};
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
 use crate::quality::smallest_angle;
 
-/// The length wanted grows at most by this much per unit of length away from a short boundary edge.
-pub(super) const GRADE: f64 = 0.5;
 /// Edges longer than this many wanted lengths are split. With [`SHORT`] it makes the mean length the one wanted.
 const LONG: f64 = 1.4;
 /// Edges shorter than this many are collapsed.
@@ -433,6 +431,29 @@ impl<'a> Refiner<'a> {
             let wanted = 0.5 * (self.wanted(v) + self.wanted(b));
             (self.patch.x[v as usize] - target).norm() < long * wanted
         })
+    }
+}
+
+impl Refiner<'_> {
+    /// The step of [`Sweeps::relax`] for one vertex alone.
+    pub(super) fn relax_one(&mut self, v: u32) {
+        if self.patch.is_boundary(v) || !self.patch.is_alive(v) {
+            return;
+        }
+        self.patch.ring(v, &mut self.outgoing, &mut self.ring);
+        let (x, count) = (self.patch.x[v as usize], self.ring.len());
+        let at = |k: usize| self.patch.x[self.ring[k % count] as usize];
+        let cross = |p: &Vector3<f64>, k: usize| (at(k) - p).cross(&(at(k + 1) - p));
+        let normal: Vector3<f64> = (0..count).map(|k| cross(&x, k)).sum();
+        let Some(normal) = normal.try_normalize(0.0) else {
+            return;
+        };
+        let centre = (0..count).map(at).sum::<Vector3<f64>>() / count as f64;
+        let target = centre - normal * normal.dot(&(centre - x));
+        let turns_over = (0..count).any(|k| turns_over(&cross(&x, k), &cross(&target, k)));
+        if !turns_over && !self.lenses.are_entered(&x, &target) {
+            self.patch.x[v as usize] = target;
+        }
     }
 }
 

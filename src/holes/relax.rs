@@ -6,8 +6,7 @@
 use nalgebra::Vector3;
 
 use super::lenses::Lenses;
-use super::patch::Patch;
-use super::refine::{GRADE, Refiner};
+use super::patch::{GRADE, Patch};
 use crate::mesh::NONE;
 
 /// Vertices whose triangles would turn over are held back in at most so many rounds; if that is not enough, nothing moves.
@@ -146,31 +145,8 @@ impl Sweeps {
     }
 }
 
-impl Refiner<'_> {
-    /// The step of [`Sweeps::relax`] for one vertex alone.
-    pub(super) fn relax_one(&mut self, v: u32) {
-        if self.patch.is_boundary(v) || !self.patch.is_alive(v) {
-            return;
-        }
-        self.patch.ring(v, &mut self.outgoing, &mut self.ring);
-        let (x, count) = (self.patch.x[v as usize], self.ring.len());
-        let at = |k: usize| self.patch.x[self.ring[k % count] as usize];
-        let cross = |p: &Vector3<f64>, k: usize| (at(k) - p).cross(&(at(k + 1) - p));
-        let normal: Vector3<f64> = (0..count).map(|k| cross(&x, k)).sum();
-        let Some(normal) = normal.try_normalize(0.0) else {
-            return;
-        };
-        let centre = (0..count).map(at).sum::<Vector3<f64>>() / count as f64;
-        let target = centre - normal * normal.dot(&(centre - x));
-        let turns_over = (0..count).any(|k| turns_over(&cross(&x, k), &cross(&target, k)));
-        if !turns_over && !self.lenses.are_entered(&x, &target) {
-            self.patch.x[v as usize] = target;
-        }
-    }
-}
-
 /// Whether a triangle turns by more than 60 degrees; cross products before and after.
-fn turns_over(old: &Vector3<f64>, new: &Vector3<f64>) -> bool {
+pub(super) fn turns_over(old: &Vector3<f64>, new: &Vector3<f64>) -> bool {
     let dot = old.dot(new);
     dot <= 0.0 || dot * dot < 0.25 * old.norm_squared() * new.norm_squared()
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::erase::Cut;
-use super::loops::Links;
+use super::links::Links;
 use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;

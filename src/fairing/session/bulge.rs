@@ -3,7 +3,7 @@
 use super::Session;
 use crate::error::Error;
 use crate::fairing::edit::{Budget, Edit};
-use crate::fairing::{Progress, ProgressCallback};
+use crate::fairing::report::{Progress, ProgressCallback};
 
 /// Trials at the walk outward are so far apart, 10 degrees,
 const STEP: f64 = std::f64::consts::PI / 18.0;

@@ -4,7 +4,8 @@ use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
 use super::fit::{Fit, Window};
-use crate::holes::loops::{BoundaryLoop, Links};
+use crate::holes::links::Links;
+use crate::holes::loops::BoundaryLoop;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::rows::Rows;

@@ -4,10 +4,12 @@ use nalgebra::Vector3;
 
 use super::band::Band;
 use super::fit::{Fit, Sheet};
+use super::options::Rim;
+use super::report::RimReport;
 use super::untangle::Untangling;
 use super::width::{REACH, width};
-use super::{Rim, RimReport};
-use crate::holes::loops::{BoundaryLoop, Links};
+use crate::holes::links::Links;
+use crate::holes::loops::BoundaryLoop;
 use crate::order;
 
 /// Below this, in edges, noise has not folded anything.

@@ -4,12 +4,14 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use super::RimReport;
 use super::relax::{Moved, Place, relaxed};
+use super::report::RimReport;
 use crate::fairing::{BoundaryNormals, Intersections, Options, SelfIntersections};
-use crate::holes::loops::{BoundaryLoop, Links};
+use crate::holes::links::Links;
+use crate::holes::loop_set::normal;
+use crate::holes::loops::BoundaryLoop;
 use crate::holes::options::FillOptions;
-use crate::holes::surroundings::{Surroundings, normal};
+use crate::holes::surroundings::Surroundings;
 use crate::intersections::of_some;
 use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;

@@ -3,13 +3,15 @@
 use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
-use super::Rim;
 use super::band::Band;
+use super::options::Rim;
+use super::report::EVEN;
 use super::width::{REACH, width};
 use crate::error::Error;
 use crate::fairing::Workers;
-use crate::holes::loops::{BoundaryLoop, Links};
-use crate::holes::surroundings::normal;
+use crate::holes::links::Links;
+use crate::holes::loop_set::normal;
+use crate::holes::loops::BoundaryLoop;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, NONE};
 
@@ -20,9 +22,6 @@ const LEAST: f64 = 0.02;
 /// A rim is rough if its angles are wider than expected by this factor, and its noise is more than this part of an edge.
 const ROUGH: f64 = 2.0;
 const NOISE: f64 = 0.02;
-/// Noise is everywhere along a loop: the median of its square is more than this part of the mean. Nostrils at the rim of a face had .13, noise
-/// and voxels .97 to 1.02.
-pub(super) const EVEN: f64 = 0.5;
 /// The rings that are advised to be relaxed.
 const RINGS: usize = 3;
 

@@ -1,0 +1,54 @@
+//! A mesh with a bridge, and what is told of it.
+
+use super::outcome::{FillOutcome, FlatReason, LoopReport};
+use super::parents::Parents;
+use crate::fairing::{Outcome, Report};
+
+/// A mesh with a bridge.
+#[derive(Debug, Clone)]
+pub struct Bridged {
+    /// The positions given, then the new ones.
+    pub positions: Vec<[f64; 3]>,
+    /// The triangles given, then the new ones.
+    pub triangles: Vec<[u32; 3]>,
+    /// Per new vertex where it comes from.
+    pub parents: Vec<Parents>,
+    /// The vertices of the chains that the strip begins and ends at, in the direction in which its triangles run through them.
+    pub chains: [Vec<u32>; 2],
+    /// The new vertices on the strip's two sides: from the last vertex of the first chain to the first one of the second, and from
+    /// the last one of the second back to the first. Empty if there is no strip.
+    pub sides: [Vec<u32>; 2],
+    /// By how much the strip is twisted from one chain to the other, in degrees between -180 and 180.
+    pub twist: f64,
+    /// What became of the strip; its `edges` are those of the whole boundary, its `vertices` those on the sides, too.
+    pub strip: LoopReport,
+    /// What became of the holes beside it, if they were to be filled. Their numbers are those of the boundary loops of the mesh with
+    /// the strip.
+    pub rest: Vec<LoopReport>,
+    /// The fairing of all new vertices together, if holes were filled. Unless its outcome is [`Outcome::Converged`], the strip and the patches
+    /// are left as they were made.
+    pub whole: Option<Report>,
+}
+
+impl Bridged {
+    /// Whether there is nothing to be said of the result: all that is new converged together, or strip and patches did by themselves, as far as
+    /// they were to be faired; and no hole that was to be filled is open.
+    pub fn is_clean(&self) -> bool {
+        let is_converged = |of: &Option<Report>| {
+            of.as_ref()
+                .is_some_and(|report| report.outcome == Outcome::Converged)
+        };
+        let is_good = |of: &LoopReport| match &of.outcome {
+            FillOutcome::Faired => is_converged(&of.fairing),
+            FillOutcome::Flat { reason } => {
+                matches!(reason, FlatReason::NotAsked | FlatReason::NoInnerVertex)
+            }
+            _ => false,
+        };
+        let is_open = |of: &LoopReport| matches!(of.outcome, FillOutcome::LeftOpen(_));
+        match is_converged(&self.whole) {
+            true => !self.rest.iter().any(is_open),
+            false => self.whole.is_none() && is_good(&self.strip) && self.rest.iter().all(is_good),
+        }
+    }
+}
