@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::sparse::SymmetricPattern;
-use super::symbolic::NONE;
+
+pub(crate) const NONE: u32 = u32::MAX;
 
 /// The entries of the matrix off its diagonal in the numbering of an order. Every vertex has its smaller
 /// neighbours first, then the larger ones, neither sorted.

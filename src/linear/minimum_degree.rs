@@ -4,8 +4,8 @@
 //! clique. Variables with the same neighbours are one, with a size; elements whose variables belong to a newer one are
 //! absorbed by it.
 
+use super::elimination::NONE;
 use super::sparse::SymmetricPattern;
-use super::symbolic::NONE;
 
 /// A row with more than this times the square root of the number of rows is ordered last, unless it is shorter than `SHORT`.
 const DENSE: f64 = 10.0;

@@ -1,7 +1,7 @@
 //! Supernodes: groups of columns of equal structure, merged where that costs few zeros (Ashcraft & Grimes 1989).
 
+use super::elimination::NONE;
 use super::elimination::{children, postorder};
-use super::symbolic::NONE;
 
 /// Groups of columns while they are formed and merged.
 pub(super) struct Supernodes {

@@ -2,12 +2,10 @@
 
 use std::ops::Range;
 
-use super::elimination::{Graph, children, column_counts, elimination_tree, postorder};
+use super::elimination::{Graph, NONE, children, column_counts, elimination_tree, postorder};
 use super::sparse::SymmetricPattern;
 use super::supernodes::{Layout, Supernodes};
 use super::tile::LANES;
-
-pub(crate) const NONE: u32 = u32::MAX;
 
 /// Subtrees are split for two or more threads down to this depth.
 const MAX_SPLIT_DEPTH: usize = 6;

@@ -6,18 +6,13 @@
 //! `0 <= c_t <= arc + seam`. The side c_t = 0 is half the girth of tube t, the side c_t = arc + seam is the
 //! seam opposite to it. Rings of staggered vertices lead from the sheets to the fixed circles.
 
-use super::blend_start::{project, relax, trisect, tube_frame};
+use super::arithmetic::unit;
+use super::blend_start::{BLEND_DISTANCE, BLEND_RADIUS, project, relax, trisect, tube_frame};
 use super::irregular::sampled;
 use super::sampling::Sampling;
 use super::shape::Shape;
 use super::size::blend_size;
-use super::surface::unit;
 use std::collections::HashMap;
-
-/// Radius of the three tubes of the cylinder blend.
-pub const BLEND_RADIUS: f64 = 0.5;
-/// Distance of the three fixed circles of the cylinder blend from the origin.
-pub const BLEND_DISTANCE: f64 = 1.2;
 
 /// The paper's cylinder blend: 920 vertices, 1,746 triangles, three fixed circles of 32 vertices that are
 /// the boundary of the mesh, with the normals of the tubes.

@@ -3,10 +3,15 @@
 //! The start lies on the level set of a soft minimum of the distances to the three half axes: `f = r` with
 //! `f^-6 = d0^-6 + d1^-6 + d2^-6`. Far out on tube i it is the cylinder d_i = r.
 
-use super::blend::BLEND_RADIUS;
 use super::conjugate_gradients::conjugate_gradients;
 use super::shape::Shape;
 use std::collections::HashMap;
+
+/// Radius of the three tubes of the cylinder blend.
+pub const BLEND_RADIUS: f64 = 0.5;
+
+/// Distance of the three fixed circles of the cylinder blend from the origin.
+pub const BLEND_DISTANCE: f64 = 1.2;
 
 /// Direction of tube t and the horizontal direction across it, counter-clockwise from it.
 pub(super) fn tube_frame(t: usize) -> ([f64; 3], [f64; 3]) {

@@ -1,7 +1,12 @@
 //! Planar (or periodic) triangulations: Delaunay, then the free region with its rings around it.
 
-use super::MOST_OUTSIDE;
 use delaunator::{Point, triangulate};
+
+/// Rings of fixed triangles around the free region unless there is a reason for another number.
+pub const OUTSIDE: usize = 4;
+
+/// The most rings of fixed triangles a generator makes.
+pub(super) const MOST_OUTSIDE: usize = 16;
 
 /// A triangulated piece of the parameter plane.
 pub(super) struct Chart<P> {

@@ -7,7 +7,7 @@
 //! `Delta_B phi = 0` that `phi = phi0 + p v`: polynomials in `r`, `cos f` and `sin f`, whose Taylor series are products of series
 //! (Moore 1966). Without `phi`, `H = H0 + c v` with `c = q`.
 
-use super::surface::Profile;
+use super::profile::Profile;
 use std::error::Error;
 use std::fmt;
 

@@ -1,10 +1,10 @@
 //! Irregular connectivity for shapes that have no chart: vertices inserted, edges flipped, vertices shaken.
 
+use super::arithmetic::{cross, unit};
 use super::blend_start::Neighbours;
 use super::rng::Rng;
 use super::sampling::Sampling;
 use super::shape::Shape;
-use super::surface::{cross, unit};
 use std::collections::HashMap;
 
 /// Share of the vertices that are inserted at random.

@@ -6,16 +6,19 @@
 //!
 //! Triangles run counter-clockwise seen from outside, normals point outward.
 
+mod arithmetic;
 mod blend;
 mod blend_start;
 mod chart;
 mod conjugate_gradients;
 mod ellipsoid;
+mod ellipsoid_cap;
 mod harmonic_profile;
 mod irregular;
 mod parts;
 mod planar;
 mod plate;
+mod profile;
 mod revolution;
 mod rng;
 mod sampling;
@@ -26,13 +29,17 @@ mod spoil;
 mod surface;
 mod tetra;
 mod torus;
+mod torus_patch;
 mod unduloid;
 
 pub use blend::{
-    BLEND_DISTANCE, BLEND_RADIUS, cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine,
-    cylinder_blend_of, cylinder_blend_refined_patch, cylinder_blend_with,
+    cylinder_blend, cylinder_blend_coarse, cylinder_blend_fine, cylinder_blend_of,
+    cylinder_blend_refined_patch, cylinder_blend_with,
 };
-pub use ellipsoid::{Ellipsoid, ellipsoid_cap};
+pub use blend_start::{BLEND_DISTANCE, BLEND_RADIUS};
+pub use chart::OUTSIDE;
+pub use ellipsoid::Ellipsoid;
+pub use ellipsoid_cap::ellipsoid_cap;
 pub use harmonic_profile::{HarmonicProfile, ProfileError};
 pub use parts::{in_parts, plate, sphere_in_pieces, sphere_without_band, tubes};
 pub use revolution::{catenoid_band, cylinder_band, revolution_band, sphere_zone, unduloid_band};
@@ -41,25 +48,6 @@ pub use shape::Shape;
 pub use sphere::{saddle_graph, sphere_cap, sphere_with_hole};
 pub use surface::{Similarity, Surface};
 pub use tetra::{TETRA_RADIUS, tetra_thing, tetra_thing_coarse, tetra_thing_of, tetra_thing_with};
-pub use torus::{Torus, torus_patch};
+pub use torus::Torus;
+pub use torus_patch::torus_patch;
 pub use unduloid::Unduloid;
-
-/// Rings of fixed triangles around the free region unless there is a reason for another number.
-pub const OUTSIDE: usize = 4;
-
-/// The most rings of fixed triangles a generator makes.
-const MOST_OUTSIDE: usize = 16;
-
-/// `x` moved into [low, high]; a NaN becomes `low`.
-fn between(low: f64, x: f64, high: f64) -> f64 {
-    if x > low {
-        if x < high { x } else { high }
-    } else {
-        low
-    }
-}
-
-/// The length of a vector.
-fn length(p: [f64; 3]) -> f64 {
-    p[0].hypot(p[1]).hypot(p[2])
-}

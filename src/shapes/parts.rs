@@ -1,11 +1,10 @@
 //! Surfaces in several parts, to be joined: pieces of a shape, and tubes on axes.
 
-use super::between;
+use super::arithmetic::{between, cross, unit};
 use super::planar::disc_chart;
 use super::revolution::cylinder_band;
 use super::sampling::Sampling;
 use super::shape::{Lifted, Shape};
-use super::surface::{cross, unit};
 use std::collections::BTreeMap;
 
 /// What of a shape lies within its parts: the triangles whose vertices are all of the same part. Triangles that hang by a vertex or
@@ -84,7 +83,7 @@ pub fn sphere_in_pieces(n: usize, sampling: Sampling, gap: f64) -> Shape {
     ];
     let half = (0.5 * between(1.0, gap, 60.0)).to_radians().sin();
     let apart = (8.0f64 / 3.0).sqrt();
-    let sphere = super::sphere_with_hole(1.0, n, sampling, 0);
+    let sphere = super::sphere::sphere_with_hole(1.0, n, sampling, 0);
     in_parts(&sphere, |p| {
         let along = centres.map(|c| c[0] * p[0] + c[1] * p[1] + c[2] * p[2]);
         (0..4).find(|&i| (0..4).all(|j| j == i || along[i] - along[j] > half * apart))
@@ -94,7 +93,7 @@ pub fn sphere_in_pieces(n: usize, sampling: Sampling, gap: f64) -> Shape {
 /// The unit sphere without a band of this width in degrees (1 to 120) about the plane x = 0.
 pub fn sphere_without_band(n: usize, sampling: Sampling, width: f64) -> Shape {
     let half = (0.5 * between(1.0, width, 120.0)).to_radians().sin();
-    in_parts(&super::sphere_with_hole(1.0, n, sampling, 0), |p| {
+    in_parts(&super::sphere::sphere_with_hole(1.0, n, sampling, 0), |p| {
         (p[0].abs() > half).then_some(usize::from(p[0] > 0.0))
     })
 }

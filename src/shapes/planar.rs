@@ -1,6 +1,6 @@
 //! Parameter domains: the disc and the periodic band.
 
-use super::MOST_OUTSIDE;
+use super::chart::MOST_OUTSIDE;
 use super::chart::{Chart, cut, delaunay, delaunay_periodic};
 use super::rng::Rng;
 use super::sampling::{Domain, Sampling, lattice_count, sample};

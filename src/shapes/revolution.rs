@@ -1,13 +1,14 @@
 //! Bands of surfaces of revolution about the z axis, in conformal coordinates: the angle u and a height v
 //! with dv = ds / r, so that equilateral triangles of the chart stay equilateral.
 
-use super::between;
+use super::arithmetic::between;
+use super::arithmetic::unit;
 use super::chart::Chart;
 use super::harmonic_profile::{HarmonicProfile, ProfileError};
 use super::planar::band_chart;
 use super::sampling::Sampling;
 use super::shape::{Lifted, Shape};
-use super::surface::{Surface, unit};
+use super::surface::Surface;
 use super::unduloid::Unduloid;
 use std::f64::consts::PI;
 

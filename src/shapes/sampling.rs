@@ -1,6 +1,6 @@
 //! Where the vertices go: a lattice, a disturbed lattice, or a lattice with a finer rectangle.
 
-use super::between;
+use super::arithmetic::between;
 use super::rng::Rng;
 use std::collections::HashMap;
 

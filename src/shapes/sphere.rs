@@ -1,12 +1,13 @@
 //! Surfaces over a disc: the spherical cap, most of a sphere, and a saddle.
 
-use super::between;
+use super::arithmetic::between;
+use super::arithmetic::unit;
 use super::chart::{Chart, cut, delaunay};
 use super::planar::{disc_chart, margin};
 use super::rng::Rng;
 use super::sampling::{Domain, Sampling, lattice_count, sample};
 use super::shape::{Lifted, Shape};
-use super::surface::{Surface, unit};
+use super::surface::Surface;
 use std::f64::consts::{PI, TAU};
 
 /// The point of the unit sphere seen from the south pole at (x, y) in the equatorial plane.

@@ -1,7 +1,9 @@
 //! The exact surfaces: distance and mean curvature.
 
+use super::arithmetic::unit;
 use super::ellipsoid::Ellipsoid;
 use super::harmonic_profile::HarmonicProfile;
+use super::profile::Profile;
 use super::torus::Torus;
 use super::unduloid::Unduloid;
 
@@ -94,37 +96,10 @@ impl Surface {
     }
 }
 
-/// `p` scaled to length one; zero stays zero.
-pub(super) fn unit(p: [f64; 3]) -> [f64; 3] {
-    let length = p[0].hypot(p[1]).hypot(p[2]);
-    if length > 0.0 {
-        p.map(|x| x / length)
-    } else {
-        [0.0; 3]
-    }
-}
-
-/// `a x b`.
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
 /// Outward normal of a surface of revolution at the angle of `p`, from the slope (r', z') of its profile.
 fn outward(p: [f64; 3], slope: [f64; 2]) -> [f64; 3] {
     let radial = unit([p[0], p[1], 0.0]);
     unit([radial[0] * slope[1], radial[1] * slope[1], -slope[0]])
-}
-
-/// A point (r, z) of a profile curve with first and second derivative by its parameter.
-#[derive(Clone, Copy)]
-pub(super) struct Profile {
-    pub(super) at: [f64; 2],
-    pub(super) slope: [f64; 2],
-    pub(super) bend: [f64; 2],
 }
 
 fn catenoid_profile(t: f64) -> Profile {

@@ -5,6 +5,7 @@
 //! connectivity there is the same: four such nets, glued along the circles. The surface is closed, of genus 3
 //! (Euler characteristic -4), and the circles are closed curves of fixed vertices inside it.
 
+use super::arithmetic::{cross, unit};
 use super::blend::Net;
 use super::blend_start::trisect;
 use super::irregular::sampled;
@@ -12,7 +13,6 @@ use super::plate::thin_plate;
 use super::sampling::Sampling;
 use super::shape::Shape;
 use super::size::tetra_size;
-use super::surface::{cross, unit};
 
 /// Radius of the six circles of the tetra thing. The tetrahedron's edges have length 2.
 pub const TETRA_RADIUS: f64 = 0.35;

@@ -1,10 +1,7 @@
 //! The torus, and a patch on its outer side: none of the surfaces that the equations keep.
 
-use super::between;
-use super::planar::rectangle_chart;
-use super::sampling::Sampling;
-use super::shape::{Lifted, Shape};
-use super::surface::{Surface, unit};
+use super::arithmetic::between;
+use super::arithmetic::unit;
 
 /// The torus about the z axis: a circle of the minor radius whose centre goes round on one of the major radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +31,7 @@ impl Torus {
 
     /// `w(t)` with `dw = minor dt / (distance from the axis)`, `t` the angle in the meridian from the equator on: with the angle about the
     /// axis, conformal coordinates.
-    fn conformal_height(&self, t: f64) -> f64 {
+    pub(super) fn conformal_height(&self, t: f64) -> f64 {
         let (c, m) = (
             self.minor / self.mean_radius(),
             self.mean_radius() / (self.major + self.minor),
@@ -43,7 +40,7 @@ impl Torus {
     }
 
     /// The angle in the meridian at a conformal height.
-    fn meridian_angle(&self, w: f64) -> f64 {
+    pub(super) fn meridian_angle(&self, w: f64) -> f64 {
         let (c, m) = (
             self.minor / self.mean_radius(),
             self.mean_radius() / (self.major + self.minor),
@@ -77,37 +74,10 @@ impl Torus {
     }
 
     /// The point at an angle about the axis and one in the meridian.
-    fn point(&self, [u, t]: [f64; 2]) -> [f64; 3] {
+    pub(super) fn point(&self, [u, t]: [f64; 2]) -> [f64; 3] {
         let r = self.major + self.minor * t.cos();
         [r * u.cos(), r * u.sin(), self.minor * t.sin()]
     }
-}
-
-/// A patch of the torus of these radii on its outer side, free where the angle about the axis and that in the meridian are less than
-/// `half_angle` (radians, 0.1 to 2.5). Near the other side there are fewer rings outside than asked for, so that they do not meet.
-pub fn torus_patch(
-    major: f64,
-    minor: f64,
-    half_angle: f64,
-    n: usize,
-    sampling: Sampling,
-    outside: usize,
-) -> Shape {
-    let torus = Torus::new(major, minor);
-    let half = between(0.1, half_angle, 2.5);
-    let top = torus.conformal_height(half);
-    let whole = [std::f64::consts::PI, torus.conformal_height(std::f64::consts::PI)];
-    let chart = rectangle_chart([half, top], whole, n, sampling, outside);
-    Shape::lifted(chart, Some(Surface::Torus(torus)), |[u, w]| {
-        let angles = [u, torus.meridian_angle(w)];
-        let position = torus.point(angles);
-        let corner = torus.point([half, half]);
-        Lifted {
-            position,
-            normal: torus.normal(position),
-            flat: [corner[0], u / half * corner[1], w / top * corner[2]],
-        }
-    })
 }
 
 #[cfg(test)]

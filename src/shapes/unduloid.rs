@@ -4,8 +4,8 @@
 //! `s` from the neck, `theta = 2 H s` (Kenmotsu 1980):
 //! `r^2 = (1 + B^2 - 2 B cos theta) / (2 H)^2`, `dz/ds = (1 - B cos theta) / (2 H r)`.
 
-use super::between;
-use super::surface::Profile;
+use super::arithmetic::between;
+use super::profile::Profile;
 use std::f64::consts::{PI, TAU};
 
 const PANELS: usize = 64;
