@@ -4,10 +4,12 @@ use core::ffi::CStr;
 
 use std::ffi::c_char;
 
-use super::bridge::default_bridge_options;
-use super::fill_options::{default_fill_options, default_remesh_options};
+use super::bridge::{default_bridge_options, fairmesh_bridge_options};
+use super::fill_options::{
+    default_fill_options, default_remesh_options, fairmesh_fill_options, fairmesh_remesh_options,
+};
 use super::guard::guarded;
-use super::options::default_options;
+use super::options::{default_options, fairmesh_options};
 use super::types::*;
 use super::views::*;
 use fairmesh::{Entry, table_entry};

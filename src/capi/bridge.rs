@@ -3,11 +3,11 @@
 use core::mem::offset_of;
 use std::sync::Arc;
 
-use super::fill_options::FillOptionsIn;
+use super::fill_options::{FillOptionsIn, fairmesh_fill_options};
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, fields, refused};
+use super::options::{OptionsIn, fairmesh_options, fields, refused};
 use super::outputs::publish;
 use super::patch_sizes;
 use super::results::Content;

@@ -6,7 +6,7 @@ use super::callback::HostCallback;
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::OptionsIn;
+use super::options::{OptionsIn, fairmesh_options};
 use super::outputs::*;
 use super::report;
 use super::results::Content;

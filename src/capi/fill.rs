@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use super::callback::HostCallback;
-use super::fill_options::{FillOptionsIn, read_remesh_options};
+use super::fill_options::{
+    FillOptionsIn, fairmesh_fill_options, fairmesh_remesh_options, read_remesh_options,
+};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::OptionsIn;
+use super::options::{OptionsIn, fairmesh_options};
 use super::outputs::*;
 use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;

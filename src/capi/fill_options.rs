@@ -2,7 +2,9 @@
 
 use core::mem::offset_of;
 
-use super::loop_choice::{FilterIn, JoinIn, NO_FILTER, NO_JOIN, numbers};
+use super::loop_choice::{
+    FilterIn, JoinIn, NO_FILTER, NO_JOIN, fairmesh_join, fairmesh_loop_filter, numbers,
+};
 use super::options::{NO_INDICES, chosen, count, fields, refused};
 use super::status::CallResult;
 use super::types::*;

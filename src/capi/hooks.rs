@@ -2,8 +2,6 @@
 
 use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering};
 
-use super::memory;
-
 /// Allocations until one is refused; negative: none.
 static UNTIL: AtomicI64 = AtomicI64::new(-1);
 /// How many are refused then.
@@ -66,18 +64,4 @@ pub(crate) extern "C" fn fairmesh_test_refuse(after: i64, refusals: i64) -> u64 
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn fairmesh_test_panic(after: i64) {
     PANIC.store(after, Ordering::SeqCst);
-}
-
-/// Blocks that live in reserves.
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn fairmesh_test_reserve_blocks() -> u64 {
-    memory::live_blocks() as u64
-}
-
-/// The largest number of bytes that was taken from reserves at once, and the bytes last set aside.
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn fairmesh_test_reserve_peak(aside: &mut u64) -> u64 {
-    let (peak, last) = memory::peak();
-    *aside = last as u64;
-    peak as u64
 }

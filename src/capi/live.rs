@@ -1,6 +1,6 @@
 //! Solvers for interactive hosts: edits of the boundary, and the surface frame by frame.
 
-use super::edits::{EditsIn, budget};
+use super::edits::{EditsIn, budget, fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_frame};
 use super::guard::{guarded, point};
 use super::handles;
 use super::memory_bounds;

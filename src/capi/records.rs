@@ -346,3 +346,23 @@ pub enum fairmesh_scalars {
     /// Gaussian curvature, in 1 / length^2. NaN where no vertex is free.
     GaussianCurvature = 1,
 }
+
+/// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_bump {
+    /// `sizeof(fairmesh_bump)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// How many triangles it has.
+    pub triangle_count: u64,
+    /// How far its farthest corner is from the seed, along the surface.
+    pub radius: f64,
+    /// By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
+    pub departure: f64,
+    /// The mean curvature of the surroundings (the median).
+    pub surroundings: f64,
+    /// How much that scatters (standard deviation).
+    pub scatter: f64,
+}

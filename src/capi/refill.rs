@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::fill_options::FillOptionsIn;
+use super::fill_options::{FillOptionsIn, fairmesh_fill_options};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, Selected, SelectionIn};
 use super::memory_bounds;
-use super::options::OptionsIn;
+use super::options::{OptionsIn, fairmesh_options};
 use super::outputs::publish;
 use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;

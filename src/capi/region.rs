@@ -13,7 +13,7 @@ use super::results::Content;
 use super::status::*;
 use super::types::*;
 use super::views::*;
-use fairmesh::{Bump, Combine, Place, Region, RegionStep, Seed, select_region};
+use fairmesh::{Combine, Place, Region, RegionStep, Seed, select_region};
 
 use fairmesh_status as Status;
 
@@ -98,26 +98,6 @@ pub struct fairmesh_region_step {
     pub reserved: u32,
     /// Zero.
     pub reserved_too: u32,
-}
-
-/// What was taken for a bump or dent. Curvatures in 1 / length. Set `struct_size` before the call.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct fairmesh_bump {
-    /// `sizeof(fairmesh_bump)`.
-    pub struct_size: u32,
-    /// Zero.
-    pub reserved: u32,
-    /// How many triangles it has.
-    pub triangle_count: u64,
-    /// How far its farthest corner is from the seed, along the surface.
-    pub radius: f64,
-    /// By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less).
-    pub departure: f64,
-    /// The mean curvature of the surroundings (the median).
-    pub surroundings: f64,
-    /// How much that scatters (standard deviation).
-    pub scatter: f64,
 }
 
 /// Chooses triangles of a mesh by place, distance and shape, step by step, beginning with none; the mesh need not be a manifold.
@@ -340,17 +320,4 @@ fn refused(at: FieldPath, step: usize, number: u32, of: &str) -> Failure {
         Status::BadEnum,
         format_args!("{number} of step {step} is no {of}"),
     )
-}
-
-/// What is told of a bump.
-pub(crate) fn bump(of: &Bump) -> fairmesh_bump {
-    fairmesh_bump {
-        struct_size: size_of::<fairmesh_bump>() as u32,
-        reserved: 0,
-        triangle_count: of.triangles as u64,
-        radius: of.radius,
-        departure: of.departure,
-        surroundings: of.surroundings,
-        scatter: of.scatter,
-    }
 }

@@ -5,7 +5,7 @@ use super::types::*;
 use fairmesh::{Attempt, ComponentReport, CurvatureContinuity, LevelReport};
 use fairmesh::{BoundaryLoop, FillOutcome, FlatReason, LoopKind, LoopReport, OpenReason};
 use fairmesh::{Bridged, JoinReason, JoinSuggestion};
-use fairmesh::{Outcome, Report, Rim, Roughness};
+use fairmesh::{Bump, Outcome, Report, Rim, Roughness};
 
 /// The report of a fairing.
 pub(crate) fn report(of: &Report) -> fairmesh_report {
@@ -288,5 +288,18 @@ pub(crate) fn filled_loop(of: &LoopReport) -> fairmesh_fill_report {
         moved_largest: rim.largest,
         moved_within: rim.within,
         moved_unsound: (rim.folded + 2 * rim.self_intersections.len()) as u64,
+    }
+}
+
+/// What is told of a bump.
+pub(crate) fn bump(of: &Bump) -> fairmesh_bump {
+    fairmesh_bump {
+        struct_size: size_of::<fairmesh_bump>() as u32,
+        reserved: 0,
+        triangle_count: of.triangles as u64,
+        radius: of.radius,
+        departure: of.departure,
+        surroundings: of.surroundings,
+        scatter: of.scatter,
     }
 }

@@ -1,6 +1,5 @@
 //! What results hold, and how it is read out of them.
 
-use super::region;
 use super::report;
 use super::status::{CallResult, Failure, fairmesh_status as Status};
 use super::types::*;
@@ -258,7 +257,7 @@ impl Content {
 
     pub(crate) fn bump(&self, index: u64) -> CallResult<fairmesh_bump> {
         match self {
-            Self::Region { region, .. } => entry(&region.bumps, index, "bump").map(region::bump),
+            Self::Region { region, .. } => entry(&region.bumps, index, "bump").map(report::bump),
             _ => Err(not_available("bumps")),
         }
     }

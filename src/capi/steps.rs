@@ -7,7 +7,7 @@ use super::guard::{guarded, point};
 use super::handles;
 use super::input::{CurvatureIn, LoopsIn, MeshIn, NormalsIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, refused, target};
+use super::options::{OptionsIn, fairmesh_options, refused, target};
 use super::outputs::*;
 use super::report;
 use super::results::{Content, attempt_of, component_of, continuity_of};

@@ -3,7 +3,15 @@
 use core::mem::{MaybeUninit, size_of};
 
 use super::status::{CallResult, FAIRMESH_NO_ELEMENT, Failure, fairmesh_element, fairmesh_status as Status};
-use super::types::Versioned;
+
+/// A struct that begins with its size.
+///
+/// # Safety
+/// `repr(C)`, the first field the `u32` of its size, every bit pattern a value.
+pub(crate) unsafe trait Versioned: Copy {
+    /// Its size in the first version that had it, written out: it stays when the struct grows.
+    const FIRST: usize;
+}
 
 /// An argument, counted from 1.
 #[derive(Clone, Copy)]

@@ -2,21 +2,9 @@
 
 use std::ffi::c_void;
 
-pub use super::bridge::fairmesh_bridge_options;
-pub use super::callback::{fairmesh_progress, fairmesh_progress_fn};
-pub use super::edits::{
-    fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_edit_kind, fairmesh_frame,
-};
-pub use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
 pub use super::hole_records::*;
-pub use super::loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
 pub use super::numbers::*;
-pub use super::options::fairmesh_options;
 pub use super::records::*;
-pub use super::region::{
-    fairmesh_bump, fairmesh_combine, fairmesh_region_kind, fairmesh_region_step, fairmesh_seed_kind,
-};
-pub use super::versioned::Versioned;
 
 /// The kind of numbers in an array.
 #[repr(u32)]

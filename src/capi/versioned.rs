@@ -1,16 +1,12 @@
 //! Structs that begin with their size.
 
+use super::bridge::fairmesh_bridge_options;
+use super::edits::{fairmesh_budget, fairmesh_bulge_range, fairmesh_frame};
+use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
+use super::options::fairmesh_options;
 use super::status::fairmesh_error;
+use super::structs::Versioned;
 use super::types::*;
-
-/// A struct that begins with its size.
-///
-/// # Safety
-/// `repr(C)`, the first field the `u32` of its size, every bit pattern a value.
-pub unsafe trait Versioned: Copy {
-    /// Its size in the first version that had it, written out: it stays when the struct grows.
-    const FIRST: usize;
-}
 
 macro_rules! versioned {
     ($($name:ident $first:expr),* $(,)?) => { $(

@@ -842,6 +842,19 @@ export const structs = {
             droppedArea: [80, "f64"],
         },
     },
+    bump: {
+        size: 48,
+        align: 8,
+        fields: {
+            structSize: [0, "u32"],
+            reserved: [4, "u32"],
+            triangleCount: [8, "u64"],
+            radius: [16, "f64"],
+            departure: [24, "f64"],
+            surroundings: [32, "f64"],
+            scatter: [40, "f64"],
+        },
+    },
     loop: {
         size: 128,
         align: 8,
@@ -1097,19 +1110,6 @@ export const structs = {
             reservedToo: [96, "u32"],
         },
     },
-    bump: {
-        size: 48,
-        align: 8,
-        fields: {
-            structSize: [0, "u32"],
-            reserved: [4, "u32"],
-            triangleCount: [8, "u64"],
-            radius: [16, "f64"],
-            departure: [24, "f64"],
-            surroundings: [32, "f64"],
-            scatter: [40, "f64"],
-        },
-    },
     bridgeOptions: {
         size: 16,
         align: 8,
@@ -1321,6 +1321,20 @@ export interface Info {
     cleanedCount: number;
     /** Of a trimmed mesh the area of what was taken away. */
     droppedArea: number;
+}
+
+/** What was taken for a bump or dent. Curvatures in 1 / length. */
+export interface Bump {
+    /** How many triangles it has. */
+    triangleCount: number;
+    /** How far its farthest corner is from the seed, along the surface. */
+    radius: number;
+    /** By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less). */
+    departure: number;
+    /** The mean curvature of the surroundings (the median). */
+    surroundings: number;
+    /** How much that scatters (standard deviation). */
+    scatter: number;
 }
 
 /** A boundary loop. */
@@ -1551,20 +1565,6 @@ export interface BulgeRange {
     low: number;
     /** The largest, not negative. */
     high: number;
-}
-
-/** What was taken for a bump or dent. Curvatures in 1 / length. */
-export interface Bump {
-    /** How many triangles it has. */
-    triangleCount: number;
-    /** How far its farthest corner is from the seed, along the surface. */
-    radius: number;
-    /** By how much its mean curvature departs from that of the surroundings (95 in 100 vertices by less). */
-    departure: number;
-    /** The mean curvature of the surroundings (the median). */
-    surroundings: number;
-    /** How much that scatters (standard deviation). */
-    scatter: number;
 }
 
 /** The plain ones of bridgeOptions. */

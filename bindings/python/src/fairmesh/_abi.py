@@ -572,6 +572,18 @@ class fairmesh_info(Structure):
     )
 
 
+class fairmesh_bump(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("triangle_count", c_uint64),
+        ("radius", c_double),
+        ("departure", c_double),
+        ("surroundings", c_double),
+        ("scatter", c_double),
+    )
+
+
 class fairmesh_loop(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
@@ -811,18 +823,6 @@ class fairmesh_region_step(Structure):
         ("list", fairmesh_indices),
         ("reserved", c_uint32),
         ("reserved_too", c_uint32),
-    )
-
-
-class fairmesh_bump(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("triangle_count", c_uint64),
-        ("radius", c_double),
-        ("departure", c_double),
-        ("surroundings", c_double),
-        ("scatter", c_double),
     )
 
 
