@@ -1,6 +1,7 @@
 //! The house rules that neither the compiler nor clippy checks: the order of the library's modules, how long a file may be,
 //! and that the documents speak of what is there.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -93,6 +94,142 @@ fn modules_import_those_before_them() {
         "against the order of ARCHITECTURE.md:\n{}",
         wrong.join("\n")
     );
+}
+
+/// The crates whose files import each other one way. What gathers all of a crate (`lib.rs`) is imported by none of them.
+const ORDERED: [&str; 4] = ["src", "src/capi", "src/linear", "src/shapes"];
+
+/// The files of a crate by their module paths, with their code.
+fn modules_of(krate: &str) -> BTreeMap<Vec<String>, (String, String)> {
+    let is_other = |name: &str| {
+        let mut others = CRATES.iter().filter(|other| other.trim_end_matches('/') != krate);
+        others.any(|other| name.starts_with(other))
+    };
+    let inside = format!("{krate}/");
+    let own = sources()
+        .into_iter()
+        .filter(|(name, _)| name.starts_with(&inside) && !is_other(name) && !name.ends_with("build.rs"));
+    own.map(|(name, lines)| {
+        let path = name[inside.len()..].trim_end_matches(".rs");
+        let mut path: Vec<String> = path.split('/').map(str::to_owned).collect();
+        if ["mod", "lib"].contains(&path.last().unwrap().as_str()) {
+            path.pop();
+        }
+        let code: Vec<&str> = lines
+            .iter()
+            .map(|line| line.split("//").next().unwrap())
+            .collect();
+        (path, (name, code.join("\n")))
+    })
+    .collect()
+}
+
+/// The paths of a use tree that begins here, such as `a::{b, c::d}`: those with the words before them.
+fn use_tree(code: &str, before: &[String], paths: &mut Vec<Vec<String>>) {
+    let code = code.trim_start();
+    let is_letter = |c: char| c == '_' || c.is_alphanumeric();
+    if let Some(group) = code.strip_prefix('{') {
+        let (mut depth, mut begin) = (0, 0);
+        for (at, c) in group.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' if depth > 0 => depth -= 1,
+                ',' | '}' if depth == 0 => {
+                    use_tree(&group[begin..at], before, paths);
+                    begin = at + 1;
+                    if c == '}' {
+                        return;
+                    }
+                }
+                _ => {}
+            }
+        }
+        return;
+    }
+    let end = code.find(|c| !is_letter(c)).unwrap_or(code.len());
+    let path = [before, &[code[..end].to_owned()]].concat();
+    match code[end..].strip_prefix("::") {
+        Some(rest) => use_tree(rest, &path, paths),
+        None => paths.push(path),
+    }
+}
+
+/// The paths into its own crate that a file names: from the crate's root on.
+fn named_paths(own: &[String], code: &str) -> Vec<Vec<String>> {
+    let mut paths = Vec::new();
+    for start in ["crate::", "super::", "self::", "\nuse "] {
+        for (at, _) in code.match_indices(start) {
+            // Not within a longer path, nor who may see something.
+            if !code[..at].ends_with(':') && !code[..at].ends_with("(in ") {
+                use_tree(code[at..].trim_start_matches("\nuse "), &[], &mut paths);
+            }
+        }
+    }
+    let from_root = |path: Vec<String>| {
+        let ups = path.iter().take_while(|word| *word == "super").count();
+        match path[0].as_str() {
+            "crate" => path[1..].to_vec(),
+            "self" => [own, &path[1..]].concat(),
+            // Of another crate or a module below.
+            _ => [&own[..own.len().saturating_sub(ups)], &path[ups..]].concat(),
+        }
+    };
+    paths.into_iter().map(from_root).collect()
+}
+
+/// A circle of imports, if there is one from this file on.
+fn circle<'m>(
+    file: &'m [String],
+    imports: &BTreeMap<&'m [String], Vec<&'m [String]>>,
+    way: &mut Vec<&'m [String]>,
+    done: &mut BTreeSet<&'m [String]>,
+) -> Option<Vec<&'m [String]>> {
+    if let Some(begin) = way.iter().position(|other| *other == file) {
+        return Some(way[begin..].to_vec());
+    }
+    if !done.insert(file) {
+        return None;
+    }
+    way.push(file);
+    let found = imports[file]
+        .iter()
+        .find_map(|next| circle(next, imports, way, done));
+    way.pop();
+    found
+}
+
+#[test]
+fn files_import_in_no_circle() {
+    for krate in ORDERED {
+        let modules = modules_of(krate);
+        let file_of = |path: &[String]| {
+            let prefixes = (1..=path.len()).rev().map(|n| &path[..n]);
+            let known = prefixes.filter_map(|prefix| modules.get_key_value(prefix));
+            known.map(|(path, _)| path.as_slice()).next()
+        };
+        let imports: BTreeMap<&[String], Vec<&[String]>> = modules
+            .iter()
+            .map(|(own, (_, code))| {
+                let named = named_paths(own, code);
+                let files = named.iter().filter_map(|path| file_of(path));
+                (
+                    own.as_slice(),
+                    files.filter(|file| *file != own.as_slice()).collect(),
+                )
+            })
+            .collect();
+        assert!(
+            imports.values().map(Vec::len).sum::<usize>() > modules.len(),
+            "{krate}"
+        );
+        let mut done = BTreeSet::new();
+        for file in modules.keys() {
+            if let Some(circle) = circle(file, &imports, &mut Vec::new(), &mut done) {
+                let names: Vec<&str> = circle.iter().map(|path| modules[*path].0.as_str()).collect();
+                panic!("a circle of imports: {}", names.join(" -> "));
+            }
+        }
+    }
 }
 
 #[test]
