@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::sparse::SymmetricPattern;
 
+/// No element, such as the parent of a root.
 pub(crate) const NONE: u32 = u32::MAX;
 
 /// The entries of the matrix off its diagonal in the numbering of an order. Every vertex has its smaller
