@@ -118,8 +118,7 @@ std::string reservation(const fairmesh_report &report) {
     if (report.outcome == FAIRMESH_OUTCOME_SELF_INTERSECTING)
         figures = text(" (%llu pairs, in the input %llu)", static_cast<unsigned long long>(report.intersection_count),
                        static_cast<unsigned long long>(report.intersections_in_input));
-    if (report.outcome == FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE)
-        figures = text(" (%.0f %% of the way was possible)", 100 * report.reached);
+    if (report.outcome == FAIRMESH_OUTCOME_TARGET_NOT_REACHABLE) figures = text(" (%.0f %% of the way was possible)", 100 * report.reached);
     if (report.outcome == FAIRMESH_OUTCOME_NEAREST_MEMBER)
         figures = text(" (Delta_B H = -2 w H (H^2 - K) with w = %.3g; w is 0 for harmonic, 1 for minimal energy)", report.member_weight);
     return what + figures + "; " + remedy + ".";
