@@ -29,7 +29,7 @@ use crate::paper::{self, PaperResult};
 use crate::profile;
 use crate::solve::control::Callback;
 pub(crate) use crate::solve::control::Interrupt;
-use crate::solve::{self, Control};
+use crate::solve::{Control, Ladder};
 use crate::stopwatch::Stopwatch;
 pub use boundary_curvature::BoundaryCurvature;
 use component_solution::ComponentSolution;
@@ -250,7 +250,9 @@ fn component(
         Solver::Fast => {
             let mut control = Control::new(options.tolerance, options.max_iterations, Some(&mut tell));
             control.interrupt = interrupt.clone();
-            let (result, state) = solve::solve(&problem, &mut control).map_err(nothing_fixed)?;
+            let (result, state) = Ladder::default()
+                .solve(&problem, &mut control)
+                .map_err(nothing_fixed)?;
             (result, state, Vec::new())
         }
         Solver::Paper(paper) => {

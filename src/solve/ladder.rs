@@ -179,28 +179,12 @@ impl Ladder {
     /// # Errors
     /// [`Collapsed`] where not even the linear surface exists.
     pub(crate) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
-        if self.continuation.is_none() {
-            system.end_continuity();
-            let tangent = match self.climb(system, control)? {
-                Step::Ended(tangent) => tangent,
-                step => return Ok(step),
-            };
-            let formulation = Formulation {
-                along_normals: tangent.along_normals,
-                ..self.left(system)
-            };
-            match Continuation::new(tangent, formulation, system, control) {
-                Ok(continuation) => self.continuation = Some(continuation),
-                Err(tangent) => return Ok(Step::Ended(*tangent)),
-            }
+        if let Some(continuation) = &mut self.continuation {
+            let ended = continuation.run(system, control);
+            return Ok(ended.map_or(Step::Held, Step::Ended));
         }
-        let continued = self.continuation.as_mut().and_then(|c| c.run(system, control));
-        Ok(continued.map_or(Step::Held, Step::Ended))
-    }
-
-    /// Attempt after attempt, iteration after iteration.
-    fn climb(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
-        loop {
+        system.end_continuity();
+        let tangent = loop {
             let next = match (&mut self.iteration, &mut self.underway) {
                 (Some(iteration), Some(underway)) => {
                     let Some(status) = iteration.run(system, control) else {
@@ -211,9 +195,9 @@ impl Ladder {
                 }
                 _ => match self.next_attempt(system, control)? {
                     Some(next) => next,
-                    None if self.sound.is_some() => return Ok(Step::Ended(self.settle(system, control))),
+                    None if self.sound.is_some() => break self.settle(system, control),
                     None if self.linear.is_none() => return Ok(Step::Unmoved),
-                    None => return Ok(Step::Ended(self.give_up(system, control))),
+                    None => break self.give_up(system, control),
                 },
             };
             self.note(&next, system, control);
@@ -228,17 +212,15 @@ impl Ladder {
                     if let Some((candidate, status)) = self.consider(candidate, control) {
                         // A surface that meets the tolerance is better than one that the iterations did not suffice for.
                         if candidate.is_stopped() && !control.cancelled && self.fallback.is_some() {
-                            return Ok(Step::Ended(self.give_up(system, control)));
+                            break self.give_up(system, control);
                         }
                         let formulation = self.formulation(system);
-                        let result = self.result(Some(candidate), status, &formulation, system, control);
-                        return Ok(Step::Ended(result));
+                        break self.result(Some(candidate), status, &formulation, system, control);
                     }
                 }
                 Next::Member(candidate, w) => {
                     let (status, formulation) = (SolveStatus::NearestMember(w), self.left(system).member(w));
-                    let result = self.result(Some(candidate), status, &formulation, system, control);
-                    return Ok(Step::Ended(result));
+                    break self.result(Some(candidate), status, &formulation, system, control);
                 }
                 Next::Short(status) => {
                     self.underway = None;
@@ -247,6 +229,27 @@ impl Ladder {
                     }
                 }
             }
+        };
+        self.continue_curvature(tangent, system, control)
+    }
+
+    /// From the tangent-continuous surface to the one that continues the curvature, where that is asked for.
+    fn continue_curvature(
+        &mut self,
+        tangent: SolveResult,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Result<Step, Collapsed> {
+        let formulation = Formulation {
+            along_normals: tangent.along_normals,
+            ..self.left(system)
+        };
+        match Continuation::new(tangent, formulation, system, control) {
+            Ok(continuation) => {
+                self.continuation = Some(continuation);
+                self.run(system, control)
+            }
+            Err(tangent) => Ok(Step::Ended(*tangent)),
         }
     }
 

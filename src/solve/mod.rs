@@ -41,22 +41,10 @@ pub(crate) mod untangle;
 mod ways;
 pub(crate) mod weight_repair;
 
-use crate::discrete::equations::State;
 pub(crate) use boundary_curvature::AskedContinuity;
 pub(crate) use control::Control;
 pub(crate) use domain::Domain;
-use ladder::Ladder;
+pub(crate) use ladder::Ladder;
 pub(crate) use problem::Problem;
 pub(crate) use result::{LoopContinuity, SolveResult, SolveStatus, Trial, TrialEnd};
 pub(crate) use system::System;
-
-/// Solves both fairness equations. Returns the surface, and its evaluation.
-///
-/// # Errors
-/// [`Collapsed`](factor::Collapsed) where not even the linear surface exists.
-pub(crate) fn solve(
-    problem: &Problem<'_>,
-    control: &mut Control<'_>,
-) -> Result<(SolveResult, State), factor::Collapsed> {
-    Ladder::default().solve(problem, control)
-}

@@ -71,7 +71,7 @@ impl Session {
 impl Walk<'_, '_, '_> {
     fn both_ways(&mut self) -> Result<[f64; 2], Error> {
         let mut ends = [0.0; 2];
-        if !self.is_sound_at(0.0)? {
+        if !self.try_amount(0.0)? {
             return Ok(ends);
         }
         let fair = self.session.components.surfaces();
@@ -87,7 +87,7 @@ impl Walk<'_, '_, '_> {
         let (mut reached, mut beyond) = (0.0, f64::from(STEPS) * STEP);
         for k in 1..=STEPS {
             let amount = f64::from(k) * STEP;
-            if self.is_sound_at(sign * amount)? {
+            if self.try_amount(sign * amount)? {
                 reached = amount;
             } else {
                 beyond = amount;
@@ -99,7 +99,7 @@ impl Walk<'_, '_, '_> {
             if amount == reached {
                 break;
             }
-            if self.is_sound_at(sign * amount)? {
+            if self.try_amount(sign * amount)? {
                 reached = amount;
             } else {
                 beyond = amount;
@@ -108,8 +108,8 @@ impl Walk<'_, '_, '_> {
         Ok(reached)
     }
 
-    /// Whether the surface at hand leads to a sound one with this bulge; if not, it stays at hand.
-    fn is_sound_at(&mut self, amount: f64) -> Result<bool, Error> {
+    /// Goes on from the surface at hand with this bulge. Says whether that led to a sound one; if not, the surface at hand stays.
+    fn try_amount(&mut self, amount: f64) -> Result<bool, Error> {
         if !self.goes_on() {
             return Ok(false);
         }
