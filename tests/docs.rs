@@ -8,7 +8,7 @@
 //! `FAIRMESH_WRITE_DOCS=1 cargo test --release --test docs` writes outputs and figures anew.
 #![allow(unreachable_pub, reason = "nothing of a test is reachable from outside")]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -86,11 +86,17 @@ fn writes() -> bool {
     std::env::var_os("FAIRMESH_WRITE_DOCS").is_some()
 }
 
+/// README.md and docs/README.md run side by side: the whole path names the folder.
+fn folder_name(document: &Path) -> String {
+    let from_root = document.strip_prefix(root()).unwrap().with_extension("");
+    from_root.to_string_lossy().replace(['/', '\\'], "_")
+}
+
 /// Runs what a document shows. Returns its text with the outputs of now, and what differs.
 fn replay(path: &Path) -> (String, Vec<String>) {
     let text = fs::read_to_string(path).unwrap();
     let lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let folder = scratch(&path.file_stem().unwrap().to_string_lossy());
+    let folder = scratch(&folder_name(path));
     let (mut fresh, mut copied, mut wrong) = (Vec::new(), 0, Vec::new());
     let mut printed: Vec<String> = Vec::new();
     for block in blocks(&lines) {
@@ -135,6 +141,13 @@ fn commands_print_what_is_shown() {
     }
     drop(alone);
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// Two documents in one folder would remove each other's files while they run.
+#[test]
+fn documents_run_in_folders_of_their_own() {
+    let folders: BTreeSet<String> = documents().iter().map(|path| folder_name(path)).collect();
+    assert_eq!(folders.len(), documents().len(), "folders: {folders:?}");
 }
 
 /// The number behind this label in a report.
