@@ -97,7 +97,7 @@ fn modules_import_those_before_them() {
 }
 
 /// The crates whose files import each other one way. What gathers all of a crate (`lib.rs`) is imported by none of them.
-const ORDERED: [&str; 4] = ["src", "src/capi", "src/linear", "src/shapes"];
+const ORDERED: [&str; 5] = ["src", "src/capi", "src/cli", "src/linear", "src/shapes"];
 
 /// The files of a crate by their module paths, with their code.
 fn modules_of(krate: &str) -> BTreeMap<Vec<String>, (String, String)> {
@@ -112,7 +112,7 @@ fn modules_of(krate: &str) -> BTreeMap<Vec<String>, (String, String)> {
     own.map(|(name, lines)| {
         let path = name[inside.len()..].trim_end_matches(".rs");
         let mut path: Vec<String> = path.split('/').map(str::to_owned).collect();
-        if ["mod", "lib"].contains(&path.last().unwrap().as_str()) {
+        if ["mod", "lib", "main"].contains(&path.last().unwrap().as_str()) {
             path.pop();
         }
         let code: Vec<&str> = lines
@@ -163,6 +163,18 @@ fn named_paths(own: &[String], code: &str) -> Vec<Vec<String>> {
             if !code[..at].ends_with(':') && !code[..at].ends_with("(in ") {
                 use_tree(code[at..].trim_start_matches("\nuse "), &[], &mut paths);
             }
+        }
+    }
+    // A module below can be named without its way.
+    for (at, _) in code.match_indices("mod ") {
+        let name = code[at + 4..].split(';').next().unwrap();
+        let call = format!("{name}::");
+        let is_path =
+            |at: usize| !code[..at].ends_with([':', '_']) && !code[..at].ends_with(char::is_alphanumeric);
+        if name.chars().all(|c| c == '_' || c.is_alphanumeric())
+            && code.match_indices(&call).any(|(at, _)| is_path(at))
+        {
+            paths.push(vec!["self".to_owned(), name.to_owned()]);
         }
     }
     let from_root = |path: Vec<String>| {

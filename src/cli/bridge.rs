@@ -16,7 +16,7 @@ use crate::comparison::{PictureArgs, Story, Surface, story};
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
-use crate::formats::pipes::PipesArgs;
+use crate::formats::pipe_args::PipesArgs;
 use crate::formats::{Added, MeshFile, references};
 use crate::patches::{Files, PatchArgs, face_numbers};
 
@@ -93,7 +93,12 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
         parents: &bridged.parents,
         carry: None,
     };
-    let led = references::led(mesh.with_added(format, &added), format, &args.input, &args.output);
+    let led = references::led(
+        mesh.with_added(format, &added, None),
+        format,
+        &args.input,
+        &args.output,
+    );
     output.write(&led.bytes)?;
     if let Some(pictures) = &pictures {
         let after = Surface {

@@ -11,7 +11,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::formats::MeshFile;
 use crate::formats::carry::Carry;
-use crate::selection::Selected;
+use crate::selected::Selected;
 
 /// The mesh without the components of fewer than `least` triangles, and how many these are.
 pub fn without_small(
@@ -37,7 +37,7 @@ pub fn without_small(
 /// A mesh that some faces were taken from.
 pub struct Without {
     /// The mesh as it was.
-    was: MeshFile,
+    pub was: MeshFile,
     /// The loops that are left where they were.
     pub loops: Vec<usize>,
     /// How many triangles more were dropped.
@@ -141,7 +141,7 @@ impl Without {
     /// What attributes are carried over from.
     pub fn carry<'a>(&'a self, [vertices, faces]: &'a Places) -> Carry<'a> {
         Carry {
-            mesh: &self.was,
+            geometry: &self.was.geometry,
             vertices,
             faces,
             kept: &self.kept,

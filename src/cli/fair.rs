@@ -1,13 +1,14 @@
 //! `fairmesh fair`: files in, files out.
 
+mod input;
+mod remesh;
+
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, Options, Outcome, OutputPrecision, Progress, Solution, Solver,
-};
+use fairmesh::{Options, Outcome, OutputPrecision, Progress, Solution, Solver};
 use serde_json::Value;
 
 use crate::bar::Bar;
@@ -16,15 +17,14 @@ use crate::comparison::{PictureArgs, Surface, story};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
-use crate::formats::{self, Format, Geometry, MeshFile, Written, references};
+use crate::formats::{self, Format, MeshFile, Written, references};
 use crate::jobs::{FilesArgs, Job};
 use crate::output::Output;
-use crate::region::RegionReport;
-use crate::remesh;
 use crate::report::{Summary, Times};
-use crate::selection::{self, RegionArgs, Selected};
+use crate::selection::{self, RegionArgs};
 use crate::solver::SolverArgs;
 use crate::surface::{IntersectionArgs, MeshArgs, SurfaceArgs};
+use input::FairInput;
 
 /// What `fairmesh fair` is asked.
 #[derive(Debug, Args)]
@@ -41,7 +41,7 @@ pub struct FairArgs {
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
     #[command(flatten)]
-    pub mesh: MeshArgs,
+    mesh: MeshArgs,
     #[command(flatten)]
     region: RegionArgs,
     /// Normals at fixed vertices beside the region: 'fitted' to the surroundings,
@@ -84,18 +84,7 @@ pub struct FairArgs {
         help_heading = "Solver",
         verbatim_doc_comment
     )]
-    pub threads: usize,
-}
-
-/// A mesh of triangles, what may move in it, and the normals and the curvature at the boundary of that.
-pub struct FairInput<'a> {
-    pub geometry: Cow<'a, Geometry>,
-    pub selected: Selected,
-    pub boundary_normals: BoundaryNormals,
-    pub boundary_curvature: BoundaryCurvature,
-    pub loop_continuity: Vec<(u32, f64)>,
-    /// How the region was found, if by steps.
-    pub region: RegionReport,
+    threads: usize,
 }
 
 /// Runs the command on every mesh.
@@ -131,7 +120,20 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
     let solving = Instant::now();
     let refused = |error| explain::refusal(&job.input, &mesh, &error);
     let input = if args.remesh {
-        remesh::remesh(args, solver, &input).map_err(refused)?
+        let rough = solve(
+            args,
+            solver,
+            &input,
+            Some(remesh::TOLERANCE),
+            OutputPrecision::Double,
+        );
+        remesh::remesh(
+            &input,
+            &rough.map_err(refused)?,
+            args.mesh.coincident,
+            args.threads,
+        )
+        .map_err(refused)?
     } else {
         input
     };
@@ -206,7 +208,7 @@ fn plain(format: Format, solution: &Solution, polygons: &[impl AsRef<[u32]>]) ->
 }
 
 /// The library's call.
-pub fn solve(
+fn solve(
     args: &FairArgs,
     solver: Solver,
     input: &FairInput<'_>,

@@ -182,7 +182,8 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
         parents: &filled.parents,
         carry: carry.as_ref(),
     };
-    let led = references::led(mesh.with_added(format, &added), format, &job.input, &job.output);
+    let grown = mesh.with_added(format, &added, source.map(|of| &of.was));
+    let led = references::led(grown, format, &job.input, &job.output);
     output.write(&led.bytes)?;
     let total = start.elapsed().as_secs_f64();
     let json = || {

@@ -7,7 +7,8 @@ use fairmesh_shapes::{HarmonicProfile, OUTSIDE, Sampling, Shape, Surface, revolu
 
 use crate::answer::{say, say_aside};
 use crate::failure::Failure;
-use crate::formats::pipes::{PipeArgs, is_piped};
+use crate::formats::pipe_args::PipeArgs;
+use crate::formats::pipes::is_piped;
 use crate::formats::{self, Format};
 use crate::output::Output;
 

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
-use crate::formats::pipes::PipeArgs;
+use crate::formats::pipe_args::PipeArgs;
 use crate::formats::{Geometry, MeshFile};
 use crate::join;
 use crate::rim;

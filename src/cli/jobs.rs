@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::formats::pipes::{Piped, PipesArgs, is_piped};
+use crate::formats::pipe_args::{Piped, PipesArgs};
+use crate::formats::pipes::is_piped;
 
 /// The files of `fair` and `fill`.
 #[derive(Debug, Args)]

@@ -8,7 +8,7 @@ use fairmesh::{FillOptions, Options, OutputPrecision};
 use crate::answer::Answer;
 use crate::batch::Telling;
 use crate::failure::Failure;
-use crate::formats::pipes::Piped;
+use crate::formats::pipe_args::Piped;
 use crate::formats::{Format, MeshFile};
 use crate::output::Output;
 use crate::surface::{IntersectionArgs, MeshArgs};

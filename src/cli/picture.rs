@@ -3,82 +3,25 @@
 mod animation;
 mod camera;
 mod canvas;
-mod image;
 mod paint;
 mod pixels;
 mod refined;
 mod scale;
 mod sheet;
+mod view;
 
 use rayon::prelude::*;
 
 use crate::failure::Failure;
-use crate::formats::textures::Textured;
 pub use animation::Animation;
 use camera::Camera;
 use canvas::Canvas;
-pub use image::{Image, linear};
 pub use pixels::Pixels;
 pub use refined::Refined;
 pub use scale::{Palette, Scale};
 pub use sheet::Layout;
-
-type V3 = [f64; 3];
-
-/// How a surface is painted.
-#[derive(Clone, Copy)]
-pub enum Shading<'a> {
-    /// Every triangle by its own normal.
-    Flat,
-    /// The same, with some triangles in another colour.
-    Marked(&'a [bool]),
-    /// The mirror image of rings of light around a far sphere, by interpolated vertex normals. A crease breaks the lines,
-    /// a jump of curvature kinks them.
-    ReflectionLines,
-    /// Colours of a scale by a value per vertex, which is interpolated.
-    Values(&'a [f64], &'a Scale),
-    /// Colours of the vertices, from 0 to 255, interpolated.
-    VertexColours(&'a [[f64; 3]]),
-    /// Colours of the triangles, from 0 to 255.
-    FaceColours(&'a [[f64; 3]]),
-    /// Covered with pictures.
-    Textured(&'a Textured),
-}
-
-/// One picture of one surface.
-pub struct View<'a> {
-    pub positions: &'a [V3],
-    pub triangles: &'a [[u32; 3]],
-    pub shading: Shading<'a>,
-    /// Vertices that have to be in the picture. Empty: all.
-    pub focus: &'a [bool],
-}
-
-/// How it is seen. All views are seen by the same camera, which shows all of every surface's focus.
-pub struct PictureOptions {
-    /// Width and height of one view, in pixels.
-    pub tile: [usize; 2],
-    /// From the surface to the eye; any length.
-    pub direction: V3,
-    /// What points up in the picture.
-    pub up: V3,
-    /// Samples per pixel along each axis.
-    pub samples: usize,
-    /// Share of a tile that stays empty on each side.
-    pub margin: f64,
-}
-
-impl Default for PictureOptions {
-    fn default() -> Self {
-        Self {
-            tile: [720, 720],
-            direction: [1.0, 0.7, 0.8],
-            up: [0.0, 0.0, 1.0],
-            samples: 3,
-            margin: 0.06,
-        }
-    }
-}
+use view::V3;
+pub use view::{PictureOptions, Shading, View};
 
 /// Views that are seen by the same camera.
 pub struct Group<'a> {

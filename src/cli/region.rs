@@ -11,7 +11,7 @@ use crate::explain;
 use crate::failure::Failure;
 use crate::figures::significant;
 use crate::formats::{Geometry, Kind, MeshFile};
-use crate::selection::Selected;
+use crate::selected::Selected;
 use flags::Part;
 pub use flags::RegionSteps;
 

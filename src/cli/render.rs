@@ -14,7 +14,7 @@ use crate::answer::Answer;
 use crate::explain;
 use crate::failure::Failure;
 use crate::formats::colours::Colours;
-use crate::formats::pipes::PipeArgs;
+use crate::formats::pipe_args::PipeArgs;
 use crate::formats::textures::Textured;
 use crate::formats::{Geometry, Kind, MeshFile};
 use crate::normals::unit;

@@ -9,7 +9,7 @@ use serde_json::json;
 use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::formats::packed;
-use crate::formats::pipes::PipesArgs;
+use crate::formats::pipe_args::PipesArgs;
 use crate::formats::references::{self, Led};
 use crate::formats::{Format, Geometry, Kind, MeshFile};
 use crate::normals;
@@ -17,7 +17,8 @@ use crate::output::Output;
 use crate::picture::{self, Layout, PictureOptions, Shading, View};
 use crate::region;
 use crate::render;
-use crate::selection::{self, RegionArgs, Selected};
+use crate::selected::Selected;
+use crate::selection::{self, RegionArgs};
 use crate::surface::MeshArgs;
 
 /// What `fairmesh select` is asked.

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::changes::Comparison;
 use super::page::{Story, page};
-use super::{Comparison, Surface, V3};
+use super::surface::{Surface, V3};
 use crate::answer::{same_file, untold};
 use crate::explain;
 use crate::failure::Failure;

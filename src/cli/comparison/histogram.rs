@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use super::{Comparison, Surface, markup};
+use super::changes::Comparison;
+use super::markup;
+use super::surface::Surface;
 use crate::normals::{cross, dot, sub};
 use crate::render::range::{self, Shown};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::Comparison;
+use super::changes::Comparison;
 use super::histogram::histogram;
 use super::markup::{command_line, data_uri, escaped};
 use super::sheet::Sheet;

@@ -1,6 +1,7 @@
 //! Before and after on one sheet: what has changed from near, and where it is on the whole mesh.
 
-use super::{Comparison, Surface, V3};
+use super::changes::Comparison;
+use super::surface::{Surface, V3};
 use crate::failure::Failure;
 use crate::figures::significant;
 use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};

@@ -2,7 +2,7 @@
 
 use fairmesh::{FillOutcome, LoopReport, Outcome, Report};
 
-use super::Story;
+use super::page::Story;
 use crate::continuity;
 use crate::explain;
 use crate::figures::{VERTICES, listed, range, significant};

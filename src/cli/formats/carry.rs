@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use fairmesh::Carried;
 
-use crate::formats::MeshFile;
+use super::geometry::Geometry;
 
 /// Texture coordinates of a face's corners.
 pub type Corners = [[f64; 2]; 3];
@@ -12,7 +12,7 @@ pub type Corners = [[f64; 2]; 3];
 /// Where what is new comes from.
 pub struct Carry<'a> {
     /// The mesh as it was.
-    pub mesh: &'a MeshFile,
+    pub geometry: &'a Geometry,
     /// Per new vertex its place there.
     pub vertices: &'a [Option<Carried>],
     /// Per new triangle that of its middle.
@@ -25,7 +25,7 @@ impl Carry<'_> {
     /// Per new face the texture coordinates of its corners, None where a seam is crossed. `wedges` are those of every triangle of the
     /// mesh as it was; what hangs together by edges with the same coordinates on both sides is a chart.
     pub fn textures(&self, wedges: &[Option<Corners>], faces: &[[u32; 3]]) -> Vec<Option<Corners>> {
-        let triangles = &self.mesh.geometry.triangles;
+        let triangles = &self.geometry.triangles;
         let charts = charts(triangles, wedges);
         let mut at: BTreeMap<(u32, usize), [f64; 2]> = BTreeMap::new();
         for ((t, wedge), chart) in triangles.iter().zip(wedges).zip(&charts) {

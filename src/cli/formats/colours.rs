@@ -1,6 +1,8 @@
 //! The colours that a file has per vertex or face.
 
-use super::{Kind, MeshFile, Places, obj};
+use super::geometry::Kind;
+use super::mesh_file::{MeshFile, Places};
+use super::obj;
 
 /// Colours, from 0 to 255 per channel.
 pub struct Colours {

@@ -1,6 +1,7 @@
 //! A mesh in another format.
 
-use super::{Format, MeshFile, plain};
+use super::format::Format;
+use super::mesh_file::{MeshFile, plain};
 
 impl MeshFile {
     /// The bytes in this format: those of the file, or in another one its vertices and faces and nothing else.

@@ -1,15 +1,18 @@
 //! Wavefront OBJ.
 
 mod grow;
+mod lines;
 mod materials;
 mod only;
 
 use std::ops::Range;
 
 use crate::failure::Malformed;
+use crate::formats::change::Change;
+use crate::formats::geometry::Geometry;
 use crate::formats::patches::Patches;
-use crate::formats::{Change, Geometry};
 use crate::text::{self, Words};
+use lines::logical_line;
 
 pub use grow::grown;
 pub use materials::materials_and_corners;
@@ -47,26 +50,6 @@ impl Obj {
         };
         self.vertex_lines.iter().map(of).collect()
     }
-}
-
-/// The bytes from `at` to the end of its line, joined with the next line after a backslash, and where the
-/// next line begins.
-fn logical_line(bytes: &[u8], at: usize) -> (Range<usize>, usize) {
-    let (mut range, mut next) = text::line(bytes, at);
-    if bytes[range.clone()].contains(&b'#') {
-        // A comment is never joined.
-        return (range, next);
-    }
-    while range.end > range.start && bytes[range.end - 1] == b'\\' && next < bytes.len() {
-        let (more, after) = text::line(bytes, next);
-        // An empty line after the backslash must not end in the same backslash again.
-        let grown = more.end > range.end && more.start < more.end;
-        (range.end, next) = (more.end, after);
-        if !grown {
-            break;
-        }
-    }
-    (range, next)
 }
 
 /// Reads a file's bytes.

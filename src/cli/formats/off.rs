@@ -4,9 +4,10 @@ use std::fmt::Arguments;
 use std::ops::Range;
 
 use crate::failure::Malformed;
+use crate::formats::change::Change;
+use crate::formats::geometry::Geometry;
 use crate::formats::obj::FULL;
 use crate::formats::patches::Patches;
-use crate::formats::{Change, Geometry};
 use crate::text::{self, Layout, Words};
 
 /// Where the vertices are.

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use crate::formats::Change;
 use crate::text::{self, Words};
 
 /// Replacements that do not overlap, in any order.
@@ -41,19 +40,5 @@ impl Patches {
         }
         out.extend_from_slice(&bytes[at..]);
         out
-    }
-}
-
-impl Change<'_> {
-    /// The vertices with anything to write: number, new position if moved, new normal if there is one.
-    pub fn vertices(&self) -> impl Iterator<Item = (usize, Option<[f64; 3]>, Option<[f64; 3]>)> + '_ {
-        let mut normals = self.normals.iter().peekable();
-        self.moved.iter().enumerate().filter_map(move |(v, &moved)| {
-            let normal = normals
-                .next_if(|(w, _)| *w as usize == v)
-                .map(|&(_, normal)| normal);
-            let position = moved.then(|| self.positions[v]);
-            (position.is_some() || normal.is_some()).then_some((v, position, normal))
-        })
     }
 }

@@ -7,8 +7,9 @@ mod rows;
 mod texture;
 
 use crate::failure::Malformed;
+use crate::formats::change::Change;
+use crate::formats::geometry::{Geometry, Kind};
 use crate::formats::patches::Patches;
-use crate::formats::{Change, Geometry, Kind};
 use crate::text::Layout;
 use header::{Element, Encoding, Header, PropertyKind, Scalar};
 use rows::{Field, Rows};

@@ -4,7 +4,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
-use super::Format;
+use super::format::Format;
 use super::patches::Patches;
 use super::pipes::is_piped;
 use crate::text;

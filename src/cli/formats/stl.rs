@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::failure::Malformed;
+use crate::formats::change::Change;
+use crate::formats::geometry::Geometry;
 use crate::formats::patches::Patches;
-use crate::formats::{Change, Geometry};
 use crate::normals;
 use crate::text::{self, Words};
 

@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::carry::Corners;
+use super::image::{Image, linear};
+use super::mesh_file::{MeshFile, Places};
 use super::pipes::is_piped;
-use super::{MeshFile, Places, obj, references};
+use super::{obj, references};
 use crate::failure::Failure;
-use crate::picture::{Image, linear};
 use crate::text;
 
 /// What the surface is made of.

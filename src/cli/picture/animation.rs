@@ -6,7 +6,7 @@ use super::camera::Camera;
 use super::canvas::Canvas;
 use super::pixels::Pixels;
 use super::sheet::{self, Layout};
-use super::{PictureOptions, View};
+use super::view::{PictureOptions, View};
 
 /// A whole turn takes so long, in hundredths of a second.
 const TURN: usize = 600;

@@ -1,6 +1,6 @@
 //! Where the eye is, and where it sees a point.
 
-use super::{PictureOptions, V3, View};
+use super::view::{PictureOptions, V3, View};
 use crate::normals::{cross, dot, sub, unit};
 
 /// Distance of the eye from the centre, in radii of the bounding sphere.

@@ -7,7 +7,7 @@
 use super::camera::{Camera, Projected};
 use super::paint::Painter;
 use super::pixels::Pixels;
-use super::{PictureOptions, View};
+use super::view::{PictureOptions, View};
 
 /// Linear light where there is no surface.
 pub const BACKDROP: [f32; 3] = [0.90, 0.91, 0.93];

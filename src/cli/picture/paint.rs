@@ -1,8 +1,8 @@
 //! The light that a point of the surface sends to the eye.
 
 use super::camera::Camera;
-use super::image::linear;
-use super::{Shading, V3, View};
+use super::view::{Shading, V3, View};
+use crate::formats::image::linear;
 use crate::normals::{all_seen, dot, of_triangle, sub, unit};
 
 /// Twice the number of rings of light from pole to pole. Odd: a pole is all dark or all bright.

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::logical_line;
+use super::lines::logical_line;
+use crate::formats::added::{Added, average};
 use crate::formats::carry::Corners;
-use crate::formats::{Added, average};
 use crate::text::{self, Words};
 
 /// What the file says about its vertices besides where they are.
@@ -20,8 +20,8 @@ pub(super) struct Attributes {
     pub(super) wedges: Vec<Option<Corners>>,
 }
 
-/// The file with lines for new vertices and faces behind its own.
-pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
+/// The file with lines for new vertices and faces behind its own. `was` is what attributes are carried over from.
+pub fn grown(bytes: &[u8], added: &Added<'_>, was: Option<&[u8]>, faces: &[[u32; 3]]) -> Vec<u8> {
     let old = added.old_vertices();
     let mut attributes = Attributes::read(bytes, old);
     let mut out = bytes.to_vec();
@@ -29,9 +29,9 @@ pub fn grown(bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]]) -> Vec<u8> {
         out.push(b'\n');
     }
     let mut textures = String::new();
-    let was = added.carry.and_then(|carry| {
-        let count = carry.mesh.geometry.positions.len();
-        Some((carry, Attributes::read(carry.mesh.as_obj()?, count)))
+    let was = added.carry.zip(was).map(|(carry, bytes)| {
+        let count = carry.geometry.positions.len();
+        (carry, Attributes::read(bytes, count))
     });
     for (i, (position, parents)) in added.positions[old..].iter().zip(added.parents).enumerate() {
         let carried = was

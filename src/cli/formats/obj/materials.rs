@@ -1,7 +1,7 @@
 //! Which material each triangle of an OBJ file has, and where its corners lie in the texture.
 
 use super::grow::Attributes;
-use super::logical_line;
+use super::lines::logical_line;
 use crate::formats::carry::Corners;
 use crate::text;
 

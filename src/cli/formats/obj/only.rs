@@ -1,6 +1,6 @@
 //! An OBJ file without some of its vertices and faces.
 
-use super::logical_line;
+use super::lines::logical_line;
 use crate::formats::patches::Patches;
 use crate::text::{self, Words};
 

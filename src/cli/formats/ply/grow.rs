@@ -3,9 +3,9 @@
 use super::header::{Encoding, PropertyKind, Scalar};
 use super::rows::Field;
 use super::{Ply, Table, rows};
+use crate::formats::added::{Added, average};
 use crate::formats::carry::Corners;
 use crate::formats::patches::Patches;
-use crate::formats::{Added, average};
 use crate::normals;
 use crate::text;
 
@@ -35,15 +35,22 @@ const AVERAGED: [&str; 21] = [
 ];
 
 impl Ply {
-    /// Rows for what was added; the file's own rows stay as they are.
-    pub fn grow(&self, bytes: &[u8], added: &Added<'_>, faces: &[[u32; 3]], patches: &mut Patches) {
+    /// Rows for what was added; the file's own rows stay as they are. `was` is what attributes are carried over from.
+    pub fn grow(
+        &self,
+        bytes: &[u8],
+        added: &Added<'_>,
+        was: Option<(&Ply, &[u8])>,
+        faces: &[[u32; 3]],
+        patches: &mut Patches,
+    ) {
         let old_vertices = added.old_vertices();
         let mut new = Vec::new();
         let normals = match self.normal {
             Some(_) => normals::all(added.positions, added.triangles),
             None => Vec::new(),
         };
-        let was = added.carry.and_then(|carry| Some((carry, carry.mesh.as_ply()?)));
+        let was = added.carry.zip(was);
         for (i, parents) in added.parents.iter().enumerate() {
             let v = old_vertices + i;
             let carried = was.and_then(|(carry, was)| Some((carry.vertices[i].as_ref()?, was)));
@@ -70,7 +77,7 @@ impl Ply {
             for ((corners, texture), carried) in faces.iter().zip(textures).zip(carry.faces) {
                 let polygon = carried
                     .as_ref()
-                    .map(|of| carry.mesh.geometry.polygon_of(of.triangle as usize));
+                    .map(|of| carry.geometry.polygon_of(of.triangle as usize));
                 let values = polygon.map(|polygon| was.numbers_of_face(was_bytes, polygon));
                 let value = |property: usize| values.as_ref().map_or(0.0, |values| values[property]);
                 self.push_face(

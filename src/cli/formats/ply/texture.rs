@@ -2,7 +2,7 @@
 
 use super::Ply;
 use crate::formats::carry::Corners;
-use crate::formats::{Geometry, Kind};
+use crate::formats::geometry::{Geometry, Kind};
 
 /// What programs call the texture coordinates of vertices.
 const NAMES: [[&str; 2]; 4] = [

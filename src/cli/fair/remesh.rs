@@ -3,27 +3,27 @@
 use std::borrow::Cow;
 
 use fairmesh::{
-    BoundaryCurvature, BoundaryNormals, FillOptions, Options, Outcome, OutputPrecision, RemeshOptions,
-    Remeshed, Solver, refill_region, remesh_region,
+    BoundaryCurvature, BoundaryNormals, Coincident, FillOptions, Options, Outcome, RemeshOptions, Remeshed,
+    Solution, refill_region, remesh_region,
 };
 
-use crate::fair::{FairArgs, FairInput, solve};
+use super::input::FairInput;
 use crate::formats::{Geometry, Kind};
-use crate::selection::Selected;
+use crate::selected::Selected;
 
 /// How well the surface is faired on which the new vertices are laid out.
-const TOLERANCE: f64 = 1e-3;
+pub const TOLERANCE: f64 = 1e-3;
 
-/// The same region, triangulated anew.
+/// The same region, triangulated anew where a rough solution lies.
 pub fn remesh(
-    args: &FairArgs,
-    solver: Solver,
     input: &FairInput<'_>,
+    rough: &Solution,
+    coincident: Coincident,
+    threads: usize,
 ) -> Result<FairInput<'static>, fairmesh::Error> {
-    let rough = solve(args, solver, input, Some(TOLERANCE), OutputPrecision::Double)?;
     let is_poor = matches!(rough.report.outcome, Outcome::ConvergedPoorTriangles { .. });
     let refilled = match rough.report.linear_surface || is_poor {
-        true => refill(args, input)?,
+        true => refill(input, coincident, threads)?,
         false => None,
     };
     let positions = if rough.report.linear_surface {
@@ -32,7 +32,7 @@ pub fn remesh(
         &rough.positions
     };
     let options = RemeshOptions {
-        coincident: args.mesh.coincident,
+        coincident,
         ..RemeshOptions::default()
     };
     let triangles = &input.geometry.triangles;
@@ -73,13 +73,17 @@ pub fn remesh(
 }
 
 /// The region deleted and filled: its shape has led to no sound surface.
-fn refill(args: &FairArgs, input: &FairInput<'_>) -> Result<Option<Remeshed>, fairmesh::Error> {
+fn refill(
+    input: &FairInput<'_>,
+    coincident: Coincident,
+    threads: usize,
+) -> Result<Option<Remeshed>, fairmesh::Error> {
     let options = FillOptions {
         fairing: Options {
             boundary_normals: input.boundary_normals.clone(),
             tolerance: TOLERANCE,
-            coincident: args.mesh.coincident,
-            threads: args.threads,
+            coincident,
+            threads,
             ..Options::default()
         },
         ..FillOptions::default()
