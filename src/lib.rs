@@ -20,7 +20,6 @@ mod fairing;
 mod holes;
 mod intersections;
 mod mesh;
-mod order;
 mod paper;
 mod profile;
 mod quality;

@@ -10,7 +10,6 @@ use nalgebra::Vector3;
 use super::simd::{Simd, Vec3};
 use crate::mesh::rows::Rows;
 use crate::mesh::{NONE, Rings};
-use crate::order;
 
 /// Vertices per batch: one 256-bit register. With two of them the sums of a fit would not stay in registers.
 pub(crate) const LANES: usize = 4;
@@ -82,7 +81,7 @@ impl ValenceBatches {
             let (batch, slot) = (batches.vertex.len(), batches.neighbour.len());
             sorted.clear();
             sorted.extend(vertices.clone().map(|i| i as u32));
-            order::by_number(&mut sorted, |&i| valence(i) as u64);
+            sorted.sort_by_key(|&i| valence(i));
             for class in sorted.chunk_by(|&a, &b| valence(a) == valence(b)) {
                 for members in class.chunks(LANES) {
                     batches.push(rings, members);

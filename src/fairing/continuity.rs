@@ -5,7 +5,6 @@ use super::options::Options;
 use crate::error::Error;
 use crate::mesh::Region;
 use crate::mesh::boundary_loops::boundary_loops;
-use crate::order;
 use crate::solve::{AskedContinuity, Domain, LoopContinuity};
 
 /// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
@@ -37,7 +36,7 @@ pub(super) fn asked_continuity(region: &Region, options: &Options, scale: f64) -
 
 /// What is given for vertices, by boundary vertex. Of repeated ones the last holds.
 fn at_boundary<T: Copy>(region: &Region, mut list: Vec<(u32, T)>) -> Vec<Option<T>> {
-    order::by_number(&mut list, |entry| u64::from(entry.0));
+    list.sort_by_key(|entry| entry.0);
     let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
     boundary
         .map(|v| {

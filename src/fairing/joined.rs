@@ -10,7 +10,6 @@ use super::options::Options;
 use super::report::Solution;
 use crate::error::Error;
 use crate::mesh::coincident::Copies;
-use crate::order;
 
 /// The mean of unit normals that is shorter than this is no direction: two of them are more than 120 degrees apart.
 const SHORTEST_MEAN: f64 = 0.5;
@@ -64,9 +63,7 @@ pub(super) fn joined_normals<'n>(copies: &Copies, normals: &'n BoundaryNormals) 
 /// last one holds.
 fn of_copies<T: Copy>(copies: &Copies, list: &[(u32, T)], mean: impl Fn(&[T]) -> T) -> Vec<(u32, T)> {
     let mut entries: Vec<(u32, u32, T)> = list.iter().map(|&(v, n)| (copies.smallest(v), v, n)).collect();
-    order::by_number(&mut entries, |entry| {
-        u64::from(entry.0) << 32 | u64::from(entry.1)
-    });
+    entries.sort_by_key(|entry| (entry.0, entry.1));
     let by_vertex = entries.chunk_by(|a, b| a.0 == b.0);
     by_vertex
         .map(|of_vertex| {

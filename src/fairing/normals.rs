@@ -5,7 +5,6 @@ use nalgebra::Vector3;
 use crate::discrete::boundary_normals::estimate;
 use crate::error::Error;
 use crate::mesh::Region;
-use crate::order;
 use crate::solve::Domain;
 use crate::table::{choices, table};
 
@@ -57,7 +56,7 @@ impl GivenNormals {
             BoundaryNormals::Fitted | BoundaryNormals::Averaged => Vec::new(),
         };
         // Of repeated ones the last holds.
-        order::by_number(&mut list, |(v, _)| u64::from(*v));
+        list.sort_by_key(|(v, _)| *v);
         Self(list)
     }
 

@@ -4,7 +4,6 @@ use super::component_solution::ComponentSolution;
 use super::options::{Intersections, Options};
 use super::report::{ComponentReport, Outcome, SelfIntersections};
 use crate::intersections::of_some;
-use crate::order;
 use crate::profile::clock;
 
 /// What intersects, and whose it is.
@@ -69,7 +68,7 @@ fn counts(pairs: &[[u32; 2]], components: &[ComponentSolution]) -> Vec<usize> {
         triangles.into_iter().map(move |t| (t, c))
     };
     let mut owners: Vec<(u32, usize)> = components.iter().enumerate().flat_map(of_component).collect();
-    order::by_number(&mut owners, |&(t, _)| u64::from(t));
+    owners.sort_by_key(|&(t, _)| t);
     let owner = |t: u32| {
         let at = owners.binary_search_by_key(&t, |owner| owner.0).ok()?;
         Some(owners[at].1)

@@ -4,7 +4,6 @@ use super::component_solution::ComponentSolution;
 use super::options::Options;
 use super::report::{ComponentReport, Outcome, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
-use crate::order;
 use crate::paper::LevelReport;
 use crate::profile;
 use crate::quality::Quality;
@@ -24,7 +23,7 @@ pub(super) fn whole(
         positions[v as usize] = p;
     }
     let mut boundary_normals = joined(components, |c| &c.boundary_normals);
-    order::by_number(&mut boundary_normals, |(v, _)| u64::from(*v));
+    boundary_normals.sort_by_key(|(v, _)| *v);
     boundary_normals.dedup();
     let crossings = Crossings::new((given, &positions), triangles, options, components);
     let mut report = report(options, components, crossings);
@@ -58,7 +57,7 @@ fn by_vertex(
     list: impl Fn(&ComponentSolution) -> &Vec<(u32, f64)>,
 ) -> Vec<(u32, f64)> {
     let mut all = joined(components, list);
-    order::by_number(&mut all, |(v, _)| u64::from(*v));
+    all.sort_by_key(|(v, _)| *v);
     all
 }
 

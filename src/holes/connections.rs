@@ -11,7 +11,6 @@ use nalgebra::Vector3;
 use super::loop_set::LoopSet;
 use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
-use crate::order;
 
 /// A connection that leaves the mesh backwards counts as so many times longer, at each end (half of it where it goes sideways).
 const BACKWARDS: f64 = 2.0;
@@ -177,7 +176,7 @@ impl Cut {
                 }
             }
         }
-        order::pairs(&mut self.taken);
+        self.taken.sort_unstable();
         self.taken.dedup();
     }
 }

@@ -9,7 +9,6 @@ use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
 use crate::mesh::input;
-use crate::order;
 use crate::quality::smallest_angle;
 
 /// What hangs loose at the edge is dropped in so many passes, at most: each takes what the one before has laid bare.
@@ -158,7 +157,7 @@ impl Cut<'_> {
             .filter(|(_, gone)| **gone);
         let edges = gone.flat_map(|(t, _)| [0, 1, 2].map(|k| (t[k], t[(k + 1) % 3])));
         let mut edges: Vec<(u32, u32)> = edges.chain(self.open.iter().copied()).collect();
-        order::pairs(&mut edges);
+        edges.sort_unstable();
         edges
     }
 
@@ -208,8 +207,8 @@ impl Cut<'_> {
                 found.push((angle, kept[t as usize]));
             }
         }
-        order::by_number(&mut found, |entry| u64::from(entry.1));
-        order::by_number(&mut found, |entry| order::ascending(entry.0));
+        found.sort_by_key(|entry| entry.1);
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
         Ok(found.into_iter().map(|entry| entry.1).collect())
     }
 

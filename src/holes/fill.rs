@@ -26,7 +26,6 @@ use crate::fairing::{
     joined_options, on_workers,
 };
 use crate::mesh::{Joined, NONE};
-use crate::order;
 use crate::stopwatch::Stopwatch;
 
 /// The filled mesh.
@@ -192,7 +191,7 @@ pub(super) fn fill_within(
     let guides = guides.resolved(&options.guides)?;
     let edges = |i: usize| -> usize { of_group(i).iter().map(|of| of.vertices.len()).sum() };
     let mut order: Vec<usize> = (0..groups.len()).collect();
-    order::by_number(&mut order, |&i| edges(i) as u64);
+    order.sort_by_key(|&i| edges(i));
     let is_checked = options.fairing.intersections == Intersections::Check;
     let chosen = (0..groups.len()).map(of_group);
     let asked = asked_for(options, positions, &loops);

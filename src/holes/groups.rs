@@ -11,7 +11,6 @@ use super::options::{FillOptions, Join, LoopFilter, Loops};
 use super::surroundings::bounds;
 use super::triangulate::Measure;
 use crate::error::Error;
-use crate::order;
 use crate::table::table;
 
 /// Loops that a patch of their own closes with less turn (degrees) have no need of others.
@@ -141,7 +140,7 @@ pub(super) fn choose(
     }
     let alone = chosen.iter().filter(|l| grouped.binary_search(l).is_err());
     groups.extend(alone.map(|&l| Group::single(l, is_named)));
-    order::by_number(&mut groups, |group| group.loops[0] as u64);
+    groups.sort_by_key(|group| group.loops[0]);
     Ok(groups)
 }
 
@@ -155,7 +154,7 @@ pub(super) fn asked_for(options: &FillOptions, positions: &[[f64; 3]], loops: &[
             let mut holes: Vec<usize> = (0..loops.len())
                 .filter(|&l| loops[l].kind == LoopKind::Hole)
                 .collect();
-            order::by_number(&mut holes, |&l| !order::ascending(loops[l].length));
+            holes.sort_by(|&a, &b| loops[b].length.total_cmp(&loops[a].length));
             holes
                 .iter()
                 .take(filter.except_longest)
@@ -273,7 +272,7 @@ pub(super) fn suggestions(
             JoinSuggestion { loops: of, reason }
         })
         .collect();
-    order::by_number(&mut found, |of| of.loops[0] as u64);
+    found.sort_by_key(|of| of.loops[0]);
     found
 }
 

@@ -9,7 +9,6 @@ use super::thinned::Thinned;
 use super::triangulate::{Barred, Measure, Polygon};
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
-use crate::order;
 
 /// Passes over all edges in which those are flipped that count less afterwards.
 const PASSES: usize = 20;
@@ -205,7 +204,7 @@ impl<'a> Closed<'a> {
                 (a.min(b), a.max(b), h)
             })
             .collect();
-        order::by_number(&mut edges, |&(a, b, _)| order::pair(a, b));
+        edges.sort_by_key(|&(a, b, _)| (a, b));
         let same = edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
         same.filter(|same| same.len() > 1)
             .flatten()

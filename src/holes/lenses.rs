@@ -9,7 +9,6 @@ use nalgebra::Vector3;
 
 use super::patch::Patch;
 use crate::mesh::NONE;
-use crate::order;
 
 /// Edges longer than this many lengths wanted at an end are looked at from everywhere; vertices beside it see others.
 const LONG: f64 = 8.0;
@@ -30,7 +29,7 @@ impl Lenses {
                 edges.push((length, ends.map(|v| patch.x[v])));
             }
         }
-        order::by_number(&mut edges, |edge| !order::ascending(edge.0));
+        edges.sort_by(|a, b| b.0.total_cmp(&a.0));
         edges.truncate(MOST);
         Self(edges.into_iter().map(|edge| edge.1).collect())
     }

@@ -7,7 +7,6 @@ use nalgebra::Vector3;
 use super::links::Links;
 use super::loops::BoundaryLoop;
 use crate::mesh::halfedge::{next, previous};
-use crate::order;
 
 /// Four unit normals that nearly cancel, to a sum shorter than this, say nothing.
 const OPPOSITE: f64 = 0.5;
@@ -141,7 +140,7 @@ pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32
     let vertices = loops.iter().flat_map(|boundary| &boundary.vertices).copied();
     let ordered: Vec<(u32, u32)> = vertices.zip(0..).collect();
     let mut order = ordered.clone();
-    order::pairs(&mut order);
+    order.sort_unstable();
     let place = |v: u32| order.binary_search_by_key(&v, |o| o.0).ok().map(|i| order[i].1);
     let mut pairs = Vec::new();
     for (v, i) in ordered {
@@ -153,7 +152,7 @@ pub(super) fn taken(links: &Links<'_>, loops: &[&BoundaryLoop]) -> Vec<(u32, u32
             }
         }
     }
-    order::pairs(&mut pairs);
+    pairs.sort_unstable();
     pairs.dedup();
     pairs
 }

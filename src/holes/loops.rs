@@ -15,7 +15,6 @@ use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
-use crate::order;
 use crate::table::table;
 
 /// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
@@ -213,9 +212,7 @@ impl Links<'_> {
                 bad => vec![(run, bad)],
             })
             .collect();
-        order::by_number(&mut found, |(run, _)| {
-            run.iter().min().map_or(0, |&h| u64::from(h))
-        });
+        found.sort_by_key(|(run, _)| run.iter().min().map_or(0, |&h| h));
         let mut visits = vec![0u8; self.outgoing.len()];
         for &h in found.iter().flat_map(|(run, _)| run) {
             let v = self.origin(next(h)) as usize;

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::patch::Patch;
-use crate::order;
 
 /// Original vertices of the boundary and their weights, which sum to one and are not negative. Unused entries repeat a
 /// vertex with weight 0.
@@ -79,8 +78,8 @@ pub(super) fn compose(parents: &mut [Parents], old: usize, first: usize) {
                 Some(of) => (0..3).for_each(|k| add(of.vertices[k], w * of.weights[k])),
             }
         }
-        order::by_number(&mut sums, |sum| u64::from(sum.0));
-        order::by_number(&mut sums, |sum| !order::ascending(sum.1));
+        sums.sort_by_key(|sum| sum.0);
+        sums.sort_by(|a, b| b.1.total_cmp(&a.1));
         sums.truncate(3);
         let total: f64 = sums.iter().map(|sum| sum.1).sum();
         let at = |k: usize| sums.get(k).copied().unwrap_or((sums[0].0, 0.0));

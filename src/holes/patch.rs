@@ -7,7 +7,6 @@ use nalgebra::Vector3;
 
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
-use crate::order;
 
 /// The length wanted grows at most by this much per unit of length away from a short boundary edge.
 pub(super) const GRADE: f64 = 0.5;
@@ -64,7 +63,7 @@ impl Patch {
                 (a.min(b), a.max(b), h)
             })
             .collect();
-        order::by_number(&mut edges, |&(a, b, _)| order::pair(a, b));
+        edges.sort_by_key(|&(a, b, _)| (a, b));
         for pair in edges.windows(2) {
             if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
                 patch.link(pair[0].2, pair[1].2);

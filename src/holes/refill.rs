@@ -9,7 +9,6 @@ use super::remesh::Remeshed;
 use crate::error::Error;
 use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, ProgressCallback, Report};
 use crate::mesh::{Joined, NONE, Region, Selection};
-use crate::order;
 
 /// Deletes a region, and fills the loops that are left, those of each component of the region with one patch. None where that
 /// leads to no fair patch that intersects nothing, where it would lose a vertex that is fixed: one inside the region, or one without
@@ -259,7 +258,7 @@ fn edges(region: &Region) -> Vec<([u32; 2], u32)> {
             edges.push((edge, component));
         }
     }
-    order::by_number(&mut edges, |entry| u64::from(entry.1));
-    order::by_number(&mut edges, |entry| order::pair(entry.0[0], entry.0[1]));
+    edges.sort_by_key(|entry| entry.1);
+    edges.sort_by_key(|entry| (entry.0[0], entry.0[1]));
     edges
 }

@@ -7,7 +7,6 @@ use super::refine::{Fineness, Refiner};
 use crate::error::Error;
 use crate::mesh::coincident::{Coincident, Copies};
 use crate::mesh::{Joined, NONE, Region, Selection};
-use crate::order;
 
 /// Sweeps in which edge lengths spread from the boundary into the region.
 const SWEEPS: usize = 100;
@@ -176,7 +175,7 @@ fn taken(region: &Region) -> Vec<(u32, u32)> {
             }
         }
     }
-    order::pairs(&mut taken);
+    taken.sort_unstable();
     taken.dedup();
     taken
 }

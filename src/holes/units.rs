@@ -8,7 +8,6 @@ use crate::fairing::{
     BoundaryCurvature, BoundaryNormals, Coincident, CurvatureContinuity, Intersections, Options,
     OutputPrecision, Report, Target,
 };
-use crate::order;
 use crate::quality::Quality;
 
 /// At most so many iterations for the fine patch, those after it was mended included. Of 227 fair patches on public meshes half
@@ -59,7 +58,7 @@ pub(super) fn local_options(around: &Surroundings, asked: &Options) -> Options {
 /// What is given for the loop's vertices, in local numbers.
 fn local_entries<T: Copy>(around: &Surroundings, list: &[(u32, T)]) -> Vec<(u32, T)> {
     let mut list = list.to_vec();
-    order::by_number(&mut list, |entry| u64::from(entry.0));
+    list.sort_by_key(|entry| entry.0);
     let boundary = (0..).zip(&around.ids[..around.loop_vertices]);
     boundary
         .filter_map(|(v, id)| {

@@ -15,7 +15,6 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 use super::triangles::{Axes, Corners, segments_meet, turn};
-use crate::order;
 
 /// Comparisons of open edges that are made for each of them: a bound on the work for boundaries that are no sensible ones.
 const COMPARISONS: usize = 256;
@@ -58,7 +57,7 @@ fn are_simple(axes: Axes, open: &mut [Edge<'_>]) -> bool {
     };
     let low = |e: &Edge<'_>, axis: usize| e.0[0][axis].min(e.0[1][axis]);
     let high = |e: &Edge<'_>, axis: usize| e.0[0][axis].max(e.0[1][axis]);
-    order::by_number(open, |e| order::ascending(low(e, along)));
+    open.sort_by(|a, b| low(a, along).total_cmp(&low(b, along)));
     let mut comparisons = COMPARISONS * open.len();
     for (i, e) in open.iter().enumerate() {
         let (end, sides) = (high(e, along), [low(e, beside), high(e, beside)]);
@@ -96,7 +95,7 @@ fn are_one_by_turns(axes: Axes, open: &[Edge<'_>]) -> bool {
     let sorted = |end: usize| {
         let mut edges = open.to_vec();
         for axis in [axes[1], axes[0]] {
-            order::by_number(&mut edges, |e| order::ascending(e.0[end][axis]));
+            edges.sort_by(|a, b| a.0[end][axis].total_cmp(&b.0[end][axis]));
         }
         edges
     };

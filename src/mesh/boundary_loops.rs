@@ -4,7 +4,6 @@ use super::halfedge::HalfEdges;
 use super::halfedge::NONE;
 use super::region::Region;
 use super::rings::Rings;
-use crate::order;
 
 /// The closed runs of boundary edges that visit no vertex twice, each as boundary vertices (numbered from the first of them)
 /// with the region on the left, beginning at the smallest one. A run that comes back to one of its vertices is several of them.
@@ -13,7 +12,7 @@ pub(crate) fn boundary_loops(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
     let local = |v: u32| v - region.free as u32;
     let ends = |&h: &u32| (local(half_edges.origin(h)), local(half_edges.target(h)));
     let mut edges: Vec<(u32, u32)> = rings.boundary_half_edges.iter().map(ends).collect();
-    order::pairs(&mut edges);
+    edges.sort_unstable();
     // Per vertex its first edge that is not walked yet.
     let mut next: Vec<usize> = (0..region.boundary as u32)
         .map(|b| edges.partition_point(|edge| edge.0 < b))
@@ -45,7 +44,7 @@ pub(crate) fn boundary_loops(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
     }
     loops.retain(|along| along.len() > 2);
     // No two have an edge in common.
-    order::by_number(&mut loops, |along| order::pair(along[0], along[1]));
+    loops.sort_by_key(|along| (along[0], along[1]));
     loops
 }
 

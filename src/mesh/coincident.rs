@@ -9,7 +9,6 @@ use super::input;
 use super::selection::Selection;
 use super::stitches::representatives;
 use crate::error::Error;
-use crate::order;
 use crate::table::table;
 
 /// Whether vertices at the same place are one vertex of the surface.
@@ -90,7 +89,7 @@ impl Copies {
     fn new(smallest: Vec<u32>) -> Self {
         let others = (0..).zip(&smallest).filter(|(v, s)| *v != **s);
         let mut pairs: Vec<(u32, u32)> = others.map(|(v, &s)| (s, v)).collect();
-        order::pairs(&mut pairs);
+        pairs.sort_unstable();
         Self { smallest, pairs }
     }
 
@@ -122,7 +121,7 @@ impl Copies {
         let of = |entry: &(u32, T)| self.others(entry.0).map(|v| (v, entry.1)).collect::<Vec<_>>();
         let more: Vec<_> = list.iter().flat_map(of).collect();
         list.extend(more);
-        order::by_number(list, |entry| u64::from(entry.0));
+        list.sort_by_key(|entry| entry.0);
     }
 
     /// A selection in the joined mesh's numbers. What it names wrongly is left for the checks that follow.

@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use super::EditableMesh;
 use super::halfedge::next;
 use super::rows::Rows;
-use crate::order;
 
 /// A collapse leaves no triangle with less than this roundness: edges grow slowly away from the boundary, none of whose
 /// vertices are removed.
@@ -134,7 +133,7 @@ impl Disk {
                 self.choices.push((roundness, j));
             }
         }
-        order::by_number(&mut self.choices, |choice| !order::ascending(choice.0));
+        self.choices.sort_by(|a, b| b.0.total_cmp(&a.0));
     }
 
     /// Of the triangles that are left when the vertex moves to the end of edge `j`, by the lengths that they will have; none

@@ -9,7 +9,6 @@ use super::halfedge::NONE;
 use super::region::Region;
 use super::rings::Rings;
 use super::rows::Rows;
-use crate::order;
 
 /// Rows of vertices beside the boundary that are all kept.
 const KEPT: u32 = 2;
@@ -197,7 +196,7 @@ fn neighbours(free: usize, triangles: &[[u32; 3]]) -> Rows<u32> {
     let edges = triangles.iter();
     let edges = edges.flat_map(|&[a, b, c]| [(a, b), (b, a), (b, c), (c, b), (c, a), (a, c)]);
     let mut pairs: Vec<(u32, u32)> = edges.filter(|(a, _)| (*a as usize) < free).collect();
-    order::pairs(&mut pairs);
+    pairs.sort_unstable();
     pairs.dedup();
     Rows::collect(free, pairs.into_iter())
 }

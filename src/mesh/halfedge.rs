@@ -5,7 +5,6 @@
 
 use super::rows::Rows;
 use crate::error::Error;
-use crate::order;
 
 /// No element: the partner of a boundary half-edge, the flap that is not there.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -322,7 +321,7 @@ impl Flaws {
     fn note(&mut self, half_edges: &HalfEdges, ends: [u32; 2], edge: &[(u32, u32)], vertex_ids: &[u32]) {
         let id = |h: u32| half_edges.triangle_ids[h as usize / 3];
         let mut by_third: Vec<_> = edge.iter().map(|&(_, h)| (half_edges.apex(h), id(h))).collect();
-        order::pairs(&mut by_third);
+        by_third.sort_unstable();
         for pair in by_third.windows(2).filter(|p| p[0].0 == p[1].0) {
             keep(&mut self.duplicate, (pair[1].1, pair[0].1));
         }

@@ -3,7 +3,6 @@
 
 use super::disjoint_sets::DisjointSets;
 use super::rows::Rows;
-use crate::order;
 
 /// The most vertices of an island: with one more a normal can be fitted to the others.
 const LARGEST: usize = 6;
@@ -52,7 +51,7 @@ fn connected(triangles: &[[u32; 3]]) -> Rows<u32> {
         .zip(triangles)
         .flat_map(|(t, tri)| tri.map(|v| (v, t)))
         .collect();
-    order::pairs(&mut corners);
+    corners.sort_unstable();
     let mut sets = DisjointSets::new(triangles.len());
     for pair in corners.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
         sets.unite(pair[0].1, pair[1].1);

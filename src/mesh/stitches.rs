@@ -7,7 +7,6 @@ use super::disjoint_sets::DisjointSets;
 use super::halfedge::NONE;
 use super::places::places;
 use super::rows::Rows;
-use crate::order;
 
 /// Each round drops the stitches at vertices that would not be sound; others may get unsound by that only where the mesh was not
 /// a manifold before. Then nothing is joined.
@@ -86,9 +85,7 @@ fn stitches(positions: &[[f64; 3]], triangles: &[[u32; 3]], open: &[u32], place:
             }
         }
     }
-    order::by_number(&mut edges, |edge| u64::from(edge.2));
-    order::by_number(&mut edges, |edge| order::pair(edge.1[0], edge.1[1]));
-    order::by_number(&mut edges, |edge| order::pair(edge.0[0], edge.0[1]));
+    edges.sort_unstable();
     let mut found = Vec::new();
     let mut alone: Vec<&Edge> = Vec::new();
     for same in edges

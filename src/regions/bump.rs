@@ -12,7 +12,6 @@ use super::seed::Foot;
 use super::spread;
 use crate::discrete::mesh_curvature;
 use crate::error::Error;
-use crate::order;
 
 /// The smallest ring's inner radius, in edges around the seed; each next one is larger by [`STEP`].
 const FIRST: f64 = 3.0;
@@ -69,7 +68,7 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
     let mut order: Vec<u32> = (0..distance.len() as u32)
         .filter(|&v| distance[v as usize].is_finite())
         .collect();
-    order::by_number(&mut order, |&v| order::ascending(distance[v as usize]));
+    order.sort_by(|&a, &b| distance[a as usize].total_cmp(&distance[b as usize]));
     let curvature = mesh_curvature::mean_curvature(mesh.positions, mesh.triangles)?;
     let around = Around {
         mesh,
@@ -94,7 +93,7 @@ pub(super) fn find(mesh: &Neighbours<'_>, foot: &Foot) -> Result<(Bump, Vec<bool
     found.retain(|(_, calm)| !calm.is_empty());
     // Of two that are about as clear the smaller one: other features are farther away.
     let merit = |(rings, calm): &(Rings, Vec<Calm>)| clearness(calm) / rings.radius.sqrt();
-    order::by_number(&mut found, |of| !order::ascending(merit(of)));
+    found.sort_by(|a, b| merit(b).total_cmp(&merit(a)));
     let mut ends = found
         .iter()
         .filter_map(|(rings, calm)| around.extent(rings, calm));

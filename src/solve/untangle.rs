@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use crate::mesh::{Region, Rings};
-use crate::order;
 
 /// Times that every marked vertex is moved.
 const SWEEPS: usize = 8;
@@ -18,7 +17,7 @@ const MOVES: usize = 24;
 /// that the least quality of the triangles around it grows. The rest of `x` stays.
 pub(crate) fn untangle(region: &Region, rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
     let mut order: Vec<usize> = (0..marked.len()).filter(|&i| marked[i]).collect();
-    order::by_number(&mut order, |&i| u64::from(region.vertex_ids[i]));
+    order.sort_by_key(|&i| region.vertex_ids[i]);
     let mut ring = Vec::new();
     for _ in 0..SWEEPS {
         for &i in &order {

@@ -6,7 +6,6 @@ use std::collections::BinaryHeap;
 use nalgebra::{Matrix3, Vector3};
 
 use super::along_loop::fade;
-use crate::order::ascending;
 
 /// A rotation about a point, then a translation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,15 +66,16 @@ fn distances(positions: &[[f64; 3]], triangles: &[[u32; 3]], from: &[u32], withi
     edges.sort_unstable();
     edges.dedup();
     let mut nearest = vec![f64::INFINITY; positions.len()];
+    // Bits of numbers that are not negative have their order.
     let mut queue: BinaryHeap<Reverse<(u64, u32)>> = BinaryHeap::new();
     for &v in from {
         nearest[v as usize] = 0.0;
-        queue.push(Reverse((ascending(0.0), v)));
+        queue.push(Reverse((0_f64.to_bits(), v)));
     }
     let mut found = Vec::new();
     while let Some(Reverse((d, v))) = queue.pop() {
         let here = nearest[v as usize];
-        if d != ascending(here) {
+        if d != here.to_bits() {
             continue;
         }
         found.push((v, here));
@@ -85,7 +85,7 @@ fn distances(positions: &[[f64; 3]], triangles: &[[u32; 3]], from: &[u32], withi
             let there = here + (at(other) - at(v)).norm();
             if there < within && there < nearest[other as usize] {
                 nearest[other as usize] = there;
-                queue.push(Reverse((ascending(there), other)));
+                queue.push(Reverse((there.to_bits(), other)));
             }
         }
     }

@@ -6,7 +6,6 @@ use crate::fairing::edit::along_loop::{arc_lengths, part, tangent, turned};
 use crate::fairing::edit::resolved::{Bend, Resolved};
 use crate::fairing::normalization::Normalization;
 use crate::mesh::boundary_loops::boundary_loops;
-use crate::order;
 use crate::solve::Domain;
 
 /// What is prescribed to a component, in its own frame.
@@ -177,7 +176,7 @@ pub(super) struct Turn {
 
 /// Each vertex has one normal, on whatever loops it is: those of both sides of a curve run in opposite directions, and opposite turns cancel. Ascending.
 pub(super) fn united(mut turns: Vec<Turn>) -> Vec<Turn> {
-    order::by_number(&mut turns, |turn| u64::from(turn.vertex));
+    turns.sort_by_key(|turn| turn.vertex);
     let of_vertices = turns.chunk_by(|a, b| a.vertex == b.vertex);
     let united = of_vertices.map(|of_vertex| {
         let first = of_vertex[0];

@@ -10,7 +10,6 @@ use super::untangle::Untangling;
 use super::width::{REACH, width};
 use crate::holes::links::Links;
 use crate::holes::loops::BoundaryLoop;
-use crate::order;
 
 /// Below this, in edges, noise has not folded anything.
 const CLEAN: f64 = 0.02;
@@ -108,6 +107,6 @@ pub(super) fn relaxed(
         let x = untangling.x[v];
         moved.places.push(Place { vertex, ring, x });
     }
-    order::by_number(&mut moved.normals, |of| u64::from(of.0));
+    moved.normals.sort_by_key(|of| of.0);
     moved
 }

@@ -15,7 +15,6 @@ use crate::holes::surroundings::Surroundings;
 use crate::intersections::of_some;
 use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;
-use crate::order;
 
 /// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
 const TURNED: f64 = 0.5;
@@ -55,7 +54,7 @@ impl<'m> Rims<'m> {
             self.of[i] = Some(moved);
         }
         // Of a vertex near several loops the nearest one decides.
-        order::by_number(&mut wanted, |(of, _)| order::pair(of.vertex, of.ring as u32));
+        wanted.sort_by_key(|(of, _)| (of.vertex, of.ring));
         wanted.dedup_by_key(|(of, _)| of.vertex);
         for (of, i) in wanted {
             let v = of.vertex as usize;
@@ -142,7 +141,7 @@ impl<'m> Rims<'m> {
                 all.push((v, moved.normals[at].1));
             }
         }
-        order::by_number(&mut all, |entry| u64::from(entry.0));
+        all.sort_by_key(|entry| entry.0);
         Options {
             boundary_normals: BoundaryNormals::Given(all),
             ..options

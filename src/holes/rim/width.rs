@@ -6,7 +6,6 @@
 
 use super::band::Band;
 use super::fit::Fit;
-use crate::order;
 
 /// Radii that are tried, in edges.
 const RADII: [f64; 9] = [2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 17.0, 20.0, 28.0];
@@ -84,7 +83,7 @@ impl Tried {
         let fits: Vec<Fit> = band.fits(samples, radius).into_iter().flatten().collect();
         let mean = |of: fn(&Fit) -> f64| fits.iter().map(of).sum::<f64>() / fits.len() as f64;
         let mut variances: Vec<f64> = fits.iter().map(|fit| fit.variance).collect();
-        order::by_number(&mut variances, |&variance| order::ascending(variance));
+        variances.sort_by(|&a, &b| a.total_cmp(&b));
         let tried = Self {
             median: variances.get(variances.len() / 2).copied().unwrap_or(0.0),
             radius,
