@@ -34,9 +34,8 @@ fn known() -> [(&'static str, Surface); 4] {
 pub fn section(tool: &Tool) -> io::Result<String> {
     let mut text = String::from(
         "## Convergence to known surfaces\n\n\
-        Surfaces of constant mean curvature solve the equation. The interior starts on a wrong surface (flat, straight or pinched),\n\
-        the boundary normals are exact. Errors are distances of the free vertices to the exact surface over the free part's\n\
-        diagonal; the order is that in the edge length, from the coarsest to the finest mesh.\n\n\
+        Surfaces of constant mean curvature solve the equation. The interior starts on a wrong surface (flat, straight or pinched).\n\
+        Errors are over the free part's diagonal; the order is in the edge length, from the coarsest to the finest mesh.\n\n\
         | surface | triangulation | vertices | largest error | rms | order of largest | of rms | iterations | outcome |\n\
         |---|---|---|---|---|---|---|---|---|\n",
     );
@@ -185,7 +184,7 @@ fn spheres_and_cylinders(reproduced: &[Series]) -> Claim {
         what: "Spheres, cylinders and minimal surfaces are reproduced (section 3)",
         holds: Some(sphere < 1e-8 && cylinder < 1e-4 && catenoid < 1e-4),
         figures: format!(
-            "largest errors: sphere {} at {} vertices; cylinder {}, catenoid {} at {}, falling as above",
+            "largest errors: sphere {} at {} vertices; cylinder {}, catenoid {} at {}",
             short(sphere),
             SIZES[0],
             short(cylinder),
@@ -215,7 +214,7 @@ fn extremes_on_the_boundary(reproduced: &[Series], blends: &[(Case, Run)]) -> Cl
         what: "The extremes of H are on the boundary (section 3)",
         holds: Some(worst < 1e-6 && known < 1e-6),
         figures: format!(
-            "excess of H inside over H on the boundary, relative: blends and tetra thing {}, known surfaces {}; blend of 13,308: \
+            "relative excess of H inside over the boundary: blends and tetra thing {}, known surfaces {}; blend of 13,308: \
              {low:.4} to {high:.4} inside, {least:.4} to {most:.4} on the boundary",
             short(worst),
             short(known)
@@ -234,7 +233,7 @@ fn g1(blends: &[(Case, Run)]) -> Claim {
         what: "The surface is G1 at the boundary (sections 1, 7.5)",
         holds: Some(order > 0.8 && all[2] < 2.0),
         figures: format!(
-            "angle between the prescribed normals and the mean normal of the triangles there, rms: {} degrees at 118, 920 and 13,308 \
+            "angle between the prescribed normals and the triangles' mean normal, rms: {} degrees at 118, 920 and 13,308 \
              vertices; order {order:.2} in the edge length (a smooth tangent surface has 1)",
             all.iter().map(|x| short(*x)).collect::<Vec<_>>().join(", ")
         ),
@@ -301,7 +300,7 @@ fn start_does_not_matter(tool: &Tool) -> io::Result<Claim> {
         what: "The surface is defined by the boundary alone (sections 3, 8)",
         holds: Some(worst < 1e-7),
         figures: format!(
-            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {} (the start is made from connectivity and boundary alone)",
+            "largest distance between results from a smooth, a rough (half an edge length) and a random interior, 920 vertices: {}",
             short(worst)
         ),
     })

@@ -93,7 +93,7 @@ fn of_shape<'a>(
 ) -> io::Result<Subject<'a>> {
     let case = tool.put(stem, &shape.positions, &shape.triangles, &shape.free_vertices())?;
     let what = format!(
-        "{what} {} free vertices, irregular triangulation, nothing given but the surroundings.",
+        "{what} {} free vertices, irregular triangulation.",
         case.free.len()
     );
     Ok(Subject {
@@ -394,7 +394,7 @@ fn list(reached: &[f64]) -> String {
 /// What becomes of it where the surroundings are noisy.
 fn noise(tool: &Tool) -> io::Result<String> {
     let mut text = String::from(
-        "## Noisy surroundings\n\nThe cap of the ellipsoid with 4,000 free vertices, its surroundings moved at random by so many edge lengths (standard deviation).\n\n\
+        "## Noisy surroundings\n\nThe cap of the ellipsoid with 4,000 free vertices; its surroundings are moved at random (standard deviation in edge lengths).\n\n\
         | noise | rms error, G1 | G2 | reached |\n|---|---|---|---|\n",
     );
     let shape = ellipsoid_cap([1.0, 0.8, 0.6], 50.0, 4_000, IRREGULAR, AROUND);
@@ -427,42 +427,39 @@ fn noise(tool: &Tool) -> io::Result<String> {
 }
 
 const HEAD: &str = "# Continuous curvature (G2)\n\nWritten by\n\n```sh\n./reproduce.sh continuity\n```\n\n\
-    and no number in the tables is typed; a mesh of somebody else's is handed in by `--scan`. ";
+    No number in the tables is typed; `--scan` gives other meshes. ";
 
-const WHAT: &str = r#"By default a faired surface has the tangent planes of its surroundings, and its own mean curvature H: it solves Δ<sub>B</sub>H = 0. Where H of
-the surroundings is another one, its jump shows as an edge in a curvature map, and as kinks in reflection lines. `--continuity g2` (`continuity` in every
-host, from 0 to 1) takes H of the surroundings as one more condition, and the equation goes up by two orders:
+const WHAT: &str = r#"By default a faired surface has the tangent planes of its surroundings, and its own mean curvature H: it solves Δ<sub>B</sub>H = 0. Where H of the surroundings is
+another one, its jump shows as an edge in a curvature map, and as kinks in reflection lines. `--continuity g2` (`continuity` in every host, from 0 to 1) takes H of
+the surroundings as one more condition:
 
 Δ<sub>B</sub><sup>2</sup>H = 0, with positions, normals and H = H\* along the boundary.
 
-- **H\*** is fitted to the surface outside, to three to eight rings of triangles, whichever is most certain along the loop; or given (`--boundary-curvature`).
-  Positions and normals fix two of the three entries of the second fundamental form along the boundary, H\* fixes the third.
-- **A number between 0 and 1** takes part of the way from the G1 surface's own H to H\*. `--continuity-at VERTEX=NUMBER` says it for the single loop
-  through a vertex.
-- **`reached`** in the report tells for each loop how much of the way was gone, in the mean: what is not certain is left out, wave by wave along the loop and
-  smoothly around rough places. `uncertainty` is the standard error of H\*, with what varies from vertex to vertex; `jump_before` and `jump` are the
-  jumps of H without and with it.
+- **H\*** is fitted to three to eight rings of triangles outside, whichever is most certain along the loop; or given (`--boundary-curvature`: a file with a vertex
+  and H in each line).
+- **A number between 0 and 1** goes part of the way from the G1 surface's own H to H\*. `--continuity-at VERTEX=NUMBER` sets it for the loop through a vertex, and
+  may be repeated. `fill` takes these options, too.
+- **`reached`** in the report says for each loop how much of the way was gone, in the mean: what is not certain is left out, wave by wave along the loop and smoothly
+  around rough places. `uncertainty` is the standard error of H\*; `jump_before` and `jump` are the jumps of H without and with it.
 
-**When to use it**: for visible surfaces with smooth surroundings of some ten edges beyond the boundary: subdivision surfaces, surfaces of CAD programs, scans that were
-smoothed. It takes 1.5 to 3 times as long as G1.
+**When to use it**: for visible surfaces whose surroundings are smooth for some ten edges beyond the boundary: subdivision surfaces, CAD surfaces, smoothed scans. It
+takes 1.5 to 3 times as long as G1.
 
-**When it stays with G1**, and says so by a small `reached`: where H\* is no more certain than the jump is large (rough scans, creases, fewer than
-eight vertices on the loop, no triangles outside), where the jump is nothing but the discretization's error (spheres, cylinders, minimal surfaces), and where no surface with that H is as sound as the G1 one: it would
-fold triangles, have a crease, or deviate from the boundary's normals by over a tenth more.
+**When it stays with G1**, and says so by a small `reached`: where H\* is no more certain than the jump is large (rough scans, creases, fewer than eight vertices on
+the loop, no triangles outside), where the jump is only the discretization's error (spheres, cylinders, minimal surfaces), and where the surface would be less sound
+than the G1 one: fold triangles, have a crease, or deviate from the boundary's normals by over half a degree and a tenth more. So coarse meshes get less of the way. Beside
+another component, and along a curve of fixed vertices with normals, only a given curvature is continued.
 
-In the tables, errors are distances of the free vertices over the diagonal of what is free. Jumps and deviations are measured alike for all programs, from the triangles
-alone: H at the vertices two to four edges from the boundary, by `fairmesh::mean_curvature`, extrapolated to it linearly from both sides; the jump is over the
-root mean square of H outside. The deviation is the largest angle, in degrees, between the mean normal of the region's triangles at a boundary vertex and the normal that is fitted to
-its surroundings. Seconds are of one thread: the whole nonlinear solve, and the one linear solve of the others, which see the fixed vertices' positions
-alone.
+In the tables only the mesh is given. Errors are distances of the free vertices over the diagonal of what is free. Jumps and deviations are measured from the triangles
+alone: H at the vertices two to four edges from the boundary (`fairmesh::mean_curvature`), extrapolated to it linearly from both sides; the jump is over the root mean
+square of H outside. The deviation is the largest angle, in degrees, between the mean normal of the region's triangles at a boundary vertex and the normal that is
+fitted to its surroundings. Seconds are of one thread: the nonlinear solve, and the one linear solve of the others, which see only the fixed vertices' positions.
 
 "#;
 
 const TAIL: &str = r#"## What the others do
 
 `igl::harmonic` with k = 3 and CGAL's `fair` with continuity 2 solve Δ³x = 0, coordinate by coordinate, with the Laplacian of the given mesh. That is linear and
-quick; but it knows of normals and curvatures only what a few rows of fixed vertices tell, and the result depends on the parameterization that the
-given triangles are: with the same boundary, another triangulation gives another surface, and H of an irregular one is as irregular. They continue whatever
-is around, noise included, where this program leaves what is not certain: with rough surroundings their jump may be the smaller one. MeshLib's
-and Blender's smoothing end at tangent continuity.
+quick, but it knows normals and curvatures only from a few rows of fixed vertices, and with the same boundary another triangulation gives another surface. They
+continue whatever is around, noise included: with rough surroundings their jump may be the smaller one. MeshLib's and Blender's smoothing end at tangent continuity.
 "#;

@@ -102,11 +102,9 @@ fn figures_1_and_2(tool: &Tool) -> io::Result<String> {
     let meshes: Vec<(&Path, &str)> = files.iter().map(PathBuf::as_path).zip(captions).collect();
     let mut arguments = FROM_ABOVE.to_vec();
     arguments.extend(["--shade", "curvature", "--size", "200x175"]);
-    text += "Mean curvature of the intrinsic surfaces, from the triangles alone; on the boundary of the mesh, where only one side is\n\
-        seen, that is poor at 118 vertices:\n\n";
+    text += "Mean curvature of the intrinsic surfaces, from the triangles alone, which is poor on the boundary of the mesh at 118 vertices:\n\n";
     text += &tool.render("figure2-curvature.png", "Mean curvature", &meshes, &arguments)?;
-    text += "\nDistances of the vertices to the surface of 13,308 vertices with uniform weights, linear to linear and intrinsic to\n\
-        intrinsic:\n\n\
+    text += "\nDistances of the vertices to the surface of 13,308 vertices with uniform weights, linear to linear and intrinsic to intrinsic:\n\n\
         | mesh | weights | linear: largest | rms | intrinsic: largest | rms | linear / intrinsic | outcome | iterations |\n\
         |---|---|---|---|---|---|---|---|---|\n";
     for (label, inner, f) in &all {
@@ -127,7 +125,7 @@ fn figures_1_and_2(tool: &Tool) -> io::Result<String> {
     let between = to_mesh(&fine.linear, &fine.run.positions, &fine.case.triangles);
     let _ = writeln!(
         text,
-        "\nThe two surfaces themselves, linear and intrinsic with uniform weights at 13,308 vertices, are up to {} apart (rms {}).\n",
+        "\nWith uniform weights at 13,308 vertices, the linear and the intrinsic surface are up to {} apart (rms {}).\n",
         short(between.max),
         short(between.rms)
     );
@@ -240,8 +238,8 @@ fn figure_8(tool: &Tool) -> io::Result<String> {
     let meshes = [(shown[0].as_path(), "500"), (shown[1].as_path(), "13308")];
     let mut text = String::from(
         "## Figure 8: the tetra thing\n\n\
-        Six circles, centred on the edges of a tetrahedron with the normals of tubes along the edges, on a closed surface of genus 3.\n\
-        The circles are fixed curves inside the surface. Above flat-shaded, in the middle reflection lines, below mean curvature.\n\n",
+        Six fixed circles on the edges of a tetrahedron, with the normals of tubes along the edges, inside a closed surface of genus 3.\n\
+        Above flat-shaded, in the middle reflection lines, below mean curvature.\n\n",
     );
     let arguments = [
         "--view",
@@ -272,8 +270,7 @@ pub fn scans(tool: &Tool, scans: &[Scan]) -> io::Result<String> {
             numbers from 0, the view as `fairmesh render --view` has it.\n\n";
         return Ok(text);
     }
-    text += "The scans are not part of the project; `--scan NAME MESH FREE-VERTICES VIEW` names them. Boundary normals are fitted to the\n\
-        surroundings. H is in one over the scan's unit.\n\n";
+    text += "The scans are not part of the project; `--scan` names them. Boundary normals are fitted. H is in one over the scan's unit.\n\n";
     let mut rows = String::from(
         "| scan | weights | free vertices | outcome | iterations | s | smallest angle | H inside | H on the boundary |\n\
         |---|---|---|---|---|---|---|---|---|\n",

@@ -126,18 +126,17 @@ fn head() -> String {
     format!(
         "# Reproduction\n\n\
         The figures, the table and the claims of R. Schneider, L. Kobbelt, \"Geometric fairing of irregular meshes for\n\
-        free-form surface design\", CAGD 18 (2001), made with this program. This file and its pictures are written by\n\n\
+        free-form surface design\", CAGD 18 (2001), made with this program by\n\n\
         ```sh\n./reproduce.sh\n```\n\n\
-        and no measured number in it is typed. Machine of this run: {machine}. Distances are to a surface, over the\n\
-        diagonal of its bounding box. Boundary normals are the exact ones of the input, but for the scans.\n\n"
+        No measured number is typed. Machine of this run: {machine}. Distances are to a surface, over the\n\
+        diagonal of its bounding box. Boundary normals are exact, but for the scans.\n\n"
     )
 }
 
 const TAIL: &str = r#"## What is not the paper's
 
-- The meshes of the paper are not published. Cylinder blend and tetra thing are made anew with its numbers of vertices and
-  triangles; radii, distances and connectivity are our own. Bust and ear are other scans, and in Table 1 blends of their
-  size.
+- The paper's meshes are not published. Cylinder blend and tetra thing have its numbers of vertices and triangles; radii,
+  distances and connectivity are our own. Bust and ear are other scans.
 - The "improved bilaplacian" of Fig. 7 is another paper's scheme and not there.
 - The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the boundary. The
   paper does not say how normals enter its own.

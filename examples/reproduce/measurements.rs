@@ -32,8 +32,8 @@ pub(crate) fn document(tool: &Tool, machine: &str) -> io::Result<String> {
     let mut text = format!(
         "# Measurements\n\n\
         Written by\n\n```sh\n./reproduce.sh measurements\n```\n\n\
-        and no number in the tables is typed. Machine of this run: {machine}. What other programs do on such meshes is told in\n\
-        [peers.md](peers.md), the paper's own figures in [REPRODUCTION.md](../REPRODUCTION.md).\n\n"
+        No number in the tables is typed. Machine of this run: {machine}. See [peers.md](peers.md) for other programs,\n\
+        [REPRODUCTION.md](../REPRODUCTION.md) for the paper's figures.\n\n"
     );
     for section in [accuracy, times, holes, one_hole, tilted_normals] {
         section(tool, &mut text)?;
@@ -75,9 +75,9 @@ pub(crate) fn solve(tool: &Tool, kind: &str, n: usize, seed: u64, exact_normals:
 
 fn accuracy(tool: &Tool, text: &mut String) -> io::Result<()> {
     *text += "## Accuracy\n\n\
-        Irregular triangulations (vertices shaken, dropped and inserted, valences from 3 to about 11), the interior put anywhere in the\n\
-        bounding box. The error is the largest distance of a free vertex to the exact surface over the region's diagonal; eight seeds,\n\
-        from the best to the worst. Boundary normals are the exact ones, or fitted to four rings of triangles around the region.\n\n\
+        Irregular triangulations (vertices shaken, dropped and inserted, valences from 3 to about 11), with a random interior. The error\n\
+        is the largest distance of a free vertex to the exact surface over the region's diagonal, from the best to the worst of eight\n\
+        seeds. Boundary normals are exact, or fitted to four rings of triangles around the region.\n\n\
         | surface | free vertices | boundary normals | largest error | iterations | converged |\n\
         |---|---|---|---|---|---|\n";
     for kind in KINDS {
@@ -102,8 +102,7 @@ fn accuracy(tool: &Tool, text: &mut String) -> io::Result<()> {
 
 fn times(tool: &Tool, text: &mut String) -> io::Result<()> {
     *text += "## Times\n\n\
-        The irregular sphere cap as above, exact normals: seconds from the arrays of the input to those of the result, the quickest of\n\
-        three runs.\n\n\
+        The irregular sphere cap as above, exact normals: seconds of the solve, the quickest of three runs.\n\n\
         | free vertices | one thread | two threads | iterations |\n\
         |---|---|---|---|\n";
     for n in [1_000, 13_000, 100_000] {
@@ -206,8 +205,8 @@ fn one_hole(tool: &Tool, text: &mut String) -> io::Result<()> {
 
 fn tilted_normals(tool: &Tool, text: &mut String) -> io::Result<()> {
     *text += "## The blend with tilted normals\n\n\
-        The normals at the ends of the three tubes, tilted along the tubes' axes: outward, so that the tubes narrow towards their ends,\n\
-        or inward, so that they widen.\n\n\
+        The normals at the ends of the three tubes are tilted outward, so that the tubes narrow towards their ends, or inward, so that\n\
+        they widen.\n\n\
         | vertices | tilt | degrees that converge, of 5, 10, ..., 60 |\n\
         |---|---|---|\n";
     for n in ["920", "13308"] {

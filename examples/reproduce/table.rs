@@ -58,10 +58,9 @@ pub fn section(tool: &Tool, runs: usize) -> io::Result<String> {
     let with_paper = tool.can("--solver");
     let mut text = String::from(
         "## Table 1: times\n\n\
-        Uniform inner fairness, one thread. \"s\" is the wall clock from the arrays of the input to those of the result, the quickest of\n\
-        several runs; \"CPU s\" the mean of the whole program with reading and writing of the files, which other work on the machine does\n\
-        not change; \"times faster\" goes by it. Bust and ear are cylinder blends of that size. The paper's seconds are those it prints\n\
-        (Java 1.3, Pentium III, 500 MHz; without making the hierarchy).\n\n\
+        Uniform inner fairness, one thread. \"s\" is the wall clock of the solve, the quickest of several runs; \"CPU s\" the mean of the\n\
+        whole program with its files, which \"times faster\" is made of. Bust and ear are cylinder blends of that size. The paper's seconds\n\
+        (Java 1.3, Pentium III, 500 MHz) do not include making the hierarchy.\n\n\
         | in the paper | here | vertices | triangles | the paper, s | default solver, s | CPU s | iterations | outcome | times faster | at least |\n\
         |---|---|---|---|---|---|---|---|---|---|---|\n",
     );
