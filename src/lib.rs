@@ -12,26 +12,18 @@
 // The same bits on every system: clippy.toml has the list.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-mod curvature;
 mod discrete;
-mod distance;
-mod error;
 mod fairing;
 mod holes;
 mod intersections;
+mod measure;
 mod mesh;
 mod paper;
-mod profile;
 mod quality;
 mod regions;
-mod self_intersections;
 mod solve;
-mod stopwatch;
-mod table;
+mod support;
 
-pub use curvature::{mean_curvature, mean_curvature_joined};
-pub use distance::{DistanceTo, SurfaceDistance};
-pub use error::Error;
 pub use fairing::{
     Attempt, AttemptEnd, BoundaryCurvature, BoundaryNormals, Budget, Coincident, ComponentReport,
     CurvatureContinuity, Discretization, Edit, Frame, InnerFairness, InteriorNormals, Intersections,
@@ -46,13 +38,16 @@ pub use holes::{
     fill_holes, fill_holes_with_progress, refill_region, refill_region_with_progress, remesh_region,
     rim_roughness, suggest_joins, triangle_components, trim_boundary,
 };
+pub use measure::curvature::{mean_curvature, mean_curvature_joined};
+pub use measure::distance::{DistanceTo, SurfaceDistance};
+pub use measure::self_intersections::self_intersections;
 pub use paper::{Estimate, LevelReport, PaperOptions};
-#[cfg(feature = "profile")]
-pub use profile::take_profile;
 pub use quality::Quality;
 pub use regions::{Bump, Combine, Region, RegionStep, Seed, SelectedRegion, select_region};
-pub use self_intersections::self_intersections;
-pub use table::Entry;
+pub use support::error::Error;
+#[cfg(feature = "profile")]
+pub use support::profile::take_profile;
+pub use support::table::Entry;
 
 /// The example of README.md, run as a test.
 #[cfg(doctest)]

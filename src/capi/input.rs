@@ -89,7 +89,7 @@ pub(crate) struct SelectionIn {
 }
 
 /// A selection as the library takes it.
-pub(crate) enum Selected {
+pub(crate) enum SelectedBy {
     Mask(Vec<bool>),
     Vertices(Cow<'static, [[u32; 1]]>),
     Faces(Vec<u32>),
@@ -147,31 +147,31 @@ impl SelectionIn {
         Ok(Self { kind, array })
     }
 
-    pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<Selected> {
+    pub(crate) fn read(&self, mesh: &MeshIn) -> CallResult<SelectedBy> {
         use fairmesh_selection_kind as Kind;
         let array = &self.array;
         Ok(match self.kind {
             Kind::Interior => {
                 let mut faces = try_with_capacity(mesh.triangles.count)?;
                 faces.extend(0..mesh.triangles.count as u32);
-                Selected::Faces(faces)
+                SelectedBy::Faces(faces)
             }
             Kind::FreeMask | Kind::FixedMask => {
                 let free = self.kind == Kind::FreeMask;
                 let mut mask = try_with_capacity(array.count)?;
                 mask.extend((0..array.count).map(|k| (array.byte(k) != 0) == free));
-                Selected::Mask(mask)
+                SelectedBy::Mask(mask)
             }
             Kind::FreeVertices => {
                 let list = array.rows::<1>()?;
                 Self::check(list.iter().flatten(), mesh.vertices(), fairmesh_element::Vertex)?;
-                Selected::Vertices(list)
+                SelectedBy::Vertices(list)
             }
             Kind::Faces => {
                 let mut faces = try_with_capacity(array.count)?;
                 faces.extend((0..array.count).map(|k| array.index::<1>(k)[0]));
                 Self::check(faces.iter(), mesh.triangles.count, fairmesh_element::Triangle)?;
-                Selected::Faces(faces)
+                SelectedBy::Faces(faces)
             }
         })
     }
@@ -187,7 +187,7 @@ impl SelectionIn {
     }
 }
 
-impl Selected {
+impl SelectedBy {
     pub(crate) fn selection(&self) -> Selection<'_> {
         match self {
             Self::Mask(mask) => Selection::Mask(mask),

@@ -1,7 +1,7 @@
 //! How much memory a call needs at most: what [`Reserve`](super::memory::Reserve) sets aside. Measured by
 //! `tests/capi.rs`, which holds these bounds against what is taken when every allocation fails.
 
-use super::input::{MeshIn, Selected};
+use super::input::{MeshIn, SelectedBy};
 use super::memory::Reserve;
 use super::options::OptionsIn;
 use super::patch_sizes::PatchSizes;
@@ -49,7 +49,7 @@ fn threads(asked: usize) -> usize {
 /// For fairing a region at once, or in steps, before which curvature may be asked for any time.
 pub(crate) fn of_fairing(
     mesh: &MeshIn,
-    selected: &Selected,
+    selected: &SelectedBy,
     asked: &OptionsIn,
     in_steps: bool,
 ) -> CallResult<usize> {
@@ -171,7 +171,7 @@ pub(crate) fn of_carrying(mesh: &MeshIn, listed: usize, points: usize) -> usize 
 }
 
 /// For remeshing a region.
-pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &Selected, most: usize) -> CallResult<usize> {
+pub(crate) fn of_remeshing(mesh: &MeshIn, selected: &SelectedBy, most: usize) -> CallResult<usize> {
     let free = selected.candidates(mesh)?.iter().filter(|f| **f).count();
     // Edges may become ten times shorter.
     let vertices = free.max(most.min(free.saturating_mul(200)));

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::fill_options::{FillOptionsIn, fairmesh_fill_options};
 use super::guard::{guarded, point};
-use super::input::{MeshIn, Selected, SelectionIn};
+use super::input::{MeshIn, SelectedBy, SelectionIn};
 use super::memory_bounds;
 use super::options::{OptionsIn, fairmesh_options};
 use super::outputs::publish;
@@ -81,7 +81,7 @@ pub extern "C" fn fairmesh_refill(
 /// How large the patches will be, as if all loops that the region leaves were joined.
 fn sizes_of(
     mesh: &MeshIn,
-    selected: &Selected,
+    selected: &SelectedBy,
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],
     filling: &FillOptions,

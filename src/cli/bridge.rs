@@ -12,7 +12,7 @@ use fairmesh::{
 use serde_json::{Value, json};
 
 use crate::bar::Bar;
-use crate::comparison::{PictureArgs, Story, Surface, story};
+use crate::comparison::{MeshSide, PictureArgs, Story, story};
 use crate::explain;
 use crate::failure::Failure;
 use crate::fill::{reported, told, with_size};
@@ -101,7 +101,7 @@ pub fn run(args: &BridgeArgs) -> Result<bool, Failure> {
     );
     output.write(&led.bytes)?;
     if let Some(pictures) = &pictures {
-        let after = Surface {
+        let after = MeshSide {
             positions: &bridged.positions,
             triangles: &bridged.triangles,
         };

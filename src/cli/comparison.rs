@@ -11,4 +11,4 @@ mod surface;
 
 pub use flags::PictureArgs;
 pub use page::Story;
-pub use surface::Surface;
+pub use surface::MeshSide;

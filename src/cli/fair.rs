@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use crate::bar::Bar;
 use crate::batch::{self, Done, Telling};
-use crate::comparison::{PictureArgs, Surface, story};
+use crate::comparison::{MeshSide, PictureArgs, story};
 use crate::continuity::ContinuityArgs;
 use crate::explain;
 use crate::failure::{ExitCode, Failure};
@@ -165,7 +165,7 @@ fn one(args: &FairArgs, job: &Job) -> Result<Done, Failure> {
         asks_continuity: args.continuity.is_asked(),
     };
     if let Some(pictures) = &pictures {
-        let after = Surface {
+        let after = MeshSide {
             positions: &solution.positions,
             triangles: &input.geometry.triangles,
         };

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use crate::attempts;
 use crate::bar::Bar;
 use crate::batch::{self, Done};
-use crate::comparison::{PictureArgs, Surface, story};
+use crate::comparison::{MeshSide, PictureArgs, story};
 use crate::components;
 use crate::continuity::{self, ContinuityArgs};
 use crate::explain;
@@ -207,7 +207,7 @@ fn one(args: &FillArgs, job: &Job) -> Result<Done, Failure> {
     };
     let is_good = filled.loops.iter().all(is_clean);
     if let Some((pictures, before)) = pictures.as_ref().zip(before.as_ref()) {
-        let after = Surface {
+        let after = MeshSide {
             positions: &filled.positions,
             triangles: &filled.triangles,
         };

@@ -9,9 +9,9 @@ use nalgebra::Vector3;
 
 use super::eight_ring_fit::EightRingSamples;
 use super::outside_fit::{Fit, SECOND, Samples, THIRD};
-use crate::error::Error;
 use crate::mesh::disjoint_sets::DisjointSets;
-use crate::mesh::{OutsideNeighbours, Region, Rings};
+use crate::mesh::{OutsideNeighbours, RegionMesh, Rings};
+use crate::support::error::Error;
 
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
@@ -26,7 +26,7 @@ const CERTAIN: f64 = 0.1 * std::f64::consts::PI / 180.0;
 /// [`Error::NoNormal`] where all those triangles have no area; `given[b]` vertices are not looked at and keep
 /// whatever they have.
 pub(crate) fn estimate(
-    region: &Region,
+    region: &RegionMesh,
     rings: &Rings,
     x: &[Vector3<f64>],
     fitted: bool,
@@ -104,7 +104,7 @@ fn prefer_certain(fits: &mut [Option<Fit>], others: &[Option<Fit>], piece: &[u32
 }
 
 /// The average at boundary vertex `b`, of the triangles that [`estimate`] names.
-fn average_at(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
+fn average_at(region: &RegionMesh, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
     match rings.outside_triangles(b) {
         [] => average_beside(region, rings, x, b)
             .or_else(|| average(x, region.free + b, rings.boundary_triangles(b))),
@@ -114,7 +114,7 @@ fn average_at(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> O
 
 /// The normalized sum of the outside triangles' cross products of the boundary vertices beside `b`: for a fixed vertex in
 /// the second row of the region, which has no outside itself.
-fn average_beside(region: &Region, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
+fn average_beside(region: &RegionMesh, rings: &Rings, x: &[Vector3<f64>], b: usize) -> Option<Vector3<f64>> {
     let boundary = region.free..region.region_vertices();
     let beside = rings
         .boundary_ring(b)
@@ -189,7 +189,7 @@ fn median(values: &mut [f64]) -> f64 {
 }
 
 /// The boundary vertices, gathered into connected pieces of the boundary.
-fn pieces(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
+fn pieces(region: &RegionMesh, rings: &Rings) -> Vec<Vec<u32>> {
     let mut sets = DisjointSets::new(region.boundary);
     for &half_edge in &rings.boundary_half_edges {
         let local = |v: u32| v - region.free as u32;

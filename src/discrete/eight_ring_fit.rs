@@ -88,12 +88,12 @@ fn sample(frame: &TangentFrame<1>, e: &Vec3<1>, l: Simd<1>) -> ([Simd<1>; UNKNOW
 mod tests {
     use super::*;
     use crate::discrete::outside_fit::{SECOND, Samples};
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{Sampling, Shape, sphere_cap};
 
     /// The largest angles between the exact normals and the fit to eight rings, and that to three.
     fn worst(shape: &Shape, positions: &[[f64; 3]]) -> [f64; 2] {
-        let region = Region::new(positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region = RegionMesh::new(positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(positions);
         let outside = OutsideNeighbours::new(&region);
         let (mut eight, mut three, mut found) = (EightRingSamples::default(), Samples::default(), Vec::new());

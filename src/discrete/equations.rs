@@ -23,7 +23,7 @@ use super::simd::{Simd, Vec3, lane, minus, one, set_lane, vectorized};
 use super::target::RightHandSide;
 use super::valence_batches::{Chunk, LANES, ValenceBatches, flap_weight, gather, split_lengths};
 use crate::mesh::{NONE, Rings};
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 /// How `H` is taken at free vertices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,14 +102,14 @@ impl State {
 }
 
 /// Room for the batch of largest valence.
-struct Work {
+struct BatchWorkspace {
     ring: Vec<RingEdge<LANES>>,
     /// Flaps from the centre, with their weights.
     flaps: Vec<(Vec3<LANES>, Simd<LANES>)>,
     weight: Vec<Simd<LANES>>,
 }
 
-impl Work {
+impl BatchWorkspace {
     fn new(m: usize) -> Self {
         let zero = Simd::zero();
         Self {
@@ -210,7 +210,7 @@ impl Equations<'_> {
         chunk: &Chunk,
         output: &mut ChunkOutput<'_>,
     ) {
-        let mut work = Work::new(self.batches.largest_valence);
+        let mut work = BatchWorkspace::new(self.batches.largest_valence);
         for batch in chunk.batches.clone() {
             self.free_batch::<RESPONSE>(x, batch, chunk, &mut work, output);
         }
@@ -222,7 +222,7 @@ impl Equations<'_> {
         x: &[Vector3<f64>],
         batch: usize,
         chunk: &Chunk,
-        work: &mut Work,
+        work: &mut BatchWorkspace,
         out: &mut ChunkOutput<'_>,
     ) {
         let batches = self.batches;
@@ -410,13 +410,14 @@ fn add_vertices(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn wide_and_baseline_instructions_agree_bit_by_bit() {
         let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.noise(3, 0.2));
         let rings = Rings::new(&region);
         let batches = ValenceBatches::new(&rings);
@@ -470,7 +471,8 @@ mod tests {
     #[test]
     fn a_batch_that_is_not_full_keeps_the_weights_of_its_last_vertex() {
         let shape = sphere_cap(60.0, 60, Sampling::Irregular { seed: 7 }, 0);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.noise(3, 0.2));
         let rings = Rings::new(&region);
         let batches = ValenceBatches::new(&rings);

@@ -218,13 +218,14 @@ pub(crate) fn laplacian(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn convex_weights_are_positive_and_reproduce_a_plane() {
         let shape = sphere_cap(60.0, 1000, Sampling::Irregular { seed: 7 }, 4);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
         let batches = ValenceBatches::new(&rings);
         let mut x = region.positions(&shape.positions);
@@ -246,7 +247,8 @@ mod tests {
     #[test]
     fn convex_weights_of_unusable_triangles_are_bounded_and_counted() {
         let shape = sphere_cap(60.0, 200, Sampling::Irregular { seed: 7 }, 4);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
         let batches = ValenceBatches::new(&rings);
         let mut x = region.positions(&shape.positions);

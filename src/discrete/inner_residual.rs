@@ -10,7 +10,7 @@ use super::normals::{cross_product_normal, max_normal};
 use super::ring_edges::{RingEdge, measure};
 use super::simd::{Simd, Vec3, dot, lane, minus, plus, scaled, vectorized};
 use super::valence_batches::{Chunk, LANES, gather, split_lengths};
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 impl Equations<'_> {
     /// The edges of a batch's rings, measured. Returns the centres.

@@ -7,9 +7,9 @@ use super::curvature::{FLAP_WEIGHT, NormalEquations, RIDGE, TILT_RIDGE, TangentF
 use super::outside_fit::root_mean_square;
 use super::simd::{Simd, Vec3, cross, normalized, one, plus};
 use super::single_ring::SingleRing;
-use crate::error::Error;
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
+use crate::support::error::Error;
 
 /// How often the fit at a boundary vertex is made.
 const BOUNDARY_PASSES: usize = 5;
@@ -21,7 +21,7 @@ pub(crate) fn mean_curvature(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> 
     let fans = VertexTriangles::new(positions.len(), triangles.iter().copied());
     let runs = parallel::runs(positions.len(), 256);
     Ok(parallel::map(runs, |_, run| {
-        let mut work = Work::default();
+        let mut work = RingWorkspace::default();
         run.map(|v| fans.curvature(positions, v, &mut work))
             .collect::<Vec<_>>()
     })
@@ -34,7 +34,7 @@ pub(crate) fn closed_ring_curvature(
     triangles: impl Iterator<Item = [u32; 3]> + Clone,
 ) -> Vec<f64> {
     let fans = VertexTriangles::new(positions.len(), triangles);
-    let mut work = Work::default();
+    let mut work = RingWorkspace::default();
     let at = |v: usize| {
         let is_closed = !fans.of(v as u32).is_empty() && fans.walk(v as u32, &mut work.walked);
         if is_closed {
@@ -51,7 +51,7 @@ struct VertexTriangles(Rows<[u32; 2]>);
 
 /// Room for one ring.
 #[derive(Default)]
-struct Work {
+struct RingWorkspace {
     ring: SingleRing,
     samples: Vec<(Vec3<1>, Simd<1>)>,
     walked: Vec<[u32; 2]>,
@@ -90,7 +90,7 @@ impl VertexTriangles {
         walked.len() == fan.len() && at == fan[0][0] && !repeats(fan)
     }
 
-    fn curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut Work) -> f64 {
+    fn curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut RingWorkspace) -> f64 {
         if self.of(v as u32).is_empty() {
             return f64::NAN;
         }
@@ -103,7 +103,7 @@ impl VertexTriangles {
     }
 
     /// That of the ring walked last, which is closed.
-    fn ring_curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut Work) -> f64 {
+    fn ring_curvature(&self, positions: &[[f64; 3]], v: usize, work: &mut RingWorkspace) -> f64 {
         let q = Vector3::from(positions[v]);
         let from = |w: u32| one(&(Vector3::from(positions[w as usize]) - q));
         work.ring.fill(work.walked.iter().map(|&[a, b]| {
@@ -116,7 +116,7 @@ impl VertexTriangles {
     /// The same fit from one side, to the ring with weight 1 and to all of the second ring as to flaps: a vertex of two
     /// triangles has too few of them. Repeated, because the first normal is off by more than a closed ring's and the
     /// ridge holds back a part of what has to be taken out.
-    fn boundary_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut Work) -> f64 {
+    fn boundary_curvature(&self, v: u32, from: impl Fn(u32) -> Vec3<1>, work: &mut RingWorkspace) -> f64 {
         let near = &mut work.near;
         near.clear();
         near.extend(self.of(v).iter().flatten());

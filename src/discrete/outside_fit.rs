@@ -197,12 +197,13 @@ fn covariance<const N: usize>(factor: &[[Simd<1>; N]; N], squared: &NormalEquati
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{Sampling, catenoid_band, sphere_cap};
 
     /// The largest angle in degrees between a fit and the exact normals.
     fn worst<const N: usize>(order: &Order<N>, shape: &fairmesh_shapes::Shape) -> f64 {
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
         let outside = OutsideNeighbours::new(&region);
         let (mut samples, mut found) = (Samples::default(), Vec::new());

@@ -5,7 +5,7 @@
 //! twice the weights of the Dirichlet form.
 
 use super::simd::Simd;
-use crate::table::table;
+use crate::support::table::table;
 
 /// What the Laplacian of the mean curvature has to be: `Delta_B H = rhs` in the interior.
 ///

@@ -1,6 +1,6 @@
 //! Where the curvature comes from that the surface is to continue.
 
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// Where the mean curvature along the boundary loops comes from that the surface is to continue, see
 /// [`Options::continuity`](crate::Options::continuity).

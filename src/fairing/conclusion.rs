@@ -9,13 +9,13 @@ use super::prepared::Prepared;
 use super::report::{Attempt, ComponentReport, LooseReason, Outcome, Seconds};
 use crate::discrete::equations::State;
 use crate::paper::LevelReport;
-use crate::profile;
 use crate::quality::crease::{Kink, creases, kinks};
-use crate::quality::{Quality, Surface};
+use crate::quality::{Quality, SurfaceState};
 use crate::solve::candidate::bending_energy;
 use crate::solve::problem::diagonal;
 use crate::solve::{SolveResult, SolveStatus};
-use crate::stopwatch::Stopwatch;
+use crate::support::profile;
+use crate::support::stopwatch::Stopwatch;
 
 /// What was found, and what it is measured against.
 pub(super) struct Found<'a> {
@@ -37,7 +37,7 @@ impl Found<'_> {
         let (surface, written) = (self.surface(), self.written());
         let domain = &self.prepared.domain;
         let (rings, input) = (&domain.rings, &domain.input);
-        let surface = Surface {
+        let surface = SurfaceState {
             x: &written,
             ..surface
         };
@@ -70,9 +70,9 @@ impl Found<'_> {
         }
     }
 
-    fn surface(&self) -> Surface<'_> {
+    fn surface(&self) -> SurfaceState<'_> {
         let region = &self.prepared.domain.region;
-        Surface {
+        SurfaceState {
             region,
             x: &self.result.x,
             normals: &self.state.corrected,
@@ -82,7 +82,7 @@ impl Found<'_> {
     }
 
     /// The figures, in the host's unit.
-    fn quality(&self, surface: &Surface<'_>) -> Quality {
+    fn quality(&self, surface: &SurfaceState<'_>) -> Quality {
         let mut quality = surface.quality();
         for h in quality.h_inside.iter_mut().chain(&mut quality.h_boundary) {
             *h /= self.prepared.normalization.scale;

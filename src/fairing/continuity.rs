@@ -2,13 +2,17 @@
 
 use super::boundary_curvature::BoundaryCurvature;
 use super::options::Options;
-use crate::error::Error;
-use crate::mesh::Region;
+use crate::mesh::RegionMesh;
 use crate::mesh::boundary_loops::boundary_loops;
 use crate::solve::{AskedContinuity, Domain, LoopContinuity};
+use crate::support::error::Error;
 
 /// What is asked of a region whose unit of length is `scale` of the input's; nothing, where tangent planes alone are to be continued.
-pub(super) fn asked_continuity(region: &Region, options: &Options, scale: f64) -> Option<AskedContinuity> {
+pub(super) fn asked_continuity(
+    region: &RegionMesh,
+    options: &Options,
+    scale: f64,
+) -> Option<AskedContinuity> {
     if !options.asks_continuity() {
         return None;
     }
@@ -35,7 +39,7 @@ pub(super) fn asked_continuity(region: &Region, options: &Options, scale: f64) -
 }
 
 /// What is given for vertices, by boundary vertex. Of repeated ones the last holds.
-fn at_boundary<T: Copy>(region: &Region, mut list: Vec<(u32, T)>) -> Vec<Option<T>> {
+fn at_boundary<T: Copy>(region: &RegionMesh, mut list: Vec<(u32, T)>) -> Vec<Option<T>> {
     list.sort_by_key(|entry| entry.0);
     let boundary = region.vertex_ids[region.free..region.region_vertices()].iter();
     boundary
@@ -97,7 +101,7 @@ pub struct CurvatureContinuity {
 
 impl CurvatureContinuity {
     /// In the host's numbers and unit.
-    pub(super) fn new(of_loop: &LoopContinuity, region: &Region, scale: f64) -> Self {
+    pub(super) fn new(of_loop: &LoopContinuity, region: &RegionMesh, scale: f64) -> Self {
         Self {
             vertex: region.vertex_ids[region.free + of_loop.vertex as usize] as usize,
             vertices: of_loop.vertices,

@@ -4,7 +4,7 @@ pub(super) mod along_loop;
 pub(super) mod moves;
 pub(super) mod resolved;
 
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// A change of the boundary that a [`Session`](crate::Session) is asked for, relative to what was asked of it without edits.
 ///

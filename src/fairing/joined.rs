@@ -8,8 +8,8 @@ use super::boundary_curvature::BoundaryCurvature;
 use super::normals::{BoundaryNormals, is_unit};
 use super::options::Options;
 use super::report::Solution;
-use crate::error::Error;
 use crate::mesh::coincident::Copies;
+use crate::support::error::Error;
 
 /// The mean of unit normals that is shorter than this is no direction: two of them are more than 120 degrees apart.
 const SHORTEST_MEAN: f64 = 0.5;

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use crate::mesh::Region;
+use crate::mesh::RegionMesh;
 use crate::solve::problem::bounding_box;
 
 /// A centre and a unit of length.
@@ -15,7 +15,7 @@ pub(super) struct Normalization {
 
 impl Normalization {
     /// The frame of a region with the positions `x` (free, boundary, outside).
-    pub(super) fn new(region: &Region, x: &[Vector3<f64>]) -> Self {
+    pub(super) fn new(region: &RegionMesh, x: &[Vector3<f64>]) -> Self {
         let boundary = &x[region.free..region.region_vertices()];
         let size = bounding_box(boundary);
         let (low, high) = if (size.1 - size.0).norm() > 0.0 {

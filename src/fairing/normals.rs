@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::estimate;
-use crate::error::Error;
-use crate::mesh::Region;
+use crate::mesh::RegionMesh;
 use crate::solve::Domain;
-use crate::table::{choices, table};
+use crate::support::error::Error;
+use crate::support::table::{choices, table};
 
 /// Where the unit normals at the boundary vertices come from. Outward or inward, as the triangles run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -68,7 +68,7 @@ impl GivenNormals {
     }
 
     /// Which boundary vertices of a region have one.
-    pub(super) fn at_boundary(&self, region: &Region) -> Vec<bool> {
+    pub(super) fn at_boundary(&self, region: &RegionMesh) -> Vec<bool> {
         let boundary = &region.vertex_ids[region.free..region.region_vertices()];
         boundary.iter().map(|&v| self.has(v)).collect()
     }

@@ -3,10 +3,10 @@
 use super::boundary_curvature::BoundaryCurvature;
 use super::normals::{BoundaryNormals, InteriorNormals};
 use crate::discrete::target::Target;
-use crate::error::Error;
 use crate::mesh::coincident::Coincident;
 use crate::paper::PaperOptions;
-use crate::table::{choices, table};
+use crate::support::error::Error;
+use crate::support::table::{choices, table};
 
 choices! {
     /// How vertices are distributed within the surface (paper 7.3).

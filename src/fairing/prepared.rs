@@ -11,13 +11,13 @@ use super::options::{Discretization, InnerFairness, Options, Solver};
 use crate::discrete::equations::FreeCurvature;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
-use crate::error::Error;
-use crate::mesh::Region;
+use crate::mesh::RegionMesh;
 use crate::mesh::numbering::Numbering;
 use crate::mesh::selection::Selection;
-use crate::profile::clock;
 use crate::solve::problem::Weigh;
 use crate::solve::{AskedContinuity, Domain, Problem};
+use crate::support::error::Error;
+use crate::support::profile::clock;
 
 /// What both solvers begin with: one component of what is to be faired.
 pub(super) struct Prepared {
@@ -43,14 +43,14 @@ pub(super) fn regions(
     selection: Selection<'_>,
     given: &GivenNormals,
     (solver, is_wide): (&Solver, bool),
-) -> Result<Vec<Region>, Error> {
+) -> Result<Vec<RegionMesh>, Error> {
     let numbering = match solver {
         Solver::Fast => Numbering::BreadthFirst,
         // Its sweeps go through the vertices in the caller's order.
         Solver::Paper(_) => Numbering::AsGiven,
     };
     let _clock = clock("region");
-    Region::of_components(
+    RegionMesh::of_components(
         positions,
         triangles,
         selection,
@@ -93,7 +93,7 @@ impl Prepared {
 
     fn new(
         positions: &[[f64; 3]],
-        region: Region,
+        region: RegionMesh,
         given: &GivenNormals,
         options: &Options,
     ) -> Result<Self, Error> {

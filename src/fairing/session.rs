@@ -9,25 +9,25 @@ use super::boundary_curvature::BoundaryCurvature;
 use super::component_solution::ComponentSolution;
 use super::continuity::check_loops;
 use super::edit::Edit;
-use super::edit::resolved::{Followers, Resolved};
+use super::edit::resolved::{Followers, ResolvedEdits};
 use super::joined::{in_given, joined_curvature, joined_loops, joined_normals, joined_options, spread};
 use super::normals::BoundaryNormals;
 use super::normals::GivenNormals;
 use super::options::{Options, Solver};
 use super::prepared::{Prepared, regions};
-use super::relay::{Workers, relay};
 use super::report::{Outcome, ProgressCallback, Solution};
-use super::shares::Shares;
 use super::whole_solution::whole;
 use crate::discrete::target::Target;
+use crate::fairing::component_weights::ComponentWeights;
+use crate::fairing::workers::{Workers, relay};
 use crate::mesh::selection::Selection;
 use std::borrow::Cow;
 
-use crate::error::Error;
-use crate::mesh::coincident::{Copies, Selected};
-use crate::mesh::{Joined, Region};
+use crate::mesh::coincident::{Copies, SelectedElements};
+use crate::mesh::{Joined, RegionMesh};
 use crate::solve::control::{Callback, Interrupt};
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::stopwatch::Stopwatch;
 use cursor::Cursor;
 
 /// One fairing problem, solved in steps by [`Solver::Fast`]. It owns copies of its input.
@@ -96,7 +96,7 @@ const IS_WIDE: bool = true;
 #[derive(Default)]
 struct Edited {
     list: Vec<Edit>,
-    resolved: Resolved,
+    resolved: ResolvedEdits,
     followers: Followers,
 }
 
@@ -104,7 +104,7 @@ struct Edited {
 struct Input {
     positions: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
-    selection: Selected<'static>,
+    selection: SelectedElements<'static>,
     options: Options,
     copies: Copies,
 }
@@ -115,7 +115,7 @@ impl Input {
     }
 
     /// The regions of the components, cut where these normals ask for it.
-    fn regions(&self, given: &GivenNormals) -> Result<Vec<Region>, Error> {
+    fn regions(&self, given: &GivenNormals) -> Result<Vec<RegionMesh>, Error> {
         regions(
             &self.positions,
             &self.triangles,
@@ -138,7 +138,7 @@ impl Input {
     /// All components at their beginning, and their solution.
     fn begin(&self) -> Result<(Components, Solution), Error> {
         let components = Components::new(self)?;
-        let solution = self.whole(&components, &Resolved::default());
+        let solution = self.whole(&components, &ResolvedEdits::default());
         Ok((components, solution))
     }
 
@@ -146,7 +146,7 @@ impl Input {
     fn run<'t>(
         &self,
         components: &mut Components,
-        edits: &Resolved,
+        edits: &ResolvedEdits,
         iterations: usize,
         told: Option<&'t mut Callback<'t>>,
     ) -> Result<Solution, Error> {
@@ -155,7 +155,7 @@ impl Input {
     }
 
     /// The positions with what edits have moved.
-    fn edited(&self, edits: &Resolved) -> Cow<'_, [[f64; 3]]> {
+    fn edited(&self, edits: &ResolvedEdits) -> Cow<'_, [[f64; 3]]> {
         let mut positions = Cow::Borrowed(&self.positions[..]);
         for moved in &edits.moved {
             positions.to_mut()[moved.vertex as usize] = moved.at;
@@ -164,7 +164,7 @@ impl Input {
     }
 
     /// The solution of all components. On the workers: it looks for intersections on all of them.
-    fn whole(&self, components: &Components, edits: &Resolved) -> Solution {
+    fn whole(&self, components: &Components, edits: &ResolvedEdits) -> Solution {
         let mut solution = whole(
             &self.edited(edits),
             &self.triangles,
@@ -207,7 +207,7 @@ impl Components {
         told: Option<&'a mut Callback<'a>>,
     ) -> Result<(), Error> {
         let stand = self.cursors.iter().map(|c| (c.free(), c.fraction()));
-        let mut shares = Shares::new(told, &Interrupt::default(), 0.0, stand);
+        let mut shares = ComponentWeights::new(told, &Interrupt::default(), 0.0, stand);
         for (cursor, solution) in self.cursors.iter_mut().zip(&mut self.solutions) {
             if cursor.is_over() {
                 continue;
@@ -228,7 +228,7 @@ impl Components {
         &mut self,
         options: &Options,
         given: &GivenNormals,
-        edits: &Resolved,
+        edits: &ResolvedEdits,
     ) -> Result<(), Error> {
         let normals = self.cursors.iter().map(|c| c.boundary_normals(options, given));
         let normals: Vec<_> = normals.collect::<Result<_, _>>()?;
@@ -239,7 +239,7 @@ impl Components {
     }
 
     /// The same on other regions, where all begins anew.
-    fn begun_anew(input: &Input, edits: &Resolved) -> Result<(Self, Solution), Error> {
+    fn begun_anew(input: &Input, edits: &ResolvedEdits) -> Result<(Self, Solution), Error> {
         let (mut components, solution) = input.begin()?;
         components.edit(edits)?;
         Ok((components, solution))

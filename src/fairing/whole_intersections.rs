@@ -4,7 +4,7 @@ use super::component_solution::ComponentSolution;
 use super::options::{Intersections, Options};
 use super::report::{ComponentReport, Outcome, SelfIntersections};
 use crate::intersections::of_some;
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 /// What intersects, and whose it is.
 pub(super) struct Crossings {

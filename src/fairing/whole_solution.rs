@@ -5,9 +5,9 @@ use super::options::Options;
 use super::report::{ComponentReport, Outcome, Report, Seconds, Solution};
 use super::whole_intersections::Crossings;
 use crate::paper::LevelReport;
-use crate::profile;
 use crate::quality::Quality;
-use crate::stopwatch::Stopwatch;
+use crate::support::profile;
+use crate::support::stopwatch::Stopwatch;
 
 /// The solution of all components together, of which there is at least one. `given` are the positions before.
 pub(super) fn whole(

@@ -4,8 +4,8 @@ use super::crossing::Neighbours;
 use super::options::OnFailure;
 use super::outcome::OpenReason;
 use super::patch::Patch;
-use super::piece::{Piece, Task};
 use crate::fairing::ProgressCallback;
+use crate::holes::patch_surface::{PatchSurface, Task};
 
 /// What patches are looked at for.
 pub(super) struct Check<'c, 'm> {
@@ -17,7 +17,7 @@ pub(super) struct Check<'c, 'm> {
 
 impl Check<'_, '_> {
     /// The piece with its intersections.
-    fn judged(&self, piece: Piece) -> Piece {
+    fn judged(&self, piece: PatchSurface) -> PatchSurface {
         match &self.neighbours {
             Some(neighbours) => neighbours.judged(self.of, piece),
             None => piece,
@@ -32,7 +32,7 @@ impl Task<'_> {
         mut check: Check<'_, '_>,
         on_failure: OnFailure,
         tell: &mut ProgressCallback<'_>,
-    ) -> Piece {
+    ) -> PatchSurface {
         let mut piece = check.judged(self.run(tell));
         if piece.is_open() {
             return piece;
@@ -48,7 +48,7 @@ impl Task<'_> {
         }
         if !piece.is_fair() {
             match on_failure {
-                OnFailure::Open => return Piece::open(OpenReason::NotFair),
+                OnFailure::Open => return PatchSurface::open(OpenReason::NotFair),
                 OnFailure::Flat => piece = check.judged(self.flattened(piece)),
                 OnFailure::Linear => {}
             }

@@ -15,9 +15,9 @@ use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, LoopReport};
 use super::parents::compose;
 use super::rim::Rim;
-use crate::error::Error;
 use crate::fairing::{Interrupt, Outcome, Progress, ProgressCallback, Selection, fair_within, on_workers};
 use crate::mesh::Joined;
+use crate::support::error::Error;
 
 /// What of the progress the strip is, and what the rest is filled in.
 const STRIP: f64 = 0.4;

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::loops::{BoundaryLoop, LoopKind};
-use crate::error::Error;
 use crate::mesh::coincident::Copies;
 use crate::mesh::halfedge::next;
+use crate::support::error::Error;
 
 /// So many edges of the loop on either side of a chain are looked at where it is a part of a tooth.
 const BESIDE: usize = 3;
@@ -68,7 +68,7 @@ impl Chains<'_> {
         let (mut broken, mut longest) = (first, 0);
         for (of, boundary) in self.loops.iter().enumerate() {
             match run(&boundary.vertices, &of_mesh) {
-                Run::Whole { start, edges } => {
+                ChainOrder::Whole { start, edges } => {
                     let vertex = given[0];
                     if matches!(boundary.kind, LoopKind::NonManifold { .. }) {
                         return Err(bad(chain, vertex, "its boundary runs into a non-manifold edge"));
@@ -86,10 +86,10 @@ impl Chains<'_> {
                     }
                     return Ok(Chain::new(of, boundary, span));
                 }
-                Run::Broken { after } if after >= longest => {
+                ChainOrder::Broken { after } if after >= longest => {
                     (broken, longest) = (given[after], after);
                 }
-                Run::Broken { .. } => {}
+                ChainOrder::Broken { .. } => {}
             }
         }
         let why = match longest {
@@ -138,7 +138,7 @@ impl Chains<'_> {
     }
 }
 
-enum Run {
+enum ChainOrder {
     /// All vertices follow each other from this place on, along so many edges.
     Whole { start: usize, edges: usize },
     /// So many of them do.
@@ -146,10 +146,10 @@ enum Run {
 }
 
 /// Where a loop has these vertices one after the other, in either direction.
-fn run(boundary: &[u32], chain: &[u32]) -> Run {
+fn run(boundary: &[u32], chain: &[u32]) -> ChainOrder {
     let n = boundary.len();
     let Some(first) = boundary.iter().position(|v| *v == chain[0]) else {
-        return Run::Broken { after: 0 };
+        return ChainOrder::Broken { after: 0 };
     };
     let agrees = |step: usize| {
         let along = (0..chain.len().min(n)).take_while(|&i| boundary[(first + i * step) % n] == chain[i]);
@@ -158,14 +158,14 @@ fn run(boundary: &[u32], chain: &[u32]) -> Run {
     let (forwards, backwards) = (agrees(1), agrees(n - 1));
     let edges = chain.len() - 1;
     if forwards == chain.len() {
-        Run::Whole { start: first, edges }
+        ChainOrder::Whole { start: first, edges }
     } else if backwards == chain.len() {
-        Run::Whole {
+        ChainOrder::Whole {
             start: (first + n - edges) % n,
             edges,
         }
     } else {
-        Run::Broken {
+        ChainOrder::Broken {
             after: forwards.max(backwards),
         }
     }

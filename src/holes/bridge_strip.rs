@@ -10,19 +10,19 @@ use super::bridge_sides::{Corner, End, Side};
 use super::bridged::Bridged;
 use super::crossing::Neighbours;
 use super::fill::{Filled, crossings};
-use super::groups::Group;
+use super::groups::LoopGroup;
 use super::links::Links;
 use super::loops::{BoundaryLoop, LoopKind};
 use super::options::{FillOptions, largest_patch};
 use super::outcome::{FillOutcome, OpenReason};
 use super::parents::{Parents, compose};
-use super::piece::{Piece, Task};
 use super::surroundings::Surroundings;
-use super::units::local_options;
-use crate::error::Error;
 use crate::fairing::{BoundaryNormals, Interrupt, Intersections, Options, ProgressCallback, joined_options};
+use crate::holes::local_frame::local_options;
+use crate::holes::patch_surface::{PatchSurface, Task};
 use crate::mesh::{Joined, NONE};
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::stopwatch::Stopwatch;
 
 /// A strip that is twisted by more than this (degrees) would have to be turned over: its ends face opposite ways.
 const OPPOSITE: f64 = 120.0;
@@ -188,7 +188,7 @@ impl<'m> Strip<'m> {
         let piece = match self.twist.abs().to_degrees() > OPPOSITE {
             true => {
                 let [a, b] = [self.chains[0].of, self.chains[1].of];
-                Piece::open(OpenReason::OppositeSides { a, b })
+                PatchSurface::open(OpenReason::OppositeSides { a, b })
             }
             false => self.piece(joined, (&positions, &boundary), filling, tell, interrupt)?,
         };
@@ -211,7 +211,7 @@ impl<'m> Strip<'m> {
         let mut loops = self.chains.each_ref().map(|chain| chain.of).to_vec();
         loops.sort_unstable();
         loops.dedup();
-        let group = Group {
+        let group = LoopGroup {
             loops,
             is_named: true,
             reason: None,
@@ -257,7 +257,7 @@ impl<'m> Strip<'m> {
         filling: &FillOptions,
         tell: &mut ProgressCallback<'_>,
         interrupt: &Interrupt,
-    ) -> Result<Piece, Error> {
+    ) -> Result<PatchSurface, Error> {
         let surroundings = self.surroundings(positions, boundary);
         let fairing = self.with_normals(&joined_options(&joined.copies, &filling.fairing));
         let edges = surroundings.loop_vertices;

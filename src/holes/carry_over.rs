@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use rstar::RTree;
 
 use super::parents::{Parents, nearest_on};
-use super::placed::Placed;
-use crate::error::Error;
+use crate::holes::tree_triangle::Placed;
 use crate::mesh::input;
+use crate::support::error::Error;
 
 /// The point of some triangles that is nearest to another point.
 #[derive(Debug, Clone, Copy, PartialEq)]

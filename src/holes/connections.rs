@@ -101,7 +101,7 @@ fn shortest(
 
 /// The polygon.
 #[derive(Debug)]
-pub(super) struct Cut {
+pub(super) struct CutPolygon {
     /// Per vertex of the polygon the loops' vertex; ends of connections come twice.
     pub(super) of: Vec<u32>,
     /// Per edge to the next vertex the mesh's normal beyond it; on a connection that of a surface which goes on from both ends.
@@ -114,7 +114,7 @@ pub(super) struct Cut {
     pub(super) guides: Vec<(u32, u32)>,
 }
 
-impl Cut {
+impl CutPolygon {
     pub(super) fn new(set: &LoopSet, connections: &[Connection]) -> Self {
         let mut across = vec![NONE; set.x.len()];
         for connection in connections {
@@ -208,7 +208,7 @@ mod tests {
         let set = circles(8, &[0.0, 3.0, 6.0, 9.0]);
         let found = connections(&set);
         assert_eq!(found.len(), 3);
-        let cut = Cut::new(&set, &found);
+        let cut = CutPolygon::new(&set, &found);
         let n = cut.of.len();
         assert_eq!(n, 32 + 6);
         let mut edges: Vec<(u32, u32)> = (0..n).map(|p| (cut.of[p], cut.of[(p + 1) % n])).collect();

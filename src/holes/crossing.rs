@@ -6,11 +6,11 @@ use rstar::{AABB, Envelope, RTree};
 use super::loops::BoundaryLoop;
 use super::options::OnFailure;
 use super::outcome::{FillOutcome, OpenReason};
-use super::owned::Owned;
 use super::patch::Patch;
-use super::piece::{Piece, Task};
 use super::surroundings::bounds;
 use crate::fairing::SelfIntersections;
+use crate::holes::patch_surface::{PatchSurface, Task};
+use crate::holes::triangle_owner::Owned;
 use crate::intersections::{Bounds, Member, bounds_of, member, members_near, pairs};
 
 /// Part of a loop's diagonal around its box in which the mesh is looked at once for all loops.
@@ -66,10 +66,10 @@ impl<'m> Neighbours<'m> {
         &mut self,
         of: usize,
         task: &Task<'_>,
-        mut best: Piece,
+        mut best: PatchSurface,
         avoiding: Option<&Patch>,
         on_failure: OnFailure,
-    ) -> Piece {
+    ) -> PatchSurface {
         if !best.crossings.is_empty() {
             for other in task.other_means(&best, avoiding) {
                 let other = self.judged(of, other);
@@ -83,7 +83,7 @@ impl<'m> Neighbours<'m> {
             }
         }
         if !best.crossings.is_empty() && on_failure == OnFailure::Open {
-            return Piece::open(OpenReason::Intersecting);
+            return PatchSurface::open(OpenReason::Intersecting);
         }
         self.keep(of, &best);
         if !best.crossings.is_empty() {
@@ -93,7 +93,7 @@ impl<'m> Neighbours<'m> {
     }
 
     /// What later patches may intersect.
-    fn keep(&mut self, of: usize, piece: &Piece) {
+    fn keep(&mut self, of: usize, piece: &PatchSurface) {
         let mut members = self.members(piece);
         for member in &mut members {
             let triangle = member.number;
@@ -105,7 +105,7 @@ impl<'m> Neighbours<'m> {
     }
 
     /// The triangles of a patch where they will be, by their numbers in the patch.
-    fn members(&self, piece: &Piece) -> Vec<Member> {
+    fn members(&self, piece: &PatchSurface) -> Vec<Member> {
         let boundary = piece.boundary.iter().map(|&v| self.positions[v as usize]);
         let positions: Vec<[f64; 3]> = boundary.chain(piece.positions.iter().copied()).collect();
         (0..piece.triangles.len() as u32)
@@ -114,7 +114,7 @@ impl<'m> Neighbours<'m> {
     }
 
     /// The piece with its intersections.
-    pub(super) fn judged(&self, of: usize, mut piece: Piece) -> Piece {
+    pub(super) fn judged(&self, of: usize, mut piece: PatchSurface) -> PatchSurface {
         let mut members = self.members(&piece);
         let bounds = bounds_of(&members);
         let first = (self.triangles.len() + self.made.len()) as u32;

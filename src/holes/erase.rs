@@ -4,12 +4,12 @@ use nalgebra::Vector3;
 
 use super::links::Links;
 use super::loop_set::normal;
-use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
 use crate::mesh::input;
 use crate::quality::smallest_angle;
+use crate::support::error::Error;
 
 /// What hangs loose at the edge is dropped in so many passes, at most: each takes what the one before has laid bare.
 const PASSES: usize = 8;
@@ -100,7 +100,7 @@ pub fn erase_and_clean(
     }
     let joined = Joined::new(positions, triangles, coincident)?;
     input::check(positions.len(), &joined.triangles)?;
-    let mut cut = Cut {
+    let mut cut = ErasedMesh {
         vertices: positions.len(),
         triangles: &joined.triangles,
         is_gone: vec![false; count],
@@ -130,7 +130,7 @@ pub fn erase_and_clean(
 }
 
 /// A mesh of which some triangles are gone.
-pub(super) struct Cut<'m> {
+pub(super) struct ErasedMesh<'m> {
     pub(super) vertices: usize,
     pub(super) triangles: &'m [[u32; 3]],
     pub(super) is_gone: Vec<bool>,
@@ -138,7 +138,7 @@ pub(super) struct Cut<'m> {
     pub(super) open: Vec<(u32, u32)>,
 }
 
-impl Cut<'_> {
+impl ErasedMesh<'_> {
     fn gone(&self) -> usize {
         self.is_gone.iter().filter(|&&gone| gone).count()
     }

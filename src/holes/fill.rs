@@ -5,28 +5,28 @@ use std::ops::ControlFlow;
 
 use super::attempts::Check;
 use super::crossing::Neighbours;
-use super::groups::{Group, JoinSuggestion, asked_for, choose};
+use super::groups::{JoinSuggestion, LoopGroup, asked_for, choose};
 use super::guides::Guides;
 use super::joint;
 use super::links::Links;
 use super::loops::BoundaryLoop;
-use super::objection::objection;
 use super::options::{FillOptions, Join, largest_patch};
 use super::outcome::{FillOutcome, LoopReport, OpenReason, renumber};
-use super::owned::Owned;
 use super::parents::Parents;
-use super::piece::{Piece, Task};
 use super::rim::Rims;
 use super::surroundings::Surroundings;
-use super::units::local_options;
-use super::work::{Tries, Work};
-use crate::error::Error;
 use crate::fairing::{
     Interrupt, Intersections, Options, Progress, ProgressCallback, SelfIntersections, check_loops, in_given,
     joined_options, on_workers,
 };
+use crate::holes::fill_progress::{FillProgress, Tries};
+use crate::holes::local_frame::local_options;
+use crate::holes::patch_surface::{PatchSurface, Task};
+use crate::holes::refusal::objection;
+use crate::holes::triangle_owner::Owned;
 use crate::mesh::{Joined, NONE};
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::stopwatch::Stopwatch;
 
 /// The filled mesh.
 #[derive(Debug, Clone)]
@@ -143,7 +143,7 @@ pub fn suggest_joins(
         ..options.clone()
     };
     let groups = choose(&asked, positions, &links, &loops)?;
-    let suggestion = |group: Group| {
+    let suggestion = |group: LoopGroup| {
         let loops = group.loops;
         group.reason.map(|reason| JoinSuggestion { loops, reason })
     };
@@ -202,7 +202,7 @@ pub(super) fn fill_within(
         let filled: Vec<usize> = (0..groups.len()).filter(is_filled).collect();
         rims.relax(options, &links, filled.iter().map(|&i| (i, of_group(i))));
     }
-    let mut run = Run {
+    let mut run = FillRun {
         positions: &rims.positions,
         rims: &rims,
         neighbours: is_checked.then(|| Neighbours::new(&rims.positions, &joined.triangles, chosen)),
@@ -215,10 +215,10 @@ pub(super) fn fill_within(
         interrupt,
         asked,
         guides,
-        work: Work::new(triangles.len(), options.density, (0..groups.len()).map(edges)),
+        work: FillProgress::new(triangles.len(), options.density, (0..groups.len()).map(edges)),
         cancelled: false,
     };
-    let mut pieces: Vec<Option<(Piece, f64)>> = groups.iter().map(|_| None).collect();
+    let mut pieces: Vec<Option<(PatchSurface, f64)>> = groups.iter().map(|_| None).collect();
     for i in order {
         let clock = Stopwatch::start();
         let boundary = of_group(i);
@@ -242,7 +242,7 @@ pub(super) fn fill_within(
         parents: Vec::new(),
         loops: Vec::with_capacity(groups.len()),
     };
-    let mut pieces: Vec<(Piece, f64)> = pieces.into_iter().flatten().collect();
+    let mut pieces: Vec<(PatchSurface, f64)> = pieces.into_iter().flatten().collect();
     tell_both(&mut pieces);
     let crossings = crossings(&pieces, triangles.len() as u32);
     for ((i, (piece, seconds)), pairs) in pieces.into_iter().enumerate().zip(crossings) {
@@ -259,7 +259,7 @@ pub(super) fn fill_within(
 }
 
 /// Where a patch intersects one made earlier, that one says so, too.
-fn tell_both(pieces: &mut [(Piece, f64)]) {
+fn tell_both(pieces: &mut [(PatchSurface, f64)]) {
     let mut earlier = Vec::new();
     for (i, (piece, _)) in pieces.iter().enumerate() {
         for pair in &piece.crossings {
@@ -280,7 +280,7 @@ fn tell_both(pieces: &mut [(Piece, f64)]) {
 }
 
 /// Per piece its intersections, in the numbers of the filled mesh, which had `count` triangles.
-pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
+pub(super) fn crossings(pieces: &[(PatchSurface, f64)], count: u32) -> Vec<Vec<[u32; 2]>> {
     let first: Vec<u32> = pieces
         .iter()
         .scan(count, |next, (piece, _)| {
@@ -293,7 +293,7 @@ pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]
         Owned::Mesh(t) => t,
         Owned::Patch { of, triangle } => first[of] + triangle,
     };
-    let numbered = |(piece, _): &(Piece, f64)| {
+    let numbered = |(piece, _): &(PatchSurface, f64)| {
         let ascending = |pair: [u32; 2]| [pair[0].min(pair[1]), pair[0].max(pair[1])];
         let mut pairs: Vec<[u32; 2]> = piece
             .crossings
@@ -306,7 +306,7 @@ pub(super) fn crossings(pieces: &[(Piece, f64)], count: u32) -> Vec<Vec<[u32; 2]
     pieces.iter().map(numbered).collect()
 }
 
-struct Run<'m> {
+struct FillRun<'m> {
     positions: &'m [[f64; 3]],
     rims: &'m Rims<'m>,
     /// What patches may intersect; none if they are not checked.
@@ -326,35 +326,35 @@ struct Run<'m> {
     asked: Vec<bool>,
     /// Per group its guides, by the places of their ends.
     guides: Vec<Vec<[u32; 2]>>,
-    work: Work,
+    work: FillProgress,
     cancelled: bool,
 }
 
-impl Run<'_> {
+impl FillRun<'_> {
     /// Fills the loops of a group, which is number `i` among those asked for.
     fn fill(
         &mut self,
         i: usize,
-        group: &Group,
+        group: &LoopGroup,
         loops: &[&BoundaryLoop],
         callback: &mut ProgressCallback<'_>,
-    ) -> Piece {
+    ) -> PatchSurface {
         if let Some(reason) = objection(self.options, &self.asked, group, (loops, self.positions)) {
-            return Piece::open(reason);
+            return PatchSurface::open(reason);
         }
         if self.cancelled {
-            return Piece::open(OpenReason::Cancelled);
+            return PatchSurface::open(OpenReason::Cancelled);
         }
         let mut surroundings = Surroundings::new(self.links, self.positions, loops, &mut self.place);
         surroundings.guides.clone_from(&self.guides[i]);
         if let Some(vertex) = surroundings.first_unusable() {
-            return Piece::open(OpenReason::NotFinite { vertex });
+            return PatchSurface::open(OpenReason::NotFinite { vertex });
         }
         if loops.len() > 1
             && let Some([a, b]) = joint::opposed(&surroundings.loop_set())
         {
             let [a, b] = [a, b].map(|k| group.loops[k]);
-            return Piece::open(OpenReason::OppositeSides { a, b });
+            return PatchSurface::open(OpenReason::OppositeSides { a, b });
         }
         if loops.iter().any(|boundary| !boundary.touching.is_empty()) {
             self.add_made(&mut surroundings);
@@ -392,7 +392,7 @@ impl Run<'_> {
         let piece = task.settled(check, self.options.on_failure, &mut tell);
         self.cancelled = cancelled;
         if cancelled {
-            return Piece::open(OpenReason::Cancelled);
+            return PatchSurface::open(OpenReason::Cancelled);
         }
         self.left -= piece.positions.len();
         for t in &piece.triangles {
@@ -433,7 +433,7 @@ fn edge(a: u32, b: u32) -> (u32, u32) {
 
 impl Filled {
     /// Appends a piece and its report.
-    pub(super) fn append(&mut self, piece: Piece, group: &Group, edges: usize, seconds: f64) {
+    pub(super) fn append(&mut self, piece: PatchSurface, group: &LoopGroup, edges: usize, seconds: f64) {
         let (vertex, triangle) = (self.positions.len() as u32, self.triangles.len() as u32);
         let boundary = piece.boundary.len() as u32;
         let number = |v: u32| {

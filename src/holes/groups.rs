@@ -10,8 +10,8 @@ use super::loops::{BoundaryLoop, LoopKind};
 use super::options::{FillOptions, Join, LoopFilter, Loops};
 use super::surroundings::bounds;
 use super::triangulate::Measure;
-use crate::error::Error;
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// Loops that a patch of their own closes with less turn (degrees) have no need of others.
 const FLAT: f64 = 20.0;
@@ -81,7 +81,7 @@ pub struct JoinSuggestion {
 
 /// What one patch is for.
 #[derive(Debug, Clone)]
-pub(super) struct Group {
+pub(super) struct LoopGroup {
     /// Ascending.
     pub(super) loops: Vec<usize>,
     /// Filled whatever its size, even if it is an outer boundary.
@@ -89,7 +89,7 @@ pub(super) struct Group {
     pub(super) reason: Option<JoinReason>,
 }
 
-impl Group {
+impl LoopGroup {
     fn single(index: usize, is_named: bool) -> Self {
         Self {
             loops: vec![index],
@@ -105,7 +105,7 @@ pub(super) fn choose(
     positions: &[[f64; 3]],
     links: &Links<'_>,
     loops: &[BoundaryLoop],
-) -> Result<Vec<Group>, Error> {
+) -> Result<Vec<LoopGroup>, Error> {
     let count = loops.len();
     let (chosen, is_named) = match &options.loops {
         Loops::UpTo(_) | Loops::Where(_) => ((0..count).collect(), false),
@@ -116,7 +116,7 @@ pub(super) fn choose(
             (list, true)
         }
     };
-    let mut groups: Vec<Group> = match &options.join {
+    let mut groups: Vec<LoopGroup> = match &options.join {
         Join::None => Vec::new(),
         Join::Groups(groups) => {
             let groups = groups.iter().filter(|group| !group.is_empty());
@@ -130,7 +130,7 @@ pub(super) fn choose(
                 .filter(|&l| l < count && asked[l])
                 .collect();
             let found = suggestions(positions, links, loops, &among);
-            found.into_iter().map(Group::from).collect()
+            found.into_iter().map(LoopGroup::from).collect()
         }
     };
     let mut grouped: Vec<usize> = groups.iter().flat_map(|group| &group.loops).copied().collect();
@@ -139,7 +139,7 @@ pub(super) fn choose(
         return Err(Error::SelectionOutOfRange { index, count });
     }
     let alone = chosen.iter().filter(|l| grouped.binary_search(l).is_err());
-    groups.extend(alone.map(|&l| Group::single(l, is_named)));
+    groups.extend(alone.map(|&l| LoopGroup::single(l, is_named)));
     groups.sort_by_key(|group| group.loops[0]);
     Ok(groups)
 }
@@ -179,17 +179,17 @@ fn meets(filter: &LoopFilter, positions: &[[f64; 3]], of: &BoundaryLoop) -> bool
         && filter.within.is_none_or(|place| vertices.all(|p| place.holds(p)))
 }
 
-fn named(loops: &[usize]) -> Group {
+fn named(loops: &[usize]) -> LoopGroup {
     let mut loops = loops.to_vec();
     loops.sort_unstable();
-    Group {
+    LoopGroup {
         loops,
         is_named: true,
         reason: None,
     }
 }
 
-impl From<JoinSuggestion> for Group {
+impl From<JoinSuggestion> for LoopGroup {
     fn from(of: JoinSuggestion) -> Self {
         Self {
             loops: of.loops,

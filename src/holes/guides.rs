@@ -1,13 +1,13 @@
 //! Guides: pairs of boundary vertices that a patch shall have an edge between.
 
-use super::connections::{Cut, connections};
-use super::groups::Group;
+use super::connections::{CutPolygon, connections};
+use super::groups::LoopGroup;
 use super::links::Links;
 use super::loop_set::LoopSet;
 use super::loops::BoundaryLoop;
 use super::triangulate::cross;
-use crate::error::Error;
 use crate::mesh::coincident::Copies;
+use crate::support::error::Error;
 
 /// The loops that are filled, which guides are looked up in.
 pub(super) struct Guides<'m> {
@@ -15,12 +15,12 @@ pub(super) struct Guides<'m> {
     pub(super) links: &'m Links<'m>,
     pub(super) positions: &'m [[f64; 3]],
     pub(super) loops: &'m [BoundaryLoop],
-    pub(super) groups: &'m [Group],
+    pub(super) groups: &'m [LoopGroup],
 }
 
 /// Where a vertex is on the loops of a group.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct GuideEnd {
     group: usize,
     /// Which of the group's loops.
     of: usize,
@@ -29,15 +29,15 @@ struct Place {
 }
 
 /// A guide as it was given, and the places of its ends.
-struct Resolved {
+struct ResolvedGuide {
     given: [u32; 2],
-    ends: [Place; 2],
+    ends: [GuideEnd; 2],
 }
 
 impl Guides<'_> {
     /// Per group its guides, by the numbers of their ends among the vertices of the group's loops.
     pub(super) fn resolved(&self, guides: &[[u32; 2]]) -> Result<Vec<Vec<[u32; 2]>>, Error> {
-        let mut by_group: Vec<Vec<Resolved>> = self.groups.iter().map(|_| Vec::new()).collect();
+        let mut by_group: Vec<Vec<ResolvedGuide>> = self.groups.iter().map(|_| Vec::new()).collect();
         for &given in guides {
             let found = self.resolve(given)?;
             by_group[found.ends[0].group].push(found);
@@ -47,11 +47,11 @@ impl Guides<'_> {
                 self.check(group, of_group)?;
             }
         }
-        let ends = |of_group: &Vec<Resolved>| of_group.iter().map(local).collect();
+        let ends = |of_group: &Vec<ResolvedGuide>| of_group.iter().map(local).collect();
         Ok(by_group.iter().map(ends).collect())
     }
 
-    fn resolve(&self, given: [u32; 2]) -> Result<Resolved, Error> {
+    fn resolve(&self, given: [u32; 2]) -> Result<ResolvedGuide, Error> {
         let refused = |why| Err(refusal(given, why));
         if given.iter().any(|&v| v as usize >= self.positions.len()) {
             return refused("it names a vertex that does not exist");
@@ -70,22 +70,22 @@ impl Guides<'_> {
             });
         }
         let pairs = || of_a.iter().flat_map(|&p| of_b.iter().map(move |&q| [p, q]));
-        let same_loop = |[p, q]: &[Place; 2]| p.group == q.group && p.of == q.of;
-        let same_group = |[p, q]: &[Place; 2]| p.group == q.group;
+        let same_loop = |[p, q]: &[GuideEnd; 2]| p.group == q.group && p.of == q.of;
+        let same_group = |[p, q]: &[GuideEnd; 2]| p.group == q.group;
         match pairs().find(same_loop).or_else(|| pairs().find(same_group)) {
-            Some(ends) => Ok(Resolved { given, ends }),
+            Some(ends) => Ok(ResolvedGuide { given, ends }),
             None => refused("its ends are on loops that are not joined"),
         }
     }
 
     /// Where a vertex of the joined mesh is on the loops that get patches.
-    fn places(&self, v: u32) -> Vec<Place> {
+    fn places(&self, v: u32) -> Vec<GuideEnd> {
         let mut found = Vec::new();
         for (group, of_group) in self.groups.iter().enumerate() {
             let mut first = 0;
             for (of, &l) in of_group.loops.iter().enumerate() {
                 let vertices = &self.loops[l].vertices;
-                let place = |at: usize| Place {
+                let place = |at: usize| GuideEnd {
                     group,
                     of,
                     at: (first + at) as u32,
@@ -98,7 +98,7 @@ impl Guides<'_> {
     }
 
     /// Whether the guides of a group can be followed together.
-    fn check(&self, group: &Group, guides: &[Resolved]) -> Result<(), Error> {
+    fn check(&self, group: &LoopGroup, guides: &[ResolvedGuide]) -> Result<(), Error> {
         let loops: Vec<&BoundaryLoop> = group.loops.iter().map(|&l| &self.loops[l]).collect();
         let mut set = LoopSet::new(self.links, self.positions, &loops);
         let mut used = Vec::new();
@@ -121,19 +121,19 @@ impl Guides<'_> {
             // Nothing can be triangulated, whatever the guides are: the report will say so.
             return Ok(());
         }
-        let cut = Cut::new(&set, &found);
-        let is_chord = |guide: &&Resolved| {
+        let cut = CutPolygon::new(&set, &found);
+        let is_chord = |guide: &&ResolvedGuide| {
             let [a, b] = local(guide);
             !found.iter().any(|c| [c.from, c.to] == [a, b])
         };
-        let chords: Vec<(&Resolved, (u32, u32))> = guides
+        let chords: Vec<(&ResolvedGuide, (u32, u32))> = guides
             .iter()
             .filter(is_chord)
             .zip(cut.guides.iter().copied())
             .collect();
         for (i, (first, chord)) in chords.iter().enumerate() {
             if let Some((second, _)) = chords[..i].iter().find(|(_, other)| cross(*chord, *other)) {
-                let ends = |of: &Resolved| of.given.map(|v| v as usize);
+                let ends = |of: &ResolvedGuide| of.given.map(|v| v as usize);
                 return Err(Error::GuidesCross {
                     first: ends(second),
                     second: ends(first),
@@ -144,7 +144,7 @@ impl Guides<'_> {
     }
 }
 
-fn local(guide: &Resolved) -> [u32; 2] {
+fn local(guide: &ResolvedGuide) -> [u32; 2] {
     guide.ends.map(|place| place.at)
 }
 

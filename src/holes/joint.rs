@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::connections::{Connection, Cut, connections};
+use super::connections::{Connection, CutPolygon, connections};
 use super::loop_set::LoopSet;
 use super::patch::Patch;
-use super::thinned::Thinned;
 use super::triangulate::{Barred, Measure, Polygon};
+use crate::holes::coarse_loops::Thinned;
 use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
@@ -56,7 +56,7 @@ fn closed(set: &LoopSet, measure: Measure, barred: Barred<'_>) -> Option<Vec<[u3
     if connections.len() + 1 < set.count() {
         return None;
     }
-    let cut = Cut::new(set, &connections);
+    let cut = CutPolygon::new(set, &connections);
     let x: Vec<Vector3<f64>> = cut.of.iter().map(|&v| set.x[v as usize]).collect();
     let in_cut = |t: [u32; 3]| barred.is_some_and(|barred| barred(t.map(|v| cut.of[v as usize])));
     let polygon = Polygon {

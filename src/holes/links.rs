@@ -1,9 +1,9 @@
 //! The half-edges of a mesh, sound or not: which lie side by side, and which bound a gap.
 
-use crate::error::Error;
 use crate::mesh::halfedge::{next, previous};
 use crate::mesh::input;
 use crate::mesh::rows::Rows;
+use crate::support::error::Error;
 
 /// No half-edge on the other side: the boundary.
 pub(super) const BOUNDARY: u32 = u32::MAX;

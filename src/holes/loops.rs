@@ -9,13 +9,13 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Vector3;
 
 use super::links::{BOUNDARY, Links};
-use super::pinches::{Places, Run};
-use crate::error::Error;
+use crate::holes::singular_vertices::{BoundaryPlaces, HalfEdgeLoop};
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::{next, previous};
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
 const OUTER_TURN: f64 = 0.75 * PI;
@@ -186,7 +186,7 @@ impl Links<'_> {
         }
         let mut done = vec![false; self.opposite.len()];
         let mut place = vec![BOUNDARY; self.outgoing.len()];
-        let mut found: Vec<Run> = Vec::new();
+        let mut found: Vec<HalfEdgeLoop> = Vec::new();
         // Runs that end at bad edges first, from their beginnings; then the closed ones.
         for open in [true, false] {
             for &h in &boundary {
@@ -241,7 +241,7 @@ impl Links<'_> {
 
     /// Walks from a boundary half-edge until the run closes or meets a bad edge. Whenever a vertex comes again, what lies
     /// in between is a loop of its own.
-    fn walk(&self, first: u32, done: &mut [bool], place: &mut [u32], found: &mut Vec<Run>) {
+    fn walk(&self, first: u32, done: &mut [bool], place: &mut [u32], found: &mut Vec<HalfEdgeLoop>) {
         let mut run: Vec<u32> = Vec::new();
         let mut h = first;
         let bad = loop {
@@ -273,7 +273,7 @@ impl Links<'_> {
         run: Vec<u32>,
         bad: Option<u32>,
         positions: &[[f64; 3]],
-        (places, visits): (&Places, &[u8]),
+        (places, visits): (&BoundaryPlaces, &[u8]),
         (components, sizes): (&[u32], &[usize]),
     ) -> BoundaryLoop {
         let component = components[run[0] as usize / 3] as usize;

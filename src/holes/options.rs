@@ -1,9 +1,9 @@
 //! What filling is asked.
 
 use super::rim::options::Rim;
-use crate::error::Error;
 use crate::fairing::Options;
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// Which loops are filled.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use super::groups::JoinReason;
 use super::rim::report::RimReport;
-use crate::error::Error;
 use crate::fairing::{Outcome, Report};
 use crate::quality::Quality;
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// Why a loop was left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

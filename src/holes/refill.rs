@@ -6,9 +6,9 @@ use super::loops::{BoundaryLoop, boundary_loops_joined};
 use super::options::{FillOptions, Join, Loops};
 use super::outcome::{FillOutcome, LoopReport};
 use super::remesh::Remeshed;
-use crate::error::Error;
 use crate::fairing::{BoundaryCurvature, BoundaryNormals, Options, ProgressCallback, Report};
-use crate::mesh::{Joined, NONE, Region, Selection};
+use crate::mesh::{Joined, NONE, RegionMesh, Selection};
+use crate::support::error::Error;
 
 /// Deletes a region, and fills the loops that are left, those of each component of the region with one patch. None where that
 /// leads to no fair patch that intersects nothing, where it would lose a vertex that is fixed: one inside the region, or one without
@@ -93,7 +93,7 @@ fn refill(
     let coincident = options.fairing.coincident;
     let joined = Joined::new(positions, triangles, coincident)?;
     let selected = joined.copies.selection(selection);
-    let region = Region::new(positions, &joined.triangles, selected.selection())?;
+    let region = RegionMesh::new(positions, &joined.triangles, selected.selection())?;
     let gone = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
     let mut is_gone = vec![false; triangles.len()];
     gone.iter().for_each(|&t| is_gone[t as usize] = true);
@@ -159,7 +159,7 @@ impl Rest {
     fn new(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
-        region: &Region,
+        region: &RegionMesh,
         joined: &Joined<'_>,
         kept: &[u32],
     ) -> Option<Self> {
@@ -223,7 +223,7 @@ impl Rest {
 /// Per component of the region the loops that it leaves; none where one of them has an edge that was open before. `id` gives
 /// the region's number of a vertex.
 fn loops_of_components(
-    region: &Region,
+    region: &RegionMesh,
     loops: &[BoundaryLoop],
     id: impl Fn(u32) -> u32,
 ) -> Option<Vec<Vec<usize>>> {
@@ -246,7 +246,7 @@ fn loops_of_components(
 }
 
 /// The directed edges of the region's triangles with the component that lies there, ascending.
-fn edges(region: &Region) -> Vec<([u32; 2], u32)> {
+fn edges(region: &RegionMesh) -> Vec<([u32; 2], u32)> {
     let mut edges = Vec::new();
     for t in region.triangles() {
         let Some(&free) = t.iter().find(|&&v| (v as usize) < region.free) else {

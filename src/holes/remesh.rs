@@ -2,11 +2,11 @@
 
 use super::parents::{Parents, parents};
 use super::patch::Patch;
-use super::piece::limit;
 use super::refine::{Fineness, Refiner};
-use crate::error::Error;
+use crate::holes::patch_surface::limit;
 use crate::mesh::coincident::{Coincident, Copies};
-use crate::mesh::{Joined, NONE, Region, Selection};
+use crate::mesh::{Joined, NONE, RegionMesh, Selection};
+use crate::support::error::Error;
 
 /// Sweeps in which edge lengths spread from the boundary into the region.
 const SWEEPS: usize = 100;
@@ -98,7 +98,7 @@ pub fn remesh_region(
     options.validate()?;
     let joined = Joined::new(positions, triangles, options.coincident)?;
     let selected = joined.copies.selection(selection);
-    let region = Region::new(positions, &joined.triangles, selected.selection())?;
+    let region = RegionMesh::new(positions, &joined.triangles, selected.selection())?;
     let ids = ids(&region);
     let coarse = patch(&region, positions, &ids);
     let taken = taken(&region);
@@ -116,13 +116,13 @@ pub fn remesh_region(
 }
 
 /// The mesh's numbers of the patch's vertices: boundary, then free.
-fn ids(region: &Region) -> Vec<u32> {
+fn ids(region: &RegionMesh) -> Vec<u32> {
     let (free, boundary) = region.vertex_ids[..region.region_vertices()].split_at(region.free);
     boundary.iter().chain(free).copied().collect()
 }
 
 /// The region as a patch, with the sizes outside.
-fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
+fn patch(region: &RegionMesh, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
     let (free, boundary) = (region.free as u32, region.boundary as u32);
     let number = |v: u32| if v < free { v + boundary } else { v - free };
     let x: Vec<_> = ids.iter().map(|&v| positions[v as usize].into()).collect();
@@ -164,7 +164,7 @@ fn patch(region: &Region, positions: &[[f64; 3]], ids: &[u32]) -> Patch {
 }
 
 /// Edges between boundary vertices that the outside has.
-fn taken(region: &Region) -> Vec<(u32, u32)> {
+fn taken(region: &RegionMesh) -> Vec<(u32, u32)> {
     let (free, end) = (region.free as u32, region.region_vertices() as u32);
     let mut taken = Vec::new();
     for tri in &region.half_edges.triangles[region.half_edges.region_triangles..] {
@@ -189,7 +189,13 @@ struct Kept {
 }
 
 impl Kept {
-    fn new(count: usize, triangles: &[[u32; 3]], region: &Region, patch: &Patch, copies: &Copies) -> Self {
+    fn new(
+        count: usize,
+        triangles: &[[u32; 3]],
+        region: &RegionMesh,
+        patch: &Patch,
+        copies: &Copies,
+    ) -> Self {
         let mut is_kept = vec![true; triangles.len()];
         let gone = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
         gone.iter().for_each(|&t| is_kept[t as usize] = false);

@@ -1,9 +1,9 @@
 //! A coarse patch, faired loosely: where the fine one is laid out.
 
 use super::patch::Patch;
-use super::piece::{COARSE_SHARE, Task, is_failed};
 use super::refine::Refiner;
 use crate::fairing::{BoundaryNormals, Options, Progress, ProgressCallback};
+use crate::holes::patch_surface::{COARSE_SHARE, Task, is_failed};
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
 const COARSE_GROWTH: f64 = 0.5;

@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::erase::Cut;
+use super::erase::ErasedMesh;
 use super::links::Links;
-use crate::error::Error;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
+use crate::support::error::Error;
 
 /// Each pass takes what the one before has laid bare; after so many it is the mesh and not its boundary that is taken away.
 const PASSES: usize = 8;
@@ -69,7 +69,7 @@ pub fn trim_boundary(
     // A triangle that is gone at a loop would have its edges the other way round.
     let across = |&h: &u32| (links.origin(next(h)), links.origin(h));
     let open = loops.iter().flat_map(|&l| found[l].half_edges.iter().map(across));
-    let mut cut = Cut {
+    let mut cut = ErasedMesh {
         vertices: positions.len(),
         triangles: &joined.triangles,
         is_gone: vec![false; triangles.len()],

@@ -9,7 +9,7 @@ use super::triangles::intersect;
 pub(super) const SIZE: usize = 8;
 
 /// Neighbouring triangles.
-pub(super) struct Group {
+pub(super) struct TriangleGroup {
     run: Range<usize>,
     boxes: Boxes,
     /// A bit for each triangle that is asked for.
@@ -80,7 +80,7 @@ fn not_above(x: f64) -> f32 {
     }
 }
 
-impl Group {
+impl TriangleGroup {
     /// A run of the members.
     pub(super) fn new(members: &[Member], run: Range<usize>) -> Self {
         let own = &members[run.clone()];

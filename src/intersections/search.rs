@@ -96,7 +96,7 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     });
     members.retain(|member| member.facing != 0);
     let tree = Tree::new(&mut members);
-    let search = Search {
+    let search = PairSearch {
         across: neighbours(members.iter().map(|member| &member.corners)),
         members,
         tree,
@@ -113,14 +113,14 @@ pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     pairs
 }
 
-struct Search {
+struct PairSearch {
     members: Vec<Member>,
     tree: Tree,
     /// Members at the edges of each.
     across: Vec<[u32; 3]>,
 }
 
-impl Search {
+impl PairSearch {
     /// Pairs of nodes whose triangles are to be compared with each other; twice the same for those within a leaf.
     fn tasks(&self) -> Vec<[usize; 2]> {
         let mut tasks = Vec::new();

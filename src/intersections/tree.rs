@@ -7,7 +7,7 @@ use fairmesh_linear::parallel;
 use rayon::prelude::*;
 use rstar::Envelope;
 
-use super::groups::{Box32, Group, SIZE};
+use super::groups::{Box32, SIZE, TriangleGroup};
 use super::member::{Member, bounds_of};
 
 /// Bits of a place on the curve for each axis.
@@ -36,7 +36,7 @@ pub(super) enum Content {
 /// The first node has all triangles.
 pub(super) struct Tree {
     pub(super) nodes: Vec<Node>,
-    pub(super) groups: Vec<Group>,
+    pub(super) groups: Vec<TriangleGroup>,
 }
 
 impl Tree {
@@ -65,7 +65,7 @@ impl Tree {
                 parent.content = Content::Inner(own);
             }
             if run.len() <= SIZE {
-                let group = Group::new(members, run.clone());
+                let group = TriangleGroup::new(members, run.clone());
                 self.nodes.push(Node {
                     bounds: group.bounds(),
                     is_asked: group.has_asked(),

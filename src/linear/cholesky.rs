@@ -249,7 +249,7 @@ fn run<T: Real>(job: Job<'_>, task: usize, panels: &mut [T], updates: [&mut [T];
         a.and(b)?;
     }
     let base = symbolic.panel_start[range.start];
-    let mut work = front::Work::default();
+    let mut work = front::PackedRows::default();
     for s in *top..range.end {
         if job.interrupt.is_set() {
             return Err(symbolic.first[s] as usize);

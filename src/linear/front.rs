@@ -17,11 +17,11 @@ use super::tile::{LANES, Lanes, Tile, minus, minus_product, products};
 /// The rows of the factor of one front, packed for the register tile: group after group, and column after column within it.
 ///
 /// The groups end with the pivot block, so that none has pivots and other rows: the first `p % LANES` rows belong to none.
-pub(crate) struct Work<T> {
+pub(crate) struct PackedRows<T> {
     packed: Vec<Lanes<T>>,
 }
 
-impl<T> Default for Work<T> {
+impl<T> Default for PackedRows<T> {
     fn default() -> Self {
         Self { packed: Vec::new() }
     }
@@ -60,7 +60,7 @@ pub(crate) fn eliminate<T: Real>(
     p: usize,
     update: &mut [T],
     fresh: bool,
-    work: &mut Work<T>,
+    work: &mut PackedRows<T>,
 ) -> Result<(), usize> {
     let front = Front::new(panel, m, p, update, fresh, work);
     vectorized(
@@ -90,7 +90,7 @@ impl<'a, T: Real> Front<'a, T> {
         p: usize,
         update: &'a mut [T],
         fresh: bool,
-        work: &'a mut Work<T>,
+        work: &'a mut PackedRows<T>,
     ) -> Self {
         let head = p % LANES;
         let groups = (m - head).div_ceil(LANES);
@@ -368,7 +368,7 @@ mod tests {
 
     /// The largest error of [`eliminate`] in parts of the largest number. The update matrix begins as that of `a`, or, if fresh, as
     /// rubbish.
-    fn error<T: Real>(m: usize, p: usize, fresh: bool, work: &mut Work<T>) -> f64 {
+    fn error<T: Real>(m: usize, p: usize, fresh: bool, work: &mut PackedRows<T>) -> f64 {
         let mut a = matrix::<T>(m);
         let (r, tall) = (m - p, (m - p).next_multiple_of(LANES));
         let mut update = vec![T::from_f64(f64::NAN); r * tall];
@@ -403,7 +403,7 @@ mod tests {
 
     #[test]
     fn all_small_fronts_are_those_of_the_definition() {
-        let (mut single, mut double) = (Work::default(), Work::default());
+        let (mut single, mut double) = (PackedRows::default(), PackedRows::default());
         for m in 1..=70 {
             for p in 1..=m {
                 for fresh in [false, true] {
@@ -422,8 +422,8 @@ mod tests {
     fn fronts_of_several_chunks_are_those_of_the_definition() {
         for (m, p) in [(300, 263), (300, 264), (300, 265), (613, 520), (600, 600)] {
             for fresh in [false, true] {
-                let single = error::<f32>(m, p, fresh, &mut Work::default());
-                let double = error::<f64>(m, p, fresh, &mut Work::default());
+                let single = error::<f32>(m, p, fresh, &mut PackedRows::default());
+                let double = error::<f64>(m, p, fresh, &mut PackedRows::default());
                 assert!(single < 1e-5 && double < 2e-14, "{m} {p} {single} {double}");
             }
         }
@@ -438,7 +438,7 @@ mod tests {
                     panel[bad * m + bad] = value;
                     let r = m - p;
                     let mut update = vec![0.0; r * r.next_multiple_of(LANES)];
-                    let end = eliminate(&mut panel, m, p, &mut update, true, &mut Work::default());
+                    let end = eliminate(&mut panel, m, p, &mut update, true, &mut PackedRows::default());
                     assert_eq!(end, Err(bad), "{m} {p} {value}");
                 }
             }

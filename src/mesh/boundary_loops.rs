@@ -2,12 +2,12 @@
 
 use super::halfedge::HalfEdges;
 use super::halfedge::NONE;
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rings::Rings;
 
 /// The closed runs of boundary edges that visit no vertex twice, each as boundary vertices (numbered from the first of them)
 /// with the region on the left, beginning at the smallest one. A run that comes back to one of its vertices is several of them.
-pub(crate) fn boundary_loops(region: &Region, rings: &Rings) -> Vec<Vec<u32>> {
+pub(crate) fn boundary_loops(region: &RegionMesh, rings: &Rings) -> Vec<Vec<u32>> {
     let half_edges: &HalfEdges = &region.half_edges;
     let local = |v: u32| v - region.free as u32;
     let ends = |&h: &u32| (local(half_edges.origin(h)), local(half_edges.target(h)));
@@ -64,7 +64,8 @@ mod tests {
     #[test]
     fn a_band_has_two_loops_of_neighbours() {
         let shape = catenoid_band(300, Sampling::Irregular { seed: 7 }, 2);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
         let loops = boundary_loops(&region, &rings);
         assert_eq!(loops.len(), 2);
@@ -85,7 +86,7 @@ mod tests {
     fn a_loop_that_meets_itself_is_two() {
         let shape = catenoid_band(600, Sampling::Irregular { seed: 7 }, 2);
         let of = |free: &[bool]| {
-            let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(free)).ok()?;
+            let region = RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(free)).ok()?;
             let rings = Rings::new(&region);
             Some((boundary_loops(&region, &rings), region))
         };

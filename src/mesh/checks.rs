@@ -1,6 +1,6 @@
 //! What is checked of a region before its triangles are linked.
 
-use crate::error::{Error, LARGEST_COORDINATE, MOST_VALENCE};
+use crate::support::error::{Error, LARGEST_COORDINATE, MOST_VALENCE};
 
 pub(super) fn repeated([a, b, c]: [u32; 3]) -> Option<u32> {
     if a == b || a == c {

@@ -43,7 +43,7 @@ pub(crate) fn circles(rings: &Rings) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{OUTSIDE, Sampling, cylinder_band};
 
     /// Six circles of radius 1 touch one of radius 1, and each other.
@@ -51,7 +51,7 @@ mod tests {
     fn circles_of_a_lattice_are_all_alike() {
         let shape = cylinder_band(600, Sampling::Regular, OUTSIDE);
         let selection = Selection::Mask(&shape.free);
-        let region = Region::new(&shape.positions, &shape.triangles, selection).unwrap();
+        let region = RegionMesh::new(&shape.positions, &shape.triangles, selection).unwrap();
         assert!(
             circles(&Rings::new(&region))
                 .iter()

@@ -9,7 +9,7 @@ use super::disk::{Disk, half_tangent, is_fit};
 use super::editable::EditableMesh;
 use super::halfedge::NONE;
 use super::halfedge::{next, previous};
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rows::Rows;
 use super::selection::Selection;
 
@@ -39,8 +39,8 @@ pub(crate) struct Coarsening {
 
 /// Removes free vertices of `region` until at most `target` are left, or none can go without thin triangles. `length` is that of
 /// the edge between two neighbours, in any unit.
-pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) -> f64) -> Coarsening {
-    let (mut work, mean) = Work::new(region, length);
+pub(crate) fn coarsen(region: &RegionMesh, target: usize, length: impl Fn(u32, u32) -> f64) -> Coarsening {
+    let (mut work, mean) = Decimation::new(region, length);
     work.changed = (0..region.triangles().len() as u32).collect();
     let mut left: Vec<u32> = (0..region.free as u32).collect();
     let mut limit = FIRST * mean;
@@ -64,11 +64,11 @@ pub(crate) fn coarsen(region: &Region, target: usize, length: impl Fn(u32, u32) 
 /// Removes free vertices of `region` along edges up to the length that each allows, in mean edges. Where that is 0 they stay, and no
 /// edge of their triangles is turned.
 pub(crate) fn coarsen_graded(
-    region: &Region,
+    region: &RegionMesh,
     length: impl Fn(u32, u32) -> f64,
     longest: &[f64],
 ) -> Coarsening {
-    let (mut work, mean) = Work::new(region, length);
+    let (mut work, mean) = Decimation::new(region, length);
     work.stays = longest.iter().map(|&l| l == 0.0).collect();
     let most = longest.iter().copied().fold(0.0, f64::max);
     let mut left: Vec<u32> = (0..region.free as u32)
@@ -107,13 +107,17 @@ impl Coarsening {
     /// The coarse region with the same outside, and the lengths of its triangles' edges, from each corner to the next; its `vertex_ids` are the numbers of the region that it was made from.
     /// `positions` are those of all vertices of that region, those of its outside and beyond it. `None` where a triangle of the outside
     /// would be one of the region: between fixed vertices of a closed curve along which the region is cut.
-    pub(crate) fn region(&self, region: &Region, positions: &[[f64; 3]]) -> Option<(Region, Vec<[f64; 3]>)> {
+    pub(crate) fn region(
+        &self,
+        region: &RegionMesh,
+        positions: &[[f64; 3]],
+    ) -> Option<(RegionMesh, Vec<[f64; 3]>)> {
         let (numbers, triangles): (Vec<usize>, Vec<[u32; 3]>) = self.mesh.triangles().unzip();
         let triangles = [&triangles[..], &region.beyond].concat();
         let mut is_free = vec![true; self.free];
         self.removed.iter().for_each(|&v| is_free[v as usize] = false);
         let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_free[v as usize]).collect();
-        let coarse = Region::new(positions, &triangles, Selection::Vertices(&free)).ok()?;
+        let coarse = RegionMesh::new(positions, &triangles, Selection::Vertices(&free)).ok()?;
         let of_region = &coarse.half_edges.triangle_ids[..coarse.triangles().len()];
         // A region's triangle keeps the order of its corners.
         let (lengths, _) = self.lengths.as_chunks();
@@ -136,7 +140,7 @@ impl Coarsening {
 }
 
 /// Coarsening under way.
-struct Work {
+struct Decimation {
     coarsening: Coarsening,
     disk: Disk,
     /// The triangles that were changed since edges were turned last, some of them more than once.
@@ -147,9 +151,9 @@ struct Work {
     stays: Vec<bool>,
 }
 
-impl Work {
+impl Decimation {
     /// The region as it is, and the mean length of its triangles' edges.
-    fn new(region: &Region, length: impl Fn(u32, u32) -> f64) -> (Self, f64) {
+    fn new(region: &RegionMesh, length: impl Fn(u32, u32) -> f64) -> (Self, f64) {
         let mesh = EditableMesh::new(region);
         let triangles = mesh.region_triangles().iter();
         let lengths = triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)].map(|(u, v)| length(u, v)));
@@ -290,15 +294,15 @@ mod tests {
 
     const IRREGULAR: Sampling = Sampling::Irregular { seed: 3 };
 
-    fn region_of(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
+    fn region_of(shape: &Shape) -> (RegionMesh, Vec<Vector3<f64>>) {
         let selection = Selection::Mask(&shape.free);
-        let region = Region::new(&shape.positions, &shape.triangles, selection).unwrap();
+        let region = RegionMesh::new(&shape.positions, &shape.triangles, selection).unwrap();
         let x = region.positions(&shape.positions);
         (region, x)
     }
 
     /// A flat disc: the cap seen from above, in which every edge keeps the length that it has there.
-    fn flat_disc() -> (Region, Vec<Vector3<f64>>) {
+    fn flat_disc() -> (RegionMesh, Vec<Vector3<f64>>) {
         let (region, mut x) = region_of(&sphere_cap(60.0, 2000, IRREGULAR, OUTSIDE));
         x.iter_mut().for_each(|p| p.z = 0.0);
         (region, x)
@@ -310,9 +314,9 @@ mod tests {
 
     fn coarse_region(
         coarsening: &Coarsening,
-        region: &Region,
+        region: &RegionMesh,
         x: &[Vector3<f64>],
-    ) -> (Region, Vec<[f64; 3]>) {
+    ) -> (RegionMesh, Vec<[f64; 3]>) {
         let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
         coarsening.region(region, &positions).unwrap()
     }
@@ -392,8 +396,8 @@ mod tests {
         let shape = sphere_cap(60.0, 3000, IRREGULAR, OUTSIDE);
         let (region, _) = region_of(&shape);
         let moved = shape.random(5);
-        let other = Region::new(&moved, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
-        let of = |region: &Region| {
+        let other = RegionMesh::new(&moved, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let of = |region: &RegionMesh| {
             let radius = circles(&Rings::new(region));
             let coarsening = coarsen(region, 500, |u, v| radius[u as usize] + radius[v as usize]);
             coarsening

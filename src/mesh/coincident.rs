@@ -8,8 +8,8 @@ use std::borrow::Cow;
 use super::input;
 use super::selection::Selection;
 use super::stitches::representatives;
-use crate::error::Error;
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// Whether vertices at the same place are one vertex of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,9 +125,9 @@ impl Copies {
     }
 
     /// A selection in the joined mesh's numbers. What it names wrongly is left for the checks that follow.
-    pub(crate) fn selection<'s>(&self, selection: Selection<'s>) -> Selected<'s> {
+    pub(crate) fn selection<'s>(&self, selection: Selection<'s>) -> SelectedElements<'s> {
         if self.is_empty() {
-            return Selected::of(selection);
+            return SelectedElements::of(selection);
         }
         match selection {
             Selection::Mask(mask) if mask.len() == self.smallest.len() => {
@@ -136,23 +136,25 @@ impl Copies {
                     joined[v as usize] &= mask[copy as usize];
                     joined[copy as usize] = false;
                 }
-                Selected::Mask(joined.into())
+                SelectedElements::Mask(joined.into())
             }
-            Selection::Vertices(list) => Selected::Vertices(list.iter().map(|&v| self.smallest(v)).collect()),
-            other => Selected::of(other),
+            Selection::Vertices(list) => {
+                SelectedElements::Vertices(list.iter().map(|&v| self.smallest(v)).collect())
+            }
+            other => SelectedElements::of(other),
         }
     }
 }
 
 /// A selection that may have its own memory.
 #[derive(Debug, Clone)]
-pub(crate) enum Selected<'s> {
+pub(crate) enum SelectedElements<'s> {
     Mask(Cow<'s, [bool]>),
     Vertices(Cow<'s, [u32]>),
     Faces(Cow<'s, [u32]>),
 }
 
-impl<'s> Selected<'s> {
+impl<'s> SelectedElements<'s> {
     fn of(selection: Selection<'s>) -> Self {
         match selection {
             Selection::Mask(mask) => Self::Mask(mask.into()),
@@ -170,11 +172,11 @@ impl<'s> Selected<'s> {
     }
 
     /// The same, in its own memory.
-    pub(crate) fn into_owned(self) -> Selected<'static> {
+    pub(crate) fn into_owned(self) -> SelectedElements<'static> {
         match self {
-            Self::Mask(mask) => Selected::Mask(mask.into_owned().into()),
-            Self::Vertices(list) => Selected::Vertices(list.into_owned().into()),
-            Self::Faces(list) => Selected::Faces(list.into_owned().into()),
+            Self::Mask(mask) => SelectedElements::Mask(mask.into_owned().into()),
+            Self::Vertices(list) => SelectedElements::Vertices(list.into_owned().into()),
+            Self::Faces(list) => SelectedElements::Faces(list.into_owned().into()),
         }
     }
 }

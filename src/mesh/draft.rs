@@ -9,10 +9,10 @@ use super::input::{check_indices, check_size};
 use super::islands::islands;
 use super::numbering::{Numbering, breadth_first};
 use super::outside_neighbours::RINGS_WIDE;
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rounding;
 use super::selection::Selection;
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// What a vertex is to the region.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub(super) struct Draft {
     pub(super) components: Components,
 }
 
-impl Region {
+impl RegionMesh {
     /// Finds the region and checks that it and the outside ring are sound.
     ///
     /// `positions` is #V by 3, `triangles` #T by 3, counter-clockwise. Triangles elsewhere need only name
@@ -66,7 +66,7 @@ impl Region {
     /// number); those are boundary then, and have a local number for each side.
     ///
     /// # Errors
-    /// As [`Region::new`].
+    /// As [`RegionMesh::new`].
     pub(crate) fn with_normals(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
@@ -77,11 +77,11 @@ impl Region {
         Self::numbered(positions, triangles, selection, &prescribed, numbering)
     }
 
-    /// The same with another numbering of the free vertices, and with [`Region::beyond`] as where coordinates are rounded, if that is asked
+    /// The same with another numbering of the free vertices, and with [`RegionMesh::beyond`] as where coordinates are rounded, if that is asked
     /// for.
     ///
     /// # Errors
-    /// As [`Region::new`].
+    /// As [`RegionMesh::new`].
     pub(super) fn numbered(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
@@ -96,7 +96,7 @@ impl Region {
 
 impl Draft {
     /// # Errors
-    /// Those of [`Region::new`] as far as [`Error::EmptyRegion`].
+    /// Those of [`RegionMesh::new`] as far as [`Error::EmptyRegion`].
     pub(super) fn new(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
@@ -124,14 +124,14 @@ impl Draft {
     }
 
     /// # Errors
-    /// The others of [`Region::new`].
+    /// The others of [`RegionMesh::new`].
     pub(super) fn check(
         mut self,
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],
         prescribed: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
-    ) -> Result<Region, Error> {
+    ) -> Result<RegionMesh, Error> {
         let region_triangles = self.region_triangles;
         check_corners(triangles, &self.triangle_ids)?;
         check_finite(positions, &self.vertex_ids)?;
@@ -169,7 +169,7 @@ impl Draft {
             RINGS_BEYOND
         };
         let beyond = add_beyond(positions, triangles, &self.role, rings, &mut vertex_ids);
-        Ok(Region {
+        Ok(RegionMesh {
             vertex_ids,
             free,
             boundary,
@@ -330,10 +330,10 @@ fn number(role: &[Role]) -> (Vec<u32>, Vec<u32>, usize, usize) {
     (ids, local, ends[0], ends[1] - ends[0])
 }
 
-/// How far [`Region::beyond`] reaches.
+/// How far [`RegionMesh::beyond`] reaches.
 pub(super) const RINGS_BEYOND: usize = 2;
 
-/// Gathers [`Region::beyond`] and numbers its vertices that have no number yet.
+/// Gathers [`RegionMesh::beyond`] and numbers its vertices that have no number yet.
 fn add_beyond(
     positions: &[[f64; 3]],
     triangles: &[[u32; 3]],

@@ -3,7 +3,7 @@
 
 use super::halfedge::NONE;
 use super::halfedge::{next, previous};
-use super::region::Region;
+use super::region::RegionMesh;
 
 /// The triangles of a region and of its outside ring. Half-edge `3t + k` runs from corner `k` of triangle `t` to corner
 /// `k + 1`, as in [`super::HalfEdges`]. A collapse takes two triangles away, whose entries stay as they were: that is all a
@@ -32,7 +32,7 @@ const MOST: usize = 14;
 
 impl EditableMesh {
     /// The region with all its triangles: those of the region in the order of their vertices, to be near them in memory.
-    pub(crate) fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &RegionMesh) -> Self {
         let half_edges = &region.half_edges;
         let (order, number) = in_order_of_vertices(region);
         let renumbered = |h: u32| match h {
@@ -380,7 +380,7 @@ impl EditableMesh {
 }
 
 /// The triangles of a region by the vertices that they are at, those of the outside as they are, and the place of each.
-fn in_order_of_vertices(region: &Region) -> (Vec<u32>, Vec<u32>) {
+fn in_order_of_vertices(region: &RegionMesh) -> (Vec<u32>, Vec<u32>) {
     let half_edges = &region.half_edges;
     let mut order = Vec::with_capacity(half_edges.triangles.len());
     let mut number = vec![NONE; half_edges.triangles.len()];

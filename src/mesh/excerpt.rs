@@ -5,10 +5,10 @@ use super::draft::{Draft, RINGS_BEYOND, Role};
 use super::halfedge::NONE;
 use super::numbering::Numbering;
 use super::outside_neighbours::RINGS_WIDE;
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rows::Rows;
 use super::selection::Selection;
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// A mesh, and scratch to cut parts out of it.
 pub(super) struct Excerpts<'a> {
@@ -41,16 +41,16 @@ impl<'a> Excerpts<'a> {
         }
     }
 
-    /// The region of these free vertices (ascending), as [`Region::numbered`] makes it of the whole mesh.
+    /// The region of these free vertices (ascending), as [`RegionMesh::numbered`] makes it of the whole mesh.
     ///
     /// # Errors
-    /// Those of [`Region::new`].
+    /// Those of [`RegionMesh::new`].
     pub(super) fn region(
         &mut self,
         free: &[u32],
         given: &dyn Fn(u32) -> bool,
         (numbering, is_wide): (Numbering, bool),
-    ) -> Result<Region, Error> {
+    ) -> Result<RegionMesh, Error> {
         let numbering = (numbering, is_wide);
         let rings = if is_wide { RINGS_WIDE - 1 } else { RINGS_BEYOND };
         let region = self.region_within(free, rings, given, numbering)?;
@@ -67,7 +67,7 @@ impl<'a> Excerpts<'a> {
         rings: usize,
         given: &dyn Fn(u32) -> bool,
         numbering: (Numbering, bool),
-    ) -> Result<Region, Error> {
+    ) -> Result<RegionMesh, Error> {
         let Excerpt { vertices, triangles } = self.gather(free, 2 + rings);
         for (l, &v) in (0..).zip(&vertices) {
             self.local[v as usize] = l;
@@ -84,7 +84,7 @@ impl<'a> Excerpts<'a> {
         }
         let selection = Selection::Vertices(&selected);
         let of_excerpt = |v: u32| given(vertices[v as usize]);
-        let region = Region::numbered(&positions, &corners, selection, &of_excerpt, numbering);
+        let region = RegionMesh::numbered(&positions, &corners, selection, &of_excerpt, numbering);
         let id = |ids: &[u32], i: usize| ids[i] as usize;
         let mut region = region.map_err(|e| e.renumbered(|v| id(&vertices, v), |t| id(&triangles, t)))?;
         for v in &mut region.vertex_ids {
@@ -127,12 +127,12 @@ impl<'a> Excerpts<'a> {
     }
 }
 
-impl Region {
+impl RegionMesh {
     /// The region of each component, as [`numbered`](Self::numbered) finds it where the component's vertices alone are
     /// selected, by their smallest free vertices.
     ///
     /// # Errors
-    /// As [`Region::new`], those that concern the whole mesh first, then those of the first component that has any.
+    /// As [`RegionMesh::new`], those that concern the whole mesh first, then those of the first component that has any.
     pub(crate) fn of_components(
         positions: &[[f64; 3]],
         triangles: &[[u32; 3]],

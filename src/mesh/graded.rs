@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::circles::circles;
 use super::coarsening::coarsen_graded;
 use super::halfedge::NONE;
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rings::Rings;
 use super::rows::Rows;
 
@@ -39,7 +39,7 @@ pub(crate) struct GradedMesh {
 
 impl GradedMesh {
     /// The graded mesh of a region, made of its connectivity alone.
-    pub(crate) fn new(region: &Region, rings: &Rings) -> Self {
+    pub(crate) fn new(region: &RegionMesh, rings: &Rings) -> Self {
         let free = region.free;
         let radius = circles(rings);
         let length = |u: u32, v: u32| radius[u as usize] + radius[v as usize];
@@ -207,8 +207,9 @@ mod tests {
     use crate::mesh::Selection;
     use fairmesh_shapes::{OUTSIDE, Sampling, Shape, cylinder_band, sphere_cap};
 
-    fn graded(shape: &Shape) -> (Region, Rings, GradedMesh) {
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+    fn graded(shape: &Shape) -> (RegionMesh, Rings, GradedMesh) {
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let rings = Rings::new(&region);
         let mesh = GradedMesh::new(&region, &rings);
         (region, rings, mesh)

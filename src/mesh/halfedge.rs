@@ -4,7 +4,7 @@
 //! Half-edge `3t + k` runs from corner `k` of triangle `t` to corner `k + 1`.
 
 use super::rows::Rows;
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// No element: the partner of a boundary half-edge, the flap that is not there.
 pub(crate) const NONE: u32 = u32::MAX;

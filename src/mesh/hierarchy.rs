@@ -7,9 +7,9 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 use super::editable::EditableMesh;
-use super::region::Region;
+use super::region::RegionMesh;
 use super::selection::Selection;
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// A collapse must leave no triangle with less than this roundness.
 const LEAST_ROUNDNESS: f64 = 0.15;
@@ -38,7 +38,7 @@ pub(crate) struct Split {
 /// Collapses half-edges until `target` vertices (free and boundary) are left or no collapse is allowed. Shorter edges go
 /// first, weighed by the roundness of the triangles they leave: `|q_u - q_v|` over the least roundness. No boundary vertex is
 /// collapsed, and none loses its last free neighbour. Positions are those of `x` throughout; `region` numbers vertices.
-pub(crate) fn decimate(region: &Region, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
+pub(crate) fn decimate(region: &RegionMesh, x: &[Vector3<f64>], target: usize) -> ProgressiveMesh {
     let mut progressive = ProgressiveMesh {
         mesh: EditableMesh::new(region),
         collapses: Vec::new(),
@@ -102,7 +102,7 @@ impl ProgressiveMesh {
     ///
     /// # Errors
     /// None on a mesh that [`decimate`] has made.
-    pub(crate) fn region(&self, x: &[Vector3<f64>]) -> Result<Region, Error> {
+    pub(crate) fn region(&self, x: &[Vector3<f64>]) -> Result<RegionMesh, Error> {
         let positions: Vec<[f64; 3]> = x.iter().map(|p| (*p).into()).collect();
         let triangles: Vec<[u32; 3]> = self.mesh.triangles().map(|(_, corners)| corners).collect();
         let mut is_there = vec![false; self.free];
@@ -110,7 +110,7 @@ impl ProgressiveMesh {
             is_there[v as usize] = true;
         }
         let free: Vec<u32> = (0..self.free as u32).filter(|&v| is_there[v as usize]).collect();
-        Region::new(&positions, &triangles, Selection::Vertices(&free))
+        RegionMesh::new(&positions, &triangles, Selection::Vertices(&free))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is checked on any mesh before it is looked at.
 
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// Vertices and half-edges are numbered in 32 bits, and the two largest numbers are taken.
 const LARGEST: usize = u32::MAX as usize - 1;

@@ -32,7 +32,7 @@ pub(crate) use editable::EditableMesh;
 pub(crate) use halfedge::NONE;
 pub(crate) use hierarchy::{ProgressiveMesh, decimate, level_sizes};
 pub(crate) use outside_neighbours::OutsideNeighbours;
-pub(crate) use region::Region;
+pub(crate) use region::RegionMesh;
 pub(crate) use rings::Rings;
 pub(crate) use selection::Selection;
 

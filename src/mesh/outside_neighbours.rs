@@ -1,11 +1,11 @@
 //! The surface around the region: who is whose neighbour in the outside ring and a little beyond it. Nothing is asked of
 //! these triangles but that they name vertices that have a place.
 
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rows::Rows;
 
 /// The triangles outside the region and a little beyond.
-pub(crate) fn outside_triangles(region: &Region) -> impl Iterator<Item = [u32; 3]> + Clone {
+pub(crate) fn outside_triangles(region: &RegionMesh) -> impl Iterator<Item = [u32; 3]> + Clone {
     let half_edges = &region.half_edges;
     let outside = &half_edges.triangles[half_edges.region_triangles..];
     outside.iter().chain(&region.beyond).copied()
@@ -26,7 +26,7 @@ pub(crate) struct Marks(Vec<bool>);
 
 impl OutsideNeighbours {
     /// Those of a region, by local vertex number.
-    pub(crate) fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &RegionMesh) -> Self {
         let pairs =
             outside_triangles(region).flat_map(|[a, b, c]| [(a, b), (a, c), (b, c), (b, a), (c, a), (c, b)]);
         Self {

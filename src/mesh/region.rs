@@ -11,7 +11,7 @@ use super::halfedge::HalfEdges;
 /// Vertices have local numbers: the free ones, the boundary, the rest of the outside ring, then the
 /// vertices of two more rings beyond it, each group in the caller's order, but the free ones as [`Numbering`] says.
 #[derive(Debug, Clone)]
-pub(crate) struct Region {
+pub(crate) struct RegionMesh {
     /// The caller's number of each local vertex.
     pub vertex_ids: Vec<u32>,
     /// How many vertices are free.
@@ -34,7 +34,7 @@ pub(crate) struct Region {
     pub moves_elsewhere: Vec<bool>,
 }
 
-impl Region {
+impl RegionMesh {
     /// Whether a local vertex is free.
     #[inline]
     pub(crate) fn is_free(&self, vertex: u32) -> bool {

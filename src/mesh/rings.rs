@@ -2,9 +2,9 @@
 
 use super::halfedge::NONE;
 use super::halfedge::{next, previous};
-use super::region::Region;
+use super::region::RegionMesh;
 use super::rows::Rows;
-use crate::profile::clock;
+use crate::support::profile::clock;
 use fairmesh_linear::sparse::SymmetricPattern;
 
 /// The neighbourhoods of the region's vertices, in local vertex numbers. There is a row for each free vertex, or, in
@@ -39,7 +39,7 @@ pub(crate) struct Rings {
 
 impl Rings {
     /// Walks around every vertex of the region.
-    pub(crate) fn new(region: &Region) -> Self {
+    pub(crate) fn new(region: &RegionMesh) -> Self {
         let mut rings = Self::default();
         rings.walk_free(region);
         rings.walk_boundary(region);
@@ -99,7 +99,7 @@ impl Rings {
         }
     }
 
-    fn walk_free(&mut self, region: &Region) {
+    fn walk_free(&mut self, region: &RegionMesh) {
         let half_edges = &region.half_edges;
         self.neighbour = half_edges
             .outgoing
@@ -115,7 +115,7 @@ impl Rings {
             .collect();
     }
 
-    fn walk_boundary(&mut self, region: &Region) {
+    fn walk_boundary(&mut self, region: &RegionMesh) {
         let half_edges = &region.half_edges;
         for b in region.free..region.region_vertices() {
             self.closed.push(true);
@@ -129,7 +129,7 @@ impl Rings {
     }
 
     /// Enters the triangle left of `h`, which leaves the boundary vertex of the row under construction.
-    fn add_boundary_triangle(&mut self, region: &Region, h: u32) {
+    fn add_boundary_triangle(&mut self, region: &RegionMesh, h: u32) {
         let half_edges = &region.half_edges;
         let inside = half_edges.in_region(h);
         let other = |g: u32| {
@@ -203,14 +203,14 @@ impl Rings {
     ///
     /// # Errors
     /// What is violated.
-    pub(crate) fn validate(&self, region: &Region) -> Result<(), String> {
+    pub(crate) fn validate(&self, region: &RegionMesh) -> Result<(), String> {
         self.validate_free(region)?;
         self.validate_boundary(region)?;
         self.validate_euler(region)
     }
 
     #[cfg(test)]
-    fn validate_free(&self, region: &Region) -> Result<(), String> {
+    fn validate_free(&self, region: &RegionMesh) -> Result<(), String> {
         if self.free() != region.free || self.boundary() != region.boundary {
             return Err("row counts".into());
         }
@@ -237,7 +237,7 @@ impl Rings {
     }
 
     #[cfg(test)]
-    fn validate_boundary(&self, region: &Region) -> Result<(), String> {
+    fn validate_boundary(&self, region: &RegionMesh) -> Result<(), String> {
         let distinct = |row: &[u32]| {
             let mut sorted = row.to_vec();
             sorted.sort_unstable();
@@ -270,7 +270,7 @@ impl Rings {
     #[cfg(test)]
     /// V - E + F with the boundary vertices split into their fans must match the count of half-edges: every
     /// half-edge of the region leaves exactly one vertex, and every boundary half-edge begins one fan.
-    fn validate_euler(&self, region: &Region) -> Result<(), String> {
+    fn validate_euler(&self, region: &RegionMesh) -> Result<(), String> {
         let half_edges = 3 * region.half_edges.region_triangles;
         let boundary_triangles = self.boundary_triangle.values().len();
         if self.neighbour.values().len() + boundary_triangles != half_edges {

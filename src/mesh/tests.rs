@@ -1,8 +1,8 @@
 //! The region of a mesh: structure, invariants, and every error with its exact value.
 
 use super::numbering::Numbering;
-use super::{NONE, OutsideNeighbours, Region, Rings, Selection, decimate};
-use crate::error::Error;
+use super::{NONE, OutsideNeighbours, RegionMesh, Rings, Selection, decimate};
+use crate::support::error::Error;
 use fairmesh_shapes::{
     OUTSIDE, Sampling, Shape, cylinder_band, cylinder_blend, sphere_cap, tetra_thing_coarse,
 };
@@ -62,14 +62,14 @@ fn sphere(n: u32, m: u32) -> Mesh {
 }
 
 /// A region that must be sound, with all invariants checked.
-fn sound(mesh: &Mesh, selection: Selection<'_>) -> (Region, Rings) {
-    let region = Region::new(&mesh.0, &mesh.1, selection).expect("a sound region");
+fn sound(mesh: &Mesh, selection: Selection<'_>) -> (RegionMesh, Rings) {
+    let region = RegionMesh::new(&mesh.0, &mesh.1, selection).expect("a sound region");
     let rings = Rings::new(&region);
     check(mesh, &region, &rings);
     (region, rings)
 }
 
-fn check(mesh: &Mesh, region: &Region, rings: &Rings) {
+fn check(mesh: &Mesh, region: &RegionMesh, rings: &Rings) {
     region.validate().expect("region");
     rings.validate(region).expect("rings");
     check_patterns(rings);
@@ -77,7 +77,7 @@ fn check(mesh: &Mesh, region: &Region, rings: &Rings) {
 }
 
 /// Rings, fans and flaps against their definitions, by searching the whole mesh.
-fn check_rings(mesh: &Mesh, region: &Region, rings: &Rings) {
+fn check_rings(mesh: &Mesh, region: &RegionMesh, rings: &Rings) {
     let id = |v: u32| {
         if v == NONE {
             NONE
@@ -253,11 +253,11 @@ fn check_patterns(rings: &Rings) {
 }
 
 fn error(mesh: &Mesh, selection: Selection<'_>) -> Error {
-    Region::new(&mesh.0, &mesh.1, selection).expect_err("a flaw")
+    RegionMesh::new(&mesh.0, &mesh.1, selection).expect_err("a flaw")
 }
 
 /// The free vertices of a region, as the caller numbers them.
-fn free_ids(region: &Region) -> &[u32] {
+fn free_ids(region: &RegionMesh) -> &[u32] {
     &region.vertex_ids[..region.free]
 }
 
@@ -287,11 +287,11 @@ fn a_hub_of_more_triangles_than_the_matrix_can_hold_is_refused() {
             valence: n as usize,
         });
         for free in [&all[..], &all[1..]] {
-            let region = Region::new(&x, &t, Selection::Vertices(free));
+            let region = RegionMesh::new(&x, &t, Selection::Vertices(free));
             assert_eq!(region.map(|r| r.free), refused);
         }
         // A fixed hub counts with its region triangles only.
-        let region = Region::new(&x, &t, Selection::Vertices(&all[1..500])).unwrap();
+        let region = RegionMesh::new(&x, &t, Selection::Vertices(&all[1..500])).unwrap();
         assert_eq!(region.free, 499);
     }
 }
@@ -485,7 +485,7 @@ fn curves_with_prescribed_normals_are_cut() {
         let (whole, _) = sound(&mesh, Selection::Vertices(&list));
         let boundary: Vec<u32> = whole.vertex_ids[whole.free..whole.region_vertices()].to_vec();
         // All boundary vertices have normals, those on the outer boundary too.
-        let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
+        let region = RegionMesh::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
             boundary.contains(&v)
         })
         .unwrap();
@@ -567,7 +567,7 @@ fn components_join_around_fixed_vertices_inside() {
     let count = |fixed: &[u32], given: &[u32]| {
         let mut list = inner(13, 2);
         list.retain(|v| !fixed.contains(v));
-        let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
+        let region = RegionMesh::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| {
             given.contains(&v)
         });
         region.unwrap().components
@@ -608,7 +608,7 @@ fn regions_of_components_far_from_the_origin() {
 }
 
 /// The regions of components, each of which is that of its free vertices alone.
-fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<Region> {
+fn agree_alone(mesh: &Mesh, list: &[u32], given: impl Fn(u32) -> bool) -> Vec<RegionMesh> {
     agree_alone_numbered(mesh, list, &given, Numbering::BreadthFirst);
     agree_alone_numbered(mesh, list, &given, Numbering::AsGiven)
 }
@@ -618,14 +618,15 @@ fn agree_alone_numbered(
     list: &[u32],
     given: impl Fn(u32) -> bool,
     numbering: Numbering,
-) -> Vec<Region> {
+) -> Vec<RegionMesh> {
     let list_of = |list| Selection::Vertices(list);
-    let regions = Region::of_components(&mesh.0, &mesh.1, list_of(list), &given, (numbering, false)).unwrap();
+    let regions =
+        RegionMesh::of_components(&mesh.0, &mesh.1, list_of(list), &given, (numbering, false)).unwrap();
     let mut free: Vec<u32> = Vec::new();
     for region in &regions {
         assert_eq!(region.components, 1);
         let own = free_ids(region);
-        let alone = Region::numbered(&mesh.0, &mesh.1, list_of(own), &given, (numbering, false)).unwrap();
+        let alone = RegionMesh::numbered(&mesh.0, &mesh.1, list_of(own), &given, (numbering, false)).unwrap();
         alone.validate().unwrap();
         // All but what the others move.
         let mut here = region.clone();
@@ -637,7 +638,7 @@ fn agree_alone_numbered(
     let mut asked = list.to_vec();
     asked.sort_unstable();
     assert_eq!(free, asked);
-    assert!(regions.is_sorted_by_key(Region::first_free));
+    assert!(regions.is_sorted_by_key(RegionMesh::first_free));
     regions
 }
 
@@ -700,7 +701,7 @@ fn renumbering_gives_the_isomorphic_structure() {
     );
     assert_eq!(a.vertex_ids.len(), b.vertex_ids.len());
     let local = |v: u32| b.vertex_ids.iter().position(|&w| w == vertex(v)).unwrap();
-    let flap_id = |region: &Region, f: u32| {
+    let flap_id = |region: &RegionMesh, f: u32| {
         if f == NONE {
             NONE
         } else {
@@ -818,7 +819,7 @@ fn not_finite() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut mesh = grid(10);
             mesh.0[vertex][2] = bad;
-            let found = Region::new(&mesh.0, &mesh.1, Selection::Vertices(&[44])).err();
+            let found = RegionMesh::new(&mesh.0, &mesh.1, Selection::Vertices(&[44])).err();
             assert_eq!(found, harmful.then_some(Error::NotFinite { vertex }));
         }
     }
@@ -945,7 +946,7 @@ proptest! {
         let list: Vec<u32> = (0..n * n).filter(|&v| pick(v) && (kind == 0 || interior(v))).collect();
         let faces: Vec<u32> = (0..mesh.1.len() as u32).filter(|&t| pick(t)).collect();
         let selection = if kind == 2 { Selection::Faces(&faces) } else { Selection::Vertices(&list) };
-        match Region::new(&mesh.0, &mesh.1, selection) {
+        match RegionMesh::new(&mesh.0, &mesh.1, selection) {
             Ok(region) => check(&mesh, &region, &Rings::new(&region)),
             Err(Error::FreeVertexOnBoundary { .. }) => prop_assert_eq!(kind, 0),
             Err(found) => prop_assert_eq!(found, Error::EmptyRegion),
@@ -964,9 +965,9 @@ proptest! {
         let pick = |k: u32| bits[(k as usize * 3) % 128] || (dense && bits[(k as usize * 7 + 1) % 128]);
         let given = |k: u32| bits[(k as usize * 5 + 3) % 128] || (most && bits[(k as usize * 11 + 2) % 128]);
         let list: Vec<u32> = inner(n, 1).into_iter().filter(|&v| pick(v)).collect();
-        let Ok(whole) = Region::new(&mesh.0, &mesh.1, Selection::Vertices(&list)) else { return Ok(()) };
+        let Ok(whole) = RegionMesh::new(&mesh.0, &mesh.1, Selection::Vertices(&list)) else { return Ok(()) };
         for all in [false, true] {
-            let region = Region::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| all || given(v));
+            let region = RegionMesh::with_normals(&mesh.0, &mesh.1, Selection::Vertices(&list), |v| all || given(v));
             let region = region.map_err(|e| TestCaseError::fail(e.to_string()))?;
             prop_assert_eq!(region.validate(), Ok(()));
             prop_assert_eq!(Rings::new(&region).validate(&region), Ok(()));
@@ -1030,7 +1031,7 @@ proptest! {
 /// A region is found exactly if it is sound by definition; then it has these free vertices.
 fn agrees(triangles: &[[u32; 3]], selection: Selection<'_>, free: &BTreeSet<u32>) {
     let mesh = (vec![[0.0; 3]; 20], triangles.to_vec());
-    match Region::new(&mesh.0, &mesh.1, selection) {
+    match RegionMesh::new(&mesh.0, &mesh.1, selection) {
         Ok(region) => {
             assert!(is_sound(triangles, free));
             assert_eq!(free_ids(&region), free.iter().copied().collect::<Vec<_>>());
@@ -1052,8 +1053,8 @@ fn hierarchy_cases() -> [(&'static str, Shape); 4] {
 }
 
 /// The region of a shape and its positions.
-fn region(shape: &Shape) -> (Region, Vec<Vector3<f64>>) {
-    let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+fn region(shape: &Shape) -> (RegionMesh, Vec<Vector3<f64>>) {
+    let region = RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
     let x = region.positions(&shape.positions);
     (region, x)
 }

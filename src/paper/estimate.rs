@@ -188,14 +188,14 @@ mod tests {
     use super::*;
     use crate::discrete::equations::{Equations, FreeCurvature};
     use crate::discrete::inner_fairness::FairnessWeights;
-    use crate::mesh::{Region, Selection};
+    use crate::mesh::{RegionMesh, Selection};
     use fairmesh_shapes::{Sampling, sphere_cap};
 
     #[test]
     fn linear_functions_on_a_plane_are_harmonic_for_both_estimates() {
         let shape = sphere_cap(60.0, 300, Sampling::Irregular { seed: 3 }, 0);
         let flat: Vec<[f64; 3]> = shape.positions.iter().map(|p| [p[0], p[1], 0.0]).collect();
-        let region = Region::new(&flat, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region = RegionMesh::new(&flat, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let (x, rings) = (region.positions(&flat), Rings::new(&region));
         let batches = ValenceBatches::new(&rings);
         let boundary_normals = vec![Vector3::z(); region.boundary];

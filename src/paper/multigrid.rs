@@ -12,12 +12,12 @@ use super::prolongation::Prolongation;
 use crate::discrete::equations::State;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::mesh::{ProgressiveMesh, decimate, level_sizes};
-use crate::quality::{NEEDLE, Surface};
+use crate::quality::{NEEDLE, SurfaceState};
 use crate::solve::curvature_bounds::Judged;
 use crate::solve::factor::Collapsed;
 use crate::solve::problem::diagonal;
 use crate::solve::{Control, Domain, Problem, SolveResult, SolveStatus, System};
-use crate::stopwatch::Stopwatch;
+use crate::support::stopwatch::Stopwatch;
 
 /// What was found.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ pub(crate) fn solve(
 ) -> Result<PaperResult, Collapsed> {
     let clock = Stopwatch::start();
     control.phase(0.02, "hierarchy");
-    let mut run = Run {
+    let mut run = MultigridScheme {
         problem,
         options,
         levels: Vec::new(),
@@ -96,7 +96,7 @@ pub(crate) fn solve(
 }
 
 /// The scheme under way.
-struct Run<'a> {
+struct MultigridScheme<'a> {
     problem: &'a Problem<'a>,
     options: &'a PaperOptions,
     levels: Vec<LevelReport>,
@@ -104,7 +104,7 @@ struct Run<'a> {
     start_seconds: f64,
 }
 
-impl Run<'_> {
+impl MultigridScheme<'_> {
     /// Sizes of all levels, the given mesh last.
     fn sizes(&self) -> Vec<usize> {
         let region = &self.problem.domain.region;
@@ -254,9 +254,9 @@ impl Run<'_> {
 }
 
 /// The surface `x`, evaluated in `state`, to be judged.
-fn surface<'s>(problem: &'s Problem<'_>, state: &'s State, x: &'s [Vector3<f64>]) -> Surface<'s> {
+fn surface<'s>(problem: &'s Problem<'_>, state: &'s State, x: &'s [Vector3<f64>]) -> SurfaceState<'s> {
     let region = &problem.domain.region;
-    Surface {
+    SurfaceState {
         region,
         x,
         normals: &state.corrected,

@@ -1,7 +1,7 @@
 //! What the paper's scheme leaves to its user.
 
-use crate::error::Error;
-use crate::table::table;
+use crate::support::error::Error;
+use crate::support::table::table;
 
 /// How the harmonic mean curvature of 7.1 is estimated before the vertices are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

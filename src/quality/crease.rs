@@ -13,7 +13,7 @@
 
 use nalgebra::Vector3;
 
-use super::Surface;
+use super::SurfaceState;
 use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::Rings;
 
@@ -59,7 +59,7 @@ impl Kink {
 ///
 /// Against the outside as it will be: what other components move is left out. `is_given` says where normals are given.
 pub(crate) fn kinks(
-    surface: &Surface<'_>,
+    surface: &SurfaceState<'_>,
     rings: &Rings,
     input: &[Vector3<f64>],
     is_given: &[bool],
@@ -74,14 +74,14 @@ pub(crate) fn kinks(
 
 /// The same against the outside as it is given, which is all that what is tried may depend on: so a component's surface is
 /// the same whatever else moves.
-pub(crate) fn kinks_as_given(surface: &Surface<'_>, rings: &Rings, input: &[Vector3<f64>]) -> Vec<Kink> {
+pub(crate) fn kinks_as_given(surface: &SurfaceState<'_>, rings: &Rings, input: &[Vector3<f64>]) -> Vec<Kink> {
     let free = surface.region.free;
     let outside = (0..rings.boundary()).map(|b| average(input, free + b, rings.outside_triangles(b)));
     against(surface, rings, input, &outside.collect::<Vec<_>>())
 }
 
 fn against(
-    surface: &Surface<'_>,
+    surface: &SurfaceState<'_>,
     rings: &Rings,
     input: &[Vector3<f64>],
     outside: &[Option<Vector3<f64>>],
@@ -93,7 +93,7 @@ fn against(
 }
 
 fn kink(
-    surface: &Surface<'_>,
+    surface: &SurfaceState<'_>,
     rings: &Rings,
     input: &[Vector3<f64>],
     outside: &[Option<Vector3<f64>>],

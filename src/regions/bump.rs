@@ -11,7 +11,7 @@ use super::robust::{Linear, median, quantile};
 use super::seed::Foot;
 use super::spread;
 use crate::discrete::mesh_curvature;
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// The smallest ring's inner radius, in edges around the seed; each next one is larger by [`STEP`].
 const FIRST: f64 = 3.0;

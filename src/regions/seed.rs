@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::neighbours::Neighbours;
-use crate::error::Error;
 use crate::holes::nearest_on;
+use crate::support::error::Error;
 
 /// A place on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]

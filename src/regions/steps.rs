@@ -6,11 +6,11 @@ use super::bump::{self, Bump};
 use super::neighbours::Neighbours;
 use super::seed::{Foot, Seed};
 use super::{geodesic, spread};
-use crate::error::Error;
 use crate::fairing::Workers;
 use crate::holes::Place;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, input};
+use crate::support::error::Error;
 
 /// Triangles of a mesh.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,11 +7,11 @@ use super::system::System;
 
 /// One attempt at a surface.
 #[derive(Debug)]
-pub(crate) struct Attempt {
+pub(crate) struct Rung {
     /// What it is called.
     pub name: &'static str,
     /// On which meshes it is tried.
-    pub mesh: Mesh,
+    pub mesh: MeshLevel,
     /// When it is tried.
     pub condition: Condition,
     /// The inner fairness that it begins with.
@@ -28,7 +28,7 @@ pub(crate) struct Attempt {
 
 /// On which meshes an attempt is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mesh {
+pub(crate) enum MeshLevel {
     /// On every one.
     Any,
     /// Where there is a coarse level.
@@ -128,8 +128,8 @@ const PATIENT: IterateOptions = IterateOptions {
 const COARSE: f64 = 1e-4;
 
 /// Goes on where attempts have stalled.
-const fn along_normals(mesh: Mesh) -> Attempt {
-    Attempt {
+const fn along_normals(mesh: MeshLevel) -> Rung {
+    Rung {
         name: "along normals",
         mesh,
         condition: Condition::Always,
@@ -145,10 +145,10 @@ const fn along_normals(mesh: Mesh) -> Attempt {
 }
 
 /// The attempts, in their order.
-pub(crate) const LADDER: &[Attempt] = &[
-    Attempt {
+pub(crate) const LADDER: &[Rung] = &[
+    Rung {
         name: "goes on",
-        mesh: Mesh::Any,
+        mesh: MeshLevel::Any,
         condition: Condition::Always,
         weights: Weights::AsLeft,
         start: Start::AtHand,
@@ -159,9 +159,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Sound,
     },
-    Attempt {
+    Rung {
         name: "from the coarse mesh",
-        mesh: Mesh::Fine,
+        mesh: MeshLevel::Fine,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::Coarse,
@@ -169,10 +169,10 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    along_normals(Mesh::Fine),
-    Attempt {
+    along_normals(MeshLevel::Fine),
+    Rung {
         name: "member of the coarse mesh",
-        mesh: Mesh::Fine,
+        mesh: MeshLevel::Fine,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::CoarseMember,
@@ -180,9 +180,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "direct",
-        mesh: Mesh::Any,
+        mesh: MeshLevel::Any,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -190,9 +190,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "target continuation",
-        mesh: Mesh::Any,
+        mesh: MeshLevel::Any,
         condition: Condition::Target,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -204,9 +204,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "membrane metric",
-        mesh: Mesh::Coarsest,
+        mesh: MeshLevel::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::MembraneMetric,
@@ -217,10 +217,10 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Result,
     },
-    along_normals(Mesh::Any),
-    Attempt {
+    along_normals(MeshLevel::Any),
+    Rung {
         name: "second surface",
-        mesh: Mesh::Any,
+        mesh: MeshLevel::Any,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::BesideSound,
@@ -228,9 +228,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: PATIENT,
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "minimal energy",
-        mesh: Mesh::Coarsest,
+        mesh: MeshLevel::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -244,9 +244,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         },
         kept: Kept::Start,
     },
-    Attempt {
+    Rung {
         name: "from minimal energy",
-        mesh: Mesh::Coarsest,
+        mesh: MeshLevel::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::MinimalEnergy,
@@ -254,9 +254,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "weights repaired everywhere",
-        mesh: Mesh::Coarsest,
+        mesh: MeshLevel::Coarsest,
         condition: Condition::Always,
         weights: Weights::Asked,
         start: Start::Linear,
@@ -264,9 +264,9 @@ pub(crate) const LADDER: &[Attempt] = &[
         options: DIRECT,
         kept: Kept::Result,
     },
-    Attempt {
+    Rung {
         name: "nearest member",
-        mesh: Mesh::Coarsest,
+        mesh: MeshLevel::Coarsest,
         condition: Condition::Harmonic,
         weights: Weights::Asked,
         start: Start::MinimalEnergy,
@@ -284,11 +284,11 @@ mod tests {
     use super::*;
 
     /// A line of the table in ARCHITECTURE.md.
-    fn line(attempt: &Attempt) -> String {
+    fn line(attempt: &Rung) -> String {
         let mesh = match attempt.mesh {
-            Mesh::Any => "",
-            Mesh::Fine => "fine",
-            Mesh::Coarsest => "coarsest",
+            MeshLevel::Any => "",
+            MeshLevel::Fine => "fine",
+            MeshLevel::Coarsest => "coarsest",
         };
         let condition = match attempt.condition {
             Condition::Always => "",

@@ -10,8 +10,8 @@ use nalgebra::Vector3;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::valence_batches::{CHUNK, ValenceBatches, split_lengths};
-use crate::mesh::{NONE, Region, Rings};
-use crate::profile::clock;
+use crate::mesh::{NONE, RegionMesh, Rings};
+use crate::support::profile::clock;
 use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 
@@ -181,7 +181,7 @@ impl Metric {
     }
 
     /// `S` and `D` of the metric in which the region's triangles have these edges, from each corner to the next.
-    pub(crate) fn of_lengths(&mut self, region: &Region, rings: &Rings, lengths: &[[f64; 3]]) {
+    pub(crate) fn of_lengths(&mut self, region: &RegionMesh, rings: &Rings, lengths: &[[f64; 3]]) {
         // Of six equilateral triangles with edges of length 1.
         let hexagon = 1.5 * 3f64.sqrt();
         let free = rings.free();
@@ -450,7 +450,7 @@ impl Shift {
 /// running with the region on its left and `n` the mean of the edge's two normals (the outward conormal times the
 /// edge's length; paper, section 7.4, asks for a linear start without saying how normals enter).
 pub(crate) fn conormal_flux(
-    region: &Region,
+    region: &RegionMesh,
     rings: &Rings,
     x: &[Vector3<f64>],
     boundary_normals: &[Vector3<f64>],

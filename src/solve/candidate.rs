@@ -7,9 +7,9 @@ use super::iterate_options::IterationStatus;
 use super::result::TrialEnd;
 use super::system::System;
 use crate::discrete::equations::State;
-use crate::profile::clock;
 use crate::quality::NEEDLE;
 use crate::quality::crease::{creases_by_outside, kinks_as_given};
+use crate::support::profile::clock;
 
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
 const ROUNDING_FLOOR: f64 = 1e-9;

@@ -9,7 +9,7 @@ use super::problem::Problem;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::mesh::circles::circles;
 use crate::mesh::coarsening::{Coarsening, coarsen};
-use crate::mesh::{NONE, Region};
+use crate::mesh::{NONE, RegionMesh};
 
 /// Regions with fewer free vertices have no coarse level: they are one.
 const SMALLEST_FINE: usize = 2000;
@@ -168,7 +168,7 @@ fn spread_alike(domain: &Domain, coarsening: &Coarsening, vertices: usize) -> Fa
 }
 
 /// The mean length of the edges of the region's triangles.
-fn mean_edge(region: &Region, x: &[Vector3<f64>]) -> f64 {
+fn mean_edge(region: &RegionMesh, x: &[Vector3<f64>]) -> f64 {
     let edges = |t: &[u32; 3]| {
         (0..3)
             .map(|k| (x[t[k] as usize] - x[t[(k + 1) % 3] as usize]).norm())
@@ -188,7 +188,8 @@ mod tests {
     /// The largest distance from the unit sphere of what comes back from a coarse mesh on it.
     fn distance_from_sphere(free: usize) -> f64 {
         let shape = sphere_cap(60.0, free, Sampling::Irregular { seed: 2 }, OUTSIDE);
-        let region = Region::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
+        let region =
+            RegionMesh::new(&shape.positions, &shape.triangles, Selection::Mask(&shape.free)).unwrap();
         let x = region.positions(&shape.positions);
         let domain = Arc::new(Domain::new(region, x));
         let problem = Problem {

@@ -23,7 +23,7 @@ const AT_THE_END: f64 = 0.05;
 
 /// An attempt's share in the run.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Attempt {
+pub(crate) struct ProgressSpan {
     /// The fraction at which it began.
     from: f64,
     /// The one at which it ends if it goes well.
@@ -53,7 +53,7 @@ pub(crate) struct Tally {
     /// The step norm last reported.
     pub step: f64,
     /// The attempt that is under way.
-    attempt: Option<Attempt>,
+    attempt: Option<ProgressSpan>,
 }
 
 impl Default for Tally {
@@ -137,7 +137,7 @@ impl<'a> Control<'a> {
             None => ITERATED.max(from),
             Some(_) => (from + LAST) / 2.0,
         };
-        self.tally.attempt = Some(Attempt {
+        self.tally.attempt = Some(ProgressSpan {
             from,
             to,
             first: f64::NAN,
@@ -148,7 +148,7 @@ impl<'a> Control<'a> {
     /// those that it lacked.
     pub(crate) fn iteration(&mut self, d: f64, phase: &'static str) {
         let goal = AT_THE_END * self.tolerance;
-        let attempt = self.tally.attempt.get_or_insert(Attempt {
+        let attempt = self.tally.attempt.get_or_insert(ProgressSpan {
             from: self.tally.fraction,
             to: ITERATED.max(self.tally.fraction),
             first: f64::NAN,

@@ -1,11 +1,11 @@
 //! What the equation says about the extent of `H` inside, as a guard against bumps: surfaces that satisfy the discrete
 //! equations, but no smooth one does.
 
-use super::continuity::Continuity;
 use super::formulation::Formulation;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::target::RightHandSide;
+use crate::solve::g2::equations::Continuity;
 
 /// The largest `|H|` inside, against the boundary's.
 const OVERSHOOT: f64 = 1.05;

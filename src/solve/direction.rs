@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 /// At most this many averagings: a few edges around.
 const MOST_ROUNDS: usize = 20;

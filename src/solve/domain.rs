@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::discrete::valence_batches::ValenceBatches;
-use crate::mesh::{Region, Rings};
+use crate::mesh::{RegionMesh, Rings};
 
 /// The region and what is made of its connectivity once.
 #[derive(Debug, Clone)]
 pub(crate) struct Domain {
     /// The region.
-    pub region: Region,
+    pub region: RegionMesh,
     /// Its rings.
     pub rings: Rings,
     /// The same, transposed.
@@ -23,7 +23,7 @@ pub(crate) struct Domain {
 
 impl Domain {
     /// Makes the rings of a region with these positions.
-    pub(crate) fn new(region: Region, input: Vec<Vector3<f64>>) -> Self {
+    pub(crate) fn new(region: RegionMesh, input: Vec<Vector3<f64>>) -> Self {
         let rings = Rings::new(&region);
         Self {
             batches: ValenceBatches::new(&rings),

@@ -7,9 +7,9 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
-use super::next_run::Next;
 use super::result::SolveStatus;
 use super::system::System;
+use crate::solve::transition::Transition;
 
 /// Members are told apart to this.
 const RESOLUTION: f64 = 1.0 / 32.0;
@@ -40,7 +40,7 @@ impl Family {
         options: IterateOptions,
         system: &System,
         control: &Control<'_>,
-    ) -> (Self, Next) {
+    ) -> (Self, Transition) {
         Self::begin(formulation, x, options, 0.5, true, system, control)
     }
 
@@ -52,7 +52,7 @@ impl Family {
         w: f64,
         system: &System,
         control: &Control<'_>,
-    ) -> (Self, Next) {
+    ) -> (Self, Transition) {
         Self::begin(formulation, x, options, w, false, system, control)
     }
 
@@ -64,7 +64,7 @@ impl Family {
         approaches: bool,
         system: &System,
         control: &Control<'_>,
-    ) -> (Self, Next) {
+    ) -> (Self, Transition) {
         let mut family = Self {
             formulation,
             options,
@@ -80,9 +80,9 @@ impl Family {
     }
 
     /// After the iteration with the member that was tried.
-    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Next {
+    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Transition {
         if last.is_stopped() {
-            return Next::Done(self.best.take().unwrap_or(last));
+            return Transition::Done(self.best.take().unwrap_or(last));
         }
         if last.is_sound() {
             self.found = self.tried;
@@ -119,20 +119,20 @@ impl Family {
             };
             return self.run(farther, system, control);
         }
-        Next::Short(SolveStatus::Failed)
+        Transition::Short(SolveStatus::Failed)
     }
 
-    fn end(&mut self) -> Next {
+    fn end(&mut self) -> Transition {
         match self.best.take() {
-            Some(best) if self.found == 0.0 => Next::Done(best),
-            Some(best) => Next::Member(best, self.found),
-            None => Next::Short(SolveStatus::Failed),
+            Some(best) if self.found == 0.0 => Transition::Done(best),
+            Some(best) => Transition::Member(best, self.found),
+            None => Transition::Short(SolveStatus::Failed),
         }
     }
 
-    fn run(&mut self, w: f64, system: &System, control: &Control<'_>) -> Next {
+    fn run(&mut self, w: f64, system: &System, control: &Control<'_>) -> Transition {
         self.tried = w;
         let formulation = self.formulation.member(w);
-        Next::iterate(system, formulation, self.x.clone(), self.options, control)
+        Transition::iterate(system, formulation, self.x.clone(), self.options, control)
     }
 }

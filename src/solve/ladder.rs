@@ -6,28 +6,28 @@ mod starts;
 
 use nalgebra::Vector3;
 
-use super::attempt::{Attempt, Kept, LADDER, Mesh, Start};
+use super::attempt::{Kept, LADDER, MeshLevel, Rung, Start};
 use super::candidate::Candidate;
-use super::continuation::Continuation;
+use super::coarse_result::CoarseResult;
 use super::control::{ANALYSED, Control, ITERATED};
 use super::factor::Collapsed;
 use super::formulation::Formulation;
 use super::initial;
 use super::iterate_options::IterationStatus;
-use super::next_run::Next;
 use super::problem::Problem;
 use super::procedure::{Procedure, Underway};
 use super::quasi_newton::Iteration;
 use super::result::{SolveResult, SolveStatus, Trial};
-use super::search::Search;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::quality::NEEDLE;
-use crate::stopwatch::Stopwatch;
+use crate::solve::g2::continuation::Continuation;
+use crate::solve::transition::Transition;
+use crate::support::stopwatch::Stopwatch;
 
 /// What a call of [`Ladder::run`] has led to.
 #[derive(Debug)]
-pub(crate) enum Step {
+pub(crate) enum LadderState {
     /// Held up: to be called again.
     Held,
     /// The end. The system stands evaluated at the surface.
@@ -52,7 +52,7 @@ pub(crate) struct Ladder {
     /// The surface of minimal energy, if there is one.
     minimal_energy: Option<Vec<Vector3<f64>>>,
     /// What the coarse mesh has led to, once it was asked.
-    coarse: Option<Search>,
+    coarse: Option<CoarseResult>,
     /// What was tried so far,
     trials: Vec<Trial>,
     /// and the iterations until then.
@@ -164,12 +164,12 @@ impl Ladder {
         system.set_interrupt(&control.interrupt);
         control.phase(ANALYSED, initial::PHASE);
         Ok(match self.run(&mut system, control)? {
-            Step::Ended(mut result) => {
+            LadderState::Ended(mut result) => {
                 result.start_seconds += analysis_seconds;
                 control.phase(ITERATED, "checks");
                 (result, system.into_state())
             }
-            Step::Held | Step::Unmoved => problem.unmoved(),
+            LadderState::Held | LadderState::Unmoved => problem.unmoved(),
         })
     }
 
@@ -178,17 +178,21 @@ impl Ladder {
     ///
     /// # Errors
     /// [`Collapsed`] where not even the linear surface exists.
-    pub(crate) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Result<Step, Collapsed> {
+    pub(crate) fn run(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Result<LadderState, Collapsed> {
         if let Some(continuation) = &mut self.continuation {
             let ended = continuation.run(system, control);
-            return Ok(ended.map_or(Step::Held, Step::Ended));
+            return Ok(ended.map_or(LadderState::Held, LadderState::Ended));
         }
         system.end_continuity();
         let tangent = loop {
             let next = match (&mut self.iteration, &mut self.underway) {
                 (Some(iteration), Some(underway)) => {
                     let Some(status) = iteration.run(system, control) else {
-                        return Ok(Step::Held);
+                        return Ok(LadderState::Held);
                     };
                     let candidate = iteration.candidate(status, system);
                     underway.next(candidate, system, control)
@@ -196,18 +200,18 @@ impl Ladder {
                 _ => match self.next_attempt(system, control)? {
                     Some(next) => next,
                     None if self.sound.is_some() => break self.settle(system, control),
-                    None if self.linear.is_none() => return Ok(Step::Unmoved),
+                    None if self.linear.is_none() => return Ok(LadderState::Unmoved),
                     None => break self.give_up(system, control),
                 },
             };
             self.note(&next, system, control);
             self.keep_stalled(&next);
             match next {
-                Next::Iteration(iteration) => {
+                Transition::Iteration(iteration) => {
                     self.left = Some(iteration.formulation().clone());
                     self.iteration = Some(iteration);
                 }
-                Next::Done(candidate) => {
+                Transition::Done(candidate) => {
                     self.underway = None;
                     if let Some((candidate, status)) = self.consider(candidate, control) {
                         // A surface that meets the tolerance is better than one that the iterations did not suffice for.
@@ -218,11 +222,11 @@ impl Ladder {
                         break self.result(Some(candidate), status, &formulation, system, control);
                     }
                 }
-                Next::Member(candidate, w) => {
+                Transition::Member(candidate, w) => {
                     let (status, formulation) = (SolveStatus::NearestMember(w), self.left(system).member(w));
                     break self.result(Some(candidate), status, &formulation, system, control);
                 }
-                Next::Short(status) => {
+                Transition::Short(status) => {
                     self.underway = None;
                     if status != SolveStatus::Failed {
                         self.shortfall.get_or_insert(status);
@@ -239,7 +243,7 @@ impl Ladder {
         tangent: SolveResult,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Result<Step, Collapsed> {
+    ) -> Result<LadderState, Collapsed> {
         let formulation = Formulation {
             along_normals: tangent.along_normals,
             ..self.left(system)
@@ -249,16 +253,16 @@ impl Ladder {
                 self.continuation = Some(continuation);
                 self.run(system, control)
             }
-            Err(tangent) => Ok(Step::Ended(*tangent)),
+            Err(tangent) => Ok(LadderState::Ended(*tangent)),
         }
     }
 
     /// Keeps in mind how an attempt has ended.
-    fn note(&mut self, next: &Next, system: &System, control: &Control<'_>) {
+    fn note(&mut self, next: &Transition, system: &System, control: &Control<'_>) {
         let candidate = match next {
-            Next::Iteration(_) => return,
-            Next::Done(candidate) | Next::Member(candidate, _) => Some(candidate),
-            Next::Short(_) => None,
+            Transition::Iteration(_) => return,
+            Transition::Done(candidate) | Transition::Member(candidate, _) => Some(candidate),
+            Transition::Short(_) => None,
         };
         let iterations = control.tally.iterations;
         self.trials.push(Trial {
@@ -272,9 +276,9 @@ impl Ladder {
     }
 
     /// Keeps the surface of an attempt at what is asked that stalled nearest to a solution.
-    fn keep_stalled(&mut self, next: &Next) {
+    fn keep_stalled(&mut self, next: &Transition) {
         let attempt = &LADDER[self.attempts - 1];
-        if let Next::Done(candidate) = next
+        if let Transition::Done(candidate) = next
             && attempt.kept == Kept::Result
             && candidate.status == IterationStatus::Stalled
             && !candidate.along_normals
@@ -298,7 +302,7 @@ impl Ladder {
         &mut self,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Result<Option<Next>, Collapsed> {
+    ) -> Result<Option<Transition>, Collapsed> {
         if self.at_hand.is_none() {
             self.search_coarse_mesh(system, control);
         }
@@ -324,7 +328,7 @@ impl Ladder {
     }
 
     /// Whether an attempt is to be made.
-    fn is_due(&self, attempt: &Attempt, system: &System, control: &Control<'_>) -> bool {
+    fn is_due(&self, attempt: &Rung, system: &System, control: &Control<'_>) -> bool {
         // Beside a sound surface only those that may find another one.
         let is_rival = match attempt.start {
             Start::MinimalEnergy => attempt.procedure != Procedure::Approach,
@@ -334,24 +338,24 @@ impl Ladder {
         if self.sound.is_some() && !is_rival {
             return false;
         }
-        let is_coarsest = matches!(self.coarse, Some(Search::NoCoarseMesh));
+        let is_coarsest = matches!(self.coarse, Some(CoarseResult::NoCoarseMesh));
         attempt.condition.holds(system, control)
             && match attempt.mesh {
-                Mesh::Any => true,
-                Mesh::Fine => !is_coarsest,
-                Mesh::Coarsest => is_coarsest || self.sound.is_none() && self.has_coarse_solution(),
+                MeshLevel::Any => true,
+                MeshLevel::Fine => !is_coarsest,
+                MeshLevel::Coarsest => is_coarsest || self.sound.is_none() && self.has_coarse_solution(),
             }
     }
 
     /// Whether the coarse mesh has a harmonic surface: then there ought to be one on the fine mesh too, at any price.
     fn has_coarse_solution(&self) -> bool {
-        matches!(self.coarse, Some(Search::Found { member: 0.0, .. }))
+        matches!(self.coarse, Some(CoarseResult::Found { member: 0.0, .. }))
     }
 
     /// The member of the family that the coarse mesh has.
     fn member(&self) -> f64 {
         match self.coarse {
-            Some(Search::Found { member, .. }) => member,
+            Some(CoarseResult::Found { member, .. }) => member,
             _ => 0.0,
         }
     }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::system::System;
 use crate::discrete::valence_batches::CHUNK;
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 /// Largest edge-relative change of one step of the iteration.
 pub(crate) const LARGEST_CHANGE: f64 = 0.5;

@@ -11,7 +11,7 @@ use super::iterate_options::{IterateOptions, IterationStatus};
 use super::problem::diagonal;
 use super::quasi_newton::Iteration;
 use super::system::System;
-use crate::stopwatch::Stopwatch;
+use crate::support::stopwatch::Stopwatch;
 
 /// A surface whose area has changed by more than this factor gets a matrix of its own before it is finished.
 const LARGEST_GROWTH: f64 = 1.1;

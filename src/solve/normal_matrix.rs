@@ -10,7 +10,7 @@ use super::factor::{Factor, Stacks};
 use super::plate::Plate;
 use crate::mesh::Rings;
 use crate::mesh::graded::GradedMesh;
-use crate::profile::clock;
+use crate::support::profile::clock;
 use fairmesh_linear::cholesky::NotPositiveDefinite;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;

@@ -20,8 +20,8 @@ use super::factor::Collapsed;
 use super::graded_plate::GradedPlate;
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::graded::GradedMesh;
-use crate::mesh::{Region, Rings};
-use crate::profile::clock;
+use crate::mesh::{RegionMesh, Rings};
+use crate::support::profile::clock;
 use fairmesh_linear::cholesky::{Cholesky, Passed, SolveWork, UpdateStacks};
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::parallel;
@@ -54,7 +54,7 @@ pub(crate) struct Plate {
 
 impl Plate {
     /// The graded mesh for the plate of a region, unless it would have hardly fewer vertices.
-    pub(crate) fn mesh(region: &Region, rings: &Rings) -> Option<GradedMesh> {
+    pub(crate) fn mesh(region: &RegionMesh, rings: &Rings) -> Option<GradedMesh> {
         let mesh = GradedMesh::new(region, rings);
         (mesh.free() as f64 <= LARGEST_PART * region.free as f64).then_some(mesh)
     }
@@ -268,8 +268,8 @@ mod tests {
     use crate::discrete::equations::FreeCurvature;
     use crate::discrete::inner_fairness::FairnessWeights;
     use crate::discrete::target::RightHandSide;
-    use crate::mesh::{Region, Selection};
-    use crate::solve::ladder::{Ladder, Step};
+    use crate::mesh::{RegionMesh, Selection};
+    use crate::solve::ladder::{Ladder, LadderState};
     use crate::solve::normal_matrix::Means;
     use crate::solve::{Control, Domain, Problem, SolveStatus, System};
     use fairmesh_shapes::{Sampling, Shape, cylinder_band, sphere_cap};
@@ -338,7 +338,7 @@ mod tests {
         let positions = shape.flat();
         let prescribed = |v: u32| given.contains(&(v as usize));
         let selection = Selection::Mask(&shape.free);
-        let region = Region::with_normals(&positions, &shape.triangles, selection, prescribed).unwrap();
+        let region = RegionMesh::with_normals(&positions, &shape.triangles, selection, prescribed).unwrap();
         let x = region.positions(&positions);
         let domain = Arc::new(Domain::new(region, x));
         let (region, free) = (&domain.region, domain.region.free);
@@ -502,7 +502,7 @@ mod tests {
     fn faired(problem: &Problem<'_>, means: Means) -> (Vec<Vector3<f64>>, usize) {
         let mut control = Control::new(1e-9, 100, None);
         let mut system = System::by_means(problem, means);
-        let Ok(Step::Ended(result)) = Ladder::default().run(&mut system, &mut control) else {
+        let Ok(LadderState::Ended(result)) = Ladder::default().run(&mut system, &mut control) else {
             panic!("nothing stops it");
         };
         assert_eq!(result.status, SolveStatus::Converged);

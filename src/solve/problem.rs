@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::boundary_curvature::AskedContinuity;
 use super::domain::Domain;
 use super::result::{SolveResult, SolveStatus};
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::discrete::target::RightHandSide;
 use crate::discrete::valence_batches::ValenceBatches;
-use crate::quality::{NEEDLE, Surface};
+use crate::quality::{NEEDLE, SurfaceState};
+use crate::solve::g2::boundary_curvature::AskedContinuity;
 
 /// Inner fairness of a mesh.
 pub(crate) type Weigh = fn(&ValenceBatches, &[Vector3<f64>]) -> FairnessWeights;
@@ -64,7 +64,7 @@ impl<'a> Problem<'a> {
         let equations = self.equations();
         equations.evaluate(&x, &mut state);
         let (defect, _) = equations.defect(&state);
-        let surface = Surface {
+        let surface = SurfaceState {
             region,
             x: &x,
             normals: &state.corrected,

@@ -7,10 +7,10 @@ use super::control::Control;
 use super::family::Family;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
-use super::next_run::Next;
 use super::system::System;
 use super::target_continuation::TargetContinuation;
 use super::weight_repair::{Anew, WeightRepair};
+use crate::solve::transition::Transition;
 
 /// How an attempt gets from its start to a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,11 +56,11 @@ impl Procedure {
         member: f64,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> (Underway, Next) {
+    ) -> (Underway, Transition) {
         match self {
             Self::Iteration => (
                 Underway::Single,
-                Next::iterate(system, formulation, x, options, control),
+                Transition::iterate(system, formulation, x, options, control),
             ),
             Self::WeightRepair | Self::MinimalEnergy | Self::RepairHere | Self::RepairEverywhere => {
                 let anew = match self {
@@ -94,9 +94,14 @@ impl Procedure {
 
 impl Underway {
     /// After a run that led to `last`.
-    pub(crate) fn next(&mut self, last: Candidate, system: &mut System, control: &mut Control<'_>) -> Next {
+    pub(crate) fn next(
+        &mut self,
+        last: Candidate,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Transition {
         match self {
-            Self::Single => Next::Done(last),
+            Self::Single => Transition::Done(last),
             Self::WeightRepair(repair) => repair.next(last, system, control),
             Self::TargetContinuation(continuation) => continuation.next(last, system, control),
             Self::Family(family) => family.next(last, system, control),

@@ -10,8 +10,8 @@ use super::iterate_options::{IterateOptions, IterationStatus};
 use super::limited_step::{LARGEST_CHANGE, advance, limited_part};
 use super::step::StepNorm;
 use super::system::System;
-use crate::profile::clock;
 use crate::quality::NEEDLE;
+use crate::support::profile::clock;
 use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
 
 /// Below this step norm, in diagonals, the triangles show what they will be.
@@ -46,7 +46,7 @@ const ROUND_GAIN: f64 = 0.7;
 
 /// Which step is taken.
 #[derive(Debug, Clone, Copy)]
-enum Step {
+enum StepKind {
     /// The quasi-Newton step itself.
     Plain,
     /// The accelerated one.
@@ -421,7 +421,7 @@ impl Iteration {
         }
         let change = system.edge_change(&self.x, &self.accelerated[..3 * system.free()]);
         if change <= LARGEST_EXCESS * LARGEST_CHANGE {
-            self.taken = self.take_limited(Step::Accelerated, change);
+            self.taken = self.take_limited(StepKind::Accelerated, change);
         } else {
             self.anderson.clear();
             self.plain_step(system);
@@ -437,9 +437,9 @@ impl Iteration {
         let square = |step: &[f64]| step.iter().map(|s| s * s).sum::<f64>();
         let is_alike = square(&self.accelerated) <= LONGEST_LAST * LONGEST_LAST * square(&self.step);
         let (last, step) = if is_alike {
-            (Step::Accelerated, &self.accelerated)
+            (StepKind::Accelerated, &self.accelerated)
         } else {
-            (Step::Plain, &self.step)
+            (StepKind::Plain, &self.step)
         };
         let ways = step[..step.len() - self.modes.len()].as_chunks::<3>().0.iter();
         let longest = ways.map(|way| square(way)).fold(0.0, f64::max).sqrt();
@@ -453,21 +453,21 @@ impl Iteration {
 
     fn plain_step(&mut self, system: &System) {
         let change = system.edge_change(&self.x, &self.step[..3 * system.free()]);
-        self.take_limited(Step::Plain, change);
+        self.take_limited(StepKind::Plain, change);
     }
 
     /// As much of a step as changes no edge too far. Returns how much that is.
-    fn take_limited(&mut self, step: Step, change: f64) -> f64 {
+    fn take_limited(&mut self, step: StepKind, change: f64) -> f64 {
         let part = limited_part(change, LARGEST_CHANGE);
         self.take(step, part);
         part
     }
 
     /// A part of a step, of the surface and of the modes.
-    fn take(&mut self, step: Step, part: f64) {
+    fn take(&mut self, step: StepKind, part: f64) {
         let step = match step {
-            Step::Plain => &self.step,
-            Step::Accelerated => &self.accelerated,
+            StepKind::Plain => &self.step,
+            StepKind::Accelerated => &self.accelerated,
         };
         let (of_x, of_modes) = step.split_at(step.len() - self.modes.len());
         advance(&mut self.x, of_x, part);

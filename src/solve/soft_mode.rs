@@ -109,13 +109,13 @@ fn normalize(mode: &mut [f64], largest: f64) -> f64 {
 }
 
 /// A place along the mode.
-struct Place {
+struct ModeOffset {
     scale: f64,
     energy: f64,
 }
 
 /// The place to one side where the residual in `mode` vanishes once more, or nearly: the way there is not quite straight.
-fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> Option<Place> {
+fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> Option<ModeOffset> {
     let along = |scale: f64, system: &mut System| {
         system.evaluate(&surface.at(mode, scale), &surface.formulation);
         let residuals = system.state().outer.iter().zip(mode);
@@ -138,7 +138,7 @@ fn beyond(surface: &Displaced, mode: &[f64], side: f64, system: &mut System) -> 
         if let Some(scale) = place {
             along(scale, system);
             let energy = bending_energy(system.state());
-            return Some(Place { scale, energy });
+            return Some(ModeOffset { scale, energy });
         }
         first = if first == 0.0 { slope } else { first };
         last = (scale, slope);

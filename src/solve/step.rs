@@ -9,7 +9,7 @@ use super::formulation::Formulation;
 use super::system::System;
 use crate::discrete::equations::State;
 use crate::discrete::valence_batches::CHUNK;
-use crate::profile::clock;
+use crate::support::profile::clock;
 
 /// Tangential steps below this, in diagonals, are projected.
 const PROJECTED_BELOW: f64 = 1e-3;

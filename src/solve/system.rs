@@ -1,14 +1,12 @@
 //! The region with its frozen matrices: what connectivity decides once, and what is refreshed.
 
-mod continued;
+mod curvature_continuity;
 
 use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use super::bilaplacian::Metric;
-use super::boundary_curvature::AskedContinuity;
-use super::continuity::Continuity;
 use super::domain::Domain;
 use super::factor::{Collapsed, Factor, Stacks};
 use super::formulation::Formulation;
@@ -18,9 +16,11 @@ use super::problem::Problem;
 use crate::discrete::equations::{Equations, FreeCurvature, State};
 use crate::discrete::inner_fairness::{FairnessWeights, laplacian};
 use crate::discrete::target::RightHandSide;
-use crate::mesh::Region;
-use crate::profile::clock;
-use crate::quality::Surface;
+use crate::mesh::RegionMesh;
+use crate::quality::SurfaceState;
+use crate::solve::g2::boundary_curvature::AskedContinuity;
+use crate::solve::g2::equations::Continuity;
+use crate::support::profile::clock;
 use fairmesh_linear::interrupt::Interrupt;
 use fairmesh_linear::ordering::fill_reducing;
 use fairmesh_linear::parallel;
@@ -209,7 +209,7 @@ impl System {
     }
 
     /// The region.
-    pub(crate) fn region(&self) -> &Region {
+    pub(crate) fn region(&self) -> &RegionMesh {
         &self.domain.region
     }
 
@@ -242,8 +242,8 @@ impl System {
     }
 
     /// The surface `x`, which was evaluated last, to be judged.
-    pub(crate) fn surface<'s>(&'s self, x: &'s [Vector3<f64>]) -> Surface<'s> {
-        Surface {
+    pub(crate) fn surface<'s>(&'s self, x: &'s [Vector3<f64>]) -> SurfaceState<'s> {
+        SurfaceState {
             region: self.region(),
             x,
             normals: &self.state.corrected,

@@ -7,9 +7,9 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::IterateOptions;
-use super::next_run::Next;
 use super::result::SolveStatus;
 use super::system::System;
+use crate::solve::transition::Transition;
 
 /// The first part of the right-hand side after none.
 const FIRST_STEP: f64 = 0.25;
@@ -40,7 +40,7 @@ impl TargetContinuation {
         options: IterateOptions,
         system: &System,
         control: &Control<'_>,
-    ) -> (Self, Next) {
+    ) -> (Self, Transition) {
         let harmonic = formulation.part(0.0);
         let continuation = Self {
             formulation,
@@ -50,13 +50,16 @@ impl TargetContinuation {
             tried: 0.0,
             step: FIRST_STEP,
         };
-        (continuation, Next::iterate(system, harmonic, x, options, control))
+        (
+            continuation,
+            Transition::iterate(system, harmonic, x, options, control),
+        )
     }
 
     /// After the iteration with the part that was tried.
-    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Next {
+    pub(crate) fn next(&mut self, last: Candidate, system: &System, control: &Control<'_>) -> Transition {
         if self.tried >= 1.0 && (last.is_converged() && !last.is_flawed() || last.is_stopped()) {
-            return Next::Done(last);
+            return Transition::Done(last);
         }
         match &mut self.x {
             None => {
@@ -77,19 +80,19 @@ impl TargetContinuation {
                 let x = x.clone();
                 self.iterate(x, system, control)
             }
-            _ if self.reached > 0.0 => Next::Short(SolveStatus::TargetNotReached(self.reached)),
-            _ => Next::Short(SolveStatus::Failed),
+            _ if self.reached > 0.0 => Transition::Short(SolveStatus::TargetNotReached(self.reached)),
+            _ => Transition::Short(SolveStatus::Failed),
         }
     }
 
     /// One step further from `x`.
-    fn iterate(&mut self, x: Vec<Vector3<f64>>, system: &System, control: &Control<'_>) -> Next {
+    fn iterate(&mut self, x: Vec<Vector3<f64>>, system: &System, control: &Control<'_>) -> Transition {
         self.tried = (self.reached + self.step).min(1.0);
         let options = if self.tried >= 1.0 {
             self.options.to_the_end()
         } else {
             self.options
         };
-        Next::iterate(system, self.formulation.part(self.tried), x, options, control)
+        Transition::iterate(system, self.formulation.part(self.tried), x, options, control)
     }
 }

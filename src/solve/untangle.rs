@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::mesh::{Region, Rings};
+use crate::mesh::{RegionMesh, Rings};
 
 /// Times that every marked vertex is moved.
 const SWEEPS: usize = 8;
@@ -15,7 +15,7 @@ const MOVES: usize = 24;
 
 /// Moves the marked free vertices of `x`, one after the other in the caller's order, each within the plane of its ring, so
 /// that the least quality of the triangles around it grows. The rest of `x` stays.
-pub(crate) fn untangle(region: &Region, rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
+pub(crate) fn untangle(region: &RegionMesh, rings: &Rings, marked: &[bool], x: &mut [Vector3<f64>]) {
     let mut order: Vec<usize> = (0..marked.len()).filter(|&i| marked[i]).collect();
     order.sort_by_key(|&i| region.vertex_ids[i]);
     let mut ring = Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn untangle(region: &Region, rings: &Rings, marked: &[bool], x: &mut 
 
 /// The place in a ring of the neighbour that comes first with the caller, free ones before others: what is tried around a
 /// vertex begins there, and is not to hang on local numbers.
-fn first_of(region: &Region, ring: &[u32]) -> usize {
+fn first_of(region: &RegionMesh, ring: &[u32]) -> usize {
     let key = |j: u32| (!region.is_free(j), region.vertex_ids[j as usize], j);
     let places = ring.iter().enumerate();
     places.min_by_key(|(_, j)| key(**j)).map_or(0, |(place, _)| place)
@@ -133,7 +133,7 @@ mod tests {
         let positions = shape.noise(3, 0.4);
         let untangled = [Numbering::AsGiven, Numbering::BreadthFirst].map(|numbering| {
             let selection = Selection::Mask(&shape.free);
-            let regions = Region::of_components(
+            let regions = RegionMesh::of_components(
                 &positions,
                 &shape.triangles,
                 selection,

@@ -8,11 +8,11 @@ use super::candidate::Candidate;
 use super::control::Control;
 use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
-use super::next_run::Next;
 use super::system::System;
 use super::untangle::untangle;
 use crate::discrete::inner_fairness::FairnessWeights;
 use crate::quality::NEEDLE;
+use crate::solve::transition::Transition;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
 const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
@@ -42,7 +42,7 @@ impl WeightRepair {
         anew: Anew,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> (Self, Next) {
+    ) -> (Self, Transition) {
         let surface = (anew == Anew::FromSurface).then(|| x.clone());
         let mut marks = Marks::new(system, &formulation, surface, anew == Anew::Everywhere);
         system.evaluate(&x, &formulation);
@@ -82,7 +82,7 @@ impl WeightRepair {
         mut last: Candidate,
         system: &mut System,
         control: &mut Control<'_>,
-    ) -> Next {
+    ) -> Transition {
         match self.best.take() {
             None => {
                 if self
@@ -90,11 +90,11 @@ impl WeightRepair {
                     .is_some_and(|needles| last.has_only_needles(system, needles))
                 {
                     last.needles_from_input = true;
-                    return Next::Done(last);
+                    return Transition::Done(last);
                 }
                 self.best = Some(last.clone());
             }
-            Some(_) if last.is_stopped() => return Next::Done(last),
+            Some(_) if last.is_stopped() => return Transition::Done(last),
             Some(best) if last.rank() < best.rank() => self.best = Some(last.clone()),
             best => self.best = best,
         }
@@ -106,8 +106,8 @@ impl WeightRepair {
         };
         let best = self.best.take().unwrap_or(last);
         match restarted {
-            None => Next::Done(best),
-            Some(_) if control.cancelled => Next::Done(Candidate {
+            None => Transition::Done(best),
+            Some(_) if control.cancelled => Transition::Done(Candidate {
                 status: IterationStatus::Stopped,
                 ..best
             }),
@@ -124,12 +124,12 @@ impl WeightRepair {
         stop_on_folds: bool,
         system: &System,
         control: &Control<'_>,
-    ) -> Next {
+    ) -> Transition {
         let options = IterateOptions {
             stop_on_folds,
             ..self.options
         };
-        Next::iterate(system, self.formulation.clone(), x, options, control)
+        Transition::iterate(system, self.formulation.clone(), x, options, control)
     }
 }
 

@@ -4,27 +4,27 @@ use std::cell::OnceCell;
 
 use fairmesh::{DistanceTo, Error, SurfaceDistance};
 
-use super::surface::{Surface, V3};
+use super::surface::{MeshSide, V3};
 use crate::normals::{cross, dot, sub, unit};
 use crate::picture::Refined;
 
 /// A mesh before and after.
 pub struct Comparison<'a> {
-    pub before: Surface<'a>,
-    pub after: Surface<'a>,
+    pub before: MeshSide<'a>,
+    pub after: MeshSide<'a>,
     /// Per triangle of the mesh before, whether it is there no more.
     pub gone: Vec<bool>,
     /// Per triangle of the mesh after, whether it was not there.
     pub new: Vec<bool>,
     /// How far it has moved; None where nothing is gone: what fills a hole has moved from nowhere.
-    pub moved: Option<Moved>,
+    pub moved: Option<SurfaceMotion>,
     /// The mean curvature before and after, once it is asked for.
     curvature: [OnceCell<Vec<f64>>; 2],
 }
 
 /// How far surfaces have moved, across themselves: both ways, as an ear that is taken away was farther from what there is now than that is
 /// from the ear.
-pub struct Moved {
+pub struct SurfaceMotion {
     /// What is new from the mesh before.
     there: SurfaceDistance,
     /// What is gone from the mesh after.
@@ -33,7 +33,7 @@ pub struct Moved {
     pub(super) painted: [Refined; 2],
 }
 
-impl Moved {
+impl SurfaceMotion {
     /// The way that has the largest distance.
     pub fn farthest(&self) -> &SurfaceDistance {
         match self.back.largest > self.there.largest {
@@ -58,19 +58,19 @@ impl<'a> Comparison<'a> {
     ///
     /// # Errors
     /// Of the measurement: positions that are not finite, threads that ran out.
-    pub fn new(before: Surface<'a>, after: Surface<'a>) -> Result<Self, Error> {
+    pub fn new(before: MeshSide<'a>, after: MeshSide<'a>) -> Result<Self, Error> {
         // Most of a mesh stands where it stood, under the same number.
         let stays: Vec<bool> = (before.triangles.iter().zip(after.triangles).enumerate())
             .map(|(t, _)| key(before.corners(t)) == key(after.corners(t)))
             .collect();
-        let others = |of: &Surface<'_>| -> Vec<(Key, usize)> {
+        let others = |of: &MeshSide<'_>| -> Vec<(Key, usize)> {
             let changed = (0..of.triangles.len()).filter(|&t| stays.get(t) != Some(&true));
             let mut keys: Vec<_> = changed.map(|t| (key(of.corners(t)), t)).collect();
             keys.sort_unstable();
             keys
         };
         let [was, is] = [&before, &after].map(others);
-        let without = |of: &Surface<'_>, own: &[(Key, usize)], others: &[(Key, usize)]| {
+        let without = |of: &MeshSide<'_>, own: &[(Key, usize)], others: &[(Key, usize)]| {
             let mut is_without = vec![false; of.triangles.len()];
             for (key, t) in own {
                 is_without[*t] = others.binary_search_by_key(key, |other| other.0).is_err();
@@ -82,7 +82,7 @@ impl<'a> Comparison<'a> {
             true => {
                 let (there, painted_after) = moved(&after, &new, &before)?;
                 let (back, painted_before) = moved(&before, &gone, &after)?;
-                Some(Moved {
+                Some(SurfaceMotion {
                     there,
                     back,
                     painted: [painted_before, painted_after],
@@ -120,7 +120,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// The changed surface after, or before if there is none; and which triangles of it are changed.
-    pub(super) fn changed(&self) -> (&Surface<'a>, &[bool]) {
+    pub(super) fn changed(&self) -> (&MeshSide<'a>, &[bool]) {
         match self.new.contains(&true) {
             true => (&self.after, &self.new),
             false => (&self.before, &self.gone),
@@ -157,10 +157,14 @@ fn key(corners: [V3; 3]) -> Key {
 }
 
 /// How far some triangles are from another mesh, and the surface with these refined, whose vertices it is of; 0 elsewhere.
-fn moved(of: &Surface<'_>, marked: &[bool], from: &Surface<'_>) -> Result<(SurfaceDistance, Refined), Error> {
+fn moved(
+    of: &MeshSide<'_>,
+    marked: &[bool],
+    from: &MeshSide<'_>,
+) -> Result<(SurfaceDistance, Refined), Error> {
     let longest = SPACING * of.bounds(|t| marked[t]).diagonal();
     let refined = Refined::new(of.positions, of.triangles, |t| marked[t], longest);
-    let of = Surface {
+    let of = MeshSide {
         positions: &refined.positions,
         triangles: &refined.triangles,
     };
@@ -204,8 +208,8 @@ mod tests {
     ];
     const FAN: [[u32; 3]; 4] = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
 
-    fn surface<'a>(positions: &'a [V3], triangles: &'a [[u32; 3]]) -> Surface<'a> {
-        Surface { positions, triangles }
+    fn surface<'a>(positions: &'a [V3], triangles: &'a [[u32; 3]]) -> MeshSide<'a> {
+        MeshSide { positions, triangles }
     }
 
     #[test]

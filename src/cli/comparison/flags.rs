@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::changes::Comparison;
 use super::page::{Story, page};
-use super::surface::{Surface, V3};
+use super::surface::{MeshSide, V3};
 use crate::answer::{same_file, untold};
 use crate::explain;
 use crate::failure::Failure;
@@ -196,12 +196,12 @@ pub struct Pictures {
 
 impl Pictures {
     /// Makes and writes them. The result stands already: what fails here is the report about it.
-    pub fn write(&self, before: Surface<'_>, after: Surface<'_>, story: &Story) -> Result<(), Failure> {
+    pub fn write(&self, before: MeshSide<'_>, after: MeshSide<'_>, story: &Story) -> Result<(), Failure> {
         self.make(before, after, story)
             .map_err(|failure| untold(failure, &[&self.output]))
     }
 
-    fn make(&self, before: Surface<'_>, after: Surface<'_>, story: &Story) -> Result<(), Failure> {
+    fn make(&self, before: MeshSide<'_>, after: MeshSide<'_>, story: &Story) -> Result<(), Failure> {
         let refused = |error| explain::plain_refusal(self.input.display(), &error);
         let comparison = Comparison::new(before, after).map_err(refused)?;
         let sheet = comparison.sheet(self.direction, self.up);

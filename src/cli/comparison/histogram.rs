@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::changes::Comparison;
 use super::markup;
-use super::surface::Surface;
+use super::surface::MeshSide;
 use crate::normals::{cross, dot, sub};
 use crate::render::range::{self, Shown};
 
@@ -37,7 +37,7 @@ pub fn histogram(of: &Comparison<'_>) -> Option<String> {
 }
 
 /// Every changed triangle counts by its area, with the mean of its corners.
-fn bars(surface: &Surface<'_>, marked: &[bool], values: &[f64], [low, high]: [f64; 2]) -> Option<Bars> {
+fn bars(surface: &MeshSide<'_>, marked: &[bool], values: &[f64], [low, high]: [f64; 2]) -> Option<Bars> {
     let (mut bars, mut total) = ([0.0; BARS], 0.0);
     for t in (0..marked.len()).filter(|&t| marked[t]) {
         let [a, b, c] = surface.corners(t);

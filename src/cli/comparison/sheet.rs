@@ -1,7 +1,7 @@
 //! Before and after on one sheet: what has changed from near, and where it is on the whole mesh.
 
 use super::changes::Comparison;
-use super::surface::{Surface, V3};
+use super::surface::{MeshSide, V3};
 use crate::failure::Failure;
 use crate::figures::significant;
 use crate::picture::{self, Group, Layout, Palette, PictureOptions, Pixels, Scale, Shading, View};
@@ -64,7 +64,7 @@ impl Comparison<'_> {
         let near = |side: usize, shading| view(sides[side], shading, focus[side]);
         let (side, caption, values, scale) = self.values(focus[1]);
         let painted = match &self.moved {
-            Some(moved) => Surface {
+            Some(moved) => MeshSide {
                 positions: &moved.painted[side].positions,
                 triangles: &moved.painted[side].triangles,
             },
@@ -207,7 +207,7 @@ impl Sheet {
     }
 }
 
-fn view<'a>(surface: &Surface<'a>, shading: Shading<'a>, focus: &'a [bool]) -> View<'a> {
+fn view<'a>(surface: &MeshSide<'a>, shading: Shading<'a>, focus: &'a [bool]) -> View<'a> {
     View {
         positions: surface.positions,
         triangles: surface.triangles,

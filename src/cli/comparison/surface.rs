@@ -7,12 +7,12 @@ pub type V3 = [f64; 3];
 
 /// A mesh as it was or has become.
 #[derive(Clone, Copy)]
-pub struct Surface<'a> {
+pub struct MeshSide<'a> {
     pub positions: &'a [V3],
     pub triangles: &'a [[u32; 3]],
 }
 
-impl Surface<'_> {
+impl MeshSide<'_> {
     pub(super) fn corners(&self, t: usize) -> [V3; 3] {
         self.triangles[t].map(|v| self.positions[v as usize])
     }
@@ -35,8 +35,8 @@ impl Surface<'_> {
 
 impl Geometry {
     /// The triangles of a file.
-    pub fn surface(&self) -> Surface<'_> {
-        Surface {
+    pub fn surface(&self) -> MeshSide<'_> {
+        MeshSide {
             positions: &self.positions,
             triangles: &self.triangles,
         }

@@ -6,12 +6,12 @@ use nalgebra::{Matrix3, Vector3};
 use super::Edit;
 use super::along_loop::Kind;
 use super::moves::{Motion, followers};
-use crate::error::{Error, LARGEST_COORDINATE};
 use crate::mesh::coincident::Copies;
+use crate::support::error::{Error, LARGEST_COORDINATE};
 
 /// A fixed vertex that is not where it was.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::fairing) struct Moved {
+pub(in crate::fairing) struct MovedVertex {
     pub(in crate::fairing) vertex: u32,
     pub(in crate::fairing) at: [f64; 3],
     /// The rotation of its normal.
@@ -31,9 +31,9 @@ pub(in crate::fairing) struct Bend {
 
 /// All edits together.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(in crate::fairing) struct Resolved {
+pub(in crate::fairing) struct ResolvedEdits {
     /// Ascending; each copy by its own number.
-    pub(in crate::fairing) moved: Vec<Moved>,
+    pub(in crate::fairing) moved: Vec<MovedVertex>,
     pub(in crate::fairing) bends: Vec<Bend>,
     /// The angle of all loops.
     pub(in crate::fairing) bulge: f64,
@@ -41,7 +41,7 @@ pub(in crate::fairing) struct Resolved {
 
 /// The mesh that edits are about: joined, as it was given.
 #[derive(Clone, Copy)]
-pub(in crate::fairing) struct Mesh<'a> {
+pub(in crate::fairing) struct EditedMesh<'a> {
     pub(in crate::fairing) positions: &'a [[f64; 3]],
     pub(in crate::fairing) triangles: &'a [[u32; 3]],
     pub(in crate::fairing) copies: &'a Copies,
@@ -62,7 +62,7 @@ struct Following {
 
 impl Followers {
     /// The parts of these vertices and their followers, ascending.
-    fn of(&mut self, mesh: Mesh<'_>, vertices: &[u32], falloff: f64) -> &[(u32, f64)] {
+    fn of(&mut self, mesh: EditedMesh<'_>, vertices: &[u32], falloff: f64) -> &[(u32, f64)] {
         let known = |f: &Following| f.vertices == vertices && f.falloff == falloff;
         let at = self.0.iter().position(known).unwrap_or_else(|| {
             let joined: Vec<u32> = vertices.iter().map(|&v| mesh.copies.smallest(v)).collect();
@@ -91,7 +91,7 @@ impl Followers {
     }
 }
 
-impl Mesh<'_> {
+impl EditedMesh<'_> {
     fn is_free(&self, joined: u32) -> bool {
         self.free.binary_search(&joined).is_ok()
     }
@@ -107,11 +107,11 @@ impl Mesh<'_> {
     }
 }
 
-impl Resolved {
+impl ResolvedEdits {
     /// Checks the edits, but for the loops.
     pub(in crate::fairing) fn new(
         edits: &[Edit],
-        mesh: Mesh<'_>,
+        mesh: EditedMesh<'_>,
         followers: &mut Followers,
     ) -> Result<Self, Error> {
         followers.keep(edits);
@@ -160,7 +160,7 @@ impl Resolved {
 
     fn bend(
         &mut self,
-        mesh: Mesh<'_>,
+        mesh: EditedMesh<'_>,
         kind: Kind,
         given: u32,
         (angle, falloff): (f64, f64),
@@ -176,7 +176,7 @@ impl Resolved {
     }
 
     /// Moves these vertices by parts of a motion, from where they are, with all of their copies.
-    fn follow(&mut self, mesh: Mesh<'_>, motion: Motion, parts: &[(u32, f64)]) -> Result<(), Error> {
+    fn follow(&mut self, mesh: EditedMesh<'_>, motion: Motion, parts: &[(u32, f64)]) -> Result<(), Error> {
         let copies = |&(v, part): &(u32, f64)| {
             let all = std::iter::once(v).chain(mesh.copies.others(v));
             all.map(move |v| (v, part)).collect::<Vec<_>>()
@@ -190,7 +190,7 @@ impl Resolved {
             let (at, turn) = motion.part(part, Vector3::from(before));
             let at: [f64; 3] = at.into();
             check(v, at)?;
-            let moved = Moved {
+            let moved = MovedVertex {
                 vertex: v,
                 at,
                 turn: turn * turned,
@@ -204,7 +204,7 @@ impl Resolved {
     }
 
     /// What is known of a vertex that has moved, by any of its numbers.
-    pub(in crate::fairing) fn at(&self, vertex: u32) -> Option<&Moved> {
+    pub(in crate::fairing) fn at(&self, vertex: u32) -> Option<&MovedVertex> {
         let place = self.moved.binary_search_by_key(&vertex, |m| m.vertex).ok()?;
         Some(&self.moved[place])
     }

@@ -1,9 +1,9 @@
 //! The range of the bulge: how far the boundary normals can be turned with a sound surface.
 
 use super::Session;
-use crate::error::Error;
 use crate::fairing::edit::{Budget, Edit};
 use crate::fairing::report::{Progress, ProgressCallback};
+use crate::support::error::Error;
 
 /// Trials at the walk outward are so far apart, 10 degrees,
 const STEP: f64 = std::f64::consts::PI / 18.0;

@@ -6,29 +6,29 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use crate::discrete::target::Target;
-use crate::error::Error;
 use crate::fairing::component_solution::ComponentSolution;
+use crate::fairing::component_weights::ComponentWeights;
 use crate::fairing::conclusion::Found;
-use crate::fairing::edit::resolved::{Bend, Resolved};
+use crate::fairing::edit::resolved::{Bend, ResolvedEdits};
 use crate::fairing::normals::{GivenNormals, boundary_normals};
 use crate::fairing::options::{Options, OutputPrecision};
 use crate::fairing::prepared::Prepared;
 use crate::fairing::report::Seconds;
-use crate::fairing::shares::Shares;
-use crate::mesh::Region;
+use crate::mesh::RegionMesh;
 use crate::quality::NEEDLE;
 use crate::solve::control::{Interrupt, Tally};
 use crate::solve::factor::Collapsed;
-use crate::solve::ladder::{Ladder, Step};
+use crate::solve::ladder::{Ladder, LadderState};
 use crate::solve::live::{Allowance, Live};
 use crate::solve::{Control, Domain, SolveResult, SolveStatus, System};
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::stopwatch::Stopwatch;
 
 use super::edited::{Prescribed, Turn, Unedited};
 
 /// Where a solve has ended.
 #[derive(Clone)]
-pub(super) struct Surface {
+pub(super) struct SolvedSurface {
     /// None: at the linear surface.
     x: Option<Vec<Vector3<f64>>>,
     prescribed: Prescribed,
@@ -126,7 +126,7 @@ impl Cursor {
     }
 
     /// Whether the matrices are those of this region.
-    pub(super) fn is_of(&self, region: &Region) -> bool {
+    pub(super) fn is_of(&self, region: &RegionMesh) -> bool {
         let own = &self.prepared.domain.region;
         own.vertex_ids == region.vertex_ids && own.half_edges.triangles == region.half_edges.triangles
     }
@@ -136,7 +136,7 @@ impl Cursor {
         &mut self,
         options: &Options,
         iterations: usize,
-        shares: &mut Shares<'_>,
+        shares: &mut ComponentWeights<'_>,
     ) -> Result<ComponentSolution, Error> {
         let clock = Stopwatch::start();
         self.leave_frames();
@@ -161,7 +161,7 @@ impl Cursor {
         &mut self,
         options: &Options,
         iterations: usize,
-        shares: &mut Shares<'_>,
+        shares: &mut ComponentWeights<'_>,
     ) -> Result<SolveResult, Error> {
         let free = self.free();
         let mut tell =
@@ -174,7 +174,7 @@ impl Cursor {
         let step = step.map_err(|Collapsed| self.prepared.nothing_fixed())?;
         self.tally = control.tally;
         Ok(match step {
-            Step::Ended(result) => {
+            LadderState::Ended(result) => {
                 self.end(&result);
                 result
             }
@@ -241,7 +241,7 @@ impl Cursor {
     }
 
     /// What is prescribed where these edits have moved fixed vertices.
-    pub(super) fn moved(&self, edits: &Resolved) -> Prescribed {
+    pub(super) fn moved(&self, edits: &ResolvedEdits) -> Prescribed {
         let Prepared {
             domain,
             normalization,
@@ -374,7 +374,7 @@ impl Cursor {
         self.sync_domain();
         while allowance.left() > 0 && !self.is_over {
             allowance.spent += 1;
-            let mut nobody = Shares::new(None, &Interrupt::default(), 0.0, std::iter::empty());
+            let mut nobody = ComponentWeights::new(None, &Interrupt::default(), 0.0, std::iter::empty());
             let result = self.advance(options, 1, &mut nobody)?;
             if self.is_over {
                 self.untold = Some(result);
@@ -419,8 +419,8 @@ impl Cursor {
     }
 
     /// Where it stands, after a run to the end.
-    pub(super) fn surface(&self) -> Surface {
-        Surface {
+    pub(super) fn surface(&self) -> SolvedSurface {
+        SolvedSurface {
             x: self.x().map(<[_]>::to_vec),
             prescribed: self.prescribed.clone(),
             ended: self.ended,
@@ -428,7 +428,7 @@ impl Cursor {
     }
 
     /// Back to where it stood.
-    pub(super) fn restore(&mut self, surface: Surface) {
+    pub(super) fn restore(&mut self, surface: SolvedSurface) {
         self.change();
         self.tell_given(&surface.prescribed);
         let normals = surface.prescribed.normals.clone();

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::fairing::edit::along_loop::{arc_lengths, part, tangent, turned};
-use crate::fairing::edit::resolved::{Bend, Resolved};
+use crate::fairing::edit::resolved::{Bend, ResolvedEdits};
 use crate::fairing::normalization::Normalization;
 use crate::mesh::boundary_loops::boundary_loops;
 use crate::solve::Domain;
@@ -54,7 +54,7 @@ impl Unedited {
     }
 
     /// What is prescribed where these edits have moved fixed vertices.
-    pub(super) fn moved(&self, edits: &Resolved, domain: &Domain, frame: &Normalization) -> Prescribed {
+    pub(super) fn moved(&self, edits: &ResolvedEdits, domain: &Domain, frame: &Normalization) -> Prescribed {
         let mut all = self.prescribed.clone();
         let ids = &domain.region.vertex_ids[domain.region.free..];
         self.move_fixed(edits, ids, frame, &mut all);
@@ -97,7 +97,7 @@ impl Unedited {
 
     /// Moves fixed vertices and their normals: those on loops turn further with the direction of the boundary, where neighbours do not follow
     /// alike.
-    fn move_fixed(&self, edits: &Resolved, ids: &[u32], frame: &Normalization, all: &mut Prescribed) {
+    fn move_fixed(&self, edits: &ResolvedEdits, ids: &[u32], frame: &Normalization, all: &mut Prescribed) {
         if edits.moved.is_empty() {
             return;
         }

@@ -1,19 +1,19 @@
 //! Edits and frames: what an interactive program does while something is dragged.
 
-use super::cursor::{Cursor, Surface};
+use super::cursor::{Cursor, SolvedSurface};
 use super::edited::{Prescribed, united};
 use super::{Components, Input, Session};
-use crate::error::Error;
-use crate::fairing::edit::resolved::{Bend, Mesh, Resolved};
+use crate::fairing::edit::resolved::{Bend, EditedMesh, ResolvedEdits};
 use crate::fairing::edit::{Budget, Edit, Frame};
 use crate::fairing::report::ProgressCallback;
 use crate::fairing::report::Solution;
 use crate::solve::live::Allowance;
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::stopwatch::Stopwatch;
 
 impl Components {
     /// Takes these edits.
-    pub(super) fn edit(&mut self, edits: &Resolved) -> Result<(), Error> {
+    pub(super) fn edit(&mut self, edits: &ResolvedEdits) -> Result<(), Error> {
         let bends = self.bends(&edits.bends)?;
         let moved = self.cursors.iter().map(|cursor| cursor.moved(edits));
         let mut prescribed: Vec<Prescribed> = moved.collect();
@@ -62,12 +62,12 @@ impl Components {
     }
 
     /// Where all components stand.
-    pub(super) fn surfaces(&self) -> Vec<Surface> {
+    pub(super) fn surfaces(&self) -> Vec<SolvedSurface> {
         self.cursors.iter().map(Cursor::surface).collect()
     }
 
     /// Back to where they stood, with what was asked there.
-    pub(super) fn restore(&mut self, surfaces: Vec<Surface>) {
+    pub(super) fn restore(&mut self, surfaces: Vec<SolvedSurface>) {
         let cursors = self.cursors.iter_mut().zip(surfaces);
         cursors.for_each(|(cursor, surface)| cursor.restore(surface));
     }
@@ -98,13 +98,13 @@ impl Session {
         if let Some(error) = &self.broken {
             return Err(error.clone());
         }
-        let mesh = Mesh {
+        let mesh = EditedMesh {
             positions: &self.input.positions,
             triangles: &self.input.triangles,
             copies: &self.input.copies,
             free: &self.free,
         };
-        let resolved = Resolved::new(edits, mesh, &mut self.edited.followers)?;
+        let resolved = ResolvedEdits::new(edits, mesh, &mut self.edited.followers)?;
         let components = &mut self.components;
         self.workers.install(|| components.edit(&resolved))?;
         let before = std::mem::replace(&mut self.edited.resolved, resolved);

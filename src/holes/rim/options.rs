@@ -1,6 +1,6 @@
 //! What may happen to the mesh around a loop before it is filled.
 
-use crate::error::Error;
+use crate::support::error::Error;
 
 /// What may happen to the mesh around a loop before it is filled. By default nothing: original vertices keep their bits.
 ///

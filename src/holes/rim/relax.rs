@@ -20,9 +20,9 @@ const POOR: [f64; 2] = [0.3, 0.6];
 
 /// What relaxing the rim of one patch comes to.
 #[derive(Debug, Clone)]
-pub(super) struct Moved {
+pub(super) struct RelaxedRim {
     /// Vertices that move.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<RimVertex>,
     /// The normals that the patch shall have at the loops' vertices, by their numbers.
     pub(super) normals: Vec<(u32, [f64; 3])>,
     pub(super) report: RimReport,
@@ -30,7 +30,7 @@ pub(super) struct Moved {
 
 /// A vertex that moves, in which ring it is, and where to.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct RimVertex {
     pub(super) vertex: u32,
     pub(super) ring: usize,
     pub(super) x: Vector3<f64>,
@@ -44,13 +44,13 @@ pub(super) fn relaxed(
     positions: &[[f64; 3]],
     loops: &[&BoundaryLoop],
     place: &mut [u32],
-) -> Moved {
+) -> RelaxedRim {
     // No mesh has more of them.
     let rings = rim.relax.min(positions.len());
     let band = Band::new(links, positions, loops, rings + REACH, rings, place);
     let edge = band.mean_edge(band.count(rings + 1));
     let Some(width) = width(&band, edge) else {
-        return Moved {
+        return RelaxedRim {
             places: Vec::new(),
             normals: Vec::new(),
             report: RimReport::default(),
@@ -84,7 +84,7 @@ pub(super) fn relaxed(
     if rough > 0.0 {
         untangling.run();
     }
-    let mut moved = Moved {
+    let mut moved = RelaxedRim {
         places: Vec::with_capacity(moving.len()),
         normals: Vec::new(),
         report: RimReport {
@@ -105,7 +105,7 @@ pub(super) fn relaxed(
             moved.normals.push((vertex, fit.sheet.normal.into()));
         }
         let x = untangling.x[v];
-        moved.places.push(Place { vertex, ring, x });
+        moved.places.push(RimVertex { vertex, ring, x });
     }
     moved.normals.sort_by_key(|of| of.0);
     moved

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use super::relax::{Moved, Place, relaxed};
+use super::relax::{RelaxedRim, RimVertex, relaxed};
 use super::report::RimReport;
 use crate::fairing::{BoundaryNormals, Intersections, Options, SelfIntersections};
 use crate::holes::links::Links;
@@ -25,7 +25,7 @@ pub(in crate::holes) struct Rims<'m> {
     pub(in crate::holes) positions: Cow<'m, [[f64; 3]]>,
     /// Which vertices moved, and for which patch; ascending.
     owners: Vec<(u32, usize)>,
-    of: Vec<Option<Moved>>,
+    of: Vec<Option<RelaxedRim>>,
 }
 
 impl<'m> Rims<'m> {
@@ -47,7 +47,7 @@ impl<'m> Rims<'m> {
     ) {
         let given = self.positions.to_vec();
         let mut place = vec![NONE; given.len()];
-        let mut wanted: Vec<(Place, usize)> = Vec::new();
+        let mut wanted: Vec<(RimVertex, usize)> = Vec::new();
         for (i, loops) in patches {
             let moved = relaxed(&options.rim, links, &given, &loops, &mut place);
             wanted.extend(moved.places.iter().map(|&of| (of, i)));

@@ -7,13 +7,13 @@ use super::band::Band;
 use super::options::Rim;
 use super::report::EVEN;
 use super::width::{REACH, width};
-use crate::error::Error;
 use crate::fairing::Workers;
 use crate::holes::links::Links;
 use crate::holes::loop_set::normal;
 use crate::holes::loops::BoundaryLoop;
 use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, NONE};
+use crate::support::error::Error;
 
 /// Edges of a loop that are looked at, at most.
 const SAMPLES: usize = 256;

@@ -2,12 +2,12 @@
 
 use super::Ladder;
 use crate::solve::coarse::CoarseLevel;
+use crate::solve::coarse_result::CoarseResult;
 use crate::solve::control::{Control, SEARCHED};
 use crate::solve::initial::PHASE;
 use crate::solve::result::{SolveStatus, Trial};
-use crate::solve::search::Search;
 use crate::solve::system::System;
-use crate::stopwatch::Stopwatch;
+use crate::support::stopwatch::Stopwatch;
 
 /// Step norm of surfaces on the coarse mesh: it is smaller than what lies between both meshes.
 const TOLERANCE: f64 = 1e-4;
@@ -22,7 +22,7 @@ impl Ladder {
         }
         let clock = Stopwatch::start();
         let (search, trials) = searched(system, control);
-        if let Search::Missed(status) = &search
+        if let CoarseResult::Missed(status) = &search
             && status.is_linear()
         {
             self.shortfall = Some(status.clone());
@@ -34,29 +34,29 @@ impl Ladder {
 }
 
 /// What the coarse mesh has led to, and what was tried there.
-fn searched(system: &System, control: &mut Control<'_>) -> (Search, Vec<Trial>) {
+fn searched(system: &System, control: &mut Control<'_>) -> (CoarseResult, Vec<Trial>) {
     let fine = system.problem();
     let Some(level) = CoarseLevel::new(&fine) else {
-        return (Search::NoCoarseMesh, Vec::new());
+        return (CoarseResult::NoCoarseMesh, Vec::new());
     };
     let solved = control.within((PHASE, SEARCHED), TOLERANCE, ITERATIONS, |control| {
         let ladder = Ladder {
-            coarse: Some(Search::NoCoarseMesh),
+            coarse: Some(CoarseResult::NoCoarseMesh),
             is_search: true,
             ..Ladder::default()
         };
         ladder.solve(&level.problem(&fine), control)
     });
     let Ok((mut result, state)) = solved else {
-        return (Search::Missed(SolveStatus::Failed), Vec::new());
+        return (CoarseResult::Missed(SolveStatus::Failed), Vec::new());
     };
     let trials = std::mem::take(&mut result.trials);
     let member = match result.status {
         SolveStatus::Converged | SolveStatus::AboveTolerance => 0.0,
         SolveStatus::NearestMember(w) => w,
-        status => return (Search::Missed(status), trials),
+        status => return (CoarseResult::Missed(status), trials),
     };
-    let found = Search::Found {
+    let found = CoarseResult::Found {
         x: level.prolongate(&fine, &result.x, &state.corrected),
         member,
         along_normals: result.along_normals,

@@ -3,16 +3,16 @@
 use nalgebra::Vector3;
 
 use super::Ladder;
-use crate::solve::attempt::{Attempt, Start, Weights};
+use crate::solve::attempt::{Rung, Start, Weights};
+use crate::solve::coarse_result::CoarseResult;
 use crate::solve::control::{Control, STARTED};
 use crate::solve::factor::Collapsed;
 use crate::solve::formulation::Formulation;
 use crate::solve::initial::PHASE;
 use crate::solve::problem::diagonal;
-use crate::solve::search::Search;
 use crate::solve::soft_mode::second_surface;
 use crate::solve::system::System;
-use crate::stopwatch::Stopwatch;
+use crate::support::stopwatch::Stopwatch;
 
 impl Ladder {
     /// The coarse mesh's surface, if it is harmonic or not, as asked; along the normals where it was found so.
@@ -23,7 +23,7 @@ impl Ladder {
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Option<Vec<Vector3<f64>>> {
-        let Some(Search::Found {
+        let Some(CoarseResult::Found {
             x,
             member,
             along_normals,
@@ -67,7 +67,7 @@ impl Ladder {
     /// Start and formulation of an attempt; `None` where there is no such start.
     pub(super) fn set_up(
         &mut self,
-        attempt: &Attempt,
+        attempt: &Rung,
         system: &mut System,
         control: &mut Control<'_>,
     ) -> Option<(Vec<Vector3<f64>>, Formulation)> {

@@ -12,7 +12,7 @@ const SAFE: f64 = 0.99;
 
 /// The way of one loop.
 #[derive(Debug)]
-struct Way {
+struct LoopBlend {
     /// The part that is tried.
     part: f64,
     /// The longest part found to be short enough, and the deviation there, in degrees,
@@ -23,15 +23,15 @@ struct Way {
 
 /// The ways of all loops.
 #[derive(Debug)]
-pub(super) struct Ways {
-    ways: Vec<Way>,
+pub(in crate::solve) struct BlendSearch {
+    ways: Vec<LoopBlend>,
     allowed: f64,
 }
 
-impl Ways {
+impl BlendSearch {
     /// What is asked of each loop, and how far the tangent-continuous surface deviates along it; `allowed` is how far a surface may.
-    pub(super) fn new(asked: impl Iterator<Item = (f64, f64)>, allowed: f64) -> Self {
-        let ways = asked.map(|(part, deviation)| Way {
+    pub(in crate::solve) fn new(asked: impl Iterator<Item = (f64, f64)>, allowed: f64) -> Self {
+        let ways = asked.map(|(part, deviation)| LoopBlend {
             part,
             good: (0.0, deviation),
             bad: None,
@@ -43,12 +43,12 @@ impl Ways {
     }
 
     /// The parts that are tried.
-    pub(super) fn parts(&self) -> Vec<f64> {
+    pub(in crate::solve) fn parts(&self) -> Vec<f64> {
         self.ways.iter().map(|way| way.part).collect()
     }
 
     /// Takes note of the deviation along each loop. Tells whether all are allowed.
-    pub(super) fn note(&mut self, deviations: impl Iterator<Item = f64>) -> bool {
+    pub(in crate::solve) fn note(&mut self, deviations: impl Iterator<Item = f64>) -> bool {
         let mut are_allowed = true;
         for (way, deviation) in self.ways.iter_mut().zip(deviations) {
             let found = (way.part, deviation);
@@ -63,7 +63,7 @@ impl Ways {
     }
 
     /// Goes on between what was short enough and what was too long. Tells whether that is worth a trial.
-    pub(super) fn narrow(&mut self) -> bool {
+    pub(in crate::solve) fn narrow(&mut self) -> bool {
         let mut is_worth = false;
         for way in &mut self.ways {
             let Some(bad) = way.bad else { continue };
@@ -77,7 +77,7 @@ impl Ways {
     }
 
     /// Stays with the tangent-continuous surface along these loops. Tells whether there is a way left along others.
-    pub(super) fn leave(&mut self, loops: &[usize]) -> bool {
+    pub(in crate::solve) fn leave(&mut self, loops: &[usize]) -> bool {
         for &k in loops {
             let way = &mut self.ways[k];
             (way.part, way.bad) = (0.0, None);
@@ -86,7 +86,7 @@ impl Ways {
     }
 
     /// Goes less of the way along all loops. Tells whether there is a way left.
-    pub(super) fn shorten(&mut self) -> bool {
+    pub(in crate::solve) fn shorten(&mut self) -> bool {
         for way in &mut self.ways {
             let below = SHORTER.into_iter().find(|shorter| *shorter < way.part);
             way.part = below.unwrap_or(0.0);
@@ -102,7 +102,7 @@ mod tests {
     /// Where deviations grow with the part, convexly.
     fn reached(asked: f64) -> f64 {
         let deviation = |part: f64| 3.0 + part + part * part;
-        let mut ways = Ways::new([(asked, 3.0)].into_iter(), 3.5);
+        let mut ways = BlendSearch::new([(asked, 3.0)].into_iter(), 3.5);
         let mut best = 0.0;
         for _ in 0..6 {
             let part = ways.parts()[0];
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn parts_grow_shorter_by_rule() {
-        let mut ways = Ways::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
+        let mut ways = BlendSearch::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
         assert!(ways.shorten());
         assert_eq!(ways.parts(), [0.5, 0.25]);
         assert!(ways.shorten() && ways.shorten());
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn loops_are_left() {
-        let mut ways = Ways::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
+        let mut ways = BlendSearch::new([(1.0, 1.0), (0.3, 1.0)].into_iter(), 2.0);
         assert!(ways.leave(&[0]));
         assert_eq!(ways.parts(), [0.0, 0.3]);
         assert!(!ways.leave(&[1]));
@@ -149,7 +149,7 @@ mod tests {
     /// Only the loop whose normals are missed stays behind.
     #[test]
     fn a_loop_stays_behind_alone() {
-        let mut ways = Ways::new([(1.0, 1.0), (1.0, 1.0)].into_iter(), 2.0);
+        let mut ways = BlendSearch::new([(1.0, 1.0), (1.0, 1.0)].into_iter(), 2.0);
         assert!(!ways.note([1.5, 3.0].into_iter()));
         assert!(ways.narrow());
         let parts = ways.parts();

@@ -12,7 +12,7 @@ const SMALLEST: f64 = 1e-3;
 pub(super) const PREPARED: f64 = 0.08;
 
 /// What is told of all components.
-pub(super) struct Shares<'a> {
+pub(super) struct ComponentWeights<'a> {
     callback: Option<&'a mut Callback<'a>>,
     interrupt: Interrupt,
     /// The fraction at which the first component began.
@@ -26,7 +26,7 @@ pub(super) struct Shares<'a> {
     is_stopped: bool,
 }
 
-impl<'a> Shares<'a> {
+impl<'a> ComponentWeights<'a> {
     /// Of components with so many free vertices, of which such a fraction is done, in a run that has come as far as `begun`.
     pub(super) fn new(
         callback: Option<&'a mut Callback<'a>>,

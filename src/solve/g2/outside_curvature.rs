@@ -3,7 +3,6 @@
 //! Fits to positions are right to third order; traces of the curvatures of vertices err as those of the equation inside do, in the mean.
 //! The most certain one is taken, and both together tell how far it can be relied on.
 
-use super::domain::Domain;
 use crate::discrete::boundary_samples::BoundarySamples;
 use crate::discrete::loop_modes::LoopModes;
 use crate::discrete::mesh_curvature::closed_ring_curvature;
@@ -11,10 +10,11 @@ use crate::discrete::one_sided_curvature::OneSided;
 use crate::discrete::trace::{Reach, Trace};
 use crate::mesh::OutsideNeighbours;
 use crate::mesh::outside_neighbours::outside_triangles;
+use crate::solve::domain::Domain;
 use nalgebra::Vector3;
 
 /// As many fits as this part of a loop has to have, to be compared with others.
-pub(super) const MOST_FITS: f64 = 0.9;
+pub(in crate::solve) const MOST_FITS: f64 = 0.9;
 
 /// A difference of more than so many times the median is an outlier.
 const DISPUTED: f64 = 6.0;
@@ -26,7 +26,7 @@ type Fitted = Vec<Option<[f64; 2]>>;
 
 /// What is known of `H` outside a loop.
 #[derive(Debug)]
-pub(super) struct Surroundings {
+pub(in crate::solve) struct OutsideCurvature {
     /// `H`, where anything is known.
     pub h: Vec<Option<f64>>,
     /// Its noise; none where it is given.
@@ -39,16 +39,16 @@ pub(super) struct Surroundings {
     pub is_given: Vec<bool>,
 }
 
-impl Surroundings {
+impl OutsideCurvature {
     /// Wide samples are the most certain ones where there is noise; on smooth meshes narrow ones are.
-    pub(super) fn is_noisy(&self) -> bool {
+    pub(in crate::solve) fn is_noisy(&self) -> bool {
         self.noise.rings >= self.trace_noise.rings
     }
 }
 
 /// The noise of fits along a loop.
 #[derive(Debug, Default)]
-pub(super) struct Noise {
+pub(in crate::solve) struct Noise {
     /// Standard error at each vertex.
     pub error: Vec<f64>,
     /// How many edges the samples reach.
@@ -58,14 +58,14 @@ pub(super) struct Noise {
 impl Noise {
     /// The variance that this means for one wave along the loop. Neighbours share most of their samples: noise is in waves longer than
     /// these reach.
-    pub(super) fn of_a_wave(&self, modes: &LoopModes) -> f64 {
+    pub(in crate::solve) fn of_a_wave(&self, modes: &LoopModes) -> f64 {
         let shared = (2.0 * self.rings as f64 / self.error.len() as f64).min(1.0);
         shared * modes.product(&self.error, &self.error)
     }
 }
 
 /// The surface outside.
-pub(super) struct Outside<'d> {
+pub(in crate::solve) struct Outside<'d> {
     pub domain: &'d Domain,
     neighbours: OutsideNeighbours,
     /// Mean curvatures; not a number where there is no closed ring.
@@ -74,7 +74,7 @@ pub(super) struct Outside<'d> {
 
 impl<'d> Outside<'d> {
     /// Of a region.
-    pub(super) fn new(domain: &'d Domain) -> Self {
+    pub(in crate::solve) fn new(domain: &'d Domain) -> Self {
         let positions: Vec<[f64; 3]> = domain.input.iter().map(|p| (*p).into()).collect();
         Self {
             domain,
@@ -84,12 +84,12 @@ impl<'d> Outside<'d> {
     }
 
     /// Of all fits along a loop the most certain one; `None` where neither is anything known nor given.
-    pub(super) fn along(
+    pub(in crate::solve) fn along(
         &self,
         vertices: &[u32],
         normals: &[Vector3<f64>],
         given: impl Fn(u32) -> Option<f64>,
-    ) -> Option<Surroundings> {
+    ) -> Option<OutsideCurvature> {
         let of_kind = |kind: OneSided| Estimate::new(kind.rings(), self.fitted(vertices, normals, kind));
         let fits = OneSided::ALL.into_iter().filter_map(of_kind);
         let mut fit = fits.min_by(Estimate::more_certain);
@@ -118,7 +118,7 @@ impl<'d> Outside<'d> {
             at: vec![None; vertices.len()],
         });
         bridge_gaps(&mut best.at);
-        let mut this = Surroundings {
+        let mut this = OutsideCurvature {
             h: best.at.iter().map(|h| h.map(|h| h[0])).collect(),
             noise: Noise {
                 error: best.at.iter().map(|h| h.map_or(0.0, |h| h[1])).collect(),

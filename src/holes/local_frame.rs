@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use super::patch::Patch;
-use super::surroundings::Surroundings;
 use crate::fairing::{
     BoundaryCurvature, BoundaryNormals, Coincident, CurvatureContinuity, Intersections, Options,
     OutputPrecision, Report, Target,
 };
+use crate::holes::patch::Patch;
+use crate::holes::surroundings::Surroundings;
 use crate::quality::Quality;
 
 /// At most so many iterations for the fine patch, those after it was mended included. Of 227 fair patches on public meshes half

@@ -1,16 +1,16 @@
 //! Gaps that meet in a point of which each side has a vertex of its own: so meshes are written whose vertices have to be manifold.
 
-use super::links::{BOUNDARY, Links};
+use crate::holes::links::{BOUNDARY, Links};
 use crate::mesh::coincident::Coincident;
 use crate::mesh::halfedge::next;
 use crate::mesh::places::places;
 
 /// The half-edges of a loop, and the bad edge that it met.
-pub(super) type Run = (Vec<u32>, Option<u32>);
+pub(super) type HalfEdgeLoop = (Vec<u32>, Option<u32>);
 
 /// Which vertices of the boundary lie at the same place.
 #[derive(Default)]
-pub(super) struct Places {
+pub(super) struct BoundaryPlaces {
     /// Ascending.
     vertices: Vec<u32>,
     /// Per vertex which of these is the first at its place; none where each has a place of its own.
@@ -19,7 +19,7 @@ pub(super) struct Places {
     pinches: Vec<u32>,
 }
 
-impl Places {
+impl BoundaryPlaces {
     /// Whether any vertices have a place in common.
     pub(super) fn has_any(&self) -> bool {
         self.first.is_some()
@@ -39,15 +39,20 @@ impl Places {
 
 impl Links<'_> {
     /// Which of the runs' vertices lie at the same place.
-    pub(super) fn places(&self, found: &[Run], positions: &[[f64; 3]], coincident: Coincident) -> Places {
+    pub(super) fn places(
+        &self,
+        found: &[HalfEdgeLoop],
+        positions: &[[f64; 3]],
+        coincident: Coincident,
+    ) -> BoundaryPlaces {
         let Some(within) = coincident.within() else {
-            return Places::default();
+            return BoundaryPlaces::default();
         };
         let on_runs = found.iter().flat_map(|(run, _)| run);
         let mut vertices: Vec<u32> = on_runs.map(|&h| self.origin(next(h))).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        Places {
+        BoundaryPlaces {
             first: places(positions, &vertices, within),
             vertices,
             pinches: Vec::new(),
@@ -56,7 +61,12 @@ impl Links<'_> {
 
     /// The simple loops of one that passes a place twice, by copies of a vertex that are not joined: gaps that meet there in a point.
     /// `last` is scratch.
-    pub(super) fn parted(&self, run: Vec<u32>, places: &mut Places, last: &mut [u32]) -> Vec<Vec<u32>> {
+    pub(super) fn parted(
+        &self,
+        run: Vec<u32>,
+        places: &mut BoundaryPlaces,
+        last: &mut [u32],
+    ) -> Vec<Vec<u32>> {
         let (mut found, mut rest) = (Vec::new(), Vec::<u32>::new());
         let mut pinches = Vec::new();
         let place = |&g: &u32| places.of(self.origin(next(g))) as usize;

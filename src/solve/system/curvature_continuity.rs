@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::System;
 use crate::discrete::equations::Equations;
-use crate::solve::boundary_curvature::{AskedContinuity, LoopCondition};
-use crate::solve::continuity::Continuity;
 use crate::solve::factor::Collapsed;
 use crate::solve::formulation::Formulation;
+use crate::solve::g2::boundary_curvature::{AskedContinuity, LoopCondition};
+use crate::solve::g2::equations::Continuity;
+use crate::solve::system::System;
 
 impl System {
     /// The continuity of curvature that is asked for.

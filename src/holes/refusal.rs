@@ -1,15 +1,15 @@
 //! What speaks against filling some loops, known before the work.
 
-use super::groups::Group;
-use super::loops::{BoundaryLoop, LoopKind};
-use super::options::{FillOptions, Loops};
-use super::outcome::OpenReason;
+use crate::holes::groups::LoopGroup;
+use crate::holes::loops::{BoundaryLoop, LoopKind};
+use crate::holes::options::{FillOptions, Loops};
+use crate::holes::outcome::OpenReason;
 
 /// What speaks against filling some loops, known before the work. `asked` is per loop.
 pub(super) fn objection(
     options: &FillOptions,
     asked: &[bool],
-    group: &Group,
+    group: &LoopGroup,
     (loops, positions): (&[&BoundaryLoop], &[[f64; 3]]),
 ) -> Option<OpenReason> {
     let bad = loops.iter().find_map(|boundary| match boundary.kind {

@@ -4,10 +4,10 @@ use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 use rstar::RTree;
 
-use crate::error::Error;
 use crate::fairing::Workers;
 use crate::holes::{Placed, nearest_on};
 use crate::mesh::input;
+use crate::support::error::Error;
 
 /// The largest distance is found to this part of itself.
 const TOLERANCE: f64 = 0.01;
@@ -63,7 +63,7 @@ type Foot = (f64, u32);
 
 /// A piece of a triangle, with what is nearest to its corners.
 #[derive(Clone, Copy)]
-struct Piece {
+struct TriangleSample {
     x: [Vector3<f64>; 3],
     feet: [Foot; 3],
 }
@@ -110,9 +110,9 @@ impl DistanceTo {
         for &v in triangles.as_flattened() {
             found.see(feet[v as usize].0, positions[v as usize]);
         }
-        let pieces: Vec<Piece> = triangles
+        let pieces: Vec<TriangleSample> = triangles
             .iter()
-            .map(|t| Piece {
+            .map(|t| TriangleSample {
                 x: t.map(|v| positions[v as usize].into()),
                 feet: t.map(|v| feet[v as usize]),
             })
@@ -132,7 +132,7 @@ impl DistanceTo {
     }
 
     /// Means over the area, by the midpoint rule on equal parts of every triangle.
-    fn average(&self, pieces: &[Piece], found: &mut SurfaceDistance) {
+    fn average(&self, pieces: &[TriangleSample], found: &mut SurfaceDistance) {
         let cell = (SPACING * diagonal(pieces)).powi(2);
         let sums = parallel::map_each(pieces.len(), PIECES, |k| {
             let piece = &pieces[k];
@@ -160,7 +160,7 @@ impl DistanceTo {
     }
 
     /// Divides the pieces that may hold a larger distance, until none does, or it takes too long.
-    fn search(&self, pieces: Vec<Piece>, found: &mut SurfaceDistance) {
+    fn search(&self, pieces: Vec<TriangleSample>, found: &mut SurfaceDistance) {
         let least = 1e-12 * diagonal(&pieces);
         let mut open = pieces;
         let mut points = 0;
@@ -184,7 +184,7 @@ impl DistanceTo {
     }
 
     /// No point of the piece is farther away than this; no sharper than whether that is `enough`.
-    fn bound(&self, piece: &Piece, enough: f64) -> f64 {
+    fn bound(&self, piece: &TriangleSample, enough: f64) -> f64 {
         let farthest = piece.feet.iter().fold(0.0f64, |most, foot| most.max(foot.0));
         let mut bound = farthest + TO_CORNER * piece.longest().1;
         for (_, t) in piece.feet {
@@ -202,12 +202,12 @@ impl DistanceTo {
     }
 
     /// The piece divided at the middle of its longest edge, which is corner 1 of the first half.
-    fn halves(&self, piece: &Piece) -> [Piece; 2] {
+    fn halves(&self, piece: &TriangleSample) -> [TriangleSample; 2] {
         let (k, _) = piece.longest();
         let [a, b, c] = [k, (k + 1) % 3, (k + 2) % 3];
         let middle = (piece.x[a] + piece.x[b]) * 0.5;
         let foot = self.foot(&middle);
-        let part = |first: (Vector3<f64>, Foot), second: (Vector3<f64>, Foot)| Piece {
+        let part = |first: (Vector3<f64>, Foot), second: (Vector3<f64>, Foot)| TriangleSample {
             x: [first.0, second.0, piece.x[c]],
             feet: [first.1, second.1, piece.feet[c]],
         };
@@ -224,7 +224,7 @@ impl SurfaceDistance {
     }
 }
 
-impl Piece {
+impl TriangleSample {
     fn area(&self) -> f64 {
         0.5 * (self.x[1] - self.x[0]).cross(&(self.x[2] - self.x[0])).norm()
     }
@@ -257,7 +257,7 @@ impl Piece {
 }
 
 /// That of the bounding box; at least the least number that has a square.
-fn diagonal(pieces: &[Piece]) -> f64 {
+fn diagonal(pieces: &[TriangleSample]) -> f64 {
     let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
     for p in pieces.iter().flat_map(|piece| &piece.x) {
         (low, high) = (low.inf(p), high.sup(p));

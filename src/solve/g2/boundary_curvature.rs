@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::curvature_trust::Trusted;
-use super::domain::Domain;
-use super::surroundings::{MOST_FITS, Outside};
 use crate::discrete::boundary_samples::BoundarySamples;
 use crate::discrete::loop_modes::LoopModes;
 use crate::discrete::trace::{Reach, Trace};
 use crate::mesh::boundary_loops::boundary_loops;
+use crate::solve::domain::Domain;
+use crate::solve::g2::outside_curvature::{MOST_FITS, Outside};
+use crate::solve::g2::shrinkage::Trusted;
 
 /// The most modes of a loop.
 const MOST_MODES: usize = 32;
@@ -39,7 +39,7 @@ pub(crate) struct AskedContinuity {
 
 impl AskedContinuity {
     /// What is asked of the loop of these boundary vertices. Of several numbers for it the last one holds.
-    pub(super) fn of_loop(&self, vertices: &[u32]) -> f64 {
+    pub(in crate::solve) fn of_loop(&self, vertices: &[u32]) -> f64 {
         let own = vertices
             .iter()
             .filter_map(|&b| self.of_loops.get(b as usize).copied().flatten());
@@ -73,7 +73,7 @@ pub(crate) struct LoopCondition {
 
 impl LoopCondition {
     /// Takes a part of the way from the tangent-continuous surface to the surroundings.
-    pub(super) fn aim(&mut self, part: f64) {
+    pub(in crate::solve) fn aim(&mut self, part: f64) {
         for (k, target) in self.target.iter_mut().enumerate() {
             *target = self.before[k] + part * self.trusted.change[k];
         }
@@ -81,7 +81,7 @@ impl LoopCondition {
 
     /// The free vertices around vertex `k` of the loop, and with which weights values there make the one that they tend to at it; where
     /// there are too few around, its own.
-    pub(super) fn trace(
+    pub(in crate::solve) fn trace(
         &self,
         k: usize,
         free: usize,
@@ -93,14 +93,14 @@ impl LoopCondition {
     }
 
     /// Boundary vertices with the value of a mode there.
-    pub(super) fn mode(&self, m: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub(in crate::solve) fn mode(&self, m: usize) -> impl Iterator<Item = (usize, f64)> {
         let values = self.vertices.iter().zip(&self.modes.modes[m]);
         let owned = values.zip(&self.owns).filter(|(_, owns)| **owns);
         owned.map(|((&b, value), _)| (b as usize, *value))
     }
 
     /// `H` of the surface along the loop.
-    pub(super) fn curvature_inside(
+    pub(in crate::solve) fn curvature_inside(
         &self,
         free: usize,
         (x, h): (&[Vector3<f64>], &[f64]),
@@ -114,7 +114,7 @@ impl LoopCondition {
     }
 
     /// The jump between the surface's `H` along the loop and that of the surroundings, root mean square and largest.
-    pub(super) fn jump(&self, inside: &[f64]) -> [f64; 2] {
+    pub(in crate::solve) fn jump(&self, inside: &[f64]) -> [f64; 2] {
         let pairs = inside.iter().zip(&self.surroundings).zip(&self.has_surroundings);
         let jumps: Vec<f64> = pairs
             .map(|((h, outside), is_there)| if *is_there { h - outside } else { 0.0 })
@@ -165,7 +165,7 @@ fn steady_rings(
 }
 
 /// The conditions along all loops of the tangent-continuous surface `x` with mean curvatures `h` where there is something to continue.
-pub(super) fn loop_conditions(
+pub(in crate::solve) fn loop_conditions(
     domain: &Arc<Domain>,
     normals: &[Vector3<f64>],
     surface: (&[Vector3<f64>], &[f64]),

@@ -1,9 +1,9 @@
-//! What `relay.rs` offers, where there are no threads (WebAssembly): the work runs on the caller's thread, and calls the
+//! What `workers.rs` offers, where there are no threads (WebAssembly): the work runs on the caller's thread, and calls the
 //! progress callback from within.
 
-use super::report::{Progress, ProgressCallback};
-use crate::error::Error;
+use crate::fairing::report::{Progress, ProgressCallback};
 use crate::solve::control::{Callback, Interrupt};
+use crate::support::error::Error;
 
 /// Runs `work`, which is handed what calls `callback`, and what is set when the callback stops the run. Between two phases
 /// nothing can be told.

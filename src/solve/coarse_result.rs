@@ -6,7 +6,7 @@ use super::result::SolveStatus;
 
 /// What the coarse mesh has led to.
 #[derive(Debug)]
-pub(super) enum Search {
+pub(super) enum CoarseResult {
     /// There is none.
     NoCoarseMesh,
     /// A surface.

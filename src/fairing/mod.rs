@@ -2,6 +2,7 @@
 
 mod boundary_curvature;
 mod component_solution;
+mod component_weights;
 mod conclusion;
 mod continuity;
 mod edit;
@@ -10,29 +11,29 @@ mod normalization;
 mod normals;
 mod options;
 mod prepared;
-#[cfg_attr(target_family = "wasm", path = "fairing/relay_alone.rs")]
-mod relay;
 mod report;
 mod session;
-mod shares;
 mod whole_intersections;
 mod whole_solution;
+#[cfg_attr(target_family = "wasm", path = "single_thread.rs")]
+mod workers;
 
 use std::ops::ControlFlow;
 
 pub use crate::discrete::target::Target;
-use crate::error::Error;
 use crate::mesh::Joined;
 pub use crate::mesh::coincident::Coincident;
 pub use crate::mesh::selection::Selection;
 use crate::paper::{self, PaperResult};
-use crate::profile;
 use crate::solve::control::Callback;
 pub(crate) use crate::solve::control::Interrupt;
 use crate::solve::{Control, Ladder};
-use crate::stopwatch::Stopwatch;
+use crate::support::error::Error;
+use crate::support::profile;
+use crate::support::stopwatch::Stopwatch;
 pub use boundary_curvature::BoundaryCurvature;
 use component_solution::ComponentSolution;
+use component_weights::{ComponentWeights, PREPARED};
 use conclusion::Found;
 pub use continuity::CurvatureContinuity;
 pub(crate) use continuity::check_loops;
@@ -41,15 +42,14 @@ pub(crate) use joined::{in_given, joined_options};
 pub use normals::{BoundaryNormals, InteriorNormals};
 pub use options::{Discretization, InnerFairness, Intersections, Options, OutputPrecision, Solver};
 use prepared::Prepared;
-pub(crate) use relay::Workers;
-use relay::relay;
 pub use report::{
     Attempt, AttemptEnd, ComponentReport, LooseReason, Outcome, Progress, ProgressCallback, Report, Seconds,
     SelfIntersections, Solution,
 };
 pub use session::Session;
-use shares::{PREPARED, Shares};
 use whole_solution::whole;
+pub(crate) use workers::Workers;
+use workers::relay;
 
 /// Moves the free vertices of a triangle mesh until the surface solves `Delta_B H = 0` (paper (12)), or what
 /// [`Options::target`] asks, between the fixed vertices, with tangent continuity there.
@@ -224,7 +224,7 @@ fn run<'a>(
     )?;
     let setup = clock.seconds();
     let undone = components.iter().map(|prepared| (prepared.free(), 0.0));
-    let mut shares = Shares::new(progress, interrupt, PREPARED, undone);
+    let mut shares = ComponentWeights::new(progress, interrupt, PREPARED, undone);
     let mut solutions = Vec::with_capacity(components.len());
     for prepared in components {
         solutions.push(component(&prepared, options, &mut shares, interrupt)?);
@@ -238,7 +238,7 @@ fn run<'a>(
 fn component(
     prepared: &Prepared,
     options: &Options,
-    shares: &mut Shares<'_>,
+    shares: &mut ComponentWeights<'_>,
     interrupt: &Interrupt,
 ) -> Result<ComponentSolution, Error> {
     let clock = Stopwatch::start();

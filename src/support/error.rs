@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::table::table;
+use crate::support::table::table;
 
 /// Squares of lengths have to fit a double: at most 12 times the square of this.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e153;

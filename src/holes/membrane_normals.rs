@@ -4,11 +4,11 @@
 
 use nalgebra::Vector3;
 
-use super::creases::normals;
-use super::patch::Patch;
-use super::piece::{Piece, Task};
 use crate::discrete::boundary_normals::slerp;
 use crate::fairing::{BoundaryNormals, LooseReason, Options, Outcome, Progress, ProgressCallback};
+use crate::holes::creases::normals;
+use crate::holes::patch::Patch;
+use crate::holes::patch_surface::{PatchSurface, Task};
 
 /// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
 const PARTS: [f64; 2] = [0.5, 0.0];
@@ -18,7 +18,7 @@ const ITERATIONS: usize = 24;
 const SWEEPS: usize = 60;
 
 /// The membrane, and the normals between which the patch's lie.
-struct Gentle<'c> {
+struct MembraneNormals<'c> {
     coarse: &'c Patch,
     patch: Patch,
     coarsened: bool,
@@ -33,9 +33,9 @@ impl Task<'_> {
     pub(super) fn gentler(
         &self,
         coarse: &Patch,
-        judge: &impl Fn(Piece) -> Piece,
+        judge: &impl Fn(PatchSurface) -> PatchSurface,
         tell: &mut ProgressCallback<'_>,
-    ) -> Option<Piece> {
+    ) -> Option<PatchSurface> {
         if !self.fair {
             return None;
         }
@@ -47,7 +47,7 @@ impl Task<'_> {
     }
 
     /// None where nothing can move.
-    fn gentle<'c>(&self, coarse: &'c Patch) -> Option<Gentle<'c>> {
+    fn gentle<'c>(&self, coarse: &'c Patch) -> Option<MembraneNormals<'c>> {
         let mut patch = coarse.clone();
         let coarsened = !self.refine(&mut patch);
         if patch.x.len() == patch.fixed {
@@ -60,7 +60,7 @@ impl Task<'_> {
         // Where one of them has none, the other one serves for both.
         let both = |(mesh, own): (Option<_>, Option<_>)| Some((mesh.or(own)?, own.or(mesh)?));
         let (mesh, own) = mesh.into_iter().zip(own).map(both).collect::<Option<_>>()?;
-        Some(Gentle {
+        Some(MembraneNormals {
             coarse,
             patch,
             coarsened,
@@ -70,7 +70,12 @@ impl Task<'_> {
     }
 
     /// The patch with so much of the mesh's normals; those that are given hold in any case.
-    fn with_part(&self, gentle: &Gentle<'_>, part: f64, tell: &mut ProgressCallback<'_>) -> Option<Piece> {
+    fn with_part(
+        &self,
+        gentle: &MembraneNormals<'_>,
+        part: f64,
+        tell: &mut ProgressCallback<'_>,
+    ) -> Option<PatchSurface> {
         let given = self.given_normals();
         let normal = |(v, (own, mesh)): (u32, (&Vector3<f64>, &Vector3<f64>))| {
             let given = given.binary_search_by_key(&v, |entry| entry.0).ok();
@@ -97,7 +102,7 @@ impl Task<'_> {
             };
         }
         let piece = self.judge(gentle.coarse, gentle.patch.clone(), solution, gentle.coarsened);
-        Some(Piece {
+        Some(PatchSurface {
             normals_reached: part,
             ..piece
         })

@@ -9,15 +9,15 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Dyn, LU, Vector3};
 
-use super::bilaplacian::Metric;
-use super::boundary_curvature::LoopCondition;
-use super::factor::Collapsed;
-use super::factor::{Factor, Stacks};
-use super::normal_matrix::NormalMatrix;
 use crate::discrete::equations::{Equations, State};
 use crate::discrete::valence_batches::CHUNK;
 use crate::mesh::Rings;
-use crate::profile::clock;
+use crate::solve::bilaplacian::Metric;
+use crate::solve::factor::Collapsed;
+use crate::solve::factor::{Factor, Stacks};
+use crate::solve::g2::boundary_curvature::LoopCondition;
+use crate::solve::normal_matrix::NormalMatrix;
+use crate::support::profile::clock;
 use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
@@ -39,7 +39,7 @@ struct Column {
 /// The further unknowns, with what their steps need.
 pub(crate) struct Continuity {
     /// What holds along the loops.
-    pub(super) loops: Vec<LoopCondition>,
+    pub(in crate::solve) loops: Vec<LoopCondition>,
     /// `Delta_B H` at the vertices of the region.
     phi: Vec<f64>,
     columns: Vec<Column>,
@@ -57,7 +57,7 @@ pub(crate) struct Continuity {
 
 impl Continuity {
     /// No `phi` yet.
-    pub(super) fn new(
+    pub(in crate::solve) fn new(
         loops: Vec<LoopCondition>,
         symbolic: &Arc<Symbolic>,
         (free, boundary): (usize, usize),
@@ -78,17 +78,17 @@ impl Continuity {
     }
 
     /// How many modes there are.
-    pub(super) fn modes(&self) -> usize {
+    pub(in crate::solve) fn modes(&self) -> usize {
         self.coefficients.len()
     }
 
     /// `Delta_B H`, at free, then at boundary vertices.
-    pub(super) fn phi(&self) -> &[f64] {
+    pub(in crate::solve) fn phi(&self) -> &[f64] {
         &self.phi
     }
 
     /// Takes these coefficients, as steps measure them.
-    pub(super) fn set(&mut self, values: &[f64]) {
+    pub(in crate::solve) fn set(&mut self, values: &[f64]) {
         let free = self.residual.len();
         for (m, (column, value)) in self.columns.iter().zip(values).enumerate() {
             let value = if column.unit > 0.0 {
@@ -117,7 +117,12 @@ impl Continuity {
     }
 
     /// After an evaluation at `x`: `phi` becomes harmonic on that surface, and takes its part in `R1`.
-    pub(super) fn evaluate(&mut self, equations: &Equations<'_>, x: &[Vector3<f64>], state: &mut State) {
+    pub(in crate::solve) fn evaluate(
+        &mut self,
+        equations: &Equations<'_>,
+        x: &[Vector3<f64>],
+        state: &mut State,
+    ) {
         let _clock = clock("curvature continuity");
         if self.coefficients.iter().any(|c| *c != 0.0) {
             equations.laplacian(state, &self.phi, &mut self.residual);
@@ -142,7 +147,7 @@ impl Continuity {
     }
 
     /// Makes the matrices of the steps at the last evaluation, with the `P` that is there.
-    pub(super) fn prepare(
+    pub(in crate::solve) fn prepare(
         &mut self,
         equations: &Equations<'_>,
         (state, metric): (&State, &Metric),
@@ -232,7 +237,12 @@ impl Continuity {
     }
 
     /// Adds to the normal step what closes the mismatch, and writes the step of the coefficients.
-    pub(super) fn correct(&self, (metric, rings): (&Metric, &Rings), t: &mut [[f64; 1]], steps: &mut [f64]) {
+    pub(in crate::solve) fn correct(
+        &self,
+        (metric, rings): (&Metric, &Rings),
+        t: &mut [[f64; 1]],
+        steps: &mut [f64],
+    ) {
         let _clock = clock("curvature continuity");
         let plain: Vec<f64> = t.iter().map(|t| t[0]).collect();
         let answered = self.answer_to(metric, rings, &plain);

@@ -5,21 +5,21 @@
 
 use nalgebra::Vector3;
 
-use super::joint;
-use super::outcome::{FillOutcome, FlatReason, OpenReason};
-use super::owned::Owned;
-use super::parents::{Parents, parents};
-use super::patch::Patch;
-use super::refine::{Fineness, Refiner};
-use super::rounding::Rounded;
-use super::surroundings::{Surroundings, bounds};
-use super::triangulate::{Barred, Measure};
-use super::units::{first_of_loops, in_units};
-use crate::error::Error;
 use crate::fairing::{
     BoundaryNormals, Interrupt, Options, Outcome, OutputPrecision, Progress, ProgressCallback, Report,
     Selection, Solution, fair_within,
 };
+use crate::holes::joint;
+use crate::holes::local_frame::{first_of_loops, in_units};
+use crate::holes::outcome::{FillOutcome, FlatReason, OpenReason};
+use crate::holes::parents::{Parents, parents};
+use crate::holes::patch::Patch;
+use crate::holes::refine::{Fineness, Refiner};
+use crate::holes::rounding::Rounded;
+use crate::holes::surroundings::{Surroundings, bounds};
+use crate::holes::triangle_owner::Owned;
+use crate::holes::triangulate::{Barred, Measure};
+use crate::support::error::Error;
 
 /// The fraction at which the coarse patch is faired, and the one at which it is refined: shares of the time, measured.
 pub(super) const COARSE_SHARE: f64 = 0.1;
@@ -50,7 +50,7 @@ pub(super) fn is_failed(report: &Report) -> bool {
 }
 
 /// A filled loop, or several joined, in numbers of its own: the boundary's vertices, then the new ones.
-pub(super) struct Piece {
+pub(super) struct PatchSurface {
     pub(super) outcome: FillOutcome,
     /// The mesh's numbers of the boundary's vertices.
     pub(super) boundary: Vec<u32>,
@@ -66,13 +66,13 @@ pub(super) struct Piece {
     /// New vertices (from 0) that the loop's box does not hold.
     pub(super) outside: Vec<u32>,
     pub(super) coarsened: bool,
-    /// See [`LoopReport::normals_reached`](super::LoopReport::normals_reached).
+    /// See [`LoopReport::normals_reached`](crate::holes::LoopReport::normals_reached).
     pub(super) normals_reached: f64,
     /// Pairs of triangles that intersect, one of each the piece's own.
     pub(super) crossings: Vec<[Owned; 2]>,
 }
 
-impl Piece {
+impl PatchSurface {
     pub(super) fn open(reason: OpenReason) -> Self {
         Self {
             outcome: FillOutcome::LeftOpen(reason),
@@ -147,7 +147,7 @@ pub(super) struct Task<'a> {
     pub(super) factor: f64,
     pub(super) most: usize,
     pub(super) fair: bool,
-    /// As [`local_options`](super::units::local_options) gives them.
+    /// As [`local_options`](crate::holes::local_frame::local_options) gives them.
     pub(super) options: Options,
     /// What the mesh will be written in.
     pub(super) precision: OutputPrecision,
@@ -166,7 +166,7 @@ fn is_stopped(tell: &mut ProgressCallback<'_>, fraction: f64) -> bool {
 }
 
 impl Task<'_> {
-    pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> Piece {
+    pub(super) fn run(&self, tell: &mut ProgressCallback<'_>) -> PatchSurface {
         let first = self.run_on(false, tell);
         let is_over = matches!(first.outcome, FillOutcome::LeftOpen(OpenReason::Cancelled));
         if !self.is_joint() || !self.fair || is_over || first.is_clean() {
@@ -181,9 +181,9 @@ impl Task<'_> {
     }
 
     /// On the first triangulation, or the other one.
-    fn run_on(&self, is_other: bool, tell: &mut ProgressCallback<'_>) -> Piece {
+    fn run_on(&self, is_other: bool, tell: &mut ProgressCallback<'_>) -> PatchSurface {
         let Some(coarse) = self.triangulate(is_other, None) else {
-            return Piece::open(OpenReason::NoTriangulation);
+            return PatchSurface::open(OpenReason::NoTriangulation);
         };
         let mut patch = coarse.clone();
         if !self.fair {
@@ -192,14 +192,14 @@ impl Task<'_> {
             return self.piece(&coarse, patch, FillOutcome::Flat { reason }, None, coarsened);
         }
         if is_stopped(tell, 0.0) {
-            return Piece::open(OpenReason::Cancelled);
+            return PatchSurface::open(OpenReason::Cancelled);
         }
         match self.is_joint() {
             true => self.shape_joint(&mut patch, tell),
             false => self.shape(&mut patch, tell),
         }
         if is_stopped(tell, COARSE_SHARE) {
-            return Piece::open(OpenReason::Cancelled);
+            return PatchSurface::open(OpenReason::Cancelled);
         }
         let coarsened = !self.refine(&mut patch);
         if patch.x.len() == patch.fixed {
@@ -258,7 +258,7 @@ impl Task<'_> {
     }
 
     /// The triangulation, refined, in place of a surface that is not fair; as it is where it is that already.
-    pub(super) fn flattened(&self, piece: Piece) -> Piece {
+    pub(super) fn flattened(&self, piece: PatchSurface) -> PatchSurface {
         if piece.outcome != FillOutcome::Linear {
             return piece;
         }
@@ -277,9 +277,9 @@ impl Task<'_> {
     /// that avoids what it may meet, and of another one; first refined, then without new vertices.
     pub(super) fn other_means<'t>(
         &'t self,
-        first: &Piece,
+        first: &PatchSurface,
         avoiding: Option<&'t Patch>,
-    ) -> impl Iterator<Item = Piece> + use<'t> {
+    ) -> impl Iterator<Item = PatchSurface> + use<'t> {
         let (reason, report) = match &first.outcome {
             FillOutcome::Flat { reason } => (reason.clone(), first.fairing.clone()),
             _ => (FlatReason::Intersecting, None),
@@ -408,7 +408,7 @@ impl Task<'_> {
         mut patch: Patch,
         solution: Solution,
         coarsened: bool,
-    ) -> Piece {
+    ) -> PatchSurface {
         let inner = self.inner(&solution);
         let report = solution.report;
         let is_wild = !self.outside(&inner).is_empty() || !report.quality.flipped.is_empty();
@@ -421,13 +421,13 @@ impl Task<'_> {
     }
 
     /// The triangulation, refined.
-    fn flat(&self, coarse: &Patch, reason: FlatReason, report: Option<Report>) -> Piece {
+    fn flat(&self, coarse: &Patch, reason: FlatReason, report: Option<Report>) -> PatchSurface {
         let mut patch = coarse.clone();
         let coarsened = !self.refine(&mut patch);
         let firsts = first_of_loops(&patch, self.surroundings);
         let told = |report| in_units(self.of_another_patch(report), self.surroundings, &firsts);
         let fairing = report.map(told);
-        Piece {
+        PatchSurface {
             fairing,
             ..self.piece(coarse, patch, FillOutcome::Flat { reason }, None, coarsened)
         }
@@ -448,7 +448,7 @@ impl Task<'_> {
         outcome: FillOutcome,
         fairing: Option<Report>,
         coarsened: bool,
-    ) -> Piece {
+    ) -> PatchSurface {
         let around = self.surroundings;
         let rounded = Rounded::new(&patch, around, self.precision);
         let firsts = first_of_loops(&patch, around);
@@ -457,7 +457,7 @@ impl Task<'_> {
             in_units(report, around, &firsts)
         });
         let written = |p| self.precision.round(around.leave(p));
-        Piece {
+        PatchSurface {
             outcome,
             boundary: around.ids[..around.loop_vertices].to_vec(),
             positions: patch.x[patch.fixed..].iter().map(written).collect(),

@@ -6,8 +6,8 @@
 //! the surface's own curvature is, as the boundary's normals are. Where the doubt is as
 //! large as the mismatch, nothing is left of it: what noise there is would be taken for a jump.
 
-use super::surroundings::Surroundings;
 use crate::discrete::loop_modes::LoopModes;
+use crate::solve::g2::outside_curvature::OutsideCurvature;
 
 /// Where the surface's own curvature varies from vertex to vertex so many times as much, in squares, as in the mean of the loop, its
 /// boundary normals are wrong.
@@ -31,10 +31,10 @@ pub(crate) struct Trusted {
 impl Trusted {
     /// Of the surface's `H` before and what is wanted in its place; `offset` is how far each vertex lies to the side
     /// of a smooth curve.
-    pub(super) fn new(
+    pub(in crate::solve) fn new(
         modes: &LoopModes,
         [before, wanted, offset]: [&[f64]; 3],
-        fitted: &Surroundings,
+        fitted: &OutsideCurvature,
     ) -> Self {
         let mismatch = difference(wanted, before);
         let told = modes.projected(&mismatch);
@@ -80,7 +80,7 @@ fn around_vertices(modes: &LoopModes, told: &[f64], [rough, own]: [&[f64]; 2]) -
 }
 
 /// The energies of what the fit to the surroundings differs from curvatures as the equation has them, without what is noise of the latter.
-fn doubts_of_the_fit(modes: &LoopModes, fitted: &Surroundings) -> Vec<f64> {
+fn doubts_of_the_fit(modes: &LoopModes, fitted: &OutsideCurvature) -> Vec<f64> {
     let of_trace = if fitted.is_noisy() {
         fitted.trace_noise.of_a_wave(modes)
     } else {
@@ -95,7 +95,7 @@ fn doubts_of_the_fit(modes: &LoopModes, fitted: &Surroundings) -> Vec<f64> {
 
 /// The noise of one wave of the mismatch: of the fit, and of the surface's own curvature, of which the modes
 /// cannot tell `own`. Who gives a curvature means it.
-fn noise_of_a_wave(modes: &LoopModes, own: &[f64], fitted: &Surroundings) -> f64 {
+fn noise_of_a_wave(modes: &LoopModes, own: &[f64], fitted: &OutsideCurvature) -> f64 {
     let is_fitted = fitted.is_given.iter().filter(|is_given| !**is_given);
     let of_surface = if fitted.is_noisy() {
         LONG_WAVES * modes.product(own, own) / own.len() as f64
@@ -165,7 +165,7 @@ fn averaged(values: &[f64], around: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::surroundings::Noise;
+    use crate::solve::g2::outside_curvature::Noise;
     use nalgebra::Vector3;
     use std::f64::consts::TAU;
 
@@ -179,8 +179,8 @@ mod tests {
         LoopModes::new(&polygon, 15)
     }
 
-    fn fitted(h: &[f64], error: f64) -> Surroundings {
-        Surroundings {
+    fn fitted(h: &[f64], error: f64) -> OutsideCurvature {
+        OutsideCurvature {
             h: h.iter().map(|h| Some(*h)).collect(),
             noise: Noise {
                 error: vec![error; N],

@@ -122,7 +122,7 @@ macro_rules! choices {
             $(#[doc = $text] $(#[$meta])* $value,)*
         }
 
-        $crate::table::table!($type {
+        $crate::support::table::table!($type {
             $($number $name $type::$value => $text, $remedy;)*
         });
 

@@ -1,9 +1,9 @@
 //! Intersecting triangles of a mesh, as users call it.
 
-use crate::error::Error;
 use crate::fairing::Workers;
 use crate::intersections;
 use crate::mesh::input;
+use crate::support::error::Error;
 
 /// The pairs of triangles that intersect, the smaller number first, ascending. `positions` is #V by 3, `triangles` #T by 3;
 /// with `among`, only pairs with at least one of these triangles, so that a changed part is checked against itself and the

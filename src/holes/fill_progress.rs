@@ -41,13 +41,13 @@ impl Tries {
 }
 
 /// How far a run is.
-pub(super) struct Work {
+pub(super) struct FillProgress {
     density: f64,
     done: f64,
     total: f64,
 }
 
-impl Work {
+impl FillProgress {
     /// Of groups of loops with so many edges each, in a mesh of so many triangles, which have been looked at.
     pub(super) fn new(triangles: usize, density: f64, edges: impl Iterator<Item = usize>) -> Self {
         let done = PER_TRIANGLE * triangles as f64;
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn the_shares_make_the_whole() {
         let edges = [5, 40, 12];
-        let mut work = Work::new(1000, 1.5, edges.into_iter());
+        let mut work = FillProgress::new(1000, 1.5, edges.into_iter());
         let mut last = 0.0;
         for edges in edges {
             let (done, share) = work.share(edges);

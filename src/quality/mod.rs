@@ -6,7 +6,7 @@ use fairmesh_linear::parallel;
 use nalgebra::Vector3;
 
 use crate::discrete::boundary_normals::{angle, average};
-use crate::mesh::{Region, Rings};
+use crate::mesh::{RegionMesh, Rings};
 
 /// An angle below this makes a triangle a needle, in degrees.
 pub(crate) const NEEDLE: f64 = 1.0;
@@ -70,9 +70,9 @@ impl Quality {
 
 /// A surface to be judged: positions of the region's vertices (free, boundary), unit normals and mean curvature there.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Surface<'a> {
+pub(crate) struct SurfaceState<'a> {
     /// Connectivity.
-    pub region: &'a Region,
+    pub region: &'a RegionMesh,
     /// Positions.
     pub x: &'a [Vector3<f64>],
     /// Normals of the surface at free vertices.
@@ -100,7 +100,7 @@ pub(crate) fn smallest_angle(p: &[Vector3<f64>; 3]) -> f64 {
     if smallest.is_finite() { smallest } else { 0.0 }
 }
 
-impl Surface<'_> {
+impl SurfaceState<'_> {
     fn normal(&self, v: u32) -> Vector3<f64> {
         let v = v as usize;
         if v < self.region.free {

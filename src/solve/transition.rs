@@ -2,17 +2,17 @@
 
 use nalgebra::Vector3;
 
-use super::candidate::Candidate;
-use super::control::Control;
-use super::formulation::Formulation;
-use super::iterate_options::IterateOptions;
-use super::quasi_newton::Iteration;
-use super::result::SolveStatus;
-use super::system::System;
+use crate::solve::candidate::Candidate;
+use crate::solve::control::Control;
+use crate::solve::formulation::Formulation;
+use crate::solve::iterate_options::IterateOptions;
+use crate::solve::quasi_newton::Iteration;
+use crate::solve::result::SolveStatus;
+use crate::solve::system::System;
 
 /// How an attempt goes on.
 #[derive(Debug)]
-pub(crate) enum Next {
+pub(crate) enum Transition {
     /// With this iteration.
     Iteration(Box<Iteration>),
     /// It is over, with this surface.
@@ -23,7 +23,7 @@ pub(crate) enum Next {
     Short(SolveStatus),
 }
 
-impl Next {
+impl Transition {
     /// With an iteration from `x`.
     pub(crate) fn iterate(
         system: &System,

@@ -2,16 +2,16 @@
 
 use nalgebra::Vector3;
 
-use super::attempt::DIRECT;
-use super::boundary_curvature::{LoopCondition, loop_conditions};
-use super::candidate::Candidate;
-use super::control::Control;
-use super::formulation::Formulation;
-use super::iterate_options::{IterateOptions, IterationStatus};
-use super::quasi_newton::Iteration;
-use super::result::{LoopContinuity, SolveResult, SolveStatus, Trial};
-use super::system::System;
-use super::ways::Ways;
+use crate::solve::attempt::DIRECT;
+use crate::solve::candidate::Candidate;
+use crate::solve::control::Control;
+use crate::solve::formulation::Formulation;
+use crate::solve::g2::blend_search::BlendSearch;
+use crate::solve::g2::boundary_curvature::{LoopCondition, loop_conditions};
+use crate::solve::iterate_options::{IterateOptions, IterationStatus};
+use crate::solve::quasi_newton::Iteration;
+use crate::solve::result::{LoopContinuity, SolveResult, SolveStatus, Trial};
+use crate::solve::system::System;
 
 /// What to call it in progress reports.
 const PHASE: &str = "curvature continuity";
@@ -41,7 +41,7 @@ pub(crate) struct Continuation {
     formulation: Formulation,
     iteration: Box<Iteration>,
     /// The part of the way that is tried, for each loop, and how many were.
-    ways: Ways,
+    ways: BlendSearch,
     tries: usize,
     /// As far as it went so far.
     best: Option<SolveResult>,
@@ -49,7 +49,7 @@ pub(crate) struct Continuation {
 
 impl Continuation {
     /// From the tangent-continuous result, if curvature is to be continued and can be; else returns that as it is.
-    pub(super) fn new(
+    pub(in crate::solve) fn new(
         tangent: SolveResult,
         formulation: Formulation,
         system: &mut System,
@@ -92,7 +92,7 @@ impl Continuation {
             let along = l.vertices.iter().map(|&b| &deviations[b as usize]);
             (asked.of_loop(&l.vertices), largest(along))
         });
-        let ways = Ways::new(asked, allowed);
+        let ways = BlendSearch::new(asked, allowed);
         system.set_continuity(loops);
         Ok(Self {
             judged,
@@ -108,7 +108,11 @@ impl Continuation {
     }
 
     /// Part after part of the way. `None`: the run is held up.
-    pub(super) fn run(&mut self, system: &mut System, control: &mut Control<'_>) -> Option<SolveResult> {
+    pub(in crate::solve) fn run(
+        &mut self,
+        system: &mut System,
+        control: &mut Control<'_>,
+    ) -> Option<SolveResult> {
         loop {
             let status = self.iteration.run(system, control)?;
             if let Some(result) = self.conclude(status, system, control) {
@@ -120,12 +124,12 @@ impl Continuation {
     }
 
     /// The surface at hand.
-    pub(super) fn x(&self) -> &[Vector3<f64>] {
+    pub(in crate::solve) fn x(&self) -> &[Vector3<f64>] {
         self.iteration.x()
     }
 
     /// Evaluates both equations there.
-    pub(super) fn evaluate_at_hand(&mut self, system: &mut System) {
+    pub(in crate::solve) fn evaluate_at_hand(&mut self, system: &mut System) {
         self.iteration.evaluate_at_hand(system);
     }
 
@@ -239,7 +243,7 @@ const OPTIONS: IterateOptions = IterateOptions {
 
 /// The parts of the way that are due, from the tangent-continuous surface.
 fn along(
-    ways: &Ways,
+    ways: &BlendSearch,
     tangent: &SolveResult,
     formulation: &Formulation,
     system: &mut System,

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use fairmesh_linear::parallel;
 
-use super::report::{Progress, ProgressCallback};
-use crate::error::Error;
+use crate::fairing::report::{Progress, ProgressCallback};
 use crate::solve::control::{Callback, Interrupt};
+use crate::support::error::Error;
 
 /// So often the callback is called where the work has nothing to tell: it may want to stop.
 const TICK: Duration = Duration::from_millis(50);

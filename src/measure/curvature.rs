@@ -1,10 +1,10 @@
 //! Mean curvature of a whole mesh, as users call it.
 
 use crate::discrete::mesh_curvature;
-use crate::error::Error;
 use crate::fairing::Workers;
 use crate::mesh::Joined;
 use crate::mesh::coincident::Coincident;
+use crate::support::error::Error;
 
 /// Mean curvature `(k1 + k2) / 2` at every vertex, in one over the unit of the positions: the gradient-corrected
 /// Moreton-Sequin fit (paper 6.1) that the solver uses at free vertices.

@@ -6,7 +6,7 @@
 
 use nalgebra::Vector3;
 
-use super::loop_set::LoopSet;
+use crate::holes::loop_set::LoopSet;
 
 /// No loop has fewer vertices because of this.
 const LEAST: f64 = 16.0;

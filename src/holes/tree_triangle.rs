@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rstar::{AABB, PointDistance, RTreeObject};
 
-use super::parents::nearest_on;
+use crate::holes::parents::nearest_on;
 
 /// A triangle where it lies.
 pub(crate) struct Placed {

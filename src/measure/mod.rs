@@ -1,0 +1,5 @@
+//! What users ask of a whole mesh: curvature, distance to another surface, intersections.
+
+pub(crate) mod curvature;
+pub(crate) mod distance;
+pub(crate) mod self_intersections;
