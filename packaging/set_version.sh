@@ -42,7 +42,7 @@ replace '^version = ".*"' "version = \"$version\"" bindings/blender/addon/blende
 replace '^(    "version": ).*' "\1($major, $minor, $patch)," bindings/blender/addon/__init__.py
 for part in MAJOR=$major MINOR=$minor PATCH=$patch; do
     replace "(VERSION_${part%=*}( |: u32 = | = ))[0-9]+" "\\1${part#*=}" \
-        include/fairmesh.h src/capi/about.rs bindings/python/src/fairmesh/_abi.py bindings/web/src/abi.ts
+        include/fairmesh.h src/capi/about.rs
 done
 replace '^version: .*' "version: $version" CITATION.cff
 replace 'fairmesh_blender-[0-9.]+\.zip' "fairmesh_blender-$version.zip" \

@@ -20,6 +20,7 @@ addon_zip() {
     mkdir -p "$top/lib/$platform" "$top/fairmesh"
     cp bindings/blender/addon/*.py bindings/blender/addon/LICENSE "$top"
     sed "s/^platforms = .*/platforms = [\"$platform\"]/" bindings/blender/addon/blender_manifest.toml >"$top/blender_manifest.toml"
+    bindings/declarations.sh python
     cp bindings/python/src/fairmesh/*.py LICENSE-MIT LICENSE-APACHE "$top/fairmesh"
     cp "$licences" "$top/lib/THIRD-PARTY.txt"
     cp "$library" "$top/lib/$platform/$file"

@@ -60,6 +60,13 @@ def _pinned(name: str) -> str:
     return str(value)
 
 
+def declare() -> None:
+    """Writes `_abi.py` and `_enums.py` of the Rust sources; a source distribution has them."""
+    if not _is_distribution():
+        command = [cargo(), "run", "--release", "--locked", "--quiet", "-p", "fairmesh-declarations", "--", "python"]
+        subprocess.run([*command, HERE / "src" / "fairmesh"], cwd=ROOT, check=True, stdout=sys.stderr)
+
+
 def build() -> Path:
     """The library for this machine. In the repository the options are the Makefile's, so that cargo builds it once."""
     _check_root()

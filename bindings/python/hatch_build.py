@@ -23,6 +23,7 @@ class LibraryHook(BuildHookInterface):  # type: ignore[type-arg]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Called by hatchling before a build."""
+        build_library.declare()
         if self.target_name == "sdist":
             self._add_sources(build_data)
             return

@@ -51,6 +51,7 @@ environment "$target/python/test" "${packages[@]}"
 environment "$target/python/numpy1" numpy==1.24.2 pytest==9.2.0    # those of Debian 12
 bin=$target/python/test/bin
 
+"$root/bindings/declarations.sh" python
 "$bin/ruff" format --check . ../../site
 "$bin/ruff" check . ../../site
 "$bin/mypy" src

@@ -19,6 +19,7 @@ if ! cmp -s package-lock.json "$tools/installed"; then
 fi
 
 rm -rf "${folder:?}"/*
+"$root/bindings/declarations.sh" web
 "$tools/node_modules/.bin/tsc" -p . --outDir "$folder/dist"
 cp "$module" "$folder/dist/fairmesh.wasm"
 cp README.md "$root/LICENSE-MIT" "$root/LICENSE-APACHE" "$folder"

@@ -1,47 +1,14 @@
 //! `include/fairmesh.h` is what cbindgen makes of `src/capi`.
 
+use fairmesh_declarations::source;
+
 use crate::committed::path;
-
-/// The files that are seen from outside.
-const SOURCES: [&str; 22] = [
-    "numbers",
-    "texts",
-    "status",
-    "types",
-    "records",
-    "hole_records",
-    "callback",
-    "options",
-    "loop_choice",
-    "fill_options",
-    "about",
-    "fair",
-    "edits",
-    "steps",
-    "live",
-    "fill",
-    "refill",
-    "erase",
-    "carry_over",
-    "region",
-    "bridge",
-    "reading",
-];
-
-/// What stands in those files.
-pub(crate) fn items() -> Vec<syn::Item> {
-    let items = |file: &&str| {
-        let text = std::fs::read_to_string(path(&format!("src/capi/{file}.rs"))).unwrap();
-        syn::parse_file(&text).unwrap().items
-    };
-    SOURCES.iter().flat_map(items).collect()
-}
 
 pub(crate) fn generated() -> String {
     let mut builder =
         cbindgen::Builder::new().with_config(cbindgen::Config::from_file(path("cbindgen.toml")).unwrap());
-    for file in SOURCES {
-        builder = builder.with_src(path(&format!("src/capi/{file}.rs")));
+    for file in source::SOURCES {
+        builder = builder.with_src(source::path(file));
     }
     let mut header = Vec::new();
     builder.generate().unwrap().write(&mut header);
@@ -58,8 +25,8 @@ fn generated_header_is_what_the_source_says() {
 fn every_enumeration_is_in_the_header() {
     let header = generated();
     let mut seen = 0;
-    for file in SOURCES {
-        let text = std::fs::read_to_string(path(&format!("src/capi/{file}.rs"))).unwrap();
+    for file in source::SOURCES {
+        let text = std::fs::read_to_string(source::path(file)).unwrap();
         for name in text.lines().filter_map(|line| line.strip_prefix("pub enum ")) {
             let name = name.trim_end_matches([' ', '{']);
             assert!(

@@ -11,6 +11,3 @@ mod header;
 mod numbers;
 #[cfg(unix)]
 mod programs;
-mod python;
-mod tables;
-mod web;

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use crate::tables::{self, Table, sentence};
+use fairmesh_declarations::tables::{self, Table, sentence};
 
 const NUMBERS: &str = "\
 //! The enumerations of the C interface. Made of the library's tables by tests/capi/numbers.rs: do not edit.

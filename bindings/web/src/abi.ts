@@ -1,6 +1,6 @@
 /**
  * The C interface in WebAssembly's memory: numbers of enumerations, places of fields, arguments of functions, and the types of what is read.
- * Made of src/capi by tests/capi/web.rs: do not edit.
+ * Made of src/capi by src/declarations when the package is built.
  */
 
 export const VERSION_MAJOR = 0;

@@ -1,6 +1,6 @@
 """The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
 
-Made of src/capi by tests/capi/python.rs: do not edit.
+Made of src/capi by src/declarations when the package is built.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What the library answers with. Made of the library's tables by tests/capi/python.rs: do not edit."""
+"""What the library answers with. Made of the library's tables by src/declarations when the package is built."""
 
 # ruff: noqa: E501
 from __future__ import annotations

@@ -6,11 +6,11 @@ use fairmesh::{
     OpenReason, Outcome, OutputPrecision, Place, Solver, Target,
 };
 
-#[path = "../../src/capi/statuses.rs"]
+#[path = "../capi/statuses.rs"]
 mod statuses;
 
 /// One enumeration.
-pub(crate) struct Table {
+pub struct Table {
     /// Its name in C.
     pub name: &'static str,
     /// What it says.
@@ -22,7 +22,7 @@ pub(crate) struct Table {
 }
 
 /// Every outcome once, with whatever it tells left empty.
-pub(crate) fn outcomes() -> Vec<Outcome> {
+pub fn outcomes() -> Vec<Outcome> {
     let outcomes = vec![
         Outcome::Converged,
         Outcome::ConvergedPoorTriangles {
@@ -48,7 +48,7 @@ pub(crate) fn outcomes() -> Vec<Outcome> {
 }
 
 /// All of them.
-pub(crate) fn all() -> Vec<Table> {
+pub fn all() -> Vec<Table> {
     let table = |name, doc, parts: &[&[Entry]], has_texts| {
         let mut entries = parts.concat();
         entries.sort_by_key(Entry::number);
@@ -191,7 +191,7 @@ pub(crate) fn all() -> Vec<Table> {
 }
 
 /// A text of a table as a sentence.
-pub(crate) fn sentence(text: &str) -> String {
+pub fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|c| c.to_ascii_uppercase());
     first.into_iter().chain(letters).chain(['.']).collect()

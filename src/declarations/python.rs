@@ -1,4 +1,4 @@
-//! What the Python package repeats of the C interface is made here: `_abi.py` of `src/capi`, `_enums.py` of the tables.
+//! What the Python package repeats of the C interface: `_abi.py` of `src/capi`, `_enums.py` of the tables.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -9,7 +9,7 @@ use crate::tables::{self, sentence};
 
 const ABI_HEAD: &str = r#""""The C interface, declared: every enumeration, struct and function of ``include/fairmesh.h``, under its C name.
 
-Made of src/capi by tests/capi/python.rs: do not edit.
+Made of src/capi by src/declarations when the package is built.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from typing import Any
 NO_ELEMENT = 2**64 - 1
 "#;
 
-const ENUMS_HEAD: &str = r#""""What the library answers with. Made of the library's tables by tests/capi/python.rs: do not edit."""
+const ENUMS_HEAD: &str = r#""""What the library answers with. Made of the library's tables by src/declarations when the package is built."""
 
 # ruff: noqa: E501
 from __future__ import annotations
@@ -41,24 +41,23 @@ from __future__ import annotations
 from ._named import Named, Numbered
 "#;
 
-#[test]
-fn generated_python_declarations_are_those_of_the_source() {
-    let items = crate::header::items();
+/// The text of `_abi.py`.
+pub fn declarations(items: &[Item]) -> String {
     let mut made = ABI_HEAD.to_owned();
-    versions(&mut made, &items);
+    versions(&mut made, items);
     items.iter().for_each(|item| enumeration(&mut made, item));
     let mut known = BTreeSet::new();
     items
         .iter()
-        .for_each(|item| structure(&mut made, item, &items, &mut known));
+        .for_each(|item| structure(&mut made, item, items, &mut known));
     made.push_str("\n\n# A function's name: what it returns, and its parameters. Handles, and arrays in parameters, are plain addresses.\nFUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {\n");
     items.iter().for_each(|item| function(&mut made, item));
     made.push_str("}\n");
-    crate::committed::check("bindings/python/src/fairmesh/_abi.py", &made);
+    made
 }
 
-#[test]
-fn generated_python_enumerations_are_those_of_the_tables() {
+/// The text of `_enums.py`.
+pub fn enumerations() -> String {
     let mut made = ENUMS_HEAD.to_owned();
     for table in tables::all()
         .iter()
@@ -94,7 +93,7 @@ fn generated_python_enumerations_are_those_of_the_tables() {
             successes(&mut made);
         }
     }
-    crate::committed::check("bindings/python/src/fairmesh/_enums.py", &made);
+    made
 }
 
 /// Which outcomes are successes, as `fairmesh::Outcome::is_success` says it.

@@ -1,0 +1,6 @@
+//! What other languages repeat of the C interface, made of `src/capi` and of the library's tables.
+
+pub mod python;
+pub mod source;
+pub mod tables;
+pub mod web;
