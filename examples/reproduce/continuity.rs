@@ -429,18 +429,16 @@ fn noise(tool: &Tool) -> io::Result<String> {
 const HEAD: &str = "# Continuous curvature (G2)\n\nWritten by\n\n```sh\n./reproduce.sh continuity\n```\n\n\
     No number in the tables is typed; `--scan` gives other meshes. ";
 
-const WHAT: &str = r#"By default a faired surface has the tangent planes of its surroundings, and its own mean curvature H: it solves Δ<sub>B</sub>H = 0. Where H of the surroundings is
-another one, its jump shows as an edge in a curvature map, and as kinks in reflection lines. `--continuity g2` (`continuity` in every host, from 0 to 1) takes H of
-the surroundings as one more condition:
+const WHAT: &str = r#"By default a faired surface has the tangent planes of its surroundings, and its own mean curvature H: it solves Δ<sub>B</sub>H = 0. A jump of H to the surroundings
+shows as kinks in reflection lines. `--continuity g2` (`continuity` in every host, from 0 to 1) takes H of the surroundings as one more condition:
 
 Δ<sub>B</sub><sup>2</sup>H = 0, with positions, normals and H = H\* along the boundary.
 
 - **H\*** is fitted to three to eight rings of triangles outside, whichever is most certain along the loop; or given (`--boundary-curvature`: a file with a vertex
   and H in each line).
-- **A number between 0 and 1** goes part of the way from the G1 surface's own H to H\*. `--continuity-at VERTEX=NUMBER` sets it for the loop through a vertex, and
-  may be repeated. `fill` takes these options, too.
-- **`reached`** in the report says for each loop how much of the way was gone, in the mean: what is not certain is left out, wave by wave along the loop and smoothly
-  around rough places. `uncertainty` is the standard error of H\*; `jump_before` and `jump` are the jumps of H without and with it.
+- **A number between 0 and 1** goes part of the way from the G1 surface's own H to H\*. `--continuity-at VERTEX=NUMBER` sets it for the loop through a vertex. `fill`
+  takes these options, too.
+- **`reached`** in the report says for each loop how much of the way was gone, in the mean: what is not certain is left out. `uncertainty` is the standard error of H\*; `jump_before` and `jump` are the jumps of H without and with it.
 
 **When to use it**: for visible surfaces whose surroundings are smooth for some ten edges beyond the boundary: subdivision surfaces, CAD surfaces, smoothed scans. It
 takes 1.5 to 3 times as long as G1.
@@ -450,10 +448,10 @@ the loop, no triangles outside), where the jump is only the discretization's err
 than the G1 one: fold triangles, have a crease, or deviate from the boundary's normals by over half a degree and a tenth more. So coarse meshes get less of the way. Beside
 another component, and along a curve of fixed vertices with normals, only a given curvature is continued.
 
-In the tables only the mesh is given. Errors are distances of the free vertices over the diagonal of what is free. Jumps and deviations are measured from the triangles
-alone: H at the vertices two to four edges from the boundary (`fairmesh::mean_curvature`), extrapolated to it linearly from both sides; the jump is over the root mean
-square of H outside. The deviation is the largest angle, in degrees, between the mean normal of the region's triangles at a boundary vertex and the normal that is
-fitted to its surroundings. Seconds are of one thread: the nonlinear solve, and the one linear solve of the others, which see only the fixed vertices' positions.
+In the tables only the mesh is given. Errors are distances of the free vertices over the diagonal of what is free. Jumps are over the root mean square of H outside; H
+at the vertices two to four edges from the boundary (`fairmesh::mean_curvature`) is extrapolated to it linearly from both sides. The deviation is the largest angle, in
+degrees, between the mean normal of the region's triangles at a boundary vertex and the normal fitted to its surroundings. Seconds are of one thread: the nonlinear
+solve, and the one linear solve of the others, which see only the fixed vertices' positions.
 
 "#;
 
@@ -461,5 +459,5 @@ const TAIL: &str = r#"## What the others do
 
 `igl::harmonic` with k = 3 and CGAL's `fair` with continuity 2 solve Δ³x = 0, coordinate by coordinate, with the Laplacian of the given mesh. That is linear and
 quick, but it knows normals and curvatures only from a few rows of fixed vertices, and with the same boundary another triangulation gives another surface. They
-continue whatever is around, noise included: with rough surroundings their jump may be the smaller one. MeshLib's and Blender's smoothing end at tangent continuity.
+continue noise, too: with rough surroundings their jump may be the smaller one. MeshLib and Blender end at tangent continuity.
 "#;

@@ -137,7 +137,7 @@ const TAIL: &str = r#"## What is not the paper's
 
 - The paper's meshes are not published. Cylinder blend and tetra thing have its numbers of vertices and triangles; radii,
   distances and connectivity are our own. Bust and ear are other scans.
-- The "improved bilaplacian" of Fig. 7 is another paper's scheme and not there.
+- The "improved bilaplacian" of Fig. 7, another paper's scheme, is not there.
 - The linear surfaces are this program's: uniform or cotangent weights, normals as conormal flux through the boundary. The
   paper does not say how normals enter its own.
 "#;
