@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Writes what a package repeats of the C interface beside its sources: declarations.sh python|web. Needs cargo.
+# Writes what is made of the library's tables and schemas, and of src/capi, beside the sources that need it: declarations.sh capi|python|web.
+# Needs cargo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case $1 in
+capi) folder=src/capi ;;
 python) folder=bindings/python/src/fairmesh ;;
 web) folder=bindings/web/src ;;
 esac

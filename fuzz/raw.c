@@ -26,7 +26,7 @@ static fairmesh_status holes(const uint8_t *head, const uint8_t *bytes, const fa
     if (head[30] & 4) fill.join.starts = list;
     if (head[30] & 8) fill.guides = list, fill.guides.count = list.count / 2;
     if (head[30] & 16) fill.filter.components = list;
-    if (head[30] & 32) fill.relax_rings = most, fill.relax_within = number;
+    if (head[30] & 32) fill.relax_rim = most, fill.relax_within = number;
     if (head[30] & 64) fill.density = number;
     if (head[30] & 128) fill.max_edges = most, fill.filter.max_length = fill.filter.max_area = fill.filter.within.radius = number;
     fill.join.kind = head[31] % 4u;

@@ -58,7 +58,7 @@ static void ask(Bytes *bytes, Asked *asked, uint32_t vertices) {
     }
     if (flags & 16) fill->guides = list(bytes, &asked->guides, vertices, 4, 2);
     if (flags & 32) {
-        fill->relax_rings = next(bytes) % 5u;
+        fill->relax_rim = next(bytes) % 5u;
         fill->relax_within = more & 16 ? 0.2 * unit(bytes) : 0.0;
     }
     if (flags & 64) {

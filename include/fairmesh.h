@@ -1485,6 +1485,69 @@ typedef struct fairmesh_boundary_normals {
 } fairmesh_boundary_normals;
 
 /**
+ * Numbers to be read, one at every `stride` bytes.
+ */
+typedef struct fairmesh_numbers {
+    /**
+     * The first number, aligned as its type. May be NULL only if `count` is 0.
+     */
+    const void *data;
+    /**
+     * How many numbers.
+     */
+    size_t count;
+    /**
+     * Bytes from one number to the next, a multiple of the number's size; 0: nothing between.
+     */
+    size_t stride;
+    /**
+     * A `fairmesh_scalar`.
+     */
+    uint32_t scalar;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} fairmesh_numbers;
+
+/**
+ * How far curvature is continued along single boundary loops. All zero: along all loops alike.
+ */
+typedef struct fairmesh_loop_continuity {
+    /**
+     * From 0 (tangent planes alone) to 1 (curvature) each.
+     */
+    struct fairmesh_numbers values;
+    /**
+     * For each number a vertex of the loop that it holds for. Of several numbers for one loop the last one holds.
+     */
+    struct fairmesh_indices vertices;
+} fairmesh_loop_continuity;
+
+/**
+ * Mean curvature at the boundary vertices. All zero: fitted.
+ */
+typedef struct fairmesh_boundary_curvature {
+    /**
+     * A `fairmesh_boundary_curvature_kind`.
+     */
+    uint32_t kind;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Given mean curvatures, in 1 / length; negative on a sphere with outward normals.
+     */
+    struct fairmesh_numbers values;
+    /**
+     * The vertex of each number, which is finite then. NULL (with count 0): there is one number per vertex of the mesh, and NaN
+     * says that none is given. Numbers at vertices that are not on the boundary are ignored.
+     */
+    struct fairmesh_indices vertices;
+} fairmesh_boundary_curvature;
+
+/**
  * The right-hand side of the equation. All zero: harmonic.
  */
 typedef struct fairmesh_target {
@@ -1539,69 +1602,6 @@ typedef struct fairmesh_progress {
 typedef int32_t (*fairmesh_progress_fn)(const struct fairmesh_progress *progress, void *user_data);
 
 /**
- * Numbers to be read, one at every `stride` bytes.
- */
-typedef struct fairmesh_numbers {
-    /**
-     * The first number, aligned as its type. May be NULL only if `count` is 0.
-     */
-    const void *data;
-    /**
-     * How many numbers.
-     */
-    size_t count;
-    /**
-     * Bytes from one number to the next, a multiple of the number's size; 0: nothing between.
-     */
-    size_t stride;
-    /**
-     * A `fairmesh_scalar`.
-     */
-    uint32_t scalar;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-} fairmesh_numbers;
-
-/**
- * Mean curvature at the boundary vertices. All zero: fitted.
- */
-typedef struct fairmesh_boundary_curvature {
-    /**
-     * A `fairmesh_boundary_curvature_kind`.
-     */
-    uint32_t kind;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-    /**
-     * Given mean curvatures, in 1 / length; negative on a sphere with outward normals.
-     */
-    struct fairmesh_numbers values;
-    /**
-     * The vertex of each number, which is finite then. NULL (with count 0): there is one number per vertex of the mesh, and NaN
-     * says that none is given. Numbers at vertices that are not on the boundary are ignored.
-     */
-    struct fairmesh_indices vertices;
-} fairmesh_boundary_curvature;
-
-/**
- * How far curvature is continued along single boundary loops. All zero: along all loops alike.
- */
-typedef struct fairmesh_loop_continuity {
-    /**
-     * From 0 (tangent planes alone) to 1 (curvature) each.
-     */
-    struct fairmesh_numbers values;
-    /**
-     * For each number a vertex of the loop that it holds for. Of several numbers for one loop the last one holds.
-     */
-    struct fairmesh_indices vertices;
-} fairmesh_loop_continuity;
-
-/**
  * What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
  */
 typedef struct fairmesh_options {
@@ -1610,52 +1610,35 @@ typedef struct fairmesh_options {
      */
     uint32_t struct_size;
     /**
-     * A `fairmesh_inner_fairness`. Default: uniform.
-     */
-    uint32_t inner_fairness;
-    /**
-     * Boundary normals. Default: fitted.
-     */
-    struct fairmesh_boundary_normals boundary_normals;
-    /**
-     * What Delta_B H has to be. Default: 0.
-     */
-    struct fairmesh_target target;
-    /**
-     * A `fairmesh_interior_normals`. Default: smooth.
+     * A `fairmesh_interior_normals`: normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
      */
     uint32_t interior_normals;
     /**
-     * A `fairmesh_discretization`. Default: second order.
+     * A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform.
+     */
+    uint32_t inner_fairness;
+    /**
+     * A `fairmesh_discretization`: how normals and mean curvature are discretized. Default: second order.
      */
     uint32_t discretization;
     /**
-     * A `fairmesh_solver_kind`. Default: fast.
+     * A `fairmesh_solver_kind`: how the equations are solved. Default: fast.
      */
     uint32_t solver;
+    /**
+     * A `fairmesh_output_precision`: the precision of what the result will be written in; moved positions are rounded to it, and the report is of the rounded surface. Default: double.
+     */
+    uint32_t output_precision;
     /**
      * Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
      */
     uint32_t threads;
     /**
-     * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding
-     * box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, less than 1.
+     * A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes about a tenth of the run, at most a fifth.
      */
-    double tolerance;
+    uint32_t intersections;
     /**
-     * At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
-     */
-    uint64_t max_iterations;
-    /**
-     * Told of the progress; may be NULL, the default.
-     */
-    fairmesh_progress_fn progress;
-    /**
-     * Handed to `progress`.
-     */
-    void *user_data;
-    /**
-     * A `fairmesh_estimate`. This and what follows: for `FAIRMESH_SOLVER_KIND_PAPER` only. Default: alternating.
+     * A `fairmesh_estimate`: how the scheme estimates `H` (paper 7.1). For the solver `paper` only, as all that follow. Default: alternating, with 10 conjugate gradient iterations.
      */
     uint32_t paper_estimate;
     /**
@@ -1663,52 +1646,65 @@ typedef struct fairmesh_options {
      */
     uint32_t paper_estimate_iterations;
     /**
-     * The part of each normal step that is taken. Default 0.9. Greater than 0, at most 1.
+     * Normals at the boundary vertices. Default: fitted to the surroundings.
      */
-    double paper_damping;
+    struct fairmesh_boundary_normals boundary_normals;
     /**
-     * Levels of the hierarchy; 1: none; 0 (default): as many as make each level four times as large.
-     */
-    uint64_t paper_levels;
-    /**
-     * Vertices of the base mesh; 0 (default): two and a half times the boundary.
-     */
-    uint64_t paper_base;
-    /**
-     * Stop when `defect` of the report is at most this. Default 1e-6. Greater than 0.
-     */
-    double paper_defect;
-    /**
-     * And when max |Delta_B H| times the cube of the diagonal is at most this. Default: infinite. Greater than 0.
-     */
-    double paper_laplacian;
-    /**
-     * At most this many updates on all levels. Default 20000. At least 1.
-     */
-    uint64_t paper_max_updates;
-    /**
-     * A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes
-     * about a tenth of the run, at most a fifth.
-     */
-    uint32_t intersections;
-    /**
-     * A `fairmesh_output_precision`: what the result will be written in; moved positions are rounded to it, and the report is of
-     * the rounded surface. Default: double. Where `positions_out` has floats, `fairmesh_fair` takes single.
-     */
-    uint32_t output_precision;
-    /**
-     * How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature,
-     * G2), as far as the surroundings are smooth enough to tell it; see `fairmesh_result_continuity`. 0 for the paper's scheme.
+     * How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. For the fast solver.
      */
     double continuity;
     /**
-     * Where that curvature comes from. Default: fitted.
+     * The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
+     */
+    struct fairmesh_loop_continuity loop_continuity;
+    /**
+     * Where that curvature comes from. Default: fitted to the surroundings.
      */
     struct fairmesh_boundary_curvature boundary_curvature;
     /**
-     * The same for single boundary loops, in place of `continuity`. Default: none.
+     * What `Delta_B H` has to be. Default: zero.
      */
-    struct fairmesh_loop_continuity loop_continuity;
+    struct fairmesh_target target;
+    /**
+     * Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, a few roundings, and less than 1. What the mesh allows may be a hundred times that, which the outcome says.
+     */
+    double tolerance;
+    /**
+     * At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
+     */
+    uint64_t max_iterations;
+    /**
+     * The part of each normal step that is taken (`s` of paper 7.5); the tangential step is taken whole. Default 0.9. Greater than 0, at most 1.
+     */
+    double paper_damping;
+    /**
+     * Levels of the hierarchy (paper 7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each level about four times as large as the one before.
+     */
+    uint64_t paper_levels;
+    /**
+     * Vertices of the base mesh, boundary included. Default 0: two and a half times the boundary. The base has more where no further collapse is allowed.
+     */
+    uint64_t paper_base;
+    /**
+     * Stop when the harmonic defect (`defect` of the report) is at most this. Default 1e-6. Greater than 0.
+     */
+    double paper_defect;
+    /**
+     * And when `max |Delta_B H|` times the cube of the region's diagonal is at most this; below what the rounding of the positions makes of it, that counts, and the outcome says so. Default: infinite. Greater than 0.
+     */
+    double paper_laplacian;
+    /**
+     * At most this many updates of the mesh on all levels together. Default 20000. At least 1.
+     */
+    uint64_t paper_max_updates;
+    /**
+     * Called with the progress; may be NULL, the default.
+     */
+    fairmesh_progress_fn progress;
+    /**
+     * Handed to `progress`.
+     */
+    void *user_data;
 } fairmesh_options;
 
 /**
@@ -1804,63 +1800,57 @@ typedef struct fairmesh_fill_options {
      */
     uint32_t struct_size;
     /**
-     * Not 0 (default): patches are faired.
-     */
-    uint32_t fair;
-    /**
-     * Holes of more edges stay open. Default: UINT64_MAX.
-     */
-    uint64_t max_edges;
-    /**
-     * These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all
-     * holes. With a count, `max_edges` and `filter` are not read.
-     */
-    struct fairmesh_indices loops;
-    /**
-     * How dense the new vertices are. At the square root of 2, the default, edges are as long as those beside the boundary; at
-     * twice that, half as long. Between 0.1 and 10.
-     */
-    double density;
-    /**
-     * At most this many new vertices in all. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times
-     * the square of a density above 1.
-     */
-    uint64_t max_new_vertices;
-    /**
-     * A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Zero (default): the best surface there is.
+     * A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Default: the best surface there is.
      */
     uint32_t on_failure;
+    /**
+     * Not 0: the patches are faired. Default: yes.
+     */
+    uint32_t fair;
     /**
      * Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
      */
     uint32_t only_listed;
     /**
-     * Loops that get one patch together. All zero (default): none.
+     * Which of them get one patch together. Default: none.
      */
     struct fairmesh_join join;
+    /**
+     * Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none. Two indices side by side.
+     */
+    struct fairmesh_indices guides;
+    /**
+     * How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+     */
+    double density;
+    /**
+     * At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries. Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the square of a density above 1: a round hole takes a tenth.
+     */
+    uint64_t max_new_vertices;
+    /**
+     * For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none.
+     */
+    uint64_t relax_rim;
+    /**
+     * No vertex of these rings moves further than this. Default: the mean length of the edges around the loop. 0 stands for the default.
+     */
+    double relax_within;
+    /**
+     * Holes of more edges stay open. Default: UINT64_MAX.
+     */
+    uint64_t max_edges;
+    /**
+     * These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all holes. With a count, `max_edges` and `filter` are not read.
+     */
+    struct fairmesh_indices loops;
     /**
      * Which holes, if `loops` does not say it. All zero (default): all of them.
      */
     struct fairmesh_loop_filter filter;
-    /**
-     * Pairs of vertices of the boundary, two indices side by side, that the triangulation shall have an edge between before it is
-     * refined: across a long tear, or between two loops that are joined. No vertex is in two of them. NULL with count 0 (default): none.
-     */
-    struct fairmesh_indices guides;
-    /**
-     * So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it
-     * is filled: for boundaries that are noise. Zero (default): none.
-     */
-    uint64_t relax_rings;
-    /**
-     * No vertex moves further than this, in the unit of the positions. Zero (default): the mean length of the edges around the loop.
-     */
-    double relax_within;
 } fairmesh_fill_options;
 
 /**
- * What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a
- * `fairmesh_fill_options`.
+ * What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.
  */
 typedef struct fairmesh_bridge_options {
     /**
@@ -1868,12 +1858,11 @@ typedef struct fairmesh_bridge_options {
      */
     uint32_t struct_size;
     /**
-     * Not 0: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. Default: 0.
+     * Not 0: holes that the strip leaves beside it are filled, and all new vertices, the strip's included, faired together. Default: no.
      */
     uint32_t fill;
     /**
-     * How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
-     * best. 0 (default): they are as given.
+     * How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met best. Default: they are as given. 0 stands for the default.
      */
     double width;
 } fairmesh_bridge_options;
@@ -1891,7 +1880,7 @@ typedef struct fairmesh_remesh_options {
      */
     uint32_t reserved;
     /**
-     * As in `fairmesh_fill_options`: at the default, edges are as long as those beside the region.
+     * How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region. Between 0.1 and 10.
      */
     double density;
     /**
@@ -2708,9 +2697,9 @@ typedef struct fairmesh_loop {
      */
     double rim_noise;
     /**
-     * What is advised for `relax_rings` of the fill options; 0: nothing.
+     * What is advised for `relax_rim` of the fill options; 0: nothing.
      */
-    uint64_t advised_relax_rings;
+    uint64_t advised_relax_rim;
     /**
      * What is advised for `relax_within`; 0 where nothing is.
      */
@@ -2825,7 +2814,7 @@ typedef struct fairmesh_fill_report {
      */
     uint32_t gap_kind;
     /**
-     * Not 0: vertices around the loop were allowed to move (`relax_rings`), and the next five say how far they did; otherwise these are 0.
+     * Not 0: vertices around the loop were allowed to move (`relax_rim`), and the next five say how far they did; otherwise these are 0.
      */
     uint32_t has_relaxed;
     /**
@@ -3335,7 +3324,7 @@ fairmesh_status fairmesh_boundary_loops(const struct fairmesh_mesh *mesh,
 
 /**
  * Finds the boundary loops of a mesh as `fairmesh_boundary_loops` does, and how rough their rims are, which takes longer: each
- * `fairmesh_loop` of the result has it, with what is advised for `relax_rings` and `relax_within` of the fill options. `result` gets a handle;
+ * `fairmesh_loop` of the result has it, with what is advised for `relax_rim` and `relax_within` of the fill options. `result` gets a handle;
  * free it.
  */
 FAIRMESH_API
@@ -3345,7 +3334,7 @@ fairmesh_status fairmesh_rim_roughness(const struct fairmesh_mesh *mesh,
 
 /**
  * Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
- * vertices that `relax_rings` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+ * vertices that `relax_rim` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
  *
  * `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
  * given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.
@@ -3476,7 +3465,7 @@ fairmesh_status fairmesh_select_region(const struct fairmesh_mesh *mesh,
  * Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
  * one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
  *
- * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rings` are not looked at. `result` gets a handle, whose
+ * `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rim` are not looked at. `result` gets a handle, whose
  * reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
  * `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
  */

@@ -11,7 +11,7 @@ namespace fairmesh {
 struct openmesh_bridge_options : openmesh_options {
     /** Width, and whether the holes beside the strip are filled, too. */
     bridge_options strip;
-    /** Density; what becomes of a strip that is not fair. Loops, groups, guides and `relax_rings` are not read. */
+    /** Density; what becomes of a strip that is not fair. Loops, groups, guides and `relax_rim` are not read. */
     fill_options patches;
 };
 

@@ -7,8 +7,8 @@
 
 namespace fairmesh {
 
-/** The boundary loops of a mesh with how rough their rims are; see fairmesh_rim_roughness. Where `is_rough` says so, `advised_relax_rings` and
- *  `advised_relax_within` are for `relax_rings` and `relax_within` of the `patches` of fill(mesh). */
+/** The boundary loops of a mesh with how rough their rims are; see fairmesh_rim_roughness. Where `is_rough` says so, `advised_relax_rim` and
+ *  `advised_relax_within` are for `relax_rim` and `relax_within` of the `patches` of fill(mesh). */
 template <class Mesh, class = std::enable_if_t<detail::is_openmesh<Mesh>>>
 std::vector<openmesh_loop> rim_roughness(const Mesh &mesh, const openmesh_options &asked = openmesh_options()) {
     detail::openmesh_check<std::remove_const_t<Mesh>>();

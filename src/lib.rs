@@ -45,6 +45,7 @@ pub use paper::{Estimate, LevelReport, PaperOptions};
 pub use quality::Quality;
 pub use regions::{Bump, Combine, Region, RegionStep, Seed, SelectedRegion, select_region};
 pub use support::error::Error;
+pub use support::options::{OptionDefault, OptionEntry, OptionKind};
 #[cfg(feature = "profile")]
 pub use support::profile::take_profile;
 pub use support::table::Entry;

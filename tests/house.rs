@@ -132,7 +132,8 @@ fn modules_of(krate: &str) -> BTreeMap<Vec<String>, (String, String)> {
             .iter()
             .map(|line| line.split("//").next().unwrap())
             .collect();
-        (path, (name, code.join("\n")))
+        // What a macro names by `$crate` is for whoever calls it.
+        (path, (name, code.join("\n").replace("$crate::", "")))
     })
     .collect()
 }

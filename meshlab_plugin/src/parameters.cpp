@@ -114,7 +114,7 @@ void add_rim_parameters(RichParameterList &list) {
 }
 
 void read_rim_parameters(const RichParameterList &list, fairmesh::fill_options &fill) {
-    fill.relax_rings = at_least(list, "relax_rim", 0);
+    fill.relax_rim = at_least(list, "relax_rim", 0);
     fill.relax_within = list.getFloat("relax_within");
 }
 

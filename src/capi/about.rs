@@ -4,12 +4,10 @@ use core::ffi::CStr;
 
 use std::ffi::c_char;
 
-use super::bridge::{default_bridge_options, fairmesh_bridge_options};
-use super::fill_options::{
-    default_fill_options, default_remesh_options, fairmesh_fill_options, fairmesh_remesh_options,
-};
 use super::guard::guarded;
-use super::options::{default_options, fairmesh_options};
+use super::option_structs::{
+    fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
+};
 use super::types::*;
 use super::views::*;
 use fairmesh::{Entry, table_entry};
@@ -42,7 +40,7 @@ pub extern "C" fn fairmesh_options_init(
     struct_size: usize,
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), || {
-        init_struct(options, struct_size, &default_options())
+        init_struct(options, struct_size, &fairmesh_options::standard())
     })
 }
 
@@ -53,7 +51,7 @@ pub extern "C" fn fairmesh_fill_options_init(
     struct_size: usize,
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), || {
-        init_struct(options, struct_size, &default_fill_options())
+        init_struct(options, struct_size, &fairmesh_fill_options::standard())
     })
 }
 
@@ -64,7 +62,7 @@ pub extern "C" fn fairmesh_bridge_options_init(
     struct_size: usize,
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), || {
-        init_struct(options, struct_size, &default_bridge_options())
+        init_struct(options, struct_size, &fairmesh_bridge_options::standard())
     })
 }
 
@@ -75,7 +73,7 @@ pub extern "C" fn fairmesh_remesh_options_init(
     struct_size: usize,
 ) -> fairmesh_status {
     guarded(core::ptr::null_mut(), || {
-        init_struct(options, struct_size, &default_remesh_options())
+        init_struct(options, struct_size, &fairmesh_remesh_options::standard())
     })
 }
 

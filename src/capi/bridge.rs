@@ -1,13 +1,13 @@
 //! Bridges between two runs of boundary edges.
 
-use core::mem::offset_of;
 use std::sync::Arc;
 
-use super::fill_options::{FillOptionsIn, fairmesh_fill_options};
+use super::fill_options::FillOptionsIn;
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, fairmesh_options, fields, refused};
+use super::option_structs::{fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options};
+use super::options::{OptionsIn, refused};
 use super::outputs::publish;
 use super::patch_sizes;
 use super::results::Content;
@@ -19,33 +19,10 @@ use fairmesh::{
     bridge_with_progress,
 };
 
-/// What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a
-/// `fairmesh_fill_options`.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct fairmesh_bridge_options {
-    /// `sizeof(fairmesh_bridge_options)`.
-    pub struct_size: u32,
-    /// Not 0: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. Default: 0.
-    pub fill: u32,
-    /// How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
-    /// best. 0 (default): they are as given.
-    pub width: f64,
-}
-
-pub(crate) fn default_bridge_options() -> fairmesh_bridge_options {
-    let options = BridgeOptions::default();
-    fairmesh_bridge_options {
-        struct_size: size_of::<fairmesh_bridge_options>() as u32,
-        fill: u32::from(options.fill),
-        width: options.width.unwrap_or(0.0),
-    }
-}
-
 /// Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired. Each chain is given by its vertices,
 /// one after the other, in either direction: at least two, or one if the options have a width. They may be on one loop or on two.
 ///
-/// `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rings` are not looked at. `result` gets a handle, whose
+/// `bridge`, `fill` and `options` may be NULL; of `fill` the loops, groups, guides and `relax_rim` are not looked at. `result` gets a handle, whose
 /// reports count on from that of the strip, 0, to those of the holes beside it; with `loop_count` of the info
 /// `fairmesh_result_report` tells how the fairing of all that is new together went. Free it.
 #[unsafe(no_mangle)]
@@ -129,15 +106,10 @@ fn read_bridge_options(
     }
     let view = read_struct(options, argument)?;
     aliases.input(options, size_of::<fairmesh_bridge_options>());
-    let asked = BridgeOptions {
-        width: (view.width != 0.0).then_some(view.width),
-        fill: view.fill != 0,
-        ..BridgeOptions::default()
-    };
-    let fields = fields!(fairmesh_bridge_options: width);
+    let asked = view.read_bridge_options(argument)?;
     asked
         .validate()
-        .map_err(|error| refused(error, argument, fields))?;
+        .map_err(|error| refused(error, argument, fairmesh_bridge_options::place))?;
     Ok(asked)
 }
 

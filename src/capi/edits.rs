@@ -2,7 +2,6 @@
 
 use core::mem::offset_of;
 
-use super::options::NO_INDICES;
 use super::status::{CallResult, Failure, fairmesh_element, fairmesh_status as Status};
 use super::structs::{check_pointer, read};
 use super::types::*;
@@ -163,7 +162,7 @@ impl EditIn {
         let listed = if kind == Kind::Move {
             &view.vertices
         } else {
-            &NO_INDICES
+            &fairmesh_indices::default()
         };
         let vertices = indices_in(listed, 1, at)?;
         Ok(Self { view, kind, vertices })
@@ -233,7 +232,7 @@ pub(crate) fn budget(
     )?;
     aliases.input(view, given.struct_size as usize);
     Ok(Budget {
-        evaluations: super::options::count(given.evaluations),
+        evaluations: super::choices::count(given.evaluations),
         seconds: given.seconds,
         tolerance: given.tolerance,
     })

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::callback::HostCallback;
+use super::choices::count;
 use super::guard::{guarded, point};
 use super::input::{IndicesIn, MeshIn};
 use super::memory_bounds;
-use super::options::count;
 use super::outputs::{of_whole_mesh, publish};
 use super::results::Content;
 use super::status::*;

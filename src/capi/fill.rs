@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use super::callback::HostCallback;
-use super::fill_options::{
-    FillOptionsIn, fairmesh_fill_options, fairmesh_remesh_options, read_remesh_options,
-};
+use super::fill_options::{FillOptionsIn, read_remesh_options};
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, fairmesh_options};
+use super::option_structs::{fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options};
+use super::options::OptionsIn;
 use super::outputs::*;
 use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;
@@ -40,7 +39,7 @@ pub extern "C" fn fairmesh_boundary_loops(
 }
 
 /// Finds the boundary loops of a mesh as `fairmesh_boundary_loops` does, and how rough their rims are, which takes longer: each
-/// `fairmesh_loop` of the result has it, with what is advised for `relax_rings` and `relax_within` of the fill options. `result` gets a handle;
+/// `fairmesh_loop` of the result has it, with what is advised for `relax_rim` and `relax_within` of the fill options. `result` gets a handle;
 /// free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fairmesh_rim_roughness(
@@ -61,7 +60,7 @@ pub extern "C" fn fairmesh_rim_roughness(
 }
 
 /// Fills holes: triangulates, refines and fairs each, or several together. Vertices and triangles given keep their numbers and bits, but for
-/// vertices that `relax_rings` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
+/// vertices that `relax_rim` lets move; new ones follow. A loop that cannot be filled says so in its report and does not affect the others.
 ///
 /// `fill` may be NULL: all holes, edges as long as those beside the boundaries. `options` may be NULL: the defaults of the fairing;
 /// given normals and curvatures are those of boundary vertices. `result` gets a handle; free it.

@@ -40,8 +40,8 @@ pub struct fairmesh_loop {
     pub rim_angle_expected: f64,
     /// The distance of the mesh around from that surface, root mean square.
     pub rim_noise: f64,
-    /// What is advised for `relax_rings` of the fill options; 0: nothing.
-    pub advised_relax_rings: u64,
+    /// What is advised for `relax_rim` of the fill options; 0: nothing.
+    pub advised_relax_rim: u64,
     /// What is advised for `relax_within`; 0 where nothing is.
     pub advised_relax_within: f64,
 }
@@ -124,7 +124,7 @@ pub struct fairmesh_fill_report {
     pub normals_reached: f64,
     /// Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, a `fairmesh_gap_kind`: what lies between them.
     pub gap_kind: u32,
-    /// Not 0: vertices around the loop were allowed to move (`relax_rings`), and the next five say how far they did; otherwise these are 0.
+    /// Not 0: vertices around the loop were allowed to move (`relax_rim`), and the next five say how far they did; otherwise these are 0.
     pub has_relaxed: u32,
     /// How many vertices of the mesh moved.
     pub moved_count: u64,

@@ -17,6 +17,7 @@ mod about;
 mod bridge;
 mod callback;
 mod carry_over;
+mod choices;
 mod edits;
 mod erase;
 mod fair;
@@ -34,6 +35,9 @@ mod memory;
 mod memory_bounds;
 #[rustfmt::skip]
 mod numbers;
+#[rustfmt::skip]
+#[allow(clippy::approx_constant, clippy::needless_update, reason = "generated")]
+mod option_structs;
 mod options;
 mod outputs;
 mod patch_sizes;
@@ -59,17 +63,18 @@ mod views;
 mod wasm;
 
 pub use about::*;
-pub use bridge::{fairmesh_bridge, fairmesh_bridge_options};
+pub use bridge::fairmesh_bridge;
 pub use callback::{fairmesh_progress, fairmesh_progress_fn};
 pub use carry_over::fairmesh_carry_over;
 pub use edits::{fairmesh_budget, fairmesh_bulge_range, fairmesh_edit, fairmesh_edit_kind, fairmesh_frame};
 pub use erase::*;
 pub use fair::*;
 pub use fill::*;
-pub use fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
 pub use live::*;
 pub use loop_choice::{fairmesh_join, fairmesh_loop_filter, fairmesh_place};
-pub use options::fairmesh_options;
+pub use option_structs::{
+    fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
+};
 pub use reading::*;
 pub use refill::fairmesh_refill;
 pub use region::fairmesh_select_region;

@@ -2,7 +2,7 @@
 
 use core::mem::offset_of;
 
-use super::options::{NO_INDICES, chosen, count};
+use super::choices::{chosen, count};
 use super::status::{CallResult, fairmesh_status as Status};
 use super::types::*;
 use super::views::{AliasCheck, Array, FieldPath, check_reserved, indices_in, try_with_capacity};
@@ -10,7 +10,7 @@ use fairmesh::{Join, LoopFilter, Place};
 
 /// Loops that get one patch together: ends of tubes, the two sides of a gap, a hole and the island in it. All zero: none.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_join {
     /// A `fairmesh_join_kind`.
     pub kind: u32,
@@ -26,7 +26,7 @@ pub struct fairmesh_join {
 
 /// A part of space. All zero: everywhere.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_place {
     /// A `fairmesh_place_kind`.
     pub kind: u32,
@@ -44,7 +44,7 @@ pub struct fairmesh_place {
 
 /// Which holes, by what they are and where: those that meet every bound. All zero: all of them.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_loop_filter {
     /// Not longer than this; 0: of any length.
     pub max_length: f64,
@@ -59,29 +59,6 @@ pub struct fairmesh_loop_filter {
     /// Only those whose vertices all lie there.
     pub within: fairmesh_place,
 }
-
-pub(crate) const NO_JOIN: fairmesh_join = fairmesh_join {
-    kind: fairmesh_join_kind::None as u32,
-    reserved: 0,
-    loops: NO_INDICES,
-    starts: NO_INDICES,
-};
-
-pub(crate) const NO_FILTER: fairmesh_loop_filter = fairmesh_loop_filter {
-    max_length: 0.0,
-    max_area: 0.0,
-    max_diagonal: 0.0,
-    except_longest: 0,
-    components: NO_INDICES,
-    within: fairmesh_place {
-        kind: fairmesh_place_kind::Everywhere as u32,
-        reserved: 0,
-        centre: [0.0; 3],
-        radius: 0.0,
-        low: [0.0; 3],
-        high: [0.0; 3],
-    },
-};
 
 /// The numbers of a list.
 pub(crate) fn numbers(list: &Array) -> CallResult<Vec<usize>> {
@@ -110,8 +87,12 @@ impl JoinIn {
         let kind = chosen(kind, view.kind, "fairmesh_join_kind", place)?;
         let is_listed = matches!(kind, Join::Groups(_));
         let read = |list: &fairmesh_indices, place| {
-            let list = if is_listed { list } else { &NO_INDICES };
-            indices_in(list, 1, place)
+            let list = if is_listed {
+                *list
+            } else {
+                fairmesh_indices::default()
+            };
+            indices_in(&list, 1, place)
         };
         let loops = read(&view.loops, base.field(offset_of!(fairmesh_join, loops), "loops"))?;
         let place = base.field(offset_of!(fairmesh_join, starts), "starts");

@@ -1,4 +1,4 @@
-//! The enumerations of the C interface. Made of the library's tables by tests/capi/numbers.rs: do not edit.
+//! The enumerations of the C interface. Made of the library's tables by src/declarations: do not edit.
 
 /// Whether a call did what it was asked. How a solve ended is another matter, see `fairmesh_outcome`. After any status but OK no output was written, except for the `fairmesh_error`. Numbers are never reused.
 #[repr(i32)]

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use super::fill_options::{FillOptionsIn, fairmesh_fill_options};
+use super::fill_options::FillOptionsIn;
 use super::guard::{guarded, point};
 use super::input::{MeshIn, SelectedBy, SelectionIn};
 use super::memory_bounds;
-use super::options::{OptionsIn, fairmesh_options};
+use super::option_structs::{fairmesh_fill_options, fairmesh_options};
+use super::options::OptionsIn;
 use super::outputs::publish;
 use super::patch_sizes::{self, PatchSizes};
 use super::results::Content;

@@ -4,10 +4,10 @@ use core::mem::offset_of;
 use std::sync::Arc;
 
 use super::callback::HostCallback;
+use super::choices::count;
 use super::guard::{guarded, point};
 use super::input::MeshIn;
 use super::memory_bounds;
-use super::options::count;
 use super::outputs::publish;
 use super::results::Content;
 use super::status::*;
@@ -218,7 +218,7 @@ impl StepIn {
         };
         check_extent(kind, &view, place)?;
         let is_listed = matches!(kind, Kind::Triangles | Kind::Vertices);
-        let none = super::options::NO_INDICES;
+        let none = fairmesh_indices::default();
         let at = field(offset_of!(fairmesh_region_step, list), "list");
         let list = indices_in(if is_listed { &view.list } else { &none }, 1, at)?;
         Ok(Self {

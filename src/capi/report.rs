@@ -195,7 +195,7 @@ pub(crate) fn boundary_loop(of: &BoundaryLoop, rough: Option<&Roughness>) -> fai
         rim_angle: told(|rough| rough.angle),
         rim_angle_expected: told(|rough| rough.expected),
         rim_noise: told(|rough| rough.noise),
-        advised_relax_rings: advice.relax as u64,
+        advised_relax_rim: advice.relax as u64,
         advised_relax_within: advice.within.unwrap_or(0.0),
     }
 }

@@ -1,4 +1,4 @@
-//! What the enumerations of the C interface mean. Made of the library's tables by tests/capi/numbers.rs: do not edit.
+//! What the enumerations of the C interface mean. Made of the library's tables by src/declarations: do not edit.
 
 use core::ffi::c_char;
 

@@ -32,6 +32,18 @@ pub struct fairmesh_points {
     pub reserved: u32,
 }
 
+impl Default for fairmesh_points {
+    fn default() -> Self {
+        Self {
+            data: core::ptr::null(),
+            count: 0,
+            stride: 0,
+            scalar: fairmesh_scalar::Float64 as u32,
+            reserved: 0,
+        }
+    }
+}
+
 /// Numbers to be read, one at every `stride` bytes.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -46,6 +58,18 @@ pub struct fairmesh_numbers {
     pub scalar: u32,
     /// Zero.
     pub reserved: u32,
+}
+
+impl Default for fairmesh_numbers {
+    fn default() -> Self {
+        Self {
+            data: core::ptr::null(),
+            count: 0,
+            stride: 0,
+            scalar: fairmesh_scalar::Float64 as u32,
+            reserved: 0,
+        }
+    }
 }
 
 /// Points or vectors to be written, as `fairmesh_points`. What lies between them is not touched.
@@ -90,6 +114,16 @@ pub struct fairmesh_indices {
     pub count: usize,
     /// Bytes from one index, or triangle, to the next, a multiple of 4; 0: nothing between.
     pub stride: usize,
+}
+
+impl Default for fairmesh_indices {
+    fn default() -> Self {
+        Self {
+            data: core::ptr::null(),
+            count: 0,
+            stride: 0,
+        }
+    }
 }
 
 /// Triangles to be written: three indices at every `stride` bytes.
@@ -156,7 +190,7 @@ pub struct fairmesh_selection {
 
 /// Unit normals at the boundary vertices. All zero: fitted.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_boundary_normals {
     /// A `fairmesh_boundary_normals_kind`.
     pub kind: u32,
@@ -181,7 +215,7 @@ pub enum fairmesh_boundary_curvature_kind {
 
 /// Mean curvature at the boundary vertices. All zero: fitted.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_boundary_curvature {
     /// A `fairmesh_boundary_curvature_kind`.
     pub kind: u32,
@@ -196,7 +230,7 @@ pub struct fairmesh_boundary_curvature {
 
 /// How far curvature is continued along single boundary loops. All zero: along all loops alike.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_loop_continuity {
     /// From 0 (tangent planes alone) to 1 (curvature) each.
     pub values: fairmesh_numbers,
@@ -206,7 +240,7 @@ pub struct fairmesh_loop_continuity {
 
 /// The right-hand side of the equation. All zero: harmonic.
 #[repr(C)]
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct fairmesh_target {
     /// A `fairmesh_target_kind`.
     pub kind: u32,

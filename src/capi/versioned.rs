@@ -1,9 +1,9 @@
 //! Structs that begin with their size.
 
-use super::bridge::fairmesh_bridge_options;
 use super::edits::{fairmesh_budget, fairmesh_bulge_range, fairmesh_frame};
-use super::fill_options::{fairmesh_fill_options, fairmesh_remesh_options};
-use super::options::fairmesh_options;
+use super::option_structs::{
+    fairmesh_bridge_options, fairmesh_fill_options, fairmesh_options, fairmesh_remesh_options,
+};
 use super::status::fairmesh_error;
 use super::structs::Versioned;
 use super::types::*;

@@ -1,5 +1,7 @@
 //! What other languages repeat of the C interface, made of `src/capi` and of the library's tables.
 
+pub mod numbers;
+pub mod options;
 pub mod python;
 pub mod source;
 pub mod tables;

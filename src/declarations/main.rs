@@ -1,10 +1,11 @@
-//! `fairmesh-declarations python FOLDER` writes `_abi.py` and `_enums.py`, `fairmesh-declarations web FOLDER` writes `abi.ts`.
+//! `fairmesh-declarations python FOLDER` writes `_abi.py` and `_enums.py`, `web FOLDER` writes `abi.ts`, and `capi FOLDER` what `src/capi`
+//! takes of the library's tables and schemas.
 #![allow(clippy::print_stderr, reason = "a program of a build tells what went wrong")]
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use fairmesh_declarations::{python, source, web};
+use fairmesh_declarations::{numbers, options, python, source, web};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -18,7 +19,15 @@ fn main() -> ExitCode {
             ],
         ),
         ["web", folder] => (folder, vec![("abi.ts", web::declarations(&source::items()))]),
-        _ => return refuse("usage: fairmesh-declarations python|web FOLDER"),
+        ["capi", folder] => (
+            folder,
+            vec![
+                ("numbers.rs", numbers::numbers()),
+                ("texts.rs", numbers::texts()),
+                ("option_structs.rs", options::structs()),
+            ],
+        ),
+        _ => return refuse("usage: fairmesh-declarations capi|python|web FOLDER"),
     };
     for (name, text) in files {
         let path = Path::new(folder).join(name);

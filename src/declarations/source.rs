@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The names of these files, in the order of the header.
-pub const SOURCES: [&str; 22] = [
+pub const SOURCES: [&str; 21] = [
     "numbers",
     "texts",
     "status",
@@ -11,9 +11,8 @@ pub const SOURCES: [&str; 22] = [
     "records",
     "hole_records",
     "callback",
-    "options",
     "loop_choice",
-    "fill_options",
+    "option_structs",
     "about",
     "fair",
     "edits",

@@ -196,3 +196,10 @@ pub fn sentence(text: &str) -> String {
     let first = letters.next().map(|c| c.to_ascii_uppercase());
     first.into_iter().chain(letters).chain(['.']).collect()
 }
+
+/// The name of a value in Rust: `self_intersecting` is `SelfIntersecting`.
+pub fn variant(name: &str) -> String {
+    name.split('_')
+        .map(|word| word[..1].to_uppercase() + &word[1..])
+        .collect()
+}

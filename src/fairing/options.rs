@@ -6,6 +6,7 @@ use crate::discrete::target::Target;
 use crate::mesh::coincident::Coincident;
 use crate::paper::PaperOptions;
 use crate::support::error::Error;
+use crate::support::options::options;
 use crate::support::table::{choices, table};
 
 choices! {
@@ -86,70 +87,51 @@ table!(Solver {
 });
 
 /// More threads than any machine of today makes use of: what is beyond is a mistake, which would cost a stack each.
-const MOST_THREADS: usize = 1024;
+const MOST_THREADS: f64 = 1024.0;
 /// The smallest [`Options::tolerance`]: a few roundings of a double.
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-/// What is asked. `Options::default()` is right for most uses.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// Normals at the boundary vertices. Default: fitted to the surroundings.
-    pub boundary_normals: BoundaryNormals,
-    /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
-    pub interior_normals: InteriorNormals,
-    /// How far the surface continues the mean curvature of its surroundings, from 0 (default: tangent planes alone, G1) to 1 (curvature,
-    /// G2): part of the way between those surfaces. What is solved then is `Delta_B^2 H = 0`, with a target that of `Delta_B H` less the target. Only as
-    /// far as the surroundings are smooth enough to tell their curvature, see [`ComponentReport::continuity`](crate::ComponentReport::continuity). For
-    /// the fast solver.
-    pub continuity: f64,
-    /// The same for single boundary loops, `(vertex, number)`: for the loop through this vertex in place of `continuity`. Of several numbers
-    /// for one loop the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
-    pub loop_continuity: Vec<(u32, f64)>,
-    /// Where that curvature comes from. Default: fitted to the surroundings.
-    pub boundary_curvature: BoundaryCurvature,
-    /// What `Delta_B H` has to be. Default: zero.
-    pub target: Target,
-    /// How vertices are distributed within the surface. Default: uniform.
-    pub inner_fairness: InnerFairness,
-    /// Discretization. Default: second order.
-    pub discretization: Discretization,
-    /// Solver. Default: the fast one.
-    pub solver: Solver,
-    /// Stop when the step norm (rms normal step + rms tangential step, over the component's bounding-box
-    /// diagonal) is below this. Default 1e-8; 1e-6 is enough for interactive use. Between 1e-15 (a few roundings) and 1; what the
-    /// mesh allows may be a hundred times that, which the outcome says ([`LooseReason::Tolerance`](crate::LooseReason::Tolerance)).
-    pub tolerance: f64,
-    /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
-    pub max_iterations: usize,
-    /// What the result will be written in. Default: double.
-    pub output_precision: OutputPrecision,
-    /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
-    pub threads: usize,
-    /// Whether the final surface is checked for self-intersections. Default: yes; it takes about a tenth of the run, at most a fifth.
-    pub intersections: Intersections,
-    /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
-    pub coincident: Coincident,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            boundary_normals: BoundaryNormals::default(),
-            interior_normals: InteriorNormals::default(),
-            continuity: 0.0,
-            loop_continuity: Vec::new(),
-            boundary_curvature: BoundaryCurvature::default(),
-            target: Target::default(),
-            inner_fairness: InnerFairness::default(),
-            discretization: Discretization::default(),
-            solver: Solver::default(),
-            tolerance: 1e-8,
-            max_iterations: 500,
-            output_precision: OutputPrecision::default(),
-            threads: 0,
-            intersections: Intersections::default(),
-            coincident: Coincident::default(),
-        }
+options! {
+    /// What is asked. `Options::default()` is right for most uses.
+    #[derive(Debug, Clone, PartialEq)]
+    Options {
+        /// Normals at the boundary vertices. Default: fitted to the surroundings.
+        boundary_normals: BoundaryNormals = BoundaryNormals::default(), with "fairmesh_boundary_normals";
+        /// Normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
+        interior_normals: InteriorNormals = InteriorNormals::default(), choice "fairmesh_interior_normals";
+        /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1
+        /// (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are
+        /// smooth enough to tell their curvature; the report says how far. For the fast solver.
+        continuity: f64 = 0.0, real "1" in 0.0..=1.0, "between 0 and 1; 0 for the paper's solver";
+        /// The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop
+        /// the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
+        loop_continuity: Vec<(u32, f64)> = Vec::new(), with "fairmesh_loop_continuity";
+        /// Where that curvature comes from. Default: fitted to the surroundings.
+        boundary_curvature: BoundaryCurvature = BoundaryCurvature::default(), with "fairmesh_boundary_curvature";
+        /// What `Delta_B H` has to be. Default: zero.
+        target: Target = Target::default(), with "fairmesh_target";
+        /// How vertices are distributed within the surface. Default: uniform.
+        inner_fairness: InnerFairness = InnerFairness::default(), choice "fairmesh_inner_fairness";
+        /// How normals and mean curvature are discretized. Default: second order.
+        discretization: Discretization = Discretization::default(), choice "fairmesh_discretization";
+        /// How the equations are solved. Default: fast.
+        solver: Solver = Solver::default(), choice "fairmesh_solver_kind";
+        /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding box) is
+        /// below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, a few roundings, and less than 1. What the mesh
+        /// allows may be a hundred times that, which the outcome says.
+        tolerance: f64 = 1e-8, real "1" in LEAST_TOLERANCE..1.0, "at least 1e-15, the precision of double numbers, and less than 1";
+        /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
+        max_iterations: usize = 500, count "iterations" in 1.0.., "at least 1";
+        /// The precision of what the result will be written in; moved positions are rounded to it, and the report is of the rounded
+        /// surface. Default: double.
+        output_precision: OutputPrecision = OutputPrecision::default(), choice "fairmesh_output_precision";
+        /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
+        threads: usize = 0, small_count "threads" in 0.0..=MOST_THREADS, "at most 1024";
+        /// Whether the final surface is checked for self-intersections. Default: it is; that takes about a tenth of the run, at most
+        /// a fifth.
+        intersections: Intersections = Intersections::default(), choice "fairmesh_intersections";
+        /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal.
+        coincident: Coincident = Coincident::default(), elsewhere;
     }
 }
 
@@ -177,16 +159,7 @@ impl Options {
         }
         self.validate_continuity()?;
         self.coincident.validate()?;
-        let t = self.tolerance;
-        Error::check_option(
-            "tolerance",
-            t,
-            (LEAST_TOLERANCE..1.0).contains(&t),
-            "at least 1e-15, the precision of double numbers, and less than 1",
-        )?;
-        Error::check_option("max_iterations", 0.0, self.max_iterations > 0, "at least 1")?;
-        let threads = self.threads;
-        Error::check_option("threads", threads as f64, threads <= MOST_THREADS, "at most 1024")
+        self.check_ranges()
     }
 
     fn validate_continuity(&self) -> Result<(), Error> {

@@ -18,23 +18,26 @@ use super::rim::Rim;
 use crate::fairing::{Interrupt, Outcome, Progress, ProgressCallback, Selection, fair_within, on_workers};
 use crate::mesh::Joined;
 use crate::support::error::Error;
+use crate::support::options::options;
 
 /// What of the progress the strip is, and what the rest is filled in.
 const STRIP: f64 = 0.4;
 const REST: f64 = 0.4;
 
-/// What is asked of [`bridge`].
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct BridgeOptions {
-    /// How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
-    /// best. Default: they are as given.
-    pub width: Option<f64>,
-    /// Whether holes that the strip leaves beside it are filled, and all new vertices, the strip's included, faired together.
-    /// Default: no.
-    pub fill: bool,
-    /// The density, the number of new vertices, what becomes of failures, and the fairing. Its `loops`, `join`, `guides` and `rim` are
-    /// not looked at.
-    pub filling: FillOptions,
+options! {
+    /// What is asked of [`bridge`].
+    #[derive(Debug, Clone, PartialEq)]
+    BridgeOptions {
+        /// How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met
+        /// best. Default: they are as given.
+        width: Option<f64> = None, real "length" in f64::MIN_POSITIVE..f64::INFINITY, "positive";
+        /// Whether holes that the strip leaves beside it are filled, and all new vertices, the strip's included, faired together.
+        /// Default: no.
+        fill: bool = false, flag;
+        /// The density, the number of new vertices, what becomes of failures, and the fairing. Its `loops`, `join`, `guides` and `rim` are
+        /// not looked at.
+        filling: FillOptions = FillOptions::default(), elsewhere;
+    }
 }
 
 impl BridgeOptions {
@@ -43,8 +46,7 @@ impl BridgeOptions {
     /// # Errors
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
-        let width = self.width.unwrap_or(1.0);
-        Error::check_option("width", width, width > 0.0 && width.is_finite(), "positive")?;
+        self.check_ranges()?;
         self.filling.validate()
     }
 }

@@ -3,7 +3,8 @@
 use super::rim::options::Rim;
 use crate::fairing::Options;
 use crate::support::error::Error;
-use crate::support::table::table;
+use crate::support::options::options;
+use crate::support::table::{choices, table};
 
 /// Which loops are filled.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,26 +115,17 @@ impl Place {
     }
 }
 
-/// What becomes of a loop for which no fair patch is found, or none that does not intersect itself or the mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum OnFailure {
-    /// It gets the best surface that there is: that of the linear problem, where it is sound, and the faired one that
-    /// intersects, where all patches do. The outcome says so.
-    #[default]
-    Linear,
-    /// It gets the triangulation, refined; where that intersects, too, the outcome says so.
-    Flat,
-    /// It is left open.
-    Open,
+choices! {
+    /// What becomes of a loop for which no fair patch is found, or none that does not intersect itself or the mesh.
+    #[derive(Default)]
+    #[non_exhaustive]
+    OnFailure {
+        #[default] 0 "linear" Linear =>
+            "the best surface that there is: that of the linear problem, or the faired one that intersects where all do", "";
+        1 "flat" Flat => "the triangulation, refined", "";
+        2 "open" Open => "none: it is left open", "";
+    }
 }
-
-table!(OnFailure {
-    0 "linear" OnFailure::Linear =>
-        "the best surface that there is: that of the linear problem, or the faired one that intersects where all do", "";
-    1 "flat" OnFailure::Flat => "the triangulation, refined", "";
-    2 "open" OnFailure::Open => "none: it is left open", "";
-});
 
 /// Which loops get one patch together: an island and the hole around it, the ends of tubes, the two sides of a gap.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -157,44 +149,41 @@ table!(Join {
     2 "auto" Join::Auto => "loops whose joint patch bends less than patches of their own would get one patch", "";
 });
 
-/// What is asked. `FillOptions::default()` is right for most uses.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FillOptions {
-    /// Which loops. Default: all holes of whatever size.
-    pub loops: Loops,
-    /// Which of them get one patch together. Default: none.
-    pub join: Join,
-    /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a
-    /// guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut
-    /// open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none.
-    pub guides: Vec<[u32; 2]>,
-    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
-    /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
-    pub density: f64,
-    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
-    /// Smaller loops are served first. Default 200,000. No loop of n edges gets more than 1,000 + n² of them, times the
-    /// square of a density above 1: a round hole takes a tenth.
-    pub max_new_vertices: usize,
-    /// What becomes of a loop for which no fair patch is found. Default: it gets the best surface there is.
-    pub on_failure: OnFailure,
-    /// What may happen to the mesh around a loop before it is filled. Default: nothing.
-    pub rim: Rim,
-    /// Whether the patches are faired. Default: yes.
-    pub fair: bool,
-    /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
-    /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
-    /// copy in the triangle beside them.
-    pub fairing: Options,
+options! {
+    /// What is asked. `FillOptions::default()` is right for most uses.
+    #[derive(Debug, Clone, PartialEq)]
+    FillOptions {
+        /// Which loops. Default: all holes of whatever size.
+        loops: Loops = Loops::UpTo(usize::MAX), elsewhere;
+        /// Which of them get one patch together. Default: none.
+        join: Join = Join::None, with "fairmesh_join";
+        /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a
+        /// guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut
+        /// open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none.
+        guides: Vec<[u32; 2]> = Vec::new(), indices 2;
+        /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as
+        /// long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+        density: f64 = std::f64::consts::SQRT_2, real "1" in 0.1..=10.0, "between 0.1 and 10";
+        /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries.
+        /// Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the
+        /// square of a density above 1: a round hole takes a tenth.
+        max_new_vertices: usize = 200_000, count "vertices";
+        /// What a loop gets for which no fair patch is found. Default: the best surface there is.
+        on_failure: OnFailure = OnFailure::default(), choice "fairmesh_on_failure";
+        /// What may happen to the mesh around a loop before it is filled. Default: nothing.
+        rim: Rim = Rim::default(), elsewhere;
+        /// Whether the patches are faired. Default: yes.
+        fair: bool = true, flag;
+        /// For the fairing. Boundary normals are those of the mesh's vertices on the loops; no patch gets more than 64 iterations.
+        /// Its `coincident` holds for the whole mesh: loops are those of the joined mesh, and new triangles name of each vertex the
+        /// copy in the triangle beside them.
+        fairing: Options = Options::default(), elsewhere;
+    }
 }
 
 /// See [`FillOptions::max_new_vertices`].
 pub(super) fn largest_patch(edges: usize, density: f64) -> usize {
     1_000 + (edges as f64 * density.max(1.0)).powi(2).round() as usize
-}
-
-pub(super) fn check_density(density: f64) -> Result<(), Error> {
-    let allowed = (0.1..=10.0).contains(&density);
-    Error::check_option("density", density, allowed, "between 0.1 and 10")
 }
 
 impl FillOptions {
@@ -203,7 +192,7 @@ impl FillOptions {
     /// # Errors
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
-        check_density(self.density)?;
+        self.check_ranges()?;
         if let Loops::Where(filter) = &self.loops {
             filter.validate()?;
         }
@@ -216,21 +205,5 @@ impl FillOptions {
         }
         self.rim.validate()?;
         self.fairing.validate()
-    }
-}
-
-impl Default for FillOptions {
-    fn default() -> Self {
-        Self {
-            loops: Loops::UpTo(usize::MAX),
-            join: Join::None,
-            guides: Vec::new(),
-            density: std::f64::consts::SQRT_2,
-            max_new_vertices: 200_000,
-            on_failure: OnFailure::default(),
-            rim: Rim::default(),
-            fair: true,
-            fairing: Options::default(),
-        }
     }
 }

@@ -7,21 +7,24 @@ use crate::holes::patch_surface::limit;
 use crate::mesh::coincident::{Coincident, Copies};
 use crate::mesh::{Joined, NONE, RegionMesh, Selection};
 use crate::support::error::Error;
+use crate::support::options::options;
 
 /// Sweeps in which edge lengths spread from the boundary into the region.
 const SWEEPS: usize = 100;
 
-/// What is asked of [`remesh_region`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RemeshOptions {
-    /// How dense the vertices are, as in [`FillOptions`](super::FillOptions): at the default, the square root of 2, edges are
-    /// as long as those beside the region. Between 0.1 and 10.
-    pub density: f64,
-    /// At most this many vertices inside the region. Default 200,000.
-    pub max_vertices: usize,
-    /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal. Of a boundary vertex the new
-    /// triangles name a copy that a triangle outside has; copies that no triangle has any more are gone.
-    pub coincident: Coincident,
+options! {
+    /// What is asked of [`remesh_region`].
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    RemeshOptions {
+        /// How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the
+        /// region. Between 0.1 and 10.
+        density: f64 = std::f64::consts::SQRT_2, real "1" in 0.1..=10.0, "between 0.1 and 10";
+        /// At most this many vertices inside the region. Default 200000.
+        max_vertices: usize = 200_000, count "vertices";
+        /// Whether vertices at the same place are one. Default: yes, where their coordinates are equal. Of a boundary vertex the new
+        /// triangles name a copy that a triangle outside has; copies that no triangle has any more are gone.
+        coincident: Coincident = Coincident::default(), elsewhere;
+    }
 }
 
 impl RemeshOptions {
@@ -31,17 +34,7 @@ impl RemeshOptions {
     /// [`Error::BadOption`], which names the option.
     pub fn validate(&self) -> Result<(), Error> {
         self.coincident.validate()?;
-        super::options::check_density(self.density)
-    }
-}
-
-impl Default for RemeshOptions {
-    fn default() -> Self {
-        Self {
-            density: std::f64::consts::SQRT_2,
-            max_vertices: 200_000,
-            coincident: Coincident::default(),
-        }
+        self.check_ranges()
     }
 }
 

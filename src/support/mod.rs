@@ -1,6 +1,7 @@
 //! What every room uses: errors, names and texts of enumerations, clocks.
 
 pub(crate) mod error;
+pub(crate) mod options;
 pub(crate) mod profile;
 pub(crate) mod stopwatch;
 pub(crate) mod table;

@@ -107,6 +107,12 @@ macro_rules! table {
                 self.entry().name()
             }
         }
+
+        impl $crate::support::options::OptionValue for $type {
+            fn shown(&self) -> $crate::OptionDefault {
+                $crate::OptionDefault::Name(self.name())
+            }
+        }
     };
 }
 pub(crate) use table;

@@ -981,16 +981,16 @@ static void roughness(void) {
         OK(fairmesh_result_loop(loops, 1, &plain, &error));
         OK(fairmesh_result_loop(rough, 1, &of, &error));
         CHECK(plain.kind == of.kind && plain.vertex_count == 16 && of.vertex_count == 16 && plain.length == of.length);
-        CHECK(!plain.has_roughness && !plain.is_rough && plain.roughness == 0.0 && plain.advised_relax_rings == 0);
+        CHECK(!plain.has_roughness && !plain.is_rough && plain.roughness == 0.0 && plain.advised_relax_rim == 0);
         CHECK(of.has_roughness && (of.is_rough != 0) == (k == 1) && (of.rim_angle > 1.0) == (k == 1));
         CHECK((of.roughness > 2.0) == (k == 1) && (of.rim_noise > 0.02) == (k == 1) && of.rim_angle_expected < of.rim_angle + 1e-6);
         OK(fairmesh_result_free(loops));
         OK(fairmesh_result_free(rough));
     }
-    CHECK(of.advised_relax_rings == 3 && fabs(of.advised_relax_within - 1.0) < 0.3);
+    CHECK(of.advised_relax_rim == 3 && fabs(of.advised_relax_within - 1.0) < 0.3);
     /* What is advised can be handed over as it is. */
     OK(fairmesh_fill_options_init(&fill, sizeof fill));
-    fill.relax_rings = of.advised_relax_rings;
+    fill.relax_rim = of.advised_relax_rim;
     fill.relax_within = of.advised_relax_within;
     {
         fairmesh_options options = quick();
@@ -1002,7 +1002,7 @@ static void roughness(void) {
         CHECK(what.has_relaxed && what.moved_count > 16 && what.moved_within == of.advised_relax_within);
         OK(fairmesh_result_free(filled));
         /* More rings than any mesh has. */
-        fill.relax_rings = UINT64_MAX;
+        fill.relax_rim = UINT64_MAX;
         OK(fairmesh_fill_holes(&sheet->mesh, &fill, &options, &filled, &error));
         OK(fairmesh_result_fill_report(filled, 1, &what, &error));
         CHECK(what.has_relaxed && what.moved_count == SHEET_VERTICES - 1 - 9);

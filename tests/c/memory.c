@@ -136,7 +136,7 @@ static void fill(Scene *s) {
     mesh.triangles.data = holed;
     mesh.triangles.count = kept;
     OK(fairmesh_fill_options_init(&options, sizeof options));
-    options.relax_rings = s->relaxes ? 3 : 0;
+    options.relax_rim = s->relaxes ? 3 : 0;
     if (passed(s, fairmesh_fill_holes(&mesh, &options, &s->options, &result, &error), &error)) {
         OK(fairmesh_result_free(result));
     }

@@ -1,57 +1,14 @@
-//! `src/capi/numbers.rs` and `src/capi/texts.rs` are made of the library's tables: the enumerations of the C interface, and what
-//! tells their texts.
+//! What `src/capi` and the documents take of the library's tables and schemas is what stands there.
 
-use std::fmt::Write;
-
-use fairmesh_declarations::tables::{self, Table, sentence};
-
-const NUMBERS: &str = "\
-//! The enumerations of the C interface. Made of the library's tables by tests/capi/numbers.rs: do not edit.
-";
-
-const TEXTS: &str = "\
-//! What the enumerations of the C interface mean. Made of the library's tables by tests/capi/numbers.rs: do not edit.
-
-use core::ffi::c_char;
-
-use super::about::told;
-use super::statuses::{NONE, STATUSES};
-use fairmesh::{AttemptEnd, Entry, Error, FillOutcome, FlatReason, LooseReason, OpenReason, Outcome};
-";
+use fairmesh_declarations::{numbers, options, tables};
 
 #[test]
-fn generated_numbers_are_those_of_the_tables() {
-    let mut made = NUMBERS.to_owned();
-    let tables = tables::all();
-    tables.iter().for_each(|table| enumeration(&mut made, table));
-    status_from_number(&mut made, &tables[0]);
-    crate::committed::check("src/capi/numbers.rs", &made);
-}
-
-#[test]
-fn generated_texts_are_those_of_the_tables() {
-    let mut made = TEXTS.to_owned();
-    let tables = tables::all();
-    let told = tables.iter().filter(|table| table.has_texts);
-    told.for_each(|table| texts(&mut made, table));
-    crate::committed::check("src/capi/texts.rs", &made);
-}
-
-#[test]
-fn generated_documentation_is_that_of_the_tables() {
-    let mut made =
-        "# What the library answers\n\nMade of the library's tables by tests/capi/numbers.rs: do not edit.\n"
-            .to_owned();
-    for table in tables::all().iter().filter(|t| t.has_texts) {
-        let _ = write!(made, "\n## {}\n\n{}\n\n", table.name, table.doc);
-        made.push_str("| number | name | meaning | what to do |\n|---|---|---|---|\n");
-        for entry in &table.entries {
-            let cells = [entry.name(), entry.text(), entry.remedy()].map(|text| text.replace('|', "\\|"));
-            let [name, text, remedy] = cells;
-            let _ = writeln!(made, "| {} | `{name}` | {text} | {remedy} |", entry.number());
-        }
-    }
-    crate::committed::check("docs/outcomes.md", &made);
+fn generated_sources_are_those_of_the_tables() {
+    let check = crate::committed::check;
+    check("src/capi/numbers.rs", &numbers::numbers());
+    check("src/capi/texts.rs", &numbers::texts());
+    check("src/capi/option_structs.rs", &options::structs());
+    check("docs/outcomes.md", &numbers::page());
 }
 
 #[test]
@@ -75,91 +32,5 @@ fn numbers_and_names_are_used_once() {
             assert!(!text.is_empty() && !text.ends_with('.'), "{text}");
             assert!(!entry.remedy().ends_with('.'), "{}", entry.remedy());
         }
-    }
-}
-
-fn enumeration(made: &mut String, table: &Table) {
-    let repr = if table.name == "fairmesh_status" {
-        "i32"
-    } else {
-        "u32"
-    };
-    let _ = write!(
-        made,
-        "\n/// {} Numbers are never reused.\n#[repr({repr})]\n#[derive(Debug, Clone, Copy, PartialEq, Eq)]\n#[allow(dead_code, reason = \"numbers for C\")]\npub enum {} {{\n",
-        table.doc, table.name
-    );
-    for entry in &table.entries {
-        let doc = sentence(entry.text());
-        let _ = writeln!(
-            made,
-            "    /// {doc}\n    {} = {},",
-            variant(entry.name()),
-            entry.number()
-        );
-    }
-    made.push_str("}\n");
-}
-
-fn variant(name: &str) -> String {
-    name.split('_')
-        .map(|word| word[..1].to_uppercase() + &word[1..])
-        .collect()
-}
-
-fn status_from_number(made: &mut String, statuses: &Table) {
-    made.push_str(
-        "\nimpl fairmesh_status {\n    /// The status with this number.\n    pub(crate) const fn from_number(number: u32) -> Self {\n        match number {\n",
-    );
-    for entry in &statuses.entries {
-        let _ = writeln!(
-            made,
-            "            {} => Self::{},",
-            entry.number(),
-            variant(entry.name())
-        );
-    }
-    made.push_str("            _ => Self::Internal,\n        }\n    }\n}\n");
-}
-
-/// The three functions of an enumeration.
-fn texts(made: &mut String, table: &Table) {
-    let name = table.name;
-    let short = name.trim_start_matches("fairmesh_");
-    let (parameter, number) = match short {
-        "status" => ("i32", "status.cast_unsigned()".to_owned()),
-        _ => ("u32", short.to_owned()),
-    };
-    let tables = match short {
-        "status" => "&[STATUSES, Error::TABLE]",
-        "outcome" => "&[Outcome::TABLE]",
-        "loose_reason" => "&[&[NONE], LooseReason::TABLE]",
-        "attempt_end" => "&[AttemptEnd::TABLE]",
-        "fill_outcome" => "&[FillOutcome::TABLE]",
-        _ => "&[&[NONE], OpenReason::TABLE, FlatReason::TABLE]",
-    };
-    let example = table.entries[1].name();
-    for (what, doc) in [
-        (
-            "name",
-            format!("The name of a `{name}`, such as \"{example}\"; \"unknown\" for other numbers."),
-        ),
-        (
-            "text",
-            format!(
-                "What a `{name}` means: English, begins in lower case, ends without a full stop. Empty for other numbers."
-            ),
-        ),
-        (
-            "remedy",
-            format!(
-                "What can be done about a `{name}`, written like its text; empty if there is nothing to do."
-            ),
-        ),
-    ] {
-        let _ = write!(
-            made,
-            "\n/// {doc} Static; never NULL.\n#[unsafe(no_mangle)]\npub extern \"C\" fn {name}_{what}({short}: {parameter}) -> *const c_char {{\n    told({tables}, {number}, Entry::c_{what})\n}}\n"
-        );
     }
 }

@@ -1034,7 +1034,7 @@ export const structs = {
             join: [56, "join"],
             filter: [88, "loopFilter"],
             guides: [224, "indices"],
-            relaxRings: [240, "u64"],
+            relaxRim: [240, "u64"],
             relaxWithin: [248, "f64"],
         },
     },
@@ -1371,7 +1371,7 @@ export interface Loop {
     rimAngleExpected: number;
     /** The distance of the mesh around from that surface, root mean square. */
     rimNoise: number;
-    /** What is advised for `relaxRings` of the fill options; 0: nothing. */
+    /** What is advised for `relaxRim` of the fill options; 0: nothing. */
     advisedRelaxRings: number;
     /** What is advised for `relaxWithin`; 0 where nothing is. */
     advisedRelaxWithin: number;
@@ -1443,7 +1443,7 @@ export interface FillReport {
     normalsReached: number;
     /** Where loops were joined by `FAIRMESH_JOIN_KIND_AUTO`, a `gapKind`: what lies between them. */
     gapKind: GapKind;
-    /** Vertices around the loop were allowed to move (`relaxRings`), and the next five say how far they did; otherwise these are 0. */
+    /** Vertices around the loop were allowed to move (`relaxRim`), and the next five say how far they did; otherwise these are 0. */
     hasRelaxed: boolean;
     /** How many vertices of the mesh moved. */
     movedCount: number;
@@ -1536,7 +1536,7 @@ export interface PlainFillOptions {
     /** The loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined. */
     onlyListed?: boolean | undefined;
     /** So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled: for boundaries that are noise. Zero (default): none. */
-    relaxRings?: number | undefined;
+    relaxRim?: number | undefined;
     /** No vertex moves further than this, in the unit of the positions. Zero (default): the mean length of the edges around the loop. */
     relaxWithin?: number | undefined;
 }

@@ -155,7 +155,7 @@ function joinIn(scope: Scope, given: NonNullable<FillOptions["join"]>): Values {
 
 /** Which loops; and with them the plain options of filling. */
 function fillIn(scope: Scope, given: LoopChoice & PatchOptions & Pick<FillOptions, "join" | "guides" | "relaxRim" | "relaxWithin">): number {
-    const plain = { ...given, relaxRings: given.relaxRim };
+    const plain = { ...given, relaxRim: given.relaxRim };
     const at = withDefaults(scope, "fillOptions", "fairmesh_fill_options_init", plain);
     const set = (values: Values) => write(scope.library, at, "fillOptions", values);
     if (given.join !== undefined) set({ join: joinIn(scope, given.join) });

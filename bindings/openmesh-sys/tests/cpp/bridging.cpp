@@ -184,10 +184,10 @@ template <class Mesh> void roughness() {
         CHECK(hole.has_roughness && (hole.is_rough != 0) == (noise > 0) && hole.vertices.size() == 16);
         CHECK(!fairmesh::boundary_loops(mesh)[0].has_roughness);
         if (noise == 0.0) continue;
-        CHECK(hole.roughness > 2 && hole.advised_relax_rings == 3 && hole.advised_relax_within > 0.5);
+        CHECK(hole.roughness > 2 && hole.advised_relax_rim == 3 && hole.advised_relax_within > 0.5);
         Mesh filled = mesh;
         fairmesh::openmesh_fill_options options;
-        options.patches.relax_rings = hole.advised_relax_rings;
+        options.patches.relax_rim = hole.advised_relax_rim;
         options.patches.relax_within = hole.advised_relax_within;
         const auto done = fairmesh::fill(filled, options);
         CHECK(done.patches[0].moved_count + done.patches[1].moved_count > 16);

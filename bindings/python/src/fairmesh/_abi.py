@@ -603,7 +603,7 @@ class fairmesh_loop(Structure):
         ("rim_angle", c_double),
         ("rim_angle_expected", c_double),
         ("rim_noise", c_double),
-        ("advised_relax_rings", c_uint64),
+        ("advised_relax_rim", c_uint64),
         ("advised_relax_within", c_double),
     )
 
@@ -681,36 +681,6 @@ class fairmesh_progress(Structure):
 fairmesh_progress_fn = CFUNCTYPE(c_int32, POINTER(fairmesh_progress), c_void_p)
 
 
-class fairmesh_options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("inner_fairness", c_uint32),
-        ("boundary_normals", fairmesh_boundary_normals),
-        ("target", fairmesh_target),
-        ("interior_normals", c_uint32),
-        ("discretization", c_uint32),
-        ("solver", c_uint32),
-        ("threads", c_uint32),
-        ("tolerance", c_double),
-        ("max_iterations", c_uint64),
-        ("progress", fairmesh_progress_fn),
-        ("user_data", c_void_p),
-        ("paper_estimate", c_uint32),
-        ("paper_estimate_iterations", c_uint32),
-        ("paper_damping", c_double),
-        ("paper_levels", c_uint64),
-        ("paper_base", c_uint64),
-        ("paper_defect", c_double),
-        ("paper_laplacian", c_double),
-        ("paper_max_updates", c_uint64),
-        ("intersections", c_uint32),
-        ("output_precision", c_uint32),
-        ("continuity", c_double),
-        ("boundary_curvature", fairmesh_boundary_curvature),
-        ("loop_continuity", fairmesh_loop_continuity),
-    )
-
-
 class fairmesh_join(Structure):
     _fields_ = (
         ("kind", c_uint32),
@@ -742,21 +712,59 @@ class fairmesh_loop_filter(Structure):
     )
 
 
+class fairmesh_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("interior_normals", c_uint32),
+        ("inner_fairness", c_uint32),
+        ("discretization", c_uint32),
+        ("solver", c_uint32),
+        ("output_precision", c_uint32),
+        ("threads", c_uint32),
+        ("intersections", c_uint32),
+        ("paper_estimate", c_uint32),
+        ("paper_estimate_iterations", c_uint32),
+        ("boundary_normals", fairmesh_boundary_normals),
+        ("continuity", c_double),
+        ("loop_continuity", fairmesh_loop_continuity),
+        ("boundary_curvature", fairmesh_boundary_curvature),
+        ("target", fairmesh_target),
+        ("tolerance", c_double),
+        ("max_iterations", c_uint64),
+        ("paper_damping", c_double),
+        ("paper_levels", c_uint64),
+        ("paper_base", c_uint64),
+        ("paper_defect", c_double),
+        ("paper_laplacian", c_double),
+        ("paper_max_updates", c_uint64),
+        ("progress", fairmesh_progress_fn),
+        ("user_data", c_void_p),
+    )
+
+
 class fairmesh_fill_options(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
-        ("fair", c_uint32),
-        ("max_edges", c_uint64),
-        ("loops", fairmesh_indices),
-        ("density", c_double),
-        ("max_new_vertices", c_uint64),
         ("on_failure", c_uint32),
+        ("fair", c_uint32),
         ("only_listed", c_uint32),
         ("join", fairmesh_join),
-        ("filter", fairmesh_loop_filter),
         ("guides", fairmesh_indices),
-        ("relax_rings", c_uint64),
+        ("density", c_double),
+        ("max_new_vertices", c_uint64),
+        ("relax_rim", c_uint64),
         ("relax_within", c_double),
+        ("max_edges", c_uint64),
+        ("loops", fairmesh_indices),
+        ("filter", fairmesh_loop_filter),
+    )
+
+
+class fairmesh_bridge_options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("fill", c_uint32),
+        ("width", c_double),
     )
 
 
@@ -823,14 +831,6 @@ class fairmesh_region_step(Structure):
         ("list", fairmesh_indices),
         ("reserved", c_uint32),
         ("reserved_too", c_uint32),
-    )
-
-
-class fairmesh_bridge_options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("fill", c_uint32),
-        ("width", c_double),
     )
 
 

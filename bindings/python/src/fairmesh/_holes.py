@@ -133,7 +133,7 @@ def _roughness(loop: _abi.fairmesh_loop) -> Roughness:
         loop.rim_angle_expected,
         loop.rim_noise,
         bool(loop.is_rough),
-        loop.advised_relax_rings,
+        loop.advised_relax_rim,
         loop.advised_relax_within,
     )
 
@@ -386,7 +386,7 @@ def fill_holes(
     fill = chosen.struct
     set_patches(fill, density, max_new_vertices, fair, on_failure)
     if relax_rim is not None:
-        fill.relax_rings = whole(relax_rim, "relax_rim")
+        fill.relax_rim = whole(relax_rim, "relax_rim")
     if relax_within is not None:
         fill.relax_within = real(relax_within, "relax_within")
     if guides is not None:

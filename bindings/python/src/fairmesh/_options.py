@@ -377,7 +377,7 @@ def default_fill_options() -> FillOptions:
         "fair": bool(struct.fair),
         "join": _abi.fairmesh_join_kind(struct.join.kind).name.lower(),
         "on_failure": _abi.fairmesh_on_failure(struct.on_failure).name.lower(),
-        "relax_rim": struct.relax_rings,
+        "relax_rim": struct.relax_rim,
         "max_edges": None if struct.max_edges == UINT64_MAX else struct.max_edges,
         "except_longest": struct.filter.except_longest,
         "density": struct.density,

@@ -1,0 +1,345 @@
+//! The options of the C interface. Made of the library's schemas by src/declarations: do not edit.
+
+use core::mem::offset_of;
+use std::ffi::c_void;
+
+use super::callback::fairmesh_progress_fn;
+use super::choices::{chosen, count};
+use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
+use super::status::CallResult;
+use super::types::*;
+use super::views::{Argument, FieldPath};
+use fairmesh::{
+    BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    PaperOptions, RemeshOptions, Rim,
+};
+
+/// What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_options {
+    /// `sizeof(fairmesh_options)`.
+    pub struct_size: u32,
+    /// A `fairmesh_interior_normals`: normals of fixed vertices inside the region that have none given. Default: the surface passes smoothly.
+    pub interior_normals: u32,
+    /// A `fairmesh_inner_fairness`: how vertices are distributed within the surface. Default: uniform.
+    pub inner_fairness: u32,
+    /// A `fairmesh_discretization`: how normals and mean curvature are discretized. Default: second order.
+    pub discretization: u32,
+    /// A `fairmesh_solver_kind`: how the equations are solved. Default: fast.
+    pub solver: u32,
+    /// A `fairmesh_output_precision`: the precision of what the result will be written in; moved positions are rounded to it, and the report is of the rounded surface. Default: double.
+    pub output_precision: u32,
+    /// Worker threads, at most 1024; 0 (default): as many as the machine has. Any number gives the same bits.
+    pub threads: u32,
+    /// A `fairmesh_intersections`: whether the final surface is checked for self-intersections. Default: it is; that takes about a tenth of the run, at most a fifth.
+    pub intersections: u32,
+    /// A `fairmesh_estimate`: how the scheme estimates `H` (paper 7.1). For the solver `paper` only, as all that follow. Default: alternating, with 10 conjugate gradient iterations.
+    pub paper_estimate: u32,
+    /// Iterations of the estimate. Default 10. At least 1.
+    pub paper_estimate_iterations: u32,
+    /// Normals at the boundary vertices. Default: fitted to the surroundings.
+    pub boundary_normals: fairmesh_boundary_normals,
+    /// How far the surface continues the mean curvature of its surroundings: from 0 (default: tangent planes alone, G1) to 1 (curvature, too, G2), part of the way between those surfaces, where `Delta_B^2 H = 0`. Only as far as the surroundings are smooth enough to tell their curvature; the report says how far. For the fast solver.
+    pub continuity: f64,
+    /// The same for single boundary loops, each named by a vertex on it, in place of `continuity`. Of several numbers for one loop the last one holds. A loop with 0 has tangent planes alone, and `Delta_B H` is zero along it. Default: none.
+    pub loop_continuity: fairmesh_loop_continuity,
+    /// Where that curvature comes from. Default: fitted to the surroundings.
+    pub boundary_curvature: fairmesh_boundary_curvature,
+    /// What `Delta_B H` has to be. Default: zero.
+    pub target: fairmesh_target,
+    /// Stop when the step norm (rms normal step + rms tangential step, over the diagonal of the component's bounding box) is below this. Default 1e-8; 1e-6 is enough for interactive use. At least 1e-15, a few roundings, and less than 1. What the mesh allows may be a hundred times that, which the outcome says.
+    pub tolerance: f64,
+    /// At most this many nonlinear iterations for each component of the region. Default 500. At least 1.
+    pub max_iterations: u64,
+    /// The part of each normal step that is taken (`s` of paper 7.5); the tangential step is taken whole. Default 0.9. Greater than 0, at most 1.
+    pub paper_damping: f64,
+    /// Levels of the hierarchy (paper 7.4), the given mesh included; 1: no hierarchy. Default 0: as many as make each level about four times as large as the one before.
+    pub paper_levels: u64,
+    /// Vertices of the base mesh, boundary included. Default 0: two and a half times the boundary. The base has more where no further collapse is allowed.
+    pub paper_base: u64,
+    /// Stop when the harmonic defect (`defect` of the report) is at most this. Default 1e-6. Greater than 0.
+    pub paper_defect: f64,
+    /// And when `max |Delta_B H|` times the cube of the region's diagonal is at most this; below what the rounding of the positions makes of it, that counts, and the outcome says so. Default: infinite. Greater than 0.
+    pub paper_laplacian: f64,
+    /// At most this many updates of the mesh on all levels together. Default 20000. At least 1.
+    pub paper_max_updates: u64,
+    /// Called with the progress; may be NULL, the default.
+    pub progress: fairmesh_progress_fn,
+    /// Handed to `progress`.
+    pub user_data: *mut c_void,
+}
+
+impl fairmesh_options {
+    /// The library's defaults.
+    pub(crate) fn standard() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            interior_normals: fairmesh_interior_normals::Smooth as u32,
+            inner_fairness: fairmesh_inner_fairness::Uniform as u32,
+            discretization: fairmesh_discretization::SecondOrder as u32,
+            solver: fairmesh_solver_kind::Fast as u32,
+            output_precision: fairmesh_output_precision::Double as u32,
+            threads: 0,
+            intersections: fairmesh_intersections::Check as u32,
+            paper_estimate: fairmesh_estimate::Alternating as u32,
+            paper_estimate_iterations: 10,
+            boundary_normals: fairmesh_boundary_normals::default(),
+            continuity: 0.0,
+            loop_continuity: fairmesh_loop_continuity::default(),
+            boundary_curvature: fairmesh_boundary_curvature::default(),
+            target: fairmesh_target::default(),
+            tolerance: 1e-8,
+            max_iterations: 500,
+            paper_damping: 0.9,
+            paper_levels: 0,
+            paper_base: 0,
+            paper_defect: 1e-6,
+            paper_laplacian: f64::INFINITY,
+            paper_max_updates: 20000,
+            progress: None,
+            user_data: core::ptr::null_mut(),
+        }
+    }
+
+    /// Where an option is in this argument.
+    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
+        let (at, name) = match option {
+            "interior_normals" => (offset_of!(Self, interior_normals), "interior_normals"),
+            "inner_fairness" => (offset_of!(Self, inner_fairness), "inner_fairness"),
+            "discretization" => (offset_of!(Self, discretization), "discretization"),
+            "solver" => (offset_of!(Self, solver), "solver"),
+            "output_precision" => (offset_of!(Self, output_precision), "output_precision"),
+            "threads" => (offset_of!(Self, threads), "threads"),
+            "intersections" => (offset_of!(Self, intersections), "intersections"),
+            "paper_estimate" => (offset_of!(Self, paper_estimate), "paper_estimate"),
+            "paper_estimate_iterations" => (offset_of!(Self, paper_estimate_iterations), "paper_estimate_iterations"),
+            "boundary_normals" => (offset_of!(Self, boundary_normals), "boundary_normals"),
+            "continuity" => (offset_of!(Self, continuity), "continuity"),
+            "loop_continuity" => (offset_of!(Self, loop_continuity), "loop_continuity"),
+            "boundary_curvature" => (offset_of!(Self, boundary_curvature), "boundary_curvature"),
+            "target" => (offset_of!(Self, target), "target"),
+            "tolerance" => (offset_of!(Self, tolerance), "tolerance"),
+            "max_iterations" => (offset_of!(Self, max_iterations), "max_iterations"),
+            "paper_damping" => (offset_of!(Self, paper_damping), "paper_damping"),
+            "paper_levels" => (offset_of!(Self, paper_levels), "paper_levels"),
+            "paper_base" => (offset_of!(Self, paper_base), "paper_base"),
+            "paper_defect" => (offset_of!(Self, paper_defect), "paper_defect"),
+            "paper_laplacian" => (offset_of!(Self, paper_laplacian), "paper_laplacian"),
+            "paper_max_updates" => (offset_of!(Self, paper_max_updates), "paper_max_updates"),
+            "progress" => (offset_of!(Self, progress), "progress"),
+            "user_data" => (offset_of!(Self, user_data), "user_data"),
+            _ => return None,
+        };
+        Some(argument.field(at, name))
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_options(&self, argument: Argument) -> CallResult<Options> {
+        Ok(Options {
+            interior_normals: chosen(InteriorNormals::from_number(self.interior_normals), self.interior_normals, "fairmesh_interior_normals", argument.field(offset_of!(Self, interior_normals), "interior_normals"))?,
+            continuity: self.continuity,
+            inner_fairness: chosen(InnerFairness::from_number(self.inner_fairness), self.inner_fairness, "fairmesh_inner_fairness", argument.field(offset_of!(Self, inner_fairness), "inner_fairness"))?,
+            discretization: chosen(Discretization::from_number(self.discretization), self.discretization, "fairmesh_discretization", argument.field(offset_of!(Self, discretization), "discretization"))?,
+            tolerance: self.tolerance,
+            max_iterations: count(self.max_iterations),
+            output_precision: chosen(OutputPrecision::from_number(self.output_precision), self.output_precision, "fairmesh_output_precision", argument.field(offset_of!(Self, output_precision), "output_precision"))?,
+            threads: self.threads as usize,
+            intersections: chosen(Intersections::from_number(self.intersections), self.intersections, "fairmesh_intersections", argument.field(offset_of!(Self, intersections), "intersections"))?,
+            ..Options::default()
+        })
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_paper_options(&self, _: Argument) -> CallResult<PaperOptions> {
+        Ok(PaperOptions {
+            damping: self.paper_damping,
+            levels: count(self.paper_levels),
+            base: count(self.paper_base),
+            defect: self.paper_defect,
+            laplacian: self.paper_laplacian,
+            max_updates: count(self.paper_max_updates),
+            ..PaperOptions::default()
+        })
+    }
+}
+
+/// What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_fill_options {
+    /// `sizeof(fairmesh_fill_options)`.
+    pub struct_size: u32,
+    /// A `fairmesh_on_failure`: what a loop gets for which no fair patch is found. Default: the best surface there is.
+    pub on_failure: u32,
+    /// Not 0: the patches are faired. Default: yes.
+    pub fair: u32,
+    /// Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.
+    pub only_listed: u32,
+    /// Which of them get one patch together. Default: none.
+    pub join: fairmesh_join,
+    /// Pairs of vertices of the boundary that the triangulation shall have an edge between, before it is refined. On one loop a guide divides what is triangulated, as across a long tear; between two loops that are joined it is where their patch is cut open. No vertex is in two of them. The patch is faired as a whole: it has no crease there. Default: none. Two indices side by side.
+    pub guides: fairmesh_indices,
+    /// How dense the new vertices are, Liepa's factor as in CGAL: at the default, the square root of 2, edges are as long as those of the mesh beside the boundary; at twice that, half as long. Between 0.1 and 10.
+    pub density: f64,
+    /// At most this many new vertices in all. Where they do not suffice, patches become coarser away from their boundaries. Smaller loops are served first. Default 200000. No loop of n edges gets more than 1000 + n^2 of them, times the square of a density above 1: a round hole takes a tenth.
+    pub max_new_vertices: u64,
+    /// For boundaries that are noise: this many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has there on average, before it is filled. 0 (default): none.
+    pub relax_rim: u64,
+    /// No vertex of these rings moves further than this. Default: the mean length of the edges around the loop. 0 stands for the default.
+    pub relax_within: f64,
+    /// Holes of more edges stay open. Default: UINT64_MAX.
+    pub max_edges: u64,
+    /// These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all holes. With a count, `max_edges` and `filter` are not read.
+    pub loops: fairmesh_indices,
+    /// Which holes, if `loops` does not say it. All zero (default): all of them.
+    pub filter: fairmesh_loop_filter,
+}
+
+impl fairmesh_fill_options {
+    /// The library's defaults.
+    pub(crate) fn standard() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            on_failure: fairmesh_on_failure::Linear as u32,
+            fair: 1,
+            only_listed: 0,
+            join: fairmesh_join::default(),
+            guides: fairmesh_indices::default(),
+            density: 1.4142135623730951,
+            max_new_vertices: 200000,
+            relax_rim: 0,
+            relax_within: 0.0,
+            max_edges: u64::MAX,
+            loops: fairmesh_indices::default(),
+            filter: fairmesh_loop_filter::default(),
+        }
+    }
+
+    /// Where an option is in this argument.
+    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
+        let (at, name) = match option {
+            "on_failure" => (offset_of!(Self, on_failure), "on_failure"),
+            "fair" => (offset_of!(Self, fair), "fair"),
+            "only_listed" => (offset_of!(Self, only_listed), "only_listed"),
+            "join" => (offset_of!(Self, join), "join"),
+            "guides" => (offset_of!(Self, guides), "guides"),
+            "density" => (offset_of!(Self, density), "density"),
+            "max_new_vertices" => (offset_of!(Self, max_new_vertices), "max_new_vertices"),
+            "relax_rim" => (offset_of!(Self, relax_rim), "relax_rim"),
+            "relax_within" => (offset_of!(Self, relax_within), "relax_within"),
+            "max_edges" => (offset_of!(Self, max_edges), "max_edges"),
+            "loops" => (offset_of!(Self, loops), "loops"),
+            "filter" => (offset_of!(Self, filter), "filter"),
+            _ => return None,
+        };
+        Some(argument.field(at, name))
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_fill_options(&self, argument: Argument) -> CallResult<FillOptions> {
+        Ok(FillOptions {
+            density: self.density,
+            max_new_vertices: count(self.max_new_vertices),
+            on_failure: chosen(OnFailure::from_number(self.on_failure), self.on_failure, "fairmesh_on_failure", argument.field(offset_of!(Self, on_failure), "on_failure"))?,
+            fair: self.fair != 0,
+            ..FillOptions::default()
+        })
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_rim(&self, _: Argument) -> CallResult<Rim> {
+        Ok(Rim {
+            relax: count(self.relax_rim),
+            within: (self.relax_within != 0.0).then_some(self.relax_within),
+            ..Rim::default()
+        })
+    }
+}
+
+/// What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_bridge_options {
+    /// `sizeof(fairmesh_bridge_options)`.
+    pub struct_size: u32,
+    /// Not 0: holes that the strip leaves beside it are filled, and all new vertices, the strip's included, faired together. Default: no.
+    pub fill: u32,
+    /// How long the chains shall be: each is made longer or shorter about its middle along its loop, to the vertices where that is met best. Default: they are as given. 0 stands for the default.
+    pub width: f64,
+}
+
+impl fairmesh_bridge_options {
+    /// The library's defaults.
+    pub(crate) fn standard() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            fill: 0,
+            width: 0.0,
+        }
+    }
+
+    /// Where an option is in this argument.
+    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
+        let (at, name) = match option {
+            "fill" => (offset_of!(Self, fill), "fill"),
+            "width" => (offset_of!(Self, width), "width"),
+            _ => return None,
+        };
+        Some(argument.field(at, name))
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_bridge_options(&self, _: Argument) -> CallResult<BridgeOptions> {
+        Ok(BridgeOptions {
+            width: (self.width != 0.0).then_some(self.width),
+            fill: self.fill != 0,
+            ..BridgeOptions::default()
+        })
+    }
+}
+
+/// What remeshing does. Fill it by `fairmesh_remesh_options_init`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct fairmesh_remesh_options {
+    /// `sizeof(fairmesh_remesh_options)`.
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// How dense the vertices are, as in hole filling: at the default, the square root of 2, edges are as long as those beside the region. Between 0.1 and 10.
+    pub density: f64,
+    /// At most this many vertices inside the region. Default 200000.
+    pub max_vertices: u64,
+}
+
+impl fairmesh_remesh_options {
+    /// The library's defaults.
+    pub(crate) fn standard() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            density: 1.4142135623730951,
+            max_vertices: 200000,
+        }
+    }
+
+    /// Where an option is in this argument.
+    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {
+        let (at, name) = match option {
+            "density" => (offset_of!(Self, density), "density"),
+            "max_vertices" => (offset_of!(Self, max_vertices), "max_vertices"),
+            _ => return None,
+        };
+        Some(argument.field(at, name))
+    }
+
+    /// What needs no arrays and has no values of its own; all else as it is by default.
+    pub(crate) fn read_remesh_options(&self, _: Argument) -> CallResult<RemeshOptions> {
+        Ok(RemeshOptions {
+            density: self.density,
+            max_vertices: count(self.max_vertices),
+            ..RemeshOptions::default()
+        })
+    }
+}

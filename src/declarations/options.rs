@@ -1,0 +1,264 @@
+//! The option structs of the C interface, made of the library's schemas: `src/capi/option_structs.rs`.
+
+use std::fmt::Write;
+
+use fairmesh::{
+    BridgeOptions, FillOptions, OptionDefault, OptionEntry, OptionKind, Options, PaperOptions, RemeshOptions,
+    Rim,
+};
+
+use crate::tables::variant;
+
+const HEAD: &str = "\
+//! The options of the C interface. Made of the library's schemas by src/declarations: do not edit.
+
+use core::mem::offset_of;
+use std::ffi::c_void;
+
+use super::callback::fairmesh_progress_fn;
+use super::choices::{chosen, count};
+use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
+use super::status::CallResult;
+use super::types::*;
+use super::views::{Argument, FieldPath};
+use fairmesh::{
+    BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
+    PaperOptions, RemeshOptions, Rim,
+};
+";
+
+/// A struct of the C interface.
+pub struct OptionStruct {
+    /// Its name.
+    pub name: &'static str,
+    /// What it says.
+    text: &'static str,
+    /// The library's structs that it is made of, with their schemas.
+    parts: Vec<(&'static str, Vec<OptionEntry>)>,
+    /// What C has besides: name, type, text and default.
+    besides: &'static [[&'static str; 4]],
+}
+
+/// What the library has in another form: by values of its own.
+const BY_HAND: [&str; 2] = ["solver", "paper_estimate"];
+
+/// All of them.
+pub fn all() -> [OptionStruct; 4] {
+    [
+        OptionStruct {
+            name: "fairmesh_options",
+            text: "What is asked. Fill it by `fairmesh_options_init`, then change fields: every default exists once, in the library.",
+            parts: vec![
+                ("Options", Options::schema()),
+                ("PaperOptions", PaperOptions::schema()),
+            ],
+            besides: &[
+                [
+                    "paper_estimate_iterations",
+                    "u32",
+                    "Iterations of the estimate. Default 10. At least 1.",
+                    "10",
+                ],
+                [
+                    "progress",
+                    "fairmesh_progress_fn",
+                    "Called with the progress; may be NULL, the default.",
+                    "None",
+                ],
+                [
+                    "user_data",
+                    "*mut c_void",
+                    "Handed to `progress`.",
+                    "core::ptr::null_mut()",
+                ],
+            ],
+        },
+        OptionStruct {
+            name: "fairmesh_fill_options",
+            text: "What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.",
+            parts: vec![("FillOptions", FillOptions::schema()), ("Rim", Rim::schema())],
+            besides: &[
+                [
+                    "max_edges",
+                    "u64",
+                    "Holes of more edges stay open. Default: UINT64_MAX.",
+                    "u64::MAX",
+                ],
+                [
+                    "loops",
+                    "fairmesh_indices",
+                    "These loops only, as `fairmesh_boundary_loops` numbers them, outer boundaries included; NULL with count 0 (default): all holes. With a count, `max_edges` and `filter` are not read.",
+                    "fairmesh_indices::default()",
+                ],
+                [
+                    "only_listed",
+                    "u32",
+                    "Not 0: the loops of the list `loops` only, also where it is empty: then nothing is filled but groups of loops that are joined.",
+                    "0",
+                ],
+                [
+                    "filter",
+                    "fairmesh_loop_filter",
+                    "Which holes, if `loops` does not say it. All zero (default): all of them.",
+                    "fairmesh_loop_filter::default()",
+                ],
+            ],
+        },
+        OptionStruct {
+            name: "fairmesh_bridge_options",
+            text: "What a bridge shall be. Fill it by `fairmesh_bridge_options_init`. How dense it is, and what becomes of one that is not fair, is in a `fairmesh_fill_options`.",
+            parts: vec![("BridgeOptions", BridgeOptions::schema())],
+            besides: &[],
+        },
+        OptionStruct {
+            name: "fairmesh_remesh_options",
+            text: "What remeshing does. Fill it by `fairmesh_remesh_options_init`.",
+            parts: vec![("RemeshOptions", RemeshOptions::schema())],
+            besides: &[],
+        },
+    ]
+}
+
+/// The text of `src/capi/option_structs.rs`.
+pub fn structs() -> String {
+    let mut made = HEAD.to_owned();
+    all().iter().for_each(|of| declaration(&mut made, of));
+    made
+}
+
+impl OptionStruct {
+    /// The options that C has, in their order: first those of four bytes, so that there are no gaps.
+    pub fn entries(&self) -> Vec<&OptionEntry> {
+        let all = self.parts.iter().flat_map(|(_, entries)| entries);
+        all.filter(|entry| entry.kind != OptionKind::Elsewhere).collect()
+    }
+
+    /// Name, type, text and default of all fields but the size.
+    fn fields(&self) -> Vec<[String; 4]> {
+        let options = self.entries().into_iter().map(|entry| {
+            [
+                entry.name.to_owned(),
+                c_type(entry.kind),
+                c_text(entry),
+                c_default(entry),
+            ]
+        });
+        let besides = self.besides.iter().map(|field| field.map(str::to_owned));
+        let (mut small, large): (Vec<_>, Vec<_>) =
+            options.chain(besides).partition(|field| field[1] == "u32");
+        if small.len() % 2 == 0 {
+            small.push(["reserved", "u32", "Zero.", "0"].map(str::to_owned));
+        }
+        small.extend(large);
+        small
+    }
+}
+
+fn c_type(kind: OptionKind) -> String {
+    match kind {
+        OptionKind::Real(_) => "f64",
+        OptionKind::Count(_) => "u64",
+        OptionKind::SmallCount(_) | OptionKind::Flag | OptionKind::Choice(_) => "u32",
+        OptionKind::Indices(_) => "fairmesh_indices",
+        OptionKind::Struct(of) => of,
+        OptionKind::Elsewhere => unreachable!("no field of C"),
+    }
+    .to_owned()
+}
+
+/// The text of an option in the words of C.
+fn c_text(entry: &OptionEntry) -> String {
+    let lower = || entry.text[..1].to_lowercase() + &entry.text[1..];
+    match (entry.kind, entry.default) {
+        (OptionKind::Choice(of), _) => format!("A `{of}`: {}", lower()),
+        (OptionKind::Flag, _) => format!("Not 0: {}", lower().trim_start_matches("whether ")),
+        (OptionKind::Real(_), OptionDefault::Nothing) => format!("{} 0 stands for the default.", entry.text),
+        (OptionKind::Indices(2), _) => format!("{} Two indices side by side.", entry.text),
+        _ => entry.text.clone(),
+    }
+}
+
+fn c_default(entry: &OptionEntry) -> String {
+    match (entry.default, entry.kind) {
+        (OptionDefault::Name(name), OptionKind::Choice(of)) => format!("{of}::{} as u32", variant(name)),
+        (OptionDefault::Number(number), OptionKind::Real(_)) if number.is_infinite() => {
+            "f64::INFINITY".to_owned()
+        }
+        (OptionDefault::Number(number), OptionKind::Real(_)) => format!("{number:?}"),
+        (OptionDefault::Number(number), _) => format!("{number}"),
+        (OptionDefault::Flag(is_set), _) => u32::from(is_set).to_string(),
+        (_, OptionKind::Real(_)) => "0.0".to_owned(),
+        (_, kind) => format!("{}::default()", c_type(kind)),
+    }
+}
+
+fn declaration(made: &mut String, of: &OptionStruct) {
+    let (name, fields) = (of.name, of.fields());
+    let _ = write!(
+        made,
+        "\n/// {}\n#[repr(C)]\n#[derive(Clone, Copy)]\npub struct {name} {{\n    /// `sizeof({name})`.\n    pub struct_size: u32,\n",
+        of.text
+    );
+    for [field, kind, text, _] in &fields {
+        let _ = writeln!(made, "    /// {text}\n    pub {field}: {kind},");
+    }
+    let _ = write!(
+        made,
+        "}}\n\nimpl {name} {{\n    /// The library's defaults.\n    pub(crate) fn standard() -> Self {{\n        Self {{\n            struct_size: size_of::<Self>() as u32,\n"
+    );
+    for [field, _, _, default] in &fields {
+        let _ = writeln!(made, "            {field}: {default},");
+    }
+    made.push_str("        }\n    }\n\n    /// Where an option is in this argument.\n    pub(crate) fn place(argument: Argument, option: &str) -> Option<FieldPath> {\n        let (at, name) = match option {\n");
+    for [field, ..] in fields.iter().filter(|field| field[0] != "reserved") {
+        let _ = writeln!(
+            made,
+            "            \"{field}\" => (offset_of!(Self, {field}), \"{field}\"),"
+        );
+    }
+    made.push_str(
+        "            _ => return None,\n        };\n        Some(argument.field(at, name))\n    }\n",
+    );
+    for (part, entries) in &of.parts {
+        reading(made, part, entries);
+    }
+    made.push_str("}\n");
+}
+
+/// The function that reads what needs no arrays.
+fn reading(made: &mut String, part: &str, entries: &[OptionEntry]) {
+    let lower: String = part
+        .chars()
+        .flat_map(|c| {
+            if c.is_uppercase() {
+                vec!['_', c.to_ascii_lowercase()]
+            } else {
+                vec![c]
+            }
+        })
+        .collect();
+    let lines: Vec<String> = entries.iter().filter_map(|entry| {
+        let (name, field) = (entry.name, entry.field);
+        let value = match (entry.kind, entry.default) {
+            _ if BY_HAND.contains(&name) => return None,
+            (OptionKind::Real(_), OptionDefault::Nothing) => format!("(self.{name} != 0.0).then_some(self.{name})"),
+            (OptionKind::Real(_), _) => format!("self.{name}"),
+            (OptionKind::Count(_), _) => format!("count(self.{name})"),
+            (OptionKind::SmallCount(_), _) => format!("self.{name} as usize"),
+            (OptionKind::Flag, _) => format!("self.{name} != 0"),
+            (OptionKind::Choice(of), _) => {
+                let rust = variant(of.trim_start_matches("fairmesh_"));
+                format!("chosen({rust}::from_number(self.{name}), self.{name}, \"{of}\", argument.field(offset_of!(Self, {name}), \"{name}\"))?")
+            }
+            _ => return None,
+        };
+        Some(format!("            {field}: {value},\n"))
+    }).collect();
+    let needs_argument = lines.iter().any(|line| line.contains("argument"));
+    let argument = if needs_argument { "argument" } else { "_" };
+    let _ = write!(
+        made,
+        "\n    /// What needs no arrays and has no values of its own; all else as it is by default.\n    pub(crate) fn read{lower}(&self, {argument}: Argument) -> CallResult<{part}> {{\n        Ok({part} {{\n{}            ..{part}::default()\n        }})\n    }}\n",
+        lines.concat()
+    );
+}
