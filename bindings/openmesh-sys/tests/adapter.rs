@@ -12,27 +12,17 @@ use std::sync::OnceLock;
 use command::run;
 
 /// GCC worries about vectors of OpenMesh that have no value yet.
-const STRICT: [&str; 7] = [
-    "-Wall",
-    "-Wextra",
-    "-pedantic",
-    "-Werror",
-    "-Wno-maybe-uninitialized",
-    "-O1",
-    "-g",
-];
-
-fn here() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+const STRICT: &str = "-std=c++17 -Wall -Wextra -pedantic -Werror -Wno-maybe-uninitialized -O1 -g";
+const SANITIZED: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
 fn root() -> PathBuf {
-    here().join("../..").canonicalize().unwrap()
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.join("../..").canonicalize().unwrap()
 }
 
-fn work() -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("openmesh");
-    fs::create_dir_all(&path).unwrap();
+fn work(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("openmesh").join(name);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
     path
 }
 
@@ -40,7 +30,7 @@ fn work() -> PathBuf {
 fn prefix() -> &'static Path {
     static PREFIX: OnceLock<PathBuf> = OnceLock::new();
     PREFIX.get_or_init(|| {
-        let prefix = work().join("prefix");
+        let prefix = work("prefix");
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
         let _ = fs::remove_dir_all(&prefix);
         run(Command::new("make")
@@ -54,6 +44,14 @@ fn prefix() -> &'static Path {
     })
 }
 
+/// Compiles a file of `tests/cpp`.
+fn compiler(source: &str) -> Command {
+    let mut command = Command::new("c++");
+    command.args(STRICT.split(' ')).args(pkg_config("--cflags"));
+    command.arg(root().join("bindings/openmesh-sys/tests/cpp").join(source));
+    command
+}
+
 fn pkg_config(what: &str) -> Vec<String> {
     let said = run(Command::new("pkg-config")
         .args([what, "fairmesh", "openmesh"])
@@ -61,41 +59,67 @@ fn pkg_config(what: &str) -> Vec<String> {
     said.split_whitespace().map(str::to_owned).collect()
 }
 
-fn compiler(source: &str) -> Command {
-    let mut command = Command::new("c++");
-    command
-        .arg("-std=c++17")
-        .args(STRICT)
-        .args(pkg_config("--cflags"));
-    command.arg(here().join("tests/cpp").join(source));
-    command
-}
-
-/// Compiles and links tests of the adapter with these options more, and runs them.
-fn adapter(source: &str, kind: &str, options: &[&str]) {
-    let program = work().join(format!("{source}{kind}"));
-    let library = prefix().join("lib");
-    let mut command = compiler(&format!("{source}.cpp"));
-    command.args(options).args(pkg_config("--libs"));
-    command.arg(format!("-Wl,-rpath,{}", library.display()));
-    run(command.arg("-o").arg(&program));
+/// Compiles and links tests of the adapter under the sanitizers, and runs them.
+fn adapter(name: &str) {
+    let (program, library) = (work(name), prefix().join("lib"));
+    run(compiler(&format!("{name}.cpp"))
+        .args(SANITIZED)
+        .args(pkg_config("--libs"))
+        .arg(format!("-Wl,-rpath,{}", library.display()))
+        .arg("-o")
+        .arg(&program));
     let said = run(Command::new(&program).env("ASAN_OPTIONS", "detect_leaks=1"));
-    assert!(said.contains(&format!("{source}: passed")), "{said}");
+    assert!(said.contains(&format!("{name}: passed")), "{said}");
 }
 
 #[test]
 fn everything_is_kept_and_honoured() {
-    adapter("adapter", "", &[]);
+    adapter("adapter");
 }
 
 #[test]
 fn holes_are_filled_and_loops_joined() {
-    adapter("filling", "", &[]);
+    adapter("filling");
 }
 
 #[test]
 fn bridges_are_made_and_boundaries_trimmed() {
-    adapter("bridging", "", &[]);
+    adapter("bridging");
+}
+
+#[test]
+fn other_meshes_are_refused_with_a_clear_message() {
+    let compile = |define: &str| {
+        let output = compiler("refused.cpp")
+            .args(["-fsyntax-only", define])
+            .output()
+            .unwrap();
+        (
+            output.status.success(),
+            String::from_utf8_lossy(&output.stderr).into_owned(),
+        )
+    };
+    assert!(compile("-DNOTHING").0);
+    for (which, message) in [
+        ("-DPOLY", "fairmesh::fair needs a triangle mesh of OpenMesh"),
+        ("-DINTEGERS", "fairmesh::fair needs points of floats or doubles"),
+        ("-DCONSTANT", "the OpenMesh mesh must not be const"),
+    ] {
+        let (compiles, said) = compile(which);
+        assert!(!compiles && said.contains(message), "{which}: {said}");
+    }
+}
+
+/// The vertices of an OFF file, which OpenMesh writes as floats, are on the unit sphere.
+fn is_on_sphere(file: &Path, bar: f64) -> bool {
+    let text = fs::read_to_string(file).unwrap();
+    let mut lines = text.lines().skip(1);
+    let count = lines.next().unwrap().split(' ').next().unwrap().parse().unwrap();
+    let off = |line: &str| {
+        let numbers = line.split_whitespace().map(|word| word.parse::<f64>().unwrap());
+        (numbers.map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs()
+    };
+    count > 400 && lines.take(count).all(|line| off(line) < bar)
 }
 
 /// The program that docs/openmesh.md begins with is compiled by its own command and run; the other pieces of code are compiled with what stands
@@ -105,154 +129,74 @@ fn the_guide_compiles_and_its_program_runs() {
     let guide = fs::read_to_string(root().join("docs/openmesh.md")).unwrap();
     let blocks = |language: &str| -> Vec<String> {
         let fence = format!("```{language}\n");
-        guide
-            .split(&fence)
-            .skip(1)
+        let begins = guide.split(&fence).skip(1);
+        begins
             .map(|rest| rest.split("\n```").next().unwrap().to_owned())
             .collect()
     };
     let (code, shell) = (blocks("cpp"), blocks("sh"));
-    let program = &code[0];
-    let lines = |word: &str| -> String {
-        let lines = shell[0].lines().filter(|line| line.starts_with(word));
-        lines.map(|line| line.to_owned() + "\n").collect()
-    };
-    let at = work().join("guide");
+    let at = work("guide");
     fs::create_dir_all(at.join("docs")).unwrap();
     fs::copy(root().join("docs/dented.ply"), at.join("docs/dented.ply")).unwrap();
-    fs::write(at.join("smooth.cpp"), program).unwrap();
-    let home = "$HOME/.local";
-    let exports = lines("export").replace(home, &prefix().display().to_string());
-    let script = format!("set -e\n{exports}{}{}", lines("c++"), lines("./smooth"));
+    fs::write(at.join("smooth.cpp"), &code[0]).unwrap();
+    let is_run = |line: &&str| {
+        ["export", "c++", "./smooth"]
+            .iter()
+            .any(|word| line.starts_with(word))
+    };
+    let lines: Vec<&str> = shell[0].lines().filter(is_run).collect();
+    let script = lines
+        .join(" && ")
+        .replace("$HOME/.local", &prefix().display().to_string());
     let said = run(Command::new("bash").current_dir(&at).args(["-c", &script]));
     assert!(said.contains("converged after"), "{said}");
-    // OpenMesh writes six digits.
-    let off = |p: &[f64; 3]| (p.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs();
-    let written = vertices(&at.join("whole.off"));
-    assert!(written.len() > 400 && written.iter().all(|p| off(p) < 1e-6));
+    assert!(is_on_sphere(&at.join("whole.off"), 1e-6));
 
-    let (head, _) = program.split_once("int main").unwrap();
-    let mut pieces = head.replace(
-        "#include <fairmesh_openmesh_fill.hpp>",
-        "#include <fairmesh_openmesh_bridge.hpp>\n#include <fairmesh_openmesh_rim.hpp>",
-    );
+    let (head, _) = code[0].split_once("int main").unwrap();
+    let mut pieces =
+        String::from("#include <fairmesh_openmesh_bridge.hpp>\n#include <fairmesh_openmesh_rim.hpp>\n");
+    pieces += head;
     assert!(code.len() > 4);
     for (k, piece) in code.iter().enumerate().skip(1) {
         pieces += &format!("void piece_{k}(Mesh &mesh) {{\n{piece}\n}}\n");
     }
-    let file = at.join("pieces.cpp");
-    fs::write(&file, pieces).unwrap();
+    fs::write(at.join("pieces.cpp"), pieces).unwrap();
+    let options = "-std=c++17 -Wall -Wno-unused -Wno-maybe-uninitialized -Werror -fsyntax-only pieces.cpp";
     run(Command::new("c++")
-        .args([
-            "-std=c++17",
-            "-Wall",
-            "-Wno-unused-variable",
-            "-Wno-maybe-uninitialized",
-            "-Werror",
-            "-c",
-            "-o",
-        ])
-        .arg(at.join("pieces.o"))
-        .arg(file)
+        .current_dir(&at)
+        .args(options.split(' '))
         .args(pkg_config("--cflags")));
-}
-
-#[test]
-fn the_sanitizers_have_nothing_to_say() {
-    for source in ["adapter", "filling", "bridging"] {
-        let options = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-        adapter(source, "-sanitized", &options);
-    }
-}
-
-#[test]
-fn other_meshes_are_refused_with_a_clear_message() {
-    let compile = |more: &[&str]| {
-        compiler("refused.cpp")
-            .arg("-fsyntax-only")
-            .args(more)
-            .output()
-            .unwrap()
-    };
-    assert!(compile(&[]).status.success());
-    for (which, message) in [
-        ("-DPOLY", "fairmesh::fair needs a triangle mesh of OpenMesh"),
-        ("-DINTEGERS", "fairmesh::fair needs points of floats or doubles"),
-        ("-DCONSTANT", "the OpenMesh mesh must not be const"),
-    ] {
-        let output = compile(&[which]);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(
-            !output.status.success() && said.contains(message),
-            "{which}: {said}"
-        );
-    }
-}
-
-/// Vertices of an OFF or PLY file, in text.
-fn vertices(file: &Path) -> Vec<[f64; 3]> {
-    let text = fs::read_to_string(file).unwrap();
-    let (skip, count) = if text.starts_with("ply") {
-        let count = text
-            .lines()
-            .find_map(|l| l.strip_prefix("element vertex "))
-            .unwrap();
-        (
-            1 + text.lines().position(|l| l == "end_header").unwrap(),
-            count.trim().parse().unwrap(),
-        )
-    } else {
-        let counts = text.lines().nth(1).unwrap();
-        (2, counts.split_whitespace().next().unwrap().parse().unwrap())
-    };
-    let numbers = |line: &str| -> [f64; 3] {
-        let mut words = line.split_whitespace();
-        std::array::from_fn(|_| words.next().unwrap().parse().unwrap())
-    };
-    text.lines().skip(skip).take(count).map(numbers).collect()
 }
 
 /// The piece of a sphere with a dent becomes a sphere, selected both ways.
 #[test]
 fn the_example_is_built_by_cmake_and_runs() {
-    let build = work().join("cmake-example");
+    let build = work("cmake-example");
     let _ = fs::remove_dir_all(&build);
     run(Command::new("cmake")
-        .arg("-S")
+        .args(["-DCMAKE_BUILD_TYPE=Release", "-S"])
         .arg(root().join("examples/openmesh"))
         .arg("-B")
         .arg(&build)
-        .arg("-DCMAKE_BUILD_TYPE=Release")
         .arg(format!("-DCMAKE_PREFIX_PATH={}", prefix().display())));
     run(Command::new("cmake").arg("--build").arg(&build));
-    let dented = root().join("docs/dented.ply");
-    let before = vertices(&dented);
-    for (out, words) in [
-        ("by-property.off", &["property", "free"][..]),
-        ("by-sphere.off", &["sphere", "0", "0", "0.8", "0.37"]),
-    ] {
-        let out = work().join(out);
-        let said = run(Command::new(build.join("fair_region"))
-            .arg(&dented)
+    let out = work("example.off");
+    let example = |words: &str| {
+        let mut command = Command::new(build.join("fair_region"));
+        command
+            .arg(root().join("docs/dented.ply"))
             .arg(&out)
-            .args(words));
-        assert!(said.contains("converged"), "{said}");
-        let after = vertices(&out);
-        assert_eq!(after.len(), before.len());
-        // OpenMesh writes floats.
-        let far = |(a, b): &(&[f64; 3], &[f64; 3])| (0..3).any(|k| (a[k] - b[k]).abs() > 1e-3);
-        let moved = after.iter().zip(&before).filter(far).count();
-        assert!(moved >= 100, "{moved}");
-        for p in &after {
-            let r = p.iter().map(|x| x * x).sum::<f64>().sqrt();
-            assert!((r - 1.0).abs() < 3e-7, "{p:?}");
-        }
+            .args(words.split(' '));
+        command
+    };
+    for words in ["property free", "sphere 0 0 0.8 0.37"] {
+        let said = run(&mut example(words));
+        assert!(
+            said.contains("converged") && is_on_sphere(&out, 3e-7),
+            "{words}: {said}"
+        );
     }
     // A property that does not exist.
-    let mut wrong = Command::new(build.join("fair_region"));
-    wrong
-        .arg(&dented)
-        .arg(work().join("none.off"))
-        .args(["property", "nothing"]);
-    assert_eq!(wrong.output().unwrap().status.code(), Some(1));
+    let wrong = example("property nothing").output().unwrap();
+    assert_eq!(wrong.status.code(), Some(1));
 }
