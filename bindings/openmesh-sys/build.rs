@@ -6,15 +6,10 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=shim");
     // `print_system_cflags` would say `-isystem /usr/include`, with which the compiler loses its own <cstdlib>.
-    let found = pkg_config::Config::new()
-        .atleast_version("9.0")
-        .print_system_cflags(false)
-        .probe("openmesh");
-    let openmesh = found.unwrap_or_else(|why| {
-        eprintln!(
-            "OpenMesh 9.0 or newer is needed, and pkg-config does not find it: install the Debian packages \
-             libopenmesh-dev and pkg-config (apt-get install libopenmesh-dev pkg-config).\n{why}"
-        );
+    let mut wanted = pkg_config::Config::new();
+    wanted.atleast_version("9.0").print_system_cflags(false);
+    let openmesh = wanted.probe("openmesh").unwrap_or_else(|why| {
+        eprintln!("OpenMesh 9.0 or newer is needed: apt-get install libopenmesh-dev pkg-config\n{why}");
         exit(1);
     });
     cc::Build::new()
@@ -41,12 +36,12 @@ fn bindings() {
     println!("cargo::rerun-if-env-changed=OPENMESH_WRITE_BINDINGS");
     let made = bindgen::Builder::default()
         .header("shim/shim.h")
-        .allowlist_item("[oO][mM]_.*")
+        .allowlist_item("om_.*")
         .use_core()
         .size_t_is_usize(true)
-        .prepend_enum_name(false)
         .raw_line("// Made by bindgen of shim/shim.h: do not edit, see tests/fresh.rs.")
         .disable_header_comment()
+        .merge_extern_blocks(true)
         .rustfmt_configuration_file(Some(
             std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../rustfmt.toml"),
         ))
