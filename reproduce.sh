@@ -6,28 +6,34 @@
 #   ./reproduce.sh measurements
 # writes docs/measurements.md: accuracy, times, holes and known shortfalls, in a few minutes.
 #   ./reproduce.sh continuity [--scan NAME MESH FREE-VERTICES VIEW[/UP]]...
-# writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl (from PyPI, into
-# target/continuity) and CGAL (Debian's libcgal-dev, installed where it is missing).
+# writes docs/g2.md and docs/g2/*.png: curvature continuity beside tangent continuity, libigl and CGAL (Debian's
+# libcgal-dev, installed where it is missing).
+# The measurements are Python, in reproduction/: numpy, scipy and libigl come from PyPI, into target/reproduction/python.
 set -euo pipefail
 cd "$(dirname "$0")"
-cargo build --release --locked --bin fairmesh --example reproduce
-release=${CARGO_TARGET_DIR:-target}/release
-if [ "${1:-}" = continuity ]; then
-    wanted="numpy==2.4.6 scipy==1.17.1 libigl==2.6.3"
-    home=target/continuity
-    if [ "$(cat "$home/wanted" 2>/dev/null)" != "$wanted" ]; then
-        rm -rf "$home"
-        python3 -m venv "$home"
-        # shellcheck disable=SC2086
-        "$home/bin/pip" --disable-pip-version-check install -q $wanted
-        echo "$wanted" >"$home/wanted"
-    fi
-    if [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; then
-        as_root=""
-        [ "$(id -u)" -eq 0 ] || as_root=sudo
-        $as_root apt-get update -qq
-        $as_root apt-get install -y -qq --no-install-recommends g++ libcgal-dev libeigen3-dev
-    fi
-    set -- "$@" --python "$home/bin/python"
+
+install_packages() {
+    local as_root=""
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    $as_root apt-get update -qq
+    $as_root apt-get install -y -qq --no-install-recommends "$@"
+}
+
+wanted="numpy==2.4.6 scipy==1.17.1 libigl==2.6.3"
+home=target/reproduction/python
+if [ "$(cat "$home/wanted" 2>/dev/null)" != "$wanted" ]; then
+    python3 -c 'import ensurepip, venv' 2>/dev/null || install_packages python3-venv
+    rm -rf "$home"
+    python3 -m venv "$home"
+    # shellcheck disable=SC2086
+    "$home/bin/pip" --disable-pip-version-check install -q $wanted
+    echo "$wanted" >"$home/wanted"
 fi
-exec "$release/examples/reproduce" "$release/fairmesh" "$@"
+if [ "${1:-}" = continuity ] && { [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; }; then
+    install_packages g++ libcgal-dev libeigen3-dev
+fi
+cargo build --release --locked --bin fairmesh
+# What the command line does not print: linear surfaces, mean curvature of any mesh, fitted normals.
+FAIRMESH_LIBRARY=$(python3 bindings/python/build_library.py)
+export FAIRMESH_LIBRARY PYTHONPATH=bindings/python/src
+exec "$home/bin/python" -m reproduction --program "${CARGO_TARGET_DIR:-target}/release/fairmesh" "$@"

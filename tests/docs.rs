@@ -16,16 +16,12 @@ use std::sync::Mutex;
 
 #[path = "common/document.rs"]
 mod document;
-#[path = "../examples/reproduce/measurements.rs"]
-#[allow(dead_code, reason = "the example uses the rest")]
-mod measurements;
 #[path = "common/tier.rs"]
 mod tier;
-#[path = "../examples/reproduce/tool.rs"]
-#[allow(dead_code, reason = "the example uses the rest")]
-mod tool;
 
 use document::{blocks, same_line, same_number, same_text};
+use fairmesh_shapes::{HarmonicProfile, Surface, Unduloid};
+use serde_json::Value;
 use tier::tier;
 
 const FAIRMESH: &str = env!("CARGO_BIN_EXE_fairmesh");
@@ -248,6 +244,23 @@ fn table(heading: &str) -> Vec<Vec<String>> {
     rows.map(cells).collect()
 }
 
+/// Who shortens a sentence of a measured page shortens it in the script's template, too.
+#[test]
+fn measured_pages_have_the_words_of_their_templates() {
+    for (template, page) in [
+        ("paper.md", "REPRODUCTION.md"),
+        ("measurements.md", "docs/measurements.md"),
+        ("g2.md", "docs/g2.md"),
+    ] {
+        let [words, page] = [format!("reproduction/{template}"), page.to_owned()]
+            .map(|path| fs::read_to_string(root().join(path)).unwrap());
+        let lines: BTreeSet<&str> = page.lines().collect();
+        for line in words.lines().filter(|line| !line.contains('{')) {
+            assert!(lines.contains(line), "{template}: {line}");
+        }
+    }
+}
+
 /// Of a cell "1.0 to 2.0", or "1.0".
 fn range(cell: &str) -> [f64; 2] {
     let (least, greatest) = cell.split_once(" to ").unwrap_or((cell, cell));
@@ -265,34 +278,69 @@ fn is_stated(figure: f64, cell: &str) -> bool {
     }
 }
 
-fn tool(test: &str) -> tool::Tool {
+/// The first seed of a row: the report, all vertices, and which were free in the generated mesh.
+fn first_seed(test: &str, generate: &str, command: &str) -> (Value, Vec<[f64; 3]>, BTreeSet<usize>) {
     let folder = scratch(test);
-    tool::Tool::new(FAIRMESH.into(), folder.clone(), folder).unwrap()
+    let files = "-o in.off --free free.txt --normals normals.txt";
+    let run = |line: &str| run(&folder, &line.split(' ').collect::<Vec<_>>());
+    run(&format!(
+        "generate {generate} --seed 1 --triangulation irregular {files}"
+    ));
+    let report = run(&format!("{command} in.off -o out.off --json -"));
+    let [free, mesh] = ["free.txt", "out.off"].map(|name| fs::read_to_string(folder.join(name)).unwrap());
+    let mut rows = mesh.lines().skip(1).map(|line| line.split_whitespace());
+    let count = rows.next().unwrap().next().unwrap().parse().unwrap();
+    let vertices = rows
+        .take(count)
+        .map(|mut words| [0; 3].map(|_| words.next().unwrap().parse().unwrap()));
+    let free = free.lines().map(|line| line.parse().unwrap());
+    (
+        serde_json::from_str(&report).unwrap(),
+        vertices.collect(),
+        free.collect(),
+    )
+}
+
+/// What `fairmesh generate` makes by this name.
+fn surface(kind: &str) -> Surface {
+    match kind {
+        "sphere-cap" => Surface::Sphere,
+        "cylinder" => Surface::Cylinder,
+        "catenoid" => Surface::Catenoid,
+        "unduloid" => Surface::Unduloid(Unduloid::new(0.7, 1.0)),
+        "revolution" => Surface::Revolution(HarmonicProfile::new(1.0, -1.0, 0.5, 2.0).unwrap()),
+        _ => panic!("{kind}"),
+    }
 }
 
 #[test]
 fn the_first_seed_is_as_accurate_as_its_row() {
-    let tool = tool("accuracy");
     let rows = table("Accuracy");
-    assert_eq!(
-        rows.len(),
-        2 * measurements::KINDS.len() * measurements::SIZES.len()
-    );
+    assert_eq!(rows.len(), 20, "five surfaces, two sizes, two kinds of normals");
     let mut wrong = Vec::new();
     for row in rows {
-        let n: usize = row[1].parse().unwrap();
-        if n > tier(4_000, usize::MAX) {
+        let (kind, n) = (&row[0], &row[1]);
+        if n.parse::<usize>().unwrap() > tier(4_000, usize::MAX) {
             continue;
         }
-        let exact_normals = row[2] == "exact";
-        let solve = measurements::solve(&tool, &row[0], n, 1, exact_normals).unwrap();
+        let normals = if row[2] == "exact" {
+            " --normals normals.txt"
+        } else {
+            ""
+        };
+        let generate = format!("{kind} --vertices {n} --start random");
+        let (report, vertices, free) =
+            first_seed("accuracy", &generate, &format!("fair --free free.txt{normals}"));
+        let surface = surface(kind);
+        let error = free
+            .iter()
+            .map(|&v| surface.distance(vertices[v]))
+            .fold(0.0, f64::max);
+        let error = error / report["diagonal"].as_f64().unwrap();
+        let iterations = report["iterations"].as_f64().unwrap();
         let [least, most] = range(&row[4]);
-        let counted = (least..=most).contains(&(solve.iterations as f64));
-        if !is_stated(solve.error, &row[3]) || !counted {
-            wrong.push(format!(
-                "{row:?}: {:.1e}, {} iterations",
-                solve.error, solve.iterations
-            ));
+        if !is_stated(error, &row[3]) || !(least..=most).contains(&iterations) {
+            wrong.push(format!("{row:?}: {error:.1e}, {iterations} iterations"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -301,8 +349,14 @@ fn the_first_seed_is_as_accurate_as_its_row() {
 #[test]
 fn the_first_seed_is_filled_as_its_row_says() {
     let row = &table("Holes")[0];
-    let (run, off) = measurements::fill(&tool("filling"), row[0].parse().unwrap(), 1).unwrap();
-    assert!(is_stated(run.number(&["new_vertices"]), &row[1]), "{row:?}");
+    let generate = format!("sphere-hole --vertices {} --outside 1", row[0]);
+    let (report, vertices, _) = first_seed("filling", &generate, "fill --threads 1");
+    let new = report["new_vertices"].as_u64().unwrap() as usize;
+    assert!(is_stated(new as f64, &row[1]), "{row:?}: {new}");
+    let off = vertices[vertices.len() - new..]
+        .iter()
+        .map(|p| Surface::Sphere.distance(*p));
+    let off = off.fold(0.0, f64::max);
     assert!(is_stated(off, &row[2]), "{row:?}: {off:.1e}");
 }
 
