@@ -3,6 +3,7 @@
 pub mod numbers;
 pub mod options;
 pub mod python;
+pub mod python_options;
 pub mod source;
 pub mod tables;
 pub mod web;

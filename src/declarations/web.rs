@@ -6,6 +6,9 @@ use std::fmt::Write;
 
 use syn::{Attribute, Expr, Fields, FnArg, Item, Lit, Meta, Type};
 
+use fairmesh::OptionKind;
+
+use crate::options;
 use crate::python::{constant, is_c_name, is_opaque, last_name, number};
 
 const HEAD: &str = "/**
@@ -61,8 +64,37 @@ pub fn declarations(items: &[Item]) -> String {
     versions(&mut made, items);
     enumerations(&mut made, items);
     structures(&mut made, items);
+    rows(&mut made);
     functions(&mut made, items);
     made
+}
+
+/// Options that are lists: how many indices a row has.
+fn rows(made: &mut String) {
+    let structs: Vec<_> = options::all()
+        .iter()
+        .map(|of| {
+            let lists = of.entries().into_iter().filter_map(|entry| match entry.kind {
+                OptionKind::Indices(width) => Some((camel(entry.name), width, entry.text.clone())),
+                _ => None,
+            });
+            (camel(of.name), lists.collect::<Vec<_>>())
+        })
+        .filter(|(_, lists)| !lists.is_empty())
+        .collect();
+    made.push_str("\n/** Options that are lists of indices, side by side in rows of so many. */\nexport const rows = {\n");
+    for (name, lists) in &structs {
+        let widths: Vec<String> = lists.iter().map(|(list, width, _)| format!("{list}: {width}")).collect();
+        let _ = writeln!(made, "    {name}: {{ {} }},", widths.join(", "));
+    }
+    made.push_str("} as const;\n");
+    for (name, lists) in &structs {
+        let _ = write!(made, "\n/** The lists of {name}: rows, or indices one after the other. */\nexport interface Rows{} {{\n", pascal(name));
+        for (list, _, text) in lists {
+            let _ = writeln!(made, "    /** {text} */\n    {list}?: ArrayLike<number> | readonly (readonly number[])[] | undefined;");
+        }
+        made.push_str("}\n");
+    }
 }
 
 fn versions(made: &mut String, items: &[Item]) {

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import fairmesh
-from fairmesh import _abi, _keywords
+from fairmesh import _abi, _keywords, _schema
 
 INCLUDE = Path(__file__).resolve().parents[3] / "include"
 HEADER = re.sub(r"/\*.*?\*/", "", (INCLUDE / "fairmesh.h").read_text(), flags=re.S)
@@ -97,25 +97,12 @@ def test_element_kinds_are_those_of_the_library():
 
 
 def test_default_options():
-    documented = fairmesh.FairingOptions.__doc__
-    defaults = fairmesh.default_options()
-    assert list(defaults) == list(fairmesh.FairingOptions.__annotations__)
-    for name, value in defaults.items():
-        text = re.search(rf"^ +{name}: (.*?)(?=^ +\w+: |\Z)", documented, re.M | re.S).group(1)
-        shown = {"inf": "infinite", "1e-08": "1e-8", "1e-06": "1e-6"}.get(str(value), str(value))
-        stated = re.search(r"(\S+) \(default\)", text) or re.search(r"Default:? (\S+?)[;.]*( |$)", text, re.M)
-        assert stated and stated.group(1).strip('";:') == shown, (name, value, text)
-    assert fairmesh.default_fill_options() == {
-        "fair": True,
-        "join": "none",
-        "on_failure": "linear",
-        "relax_rim": 0,
-        "max_edges": None,
-        "except_longest": 0,
-        "density": 2**0.5,
-        "max_new_vertices": 200000,
-    }
-    assert fairmesh.default_remesh_options() == {"density": 2**0.5, "max_vertices": 200000}
+    """What the package states is what the library has."""
+    assert fairmesh.default_options() == _schema.FAIRING_DEFAULTS
+    filling = fairmesh.default_fill_options()
+    stated = {name: value for name, value in _schema.FILLING_DEFAULTS.items() if name not in _schema.FAIRING_DEFAULTS}
+    assert {name: filling[name] for name in stated} == stated
+    assert fairmesh.default_remesh_options() == _schema.REMESH_DEFAULTS
 
 
 def test_defaults_are_those_of_no_option():

@@ -1,10 +1,11 @@
 /** Triangles taken away, new triangulations, and what was there carried over; components and intersections. */
 
+import type { PlainRemeshOptions } from "./abi.js";
 import { chosenTriangles, type Floats, type Indices, indices, indicesIn, type Mesh, MeshIn, numbersIn, type Points, points, type Region } from "./arrays.js";
 import { type Selection, selectionIn } from "./arrays.js";
 import { type Host, isSingle, watched } from "./fairing.js";
 import { newMesh, type NewMesh, PATCH, type PatchOptions, patchesIn, withMesh } from "./holes.js";
-import type { Scope } from "./library.js";
+import { plainFields, type Scope } from "./library.js";
 import { FAIRING, type FairingOptions, fairingIn, known, real, whole, withDefaults } from "./options.js";
 import { type ResultHandle, resultOf } from "./reports.js";
 
@@ -52,12 +53,7 @@ export interface RemeshResult<P extends Floats = Floats> extends NewMesh<P> {
 }
 
 /** Options of `remesh`. */
-export interface RemeshOptions extends Region {
-    /** As in `fillHoles`: at the default, edges are as long as those beside the region. */
-    density?: number | undefined;
-    /** At most this many vertices inside the region. Default 200000. */
-    maxVertices?: number | undefined;
-}
+export interface RemeshOptions extends Region, PlainRemeshOptions {}
 
 /** Options of `refill`. */
 export interface RefillOptions extends FairingOptions, PatchOptions, Region {}
@@ -152,7 +148,7 @@ function remeshed(result: ResultHandle, mesh: MeshIn): RemeshResult {
 
 /** See `Fairmesh.remesh`. */
 export function remesh(host: Host, given: Mesh, free?: Selection | null, options: RemeshOptions = {}): RemeshResult {
-    known(options, ["fixed", "freeTriangles", "density", "maxVertices"]);
+    known(options, ["fixed", "freeTriangles", ...plainFields("remeshOptions")]);
     const mesh = new MeshIn(given);
     return withMesh(host, mesh, (address, scope) => {
         const how = withDefaults(scope, "remeshOptions", "fairmesh_remesh_options_init", options);

@@ -1,9 +1,9 @@
 /** Boundary loops, filling of holes, bridges, and which loops to join. */
 
-import type * as abi from "./abi.js";
+import * as abi from "./abi.js";
 import { type Floats, type Indices, indices, indicesIn, type Mesh, MeshIn, numbers, shown } from "./arrays.js";
 import { type Host, isSingle, watched } from "./fairing.js";
-import { type Scope, type Values, within, write } from "./library.js";
+import { plainFields, type Scope, type Values, within, write } from "./library.js";
 import { FAIRING, type FairingOptions, fairingIn, fieldOf, known, real, whole, withDefaults } from "./options.js";
 import { type LoopReport, type Report, type ResultHandle, resultOf } from "./reports.js";
 
@@ -35,37 +35,17 @@ export interface LoopChoice {
     within?: { centre: Point; radius: number } | { low: Point; high: Point } | undefined;
 }
 
-/** What patches shall be. */
-export interface PatchOptions {
-    /** False: patches are triangulated and refined only. Default true. */
-    fair?: boolean | undefined;
-    /** What a loop gets for which no fair patch is found: "linear" (default), "flat" or "open". */
-    onFailure?: abi.OnFailure | undefined;
-    /** Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those beside the boundary. */
-    density?: number | undefined;
-    /** At most this many new vertices in all. Default 200000. */
-    maxNewVertices?: number | undefined;
-}
+/** How patches are made. */
+export type PatchOptions = Omit<abi.PlainFillOptions, "onlyListed" | (typeof OF_HOLES)[number]>;
 
 /** Options of `fillHoles`. */
-export interface FillOptions extends FairingOptions, LoopChoice, PatchOptions {
+export interface FillOptions extends FairingOptions, LoopChoice, Omit<abi.PlainFillOptions, "onlyListed">, abi.RowsFillOptions {
     /** Which loops get one patch together: "none" (default); groups of them; or "auto", as `suggestJoins` finds them. */
     join?: "none" | "auto" | readonly Indices[] | undefined;
-    /** Pairs of vertices of the boundary, one after the other, that the triangulation shall have an edge between. */
-    guides?: Indices | readonly (readonly [number, number])[] | undefined;
-    /** So many rings of vertices around a loop may move onto the surface that the mesh has there on average. Default 0. */
-    relaxRim?: number | undefined;
-    /** No vertex moves further than this. Default: the mean length of the edges around the loop. */
-    relaxWithin?: number | undefined;
 }
 
 /** Options of `bridge`. */
-export interface BridgeOptions extends FairingOptions, PatchOptions {
-    /** How long the runs shall be: each is made longer or shorter about its middle. Default: as they are. */
-    width?: number | undefined;
-    /** True: the holes that the strip leaves beside it are filled, too, and all that is new is faired together. */
-    fill?: boolean | undefined;
-}
+export interface BridgeOptions extends FairingOptions, PatchOptions, abi.PlainBridgeOptions {}
 
 /** A mesh with new vertices at the end of its arrays. */
 export interface NewMesh<P extends Floats = Floats> {
@@ -125,8 +105,11 @@ export function point(given: unknown, name: string): number[] {
 }
 
 const CHOICE = ["loops", "maxEdges", "maxLength", "maxArea", "maxDiagonal", "exceptLongest", "ofComponents", "within"];
+/** Options of hole filling that say which holes, or are about the mesh around them. */
+const OF_HOLES = ["maxEdges", "relaxRim", "relaxWithin"] as const;
+const FILL: readonly string[] = plainFields("fillOptions").filter((name) => name !== "onlyListed");
 /** The names of the options of patches. */
-export const PATCH = ["fair", "onFailure", "density", "maxNewVertices"];
+export const PATCH: readonly string[] = FILL.filter((name) => !(OF_HOLES as readonly string[]).includes(name));
 
 /** For the library, 0 is no bound; here it is one that nothing meets. */
 function bound(given: unknown, name: string): number {
@@ -154,9 +137,8 @@ function joinIn(scope: Scope, given: NonNullable<FillOptions["join"]>): Values {
 }
 
 /** Which loops; and with them the plain options of filling. */
-function fillIn(scope: Scope, given: LoopChoice & PatchOptions & Pick<FillOptions, "join" | "guides" | "relaxRim" | "relaxWithin">): number {
-    const plain = { ...given, relaxRim: given.relaxRim };
-    const at = withDefaults(scope, "fillOptions", "fairmesh_fill_options_init", plain);
+function fillIn(scope: Scope, given: LoopChoice & Omit<FillOptions, keyof FairingOptions>): number {
+    const at = withDefaults(scope, "fillOptions", "fairmesh_fill_options_init", given);
     const set = (values: Values) => write(scope.library, at, "fillOptions", values);
     if (given.join !== undefined) set({ join: joinIn(scope, given.join) });
     const isGrouped = Array.isArray(given.join);
@@ -177,18 +159,23 @@ function fillIn(scope: Scope, given: LoopChoice & PatchOptions & Pick<FillOption
     }
     if (given.within !== undefined) filter["within"] = place(given.within);
     write(scope.library, fieldOf(at, "fillOptions", "filter"), "loopFilter", filter);
-    if (given.guides !== undefined) {
-        const listed = Array.isArray(given.guides) ? (given.guides as readonly (number | readonly number[])[]).flat() : given.guides;
-        const pairs = indices(listed, "guides");
-        if (pairs.length % 2 !== 0) throw new RangeError(`guides: pairs are needed, not ${pairs.length} vertices`);
-        set({ guides: indicesIn(scope, pairs, 2) });
+    for (const [name, width] of Object.entries(abi.rows.fillOptions)) {
+        const list = given[name as keyof abi.RowsFillOptions];
+        if (list !== undefined) set({ [name]: rowsIn(scope, list, width, name) });
     }
     return at;
 }
 
-/** What patches shall be, for functions that do not choose loops. */
-export function patchesIn(scope: Scope, { fair, onFailure, density, maxNewVertices }: PatchOptions): number {
-    return fillIn(scope, { fair, onFailure, density, maxNewVertices });
+/** A list of rows, or of their indices one after the other. */
+function rowsIn(scope: Scope, given: ArrayLike<number> | readonly (readonly number[])[], width: number, name: string): Values {
+    const listed = indices((Array.isArray(given) ? given.flat() : given) as Indices, name);
+    if (listed.length % width !== 0) throw new RangeError(`${name}: rows of ${width} are needed, not ${listed.length} vertices`);
+    return indicesIn(scope, listed, width);
+}
+
+/** How patches are made, for functions that do not choose loops. */
+export function patchesIn(scope: Scope, given: PatchOptions): number {
+    return fillIn(scope, Object.fromEntries(PATCH.map((name) => [name, given[name as keyof PatchOptions]])));
 }
 
 /** See `Fairmesh.boundaryLoops`. */
@@ -223,7 +210,7 @@ export function suggestJoins(host: Host, given: Mesh, choice: LoopChoice = {}): 
 
 /** See `Fairmesh.fillHoles`. */
 export function fillHoles(host: Host, given: Mesh, options: FillOptions = {}): FillResult {
-    known(options, [...FAIRING, ...CHOICE, ...PATCH, "join", "guides", "relaxRim", "relaxWithin"]);
+    known(options, [...FAIRING, ...CHOICE, ...FILL, ...Object.keys(abi.rows.fillOptions), "join"]);
     const mesh = new MeshIn(given);
     return watched(host, options, (told) =>
         withMesh(host, mesh, (address, scope) => {
@@ -238,7 +225,7 @@ export function fillHoles(host: Host, given: Mesh, options: FillOptions = {}): F
 
 /** See `Fairmesh.bridge`. */
 export function bridge(host: Host, given: Mesh, start: Indices, end: Indices, options: BridgeOptions = {}): BridgeResult {
-    known(options, [...FAIRING, ...PATCH, "width", "fill"]);
+    known(options, [...FAIRING, ...PATCH, ...plainFields("bridgeOptions")]);
     if (options.width === 0) throw new RangeError("width: it has to be positive");
     const mesh = new MeshIn(given);
     const ends = [indices(start, "start"), indices(end, "end")];

@@ -242,7 +242,7 @@ interface ErrorFields extends ElementOfError {
 }
 
 /** Names that are called otherwise here. */
-const NAMES: Record<string, string> = { relaxRim: "relaxRim", components: "ofComponents" };
+const NAMES: Record<string, string> = { components: "ofComponents" };
 
 function refused(library: Library, name: FunctionName, status: number, why: ErrorFields): FairmeshError {
     const known = nameOf("status", status);

@@ -15,7 +15,7 @@ from ._holes import Filled, Loop, LoopReport, Roughness, boundary_loops, fill_ho
 from ._intersections import self_intersections
 from ._joins import JoinSuggestion, components, suggest_joins
 from ._library import LibraryError, load, version
-from ._options import FairingOptions, default_fill_options, default_options, default_remesh_options
+from ._options import default_fill_options, default_options, default_remesh_options
 from ._progress import Monitor, Progress
 from ._region import (
     grow,
@@ -30,6 +30,7 @@ from ._region import (
 )
 from ._remesh import Remeshed, refill, remesh
 from ._reports import Attempt, Bends, Component, Continuity, Level, Moved, Report
+from ._schema import FairingOptions
 from ._seams import SeamWarning
 
 __all__ = [

@@ -11,19 +11,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
 from ._handles import ResultHandle, result_of
-from ._holes import DENSITY, MOST, LoopReport, NewMesh, set_patches
+from ._holes import LoopReport, NewMesh
 from ._hosts import Arrays, M
 from ._library import load
-from ._options import Options, initial, real, with_options
+from ._options import Options, initial, set_options, with_bridge_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Report, sized
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._choice import OnFailure
     from ._keywords import BridgeKeywords
-    from ._options import FairingOptions
+    from ._schema import BridgeOptions
 
 _lists = _abi.fairmesh_list
 
@@ -69,23 +68,17 @@ def bridge(mesh: M, /, start: ArrayLike, end: ArrayLike, **keywords: Unpack[Brid
 def bridge(
     vertices: ArrayLike, faces: ArrayLike, start: ArrayLike, end: ArrayLike, **keywords: Unpack[BridgeKeywords]
 ) -> Bridged[Arrays]: ...
-@with_options
+@with_bridge_options
 def bridge(
     vertices: Any,
     faces: Any,
     start: ArrayLike,
     end: ArrayLike,
     *,
-    width: float | None = None,
-    fill: bool | None = False,
-    on_failure: OnFailure | None = "linear",
-    density: float | None = DENSITY,
-    max_new_vertices: int | None = MOST,
-    fair: bool | None = True,
     coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
-    **options: Unpack[FairingOptions],
+    **options: Unpack[BridgeOptions],
 ) -> Bridged[Any]:
     """Connects two runs of boundary edges by a strip that is tangent to the mesh at both, and faired.
 
@@ -96,9 +89,8 @@ def bridge(
         mesh, coincident: As in `fair`.
         start, end: The vertices of each run, one after the other, in either direction: at least two, or one if there is
             a width.
-        width: How long the runs shall be: each is made longer or shorter about its middle. Default: as they are.
-        fill: True: the holes that the strip leaves beside it are filled, too, and all that is new is faired together.
-        on_failure, density, max_new_vertices, fair, progress, cancel, **options: As in `fill_holes`.
+        **options: Those of `fair`, of patches and of bridges: `BridgeOptions`.
+        progress, cancel: As in `fair`.
 
     Raises:
         InputError and the others of `fair`.
@@ -107,14 +99,9 @@ def bridge(
     library = load()
     mesh = _arrays.Mesh(vertices, faces, coincident)
     how = initial(library, "fairmesh_bridge_options_init", _abi.fairmesh_bridge_options)
-    if fill is not None:
-        how.fill = int(bool(fill))
-    if width is not None:
-        how.width = real(width, "width")
-        if how.width == 0.0:
-            raise ValueError("width: it has to be positive")
+    set_options(how, options)
     filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
-    set_patches(filling, density, max_new_vertices, fair, on_failure)
+    set_options(filling, options)
     ends = [_arrays.indices(start, "start"), _arrays.indices(end, "end")]
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._calls import of_names
 from ._options import initial, real, whole
 
 if TYPE_CHECKING:
@@ -17,7 +16,6 @@ if TYPE_CHECKING:
 
 #: "none", "auto", or groups of loops.
 Join = Union[Literal["none", "auto"], Sequence[ArrayLike]]
-OnFailure = Literal["linear", "flat", "open"]
 #: A ball (centre, radius), or a box (lowest corner, highest corner).
 Place = tuple[ArrayLike, ArrayLike]
 
@@ -110,14 +108,6 @@ class Choice:
             raise ValueError("loops: no loop is named; None fills all holes")
         self.struct.only_listed = 1
         self.struct.loops = self._kept(listed)
-
-
-def on_failure_number(given: OnFailure) -> int:
-    """The library's number."""
-    names = {member.name.lower(): member for member in _abi.fairmesh_on_failure}
-    if not isinstance(given, str) or given not in names:
-        raise ValueError(of_names(given, "on_failure", names))
-    return names[given]
 
 
 def _bound(given: Any, name: str) -> float:

@@ -18,22 +18,7 @@ from ._errors import FairmeshError, call
 from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M
 from ._library import Library, load
-from ._options import (
-    Curvature,
-    CurvatureView,
-    HowFar,
-    LoopContinuity,
-    LoopsView,
-    Normals,
-    NormalsView,
-    Options,
-    Target,
-    how_far,
-    real,
-    target_struct,
-    whole,
-    with_options,
-)
+from ._options import CurvatureView, LoopsView, NormalsView, Options, how_far, real, target_struct, whole, with_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Level, Report, report_of, sized
 from ._seams import seams_told, warn_of_seams
@@ -43,8 +28,9 @@ if TYPE_CHECKING:
 
     from typing_extensions import Unpack
 
+    from ._forms import Curvature, HowFar, LoopContinuity, Normals, Target
     from ._keywords import FairKeywords
-    from ._options import FairingOptions
+    from ._schema import FairingOptions
 
 _lists = _abi.fairmesh_list
 

@@ -14,12 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _abi, _arrays
 from ._calls import of_mesh
 from ._carry import Change
-from ._choice import Choice, Join, LoopChoice, OnFailure, Place, on_failure_number
+from ._choice import Choice, Join, LoopChoice, Place
 from ._enums import FillOutcome, FillReason, LoopKind, Status
 from ._handles import ResultHandle, result_of
 from ._hosts import Arrays, M, MeshLike
 from ._library import load
-from ._options import Options, real, whole, with_options
+from ._options import Options, set_options, with_filling_options
 from ._progress import Event, ProgressCallback, Relay
 from ._reports import Bends, Moved, Report, bends_of, moved_of, sized
 
@@ -27,14 +27,9 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import FillKeywords
-    from ._options import FairingOptions
+    from ._schema import FillingOptions
 
 _lists = _abi.fairmesh_list
-
-#: Edges as long as those beside the boundary.
-DENSITY = 2**0.5
-#: New vertices.
-MOST = 200000
 
 
 @dataclass(frozen=True)
@@ -283,29 +278,11 @@ class Filled(NewMesh[M]):
         return f"<fairmesh.Filled: {len(self.loops)} loops, {self.new_vertex_count} new vertices>"
 
 
-def set_patches(
-    fill: _abi.fairmesh_fill_options,
-    density: float | None,
-    max_new_vertices: int | None,
-    fair: bool | None,
-    on_failure: OnFailure | None,
-) -> None:
-    """Sets what patches shall be."""
-    if fair is not None:
-        fill.fair = int(bool(fair))
-    if on_failure is not None:
-        fill.on_failure = on_failure_number(on_failure)
-    if density is not None:
-        fill.density = real(density, "density")
-    if max_new_vertices is not None:
-        fill.max_new_vertices = whole(max_new_vertices, "max_new_vertices")
-
-
 @overload
 def fill_holes(mesh: M, /, **keywords: Unpack[FillKeywords]) -> Filled[M]: ...
 @overload
 def fill_holes(vertices: ArrayLike, faces: ArrayLike, **keywords: Unpack[FillKeywords]) -> Filled[Arrays]: ...
-@with_options
+@with_filling_options
 def fill_holes(
     vertices: Any,
     faces: Any = None,
@@ -319,17 +296,10 @@ def fill_holes(
     except_longest: int | None = 0,
     of_components: ArrayLike | None = None,
     within: Place | None = None,
-    guides: ArrayLike | None = None,
-    on_failure: OnFailure | None = "linear",
-    relax_rim: int | None = 0,
-    relax_within: float | None = None,
-    density: float | None = DENSITY,
-    max_new_vertices: int | None = MOST,
-    fair: bool | None = True,
     coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
-    **options: Unpack[FairingOptions],
+    **options: Unpack[FillingOptions],
 ) -> Filled[Any]:
     """Fills holes: triangulates, refines and fairs each, or several together.
 
@@ -349,19 +319,8 @@ def fill_holes(
         of_components: Only holes of these components of the mesh, as `components` numbers them. Default: of all.
         within: Only holes whose vertices all lie in a ball ``(centre, radius)`` or a box ``(low, high)``, two corners.
             Default: everywhere.
-        guides: Pairs of vertices of the boundary, (k, 2), that the triangulation shall have an edge between before it
-            is refined: across a long tear, or between loops that are joined. No vertex is in two of them.
-        on_failure: What a loop gets for which no fair patch is found, or none that does not intersect: "linear"
-            (default), the best surface there is; "flat", the triangulation, refined; "open", nothing.
-        relax_rim: So many rings of vertices around a loop, its own counted, may move onto the surface that the mesh has
-            there on average, before it is filled: for boundaries that are noise. Default 0.
-        relax_within: No vertex moves further than this. Default: the mean length of the edges around the loop.
-        density: Density of new vertices, 0.1 to 10. At the square root of 2, the default, edges are as long as those
-            beside the boundary; at twice that, half as long.
-        max_new_vertices: At most this many new vertices in all. Default 200000. No loop of n edges gets more than
-            1000 + n^2, times the square of a density above 1.
-        fair: False: patches are triangulated and refined only. Default True.
-        progress, cancel, **options: As in `fair`.
+        **options: Those of `fair`, of patches and of rims: `FillingOptions`.
+        progress, cancel: As in `fair`.
 
     Returns:
         `Filled`: the mesh in the types given, and what became of each loop.
@@ -384,14 +343,7 @@ def fill_holes(
     }
     chosen = Choice(library, choice, join)
     fill = chosen.struct
-    set_patches(fill, density, max_new_vertices, fair, on_failure)
-    if relax_rim is not None:
-        fill.relax_rim = whole(relax_rim, "relax_rim")
-    if relax_within is not None:
-        fill.relax_within = real(relax_within, "relax_within")
-    if guides is not None:
-        guiding = _arrays.pairs(guides, "guides")
-        fill.guides = _arrays.indices_view(guiding)
+    alive = set_options(fill, options)
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)
@@ -399,4 +351,5 @@ def fill_holes(
         handle = result_of(
             library, "fairmesh_fill_holes", ctypes.byref(mesh.struct), ctypes.byref(fill), ctypes.byref(asked.struct)
         )
+    del alive
     return Filled(handle, mesh)

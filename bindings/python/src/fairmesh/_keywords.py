@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypedDict
 
-from ._choice import Join, LoopChoice, OnFailure
-from ._options import FairingOptions
+from ._choice import Join, LoopChoice
+from ._schema import BridgeOptions, FairingOptions, FillingOptions, PatchOptions, RemeshOptions
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from ._arrays import Coincident, Selection
     from ._progress import Event, ProgressCallback
 
@@ -19,46 +17,32 @@ class _Region(TypedDict, total=False):
     free_faces: Selection
 
 
-class _Run(FairingOptions, total=False):
+class _Mesh(TypedDict, total=False):
     coincident: Coincident | None
+
+
+class _Run(_Mesh, total=False):
     progress: ProgressCallback | None
     cancel: Event | None
 
 
-class _Patches(_Run, total=False):
-    on_failure: OnFailure | None
-    density: float | None
-    max_new_vertices: int | None
-    fair: bool | None
-
-
-class FairKeywords(_Region, _Run, total=False):
+class FairKeywords(_Region, _Run, FairingOptions, total=False):
     """Those of `fair` and `Solver`."""
 
 
-class FillKeywords(LoopChoice, _Patches, total=False):
+class FillKeywords(LoopChoice, _Run, FillingOptions, total=False):
     """Those of `fill_holes`."""
 
     join: Join | None
-    guides: ArrayLike | None
-    relax_rim: int | None
-    relax_within: float | None
 
 
-class BridgeKeywords(_Patches, total=False):
+class BridgeKeywords(_Run, BridgeOptions, total=False):
     """Those of `bridge`."""
 
-    width: float | None
-    fill: bool | None
 
-
-class RemeshKeywords(_Region, total=False):
+class RemeshKeywords(_Region, _Mesh, RemeshOptions, total=False):
     """Those of `remesh`."""
 
-    coincident: Coincident | None
-    density: float | None
-    max_vertices: int | None
 
-
-class RefillKeywords(_Region, _Patches, total=False):
+class RefillKeywords(_Region, _Run, PatchOptions, total=False):
     """Those of `refill`."""

@@ -10,21 +10,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi, _arrays
-from ._calls import of_mesh
 from ._handles import result_of
-from ._holes import DENSITY, MOST, NewMesh, set_patches
+from ._holes import NewMesh
 from ._hosts import Arrays, M
 from ._library import load
-from ._options import Options, initial, real, whole, with_options
+from ._options import Options, initial, set_options, with_patch_options, with_remesh_options
 from ._progress import Event, ProgressCallback, Relay
 from ._seams import seams_told
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._choice import OnFailure
     from ._keywords import RefillKeywords, RemeshKeywords
-    from ._options import FairingOptions
+    from ._schema import PatchOptions, RemeshOptions
 
 _lists = _abi.fairmesh_list
 
@@ -60,7 +58,7 @@ def remesh(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[Remesh
 def remesh(
     vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RemeshKeywords]
 ) -> Remeshed[Arrays]: ...
-@of_mesh()
+@with_remesh_options
 def remesh(
     vertices: Any,
     faces: Any = None,
@@ -69,8 +67,7 @@ def remesh(
     fixed: _arrays.Selection = None,
     free_faces: _arrays.Selection = None,
     coincident: _arrays.Coincident | None = "join",
-    density: float | None = DENSITY,
-    max_vertices: int | None = MOST,
+    **options: Unpack[RemeshOptions],
 ) -> Remeshed[Any]:
     """Triangulates a region anew, by edge lengths as beside it, without moving the surface.
 
@@ -78,8 +75,7 @@ def remesh(
 
     Args:
         mesh, free, fixed, free_faces, coincident: As in `fair`.
-        density: As in `fill_holes`: at the default, edges are as long as those beside the region.
-        max_vertices: At most this many vertices inside the region. Default 200000.
+        **options: Density and number of the vertices: `RemeshOptions`.
 
     Returns:
         `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
@@ -92,10 +88,7 @@ def remesh(
     mesh = _arrays.Mesh(vertices, faces, coincident)
     region = _arrays.Region(mesh, free, fixed, free_faces)
     asked = initial(library, "fairmesh_remesh_options_init", _abi.fairmesh_remesh_options)
-    if density is not None:
-        asked.density = real(density, "density")
-    if max_vertices is not None:
-        asked.max_vertices = whole(max_vertices, "max_vertices")
+    set_options(asked, options)
     views = (ctypes.byref(mesh.struct), ctypes.byref(region.struct), ctypes.byref(asked))
     with seams_told(library, mesh):
         return Remeshed(result_of(library, "fairmesh_remesh", *views), mesh)
@@ -107,7 +100,7 @@ def refill(mesh: M, /, free: _arrays.Selection = None, **keywords: Unpack[Refill
 def refill(
     vertices: ArrayLike, faces: ArrayLike, free: _arrays.Selection = None, **keywords: Unpack[RefillKeywords]
 ) -> Remeshed[Arrays]: ...
-@with_options
+@with_patch_options
 def refill(
     vertices: Any,
     faces: Any = None,
@@ -115,14 +108,10 @@ def refill(
     *,
     fixed: _arrays.Selection = None,
     free_faces: _arrays.Selection = None,
-    on_failure: OnFailure | None = "linear",
-    density: float | None = DENSITY,
-    max_new_vertices: int | None = MOST,
-    fair: bool | None = True,
     coincident: _arrays.Coincident | None = "join",
     progress: ProgressCallback | None = None,
     cancel: Event | None = None,
-    **options: Unpack[FairingOptions],
+    **options: Unpack[PatchOptions],
 ) -> Remeshed[Any]:
     """Deletes a region and fills what is left open, each component of it with one patch, which is fair already.
 
@@ -130,7 +119,8 @@ def refill(
 
     Args:
         mesh, free, fixed, free_faces, coincident: As in `fair`.
-        on_failure, density, max_new_vertices, fair, progress, cancel, **options: As in `fill_holes`.
+        **options: Those of `fair` and of patches: `PatchOptions`.
+        progress, cancel: As in `fair`.
 
     Returns:
         `Remeshed`: the mesh in the types given, and where its vertices and faces come from.
@@ -145,7 +135,7 @@ def refill(
     mesh = _arrays.Mesh(vertices, faces, coincident)
     region = _arrays.Region(mesh, free, fixed, free_faces)
     filling = initial(library, "fairmesh_fill_options_init", _abi.fairmesh_fill_options)
-    set_patches(filling, density, max_new_vertices, fair, on_failure)
+    set_options(filling, options)
     asked = Options(library, mesh.vertices, options)
     relay = Relay(progress, cancel)
     relay.install(asked.struct)

@@ -1,0 +1,19 @@
+"""The forms of options that C takes as structs."""
+
+from __future__ import annotations
+
+from collections import abc
+from typing import Literal, Union
+
+from numpy.typing import ArrayLike
+
+#: "fitted", "averaged", (n, 3) unit vectors with rows of zeros or NaN where none is given, or (indices, (k, 3)).
+Normals = Union[Literal["fitted", "averaged"], ArrayLike, tuple[ArrayLike, ArrayLike]]
+#: "g1", "g2", or a number from 0 (g1) to 1 (g2).
+HowFar = Union[Literal["g1", "g2"], float]
+#: "estimated", {index: H}, (indices, (k,)), or (n,) numbers with NaN where none is given.
+Curvature = Union[Literal["estimated"], abc.Mapping[int, float], ArrayLike, tuple[ArrayLike, ArrayLike]]
+#: {index of a vertex of the loop: "g1", "g2" or a number}.
+LoopContinuity = abc.Mapping[int, HowFar]
+#: "harmonic", "minimal_energy", or a constant in 1 / length^3.
+Target = Union[Literal["harmonic", "minimal_energy"], float]
