@@ -534,15 +534,20 @@ struct fill_options : fairmesh_fill_options {
 
     /** In place of `guides` of the C struct: pairs of boundary vertices that the triangulation shall have an edge between. */
     void guide(const std::vector<std::array<std::uint32_t, 2>> &pairs) {
-        guides_.clear();
-        for (const auto &pair : pairs) guides_.insert(guides_.end(), pair.begin(), pair.end());
-        guides_given_ = true;
+        std::vector<std::uint32_t> flat;
+        for (const auto &pair : pairs) flat.insert(flat.end(), pair.begin(), pair.end());
+        rows(&fairmesh_fill_options::guides, std::move(flat), 2);
     }
 
     /** One more such pair. */
     void add_guide(const std::array<std::uint32_t, 2> &pair) {
-        guides_.insert(guides_.end(), pair.begin(), pair.end());
-        guides_given_ = true;
+        auto &flat = kept(&fairmesh_fill_options::guides, 2);
+        flat.insert(flat.end(), pair.begin(), pair.end());
+    }
+
+    /** In place of a list of the C struct: rows of so many indices, one after the other. */
+    void rows(fairmesh_indices fairmesh_fill_options::*list, std::vector<std::uint32_t> flat, std::size_t width = 1) {
+        kept(list, width) = std::move(flat);
     }
 
     /** In place of `filter.components` of the C struct: holes of these components of the mesh. */
@@ -580,14 +585,27 @@ struct fill_options : fairmesh_fill_options {
             made.join.loops = indices(joined_.data(), joined_.size());
             made.join.starts = indices(starts_.data(), starts_.size());
         }
-        if (guides_given_) made.guides = indices(guides_.data(), guides_.size() / 2);
+        for (const auto &row : rows_) made.*row.list = indices(row.flat.data(), row.flat.size() / row.width);
         if (filters_components_) made.filter.components = indices(components_.data(), components_.size());
         return made;
     }
 
 private:
-    std::vector<std::uint32_t> listed_, joined_, starts_, components_, guides_;
-    bool lists_ = false, groups_ = false, filters_components_ = false, guides_given_ = false;
+    std::vector<std::uint32_t> &kept(fairmesh_indices fairmesh_fill_options::*list, std::size_t width) {
+        for (auto &row : rows_)
+            if (row.list == list) return row.flat;
+        rows_.push_back({list, {}, width});
+        return rows_.back().flat;
+    }
+
+    struct rows_of {
+        fairmesh_indices fairmesh_fill_options::*list;
+        std::vector<std::uint32_t> flat;
+        std::size_t width;
+    };
+    std::vector<rows_of> rows_;
+    std::vector<std::uint32_t> listed_, joined_, starts_, components_;
+    bool lists_ = false, groups_ = false, filters_components_ = false;
 };
 
 /** Fills holes; see fairmesh_fill_holes. */

@@ -84,14 +84,24 @@ fn rows(made: &mut String) {
         .collect();
     made.push_str("\n/** Options that are lists of indices, side by side in rows of so many. */\nexport const rows = {\n");
     for (name, lists) in &structs {
-        let widths: Vec<String> = lists.iter().map(|(list, width, _)| format!("{list}: {width}")).collect();
+        let widths: Vec<String> = lists
+            .iter()
+            .map(|(list, width, _)| format!("{list}: {width}"))
+            .collect();
         let _ = writeln!(made, "    {name}: {{ {} }},", widths.join(", "));
     }
     made.push_str("} as const;\n");
     for (name, lists) in &structs {
-        let _ = write!(made, "\n/** The lists of {name}: rows, or indices one after the other. */\nexport interface Rows{} {{\n", pascal(name));
+        let _ = write!(
+            made,
+            "\n/** The lists of {name}: rows, or indices one after the other. */\nexport interface Rows{} {{\n",
+            pascal(name)
+        );
         for (list, _, text) in lists {
-            let _ = writeln!(made, "    /** {text} */\n    {list}?: ArrayLike<number> | readonly (readonly number[])[] | undefined;");
+            let _ = writeln!(
+                made,
+                "    /** {text} */\n    {list}?: ArrayLike<number> | readonly (readonly number[])[] | undefined;"
+            );
         }
         made.push_str("}\n");
     }

@@ -1,6 +1,7 @@
 //! Patches that intersect themselves or the mesh: found, and tried again by other means.
 
 use nalgebra::Vector3;
+use rstar::primitives::Rectangle;
 use rstar::{AABB, Envelope, RTree};
 
 use super::loops::BoundaryLoop;
@@ -47,7 +48,13 @@ impl<'m> Neighbours<'m> {
         groups: impl Iterator<Item = Vec<&'l BoundaryLoop>>,
     ) -> Self {
         let known: Vec<Option<Bounds>> = groups.map(|loops| room(positions, &loops)).collect();
-        let rooms = RTree::bulk_load(known.iter().flatten().map(Member::filling).collect());
+        let rooms = RTree::bulk_load(
+            known
+                .iter()
+                .flatten()
+                .map(|&room| Rectangle::from(room))
+                .collect(),
+        );
         let near = members_near(positions, triangles, |b| {
             rooms.locate_in_envelope_intersecting(b).next().is_some()
         });

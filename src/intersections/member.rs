@@ -22,16 +22,6 @@ impl Member {
     pub(crate) fn bounds(&self) -> Bounds {
         AABB::from_points(&self.corners)
     }
-
-    /// One without area that has this box: a tree of boxes would be one more kind of tree to compile.
-    pub(crate) fn filling(bounds: &Bounds) -> Self {
-        Self {
-            corners: [bounds.lower(), bounds.upper(), bounds.upper()],
-            number: 0,
-            is_asked: false,
-            facing: 0,
-        }
-    }
 }
 
 impl RTreeObject for Member {

@@ -57,10 +57,7 @@ class Filling(FairingOptions, PatchOptions):
     def patch_keywords(self, extent):
         """The options for the library; `extent`: that of the holes, for the constant of the target."""
         return {
-            # The library's factor: the square root of 2 is as long as around the hole.
-            "density": self.density * np.sqrt(2.0),
-            "fair": self.smooth,
-            "on_failure": self.on_failure.lower(),
+            **self.own_keywords(),
             **self.fairing_keywords(extent),
         }
 
@@ -75,8 +72,7 @@ class Filling(FairingOptions, PatchOptions):
             largest_diagonal((holes.mesh, loop.vertices) for holes in chosen for _, loop in holes.loops)
         )
 
-        has_rim = isinstance(self, RimOptions) and self.relax_rim > 0
-        rings, within = (self.relax_rim, self.relax_within) if has_rim else (0, 0.0)
+        rim_keywords = self.rim_keywords() if isinstance(self, RimOptions) else lambda size: {}
 
         def compute(holes, monitor):
             mesh = holes.mesh
@@ -86,10 +82,8 @@ class Filling(FairingOptions, PatchOptions):
                 loops=holes.listed(),
                 join=holes.join,
                 guides=np.array(holes.guides) if holes.guides else None,
-                relax_rim=rings,
-                # As long as it is seen in the scene.
-                relax_within=within / mesh.size if within > 0 else None,
                 cancel=monitor,
+                **rim_keywords(mesh.size),
                 **keywords,
             )
 

@@ -34,6 +34,15 @@ class PatchOptions:
         default="LINEAR",
     )
 
+    def own_keywords(self):
+        """The same for the library."""
+        return {
+            # The library's factor: the square root of 2 is as long as around the hole.
+            "density": self.density * 2.0**0.5,
+            "fair": self.smooth,
+            "on_failure": self.on_failure.lower(),
+        }
+
     def draw_patch(self, layout):
         layout.prop(self, "density")
         layout.prop(self, "smooth")
@@ -61,6 +70,16 @@ class RimOptions:
         min=0.0,
         subtype="DISTANCE",
     )
+
+    def rim_keywords(self):
+        """The same for the library, by the size of what a length in the scene is in the mesh. The properties are read now."""
+        rings, within = self.relax_rim, self.relax_within
+
+        def keywords(size):
+            has_limit = rings > 0 and within > 0
+            return {"relax_rim": rings, "relax_within": within / size if has_limit else None}
+
+        return keywords
 
     def draw_rim(self, layout):
         layout.prop(self, "relax_rim")

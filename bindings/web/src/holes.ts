@@ -167,7 +167,7 @@ function fillIn(scope: Scope, given: LoopChoice & Omit<FillOptions, keyof Fairin
 }
 
 /** A list of rows, or of their indices one after the other. */
-function rowsIn(scope: Scope, given: ArrayLike<number> | readonly (readonly number[])[], width: number, name: string): Values {
+function rowsIn(scope: Scope, given: ArrayLike<number> | readonly (readonly number[])[], width: 1 | 2 | 3, name: string): Values {
     const listed = indices((Array.isArray(given) ? given.flat() : given) as Indices, name);
     if (listed.length % width !== 0) throw new RangeError(`${name}: rows of ${width} are needed, not ${listed.length} vertices`);
     return indicesIn(scope, listed, width);
