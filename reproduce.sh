@@ -29,11 +29,14 @@ if [ "$(cat "$home/wanted" 2>/dev/null)" != "$wanted" ]; then
     "$home/bin/pip" --disable-pip-version-check install -q $wanted
     echo "$wanted" >"$home/wanted"
 fi
-if [ "${1:-}" = continuity ] && { [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; }; then
-    install_packages g++ libcgal-dev libeigen3-dev
-fi
 cargo build --release --locked --bin fairmesh
-# What the command line does not print: linear surfaces, mean curvature of any mesh, fitted normals.
-FAIRMESH_LIBRARY=$(python3 bindings/python/build_library.py)
-export FAIRMESH_LIBRARY PYTHONPATH=bindings/python/src
+if [ "${1:-}" = continuity ]; then
+    if [ ! -e /usr/include/CGAL/Polygon_mesh_processing/fair.h ] || ! command -v g++ >/dev/null; then
+        install_packages g++ libcgal-dev libeigen3-dev
+    fi
+    # What the command line does not print: mean curvature of any mesh, fitted normals.
+    bindings/declarations.sh python
+    FAIRMESH_LIBRARY=$(python3 bindings/python/build_library.py)
+    export FAIRMESH_LIBRARY PYTHONPATH=bindings/python/src
+fi
 exec "$home/bin/python" -m reproduction --program "${CARGO_TARGET_DIR:-target}/release/fairmesh" "$@"

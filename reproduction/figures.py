@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
-from .measure import linear_surface, short, table, to_mesh
-from .tool import Case, Points, Run, Scan, Tool, write_ply
+from .measure import short, table, to_mesh
+from .tool import Case, Run, Scan, Tool
 
 FROM_ABOVE = ("--view", "0.45,-0.75,0.8", "--size", "200x175")
 BLEND = ("cylinder-blend", "--vertices")
+#: The solution of the linear problem with G1 boundary data (paper (3), 7.4): the paper's scheme
+#: on one level begins there, and its one update moves nothing along normals.
+LINEAR = ("--solver", "paper", "--paper-levels", 1, "--paper-max-updates", 1, "--paper-damping", 1e-9)
 
 
 @dataclass
@@ -17,17 +19,15 @@ class Faired:
     """A mesh, its linear and its intrinsic surface."""
 
     case: Case
-    linear: Points
-    linear_file: Path
+    linear: Run
     run: Run
 
 
 def faired(tool: Tool, name: str, generate: tuple[object, ...], inner: str) -> Faired:
     """Both surfaces of a generated mesh."""
     case = tool.generate(name, *generate)
-    linear, file = linear_surface(case, inner), tool.work / f"{name}.linear-{inner}.ply"
-    write_ply(file, linear, case.triangles)
-    return Faired(case, linear, file, tool.fair(case, inner, "--inner-fairness", inner))
+    how = ("--inner-fairness", inner)
+    return Faired(case, tool.fair(case, f"linear-{inner}", *how, *LINEAR), tool.fair(case, inner, *how))
 
 
 def sections(tool: Tool) -> dict[str, object]:
@@ -55,11 +55,11 @@ def figures_1_and_2(tool: Tool) -> dict[str, object]:
         "uniform, patch": made["920 with the patch", "uniform"],
         "conformal, 920": made["920", "conformal"],
     }
-    linear = [(each.linear_file, caption) for caption, each in shown.items()]
+    linear = [(each.linear.file, caption) for caption, each in shown.items()]
     intrinsic = [(each.run.file, caption) for caption, each in shown.items()]
     reflected = (*FROM_ABOVE, "--shade", "flat,reflection")
     rows = [[label, inner, *distances(each, fine)] for (label, inner), each in made.items()]
-    between = to_mesh(fine.linear, fine.run.positions, fine.case.triangles)
+    between = to_mesh(fine.linear.positions, fine.run.positions, fine.case.triangles)
     columns = "mesh | weights | linear: largest | rms | intrinsic: largest | rms | linear / intrinsic"
     what = ("Linear surfaces on four meshes", "Intrinsic surfaces on the same meshes", "Mean curvature")
     return {
@@ -76,7 +76,7 @@ def figures_1_and_2(tool: Tool) -> dict[str, object]:
 
 def distances(each: Faired, fine: Faired) -> list[object]:
     """Cells: linear to linear, intrinsic to intrinsic, how it ended."""
-    linear = to_mesh(each.linear, fine.linear, fine.case.triangles)
+    linear = to_mesh(each.linear.positions, fine.linear.positions, fine.case.triangles)
     intrinsic = to_mesh(each.run.positions, fine.run.positions, fine.case.triangles)
     # The reference has no distance to itself.
     ratio = "-" if intrinsic.max < 1e-12 else f"{linear.max / intrinsic.max:.0f}"
@@ -92,7 +92,7 @@ def figure_7(tool: Tool) -> dict[str, object]:
     meshes, rows = [], []
     for label, each in (("regular", regular), ("sparse, irregular", sparse)):
         count = len(each.case.positions)
-        meshes += [(each.linear_file, f"linear, {count}"), (each.run.file, f"intrinsic, {count}")]
+        meshes += [(each.linear.file, f"linear, {count}"), (each.run.file, f"intrinsic, {count}")]
         linear, _, intrinsic, _, _, *ending = distances(each, fine)
         rows.append([label, count, linear, intrinsic, *ending])
     what = "Linear and intrinsic, regular and sparse"

@@ -1,4 +1,4 @@
-"""Distances, angles, the linear surface that the paper compares with, and how figures are written."""
+"""Distances and angles, and how figures are written."""
 
 from __future__ import annotations
 
@@ -9,9 +9,7 @@ import igl
 import numpy as np
 from numpy.typing import NDArray
 
-import fairmesh
-
-from .tool import Case, Points, Triangles
+from .tool import Points, Triangles
 
 
 class Distance(NamedTuple):
@@ -47,22 +45,6 @@ def angles(positions: Points, triangles: Triangles) -> NDArray[np.float64]:
     corners = positions[triangles]
     a, b = (np.roll(corners, -k, axis=1) - corners for k in (1, 2))
     return np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b), axis=2), (a * b).sum(axis=2)))
-
-
-def linear_surface(case: Case, inner: str) -> Points:
-    """The solution of the linear problem with G1 boundary data (paper (3), 7.4), which the solver starts from.
-
-    A run that is stopped at its first iteration.
-    """
-    result = fairmesh.fair(
-        case.positions,
-        case.triangles,
-        case.free,
-        boundary_normals=case.normals(),
-        inner_fairness=inner,
-        progress=lambda progress: progress.iteration == 0,
-    )
-    return np.asarray(result.vertices)
 
 
 def scientific(x: float) -> str:
