@@ -4,7 +4,7 @@ use core::mem::offset_of;
 
 use super::choices::count;
 use super::loop_choice::{FilterIn, JoinIn, fairmesh_join, fairmesh_loop_filter, numbers};
-use super::option_structs::{fairmesh_fill_options, fairmesh_remesh_options};
+use super::option_structs::{FillOptionsLists, fairmesh_fill_options, fairmesh_remesh_options};
 use super::options::refused;
 use super::status::CallResult;
 use super::views::{AliasCheck, Argument, Array, FieldPath, check_reserved, indices_in, read_struct};
@@ -18,7 +18,7 @@ pub(crate) struct FillOptionsIn {
     loops: Array,
     join: JoinIn,
     filter: FilterIn,
-    guides: Array,
+    lists: FillOptionsLists,
     argument: Argument,
 }
 
@@ -58,9 +58,10 @@ impl FillOptionsIn {
         let join = JoinIn::new(&view.join, place, aliases)?;
         let place = argument.field(offset_of!(fairmesh_fill_options, filter), "filter");
         let filter = FilterIn::new(&view.filter, place, view.max_edges, aliases)?;
-        let place = argument.field(offset_of!(fairmesh_fill_options, guides), "guides");
-        let guides = indices_in(&view.guides, 2, place)?;
-        aliases.input(guides.data, guides.bytes);
+        let lists = view.lists(argument)?;
+        for list in &lists {
+            aliases.input(list.data, list.bytes);
+        }
         let plain = FillOptions {
             loops: Loops::Where(filter.checked()),
             rim: view.read_rim(argument)?,
@@ -79,7 +80,7 @@ impl FillOptionsIn {
             loops,
             join,
             filter,
-            guides,
+            lists,
             argument,
         })
     }
@@ -93,13 +94,13 @@ impl FillOptionsIn {
                 .read()?
                 .map_or_else(|| Loops::UpTo(count(view.max_edges)), Loops::Where)
         };
-        let options = FillOptions {
+        let mut options = FillOptions {
             loops,
             join: self.join.read()?,
-            guides: self.guides.rows::<2>()?.into_owned(),
             fairing,
             ..self.plain.clone()
         };
+        fairmesh_fill_options::read_lists(&self.lists, &mut options)?;
         options
             .validate()
             .map_err(|error| refused(error, self.argument, place_of))?;

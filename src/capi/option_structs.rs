@@ -8,7 +8,7 @@ use super::choices::{chosen, count};
 use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
 use super::status::CallResult;
 use super::types::*;
-use super::views::{Argument, FieldPath};
+use super::views::{Argument, Array, FieldPath, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     PaperOptions, RemeshOptions, Rim,
@@ -164,6 +164,9 @@ impl fairmesh_options {
     }
 }
 
+/// The lists of `FillOptions`, checked.
+pub(crate) type FillOptionsLists = [Array; 1];
+
 /// What hole filling does. Fill it by `fairmesh_fill_options_init`. How patches are faired is in a `fairmesh_options`.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -245,6 +248,19 @@ impl fairmesh_fill_options {
             fair: self.fair != 0,
             ..FillOptions::default()
         })
+    }
+
+    /// The lists of indices, checked and not read.
+    pub(crate) fn lists(&self, argument: Argument) -> CallResult<FillOptionsLists> {
+        Ok([
+            indices_in(&self.guides, 2, argument.field(offset_of!(Self, guides), "guides"))?,
+        ])
+    }
+
+    /// Reads them.
+    pub(crate) fn read_lists(lists: &FillOptionsLists, into: &mut FillOptions) -> CallResult {
+        into.guides = lists[0].rows::<2>()?.into_owned();
+        Ok(())
     }
 
     /// What needs no arrays and has no values of its own; all else as it is by default.

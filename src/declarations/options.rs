@@ -20,7 +20,7 @@ use super::choices::{chosen, count};
 use super::loop_choice::{fairmesh_join, fairmesh_loop_filter};
 use super::status::CallResult;
 use super::types::*;
-use super::views::{Argument, FieldPath};
+use super::views::{Argument, Array, FieldPath, indices_in};
 use fairmesh::{
     BridgeOptions, Discretization, FillOptions, InnerFairness, InteriorNormals, Intersections, OnFailure, Options, OutputPrecision,
     PaperOptions, RemeshOptions, Rim,
@@ -194,6 +194,18 @@ fn c_default(entry: &OptionEntry) -> String {
 
 fn declaration(made: &mut String, of: &OptionStruct) {
     let (name, fields) = (of.name, of.fields());
+    for (part, entries) in &of.parts {
+        let lists = entries
+            .iter()
+            .filter(|entry| matches!(entry.kind, OptionKind::Indices(_)))
+            .count();
+        if lists > 0 {
+            let _ = write!(
+                made,
+                "\n/// The lists of `{part}`, checked.\npub(crate) type {part}Lists = [Array; {lists}];\n"
+            );
+        }
+    }
     let _ = write!(
         made,
         "\n/// {}\n#[repr(C)]\n#[derive(Clone, Copy)]\npub struct {name} {{\n    /// `sizeof({name})`.\n    pub struct_size: u32,\n",
@@ -221,8 +233,36 @@ fn declaration(made: &mut String, of: &OptionStruct) {
     );
     for (part, entries) in &of.parts {
         reading(made, part, entries);
+        lists(made, part, entries);
     }
     made.push_str("}\n");
+}
+
+/// The functions that check the lists of indices, and read them.
+fn lists(made: &mut String, part: &str, entries: &[OptionEntry]) {
+    let lists = entries.iter().filter_map(|entry| match entry.kind {
+        OptionKind::Indices(width) => Some((entry.name, entry.field, width)),
+        _ => None,
+    });
+    let lists: Vec<_> = lists.collect();
+    if lists.is_empty() {
+        return;
+    }
+    let (mut checks, mut reads) = (String::new(), String::new());
+    for (k, (name, field, width)) in lists.iter().enumerate() {
+        let _ = writeln!(
+            checks,
+            "            indices_in(&self.{name}, {width}, argument.field(offset_of!(Self, {name}), \"{name}\"))?,"
+        );
+        let _ = writeln!(
+            reads,
+            "        into.{field} = lists[{k}].rows::<{width}>()?.into_owned();"
+        );
+    }
+    let _ = write!(
+        made,
+        "\n    /// The lists of indices, checked and not read.\n    pub(crate) fn lists(&self, argument: Argument) -> CallResult<{part}Lists> {{\n        Ok([\n{checks}        ])\n    }}\n\n    /// Reads them.\n    pub(crate) fn read_lists(lists: &{part}Lists, into: &mut {part}) -> CallResult {{\n{reads}        Ok(())\n    }}\n"
+    );
 }
 
 /// The function that reads what needs no arrays.

@@ -40,7 +40,12 @@ fn every_option_says_what_it_is_and_its_default() {
     for of in options::all() {
         for entry in of.entries() {
             let says = |word: &str| entry.text.contains(word);
-            assert!(says("efault") || says("default"), "{}: {} has no default", of.name, entry.name);
+            assert!(
+                says("efault") || says("default"),
+                "{}: {} has no default",
+                of.name,
+                entry.name
+            );
             assert!(entry.text.ends_with('.'), "{}: {}", of.name, entry.name);
         }
     }
