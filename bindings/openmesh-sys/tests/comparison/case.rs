@@ -88,10 +88,9 @@ impl Case {
         rms(inside.flat_map(|t| {
             let [a, b, c] = t.map(|v| Vector3::from(positions[v as usize]));
             let n = (b - a).cross(&(c - a));
-            t.iter().filter(|v| !free(v)).map(move |&v| {
-                let exact = Vector3::from(shape.normals[v as usize]);
-                n.cross(&exact).norm().atan2(n.dot(&exact)).to_degrees()
-            })
+            let exact = |&v: &u32| Vector3::from(shape.normals[v as usize]);
+            let fixed = t.iter().filter(|v| !free(v));
+            fixed.map(move |v| n.angle(&exact(v)).to_degrees())
         }))
     }
 
