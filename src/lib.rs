@@ -1,4 +1,4 @@
-//! Intrinsic G1 fairing of triangle meshes.
+//! Fill holes, remove bumps, blend and join on triangle meshes, exactly smooth: intrinsic G1 fairing.
 //!
 //! Given a triangle mesh, a set of free vertices and unit normals at the fixed vertices that bound
 //! them, fairmesh moves the free vertices until the surface solves `Delta_B H = 0`, so that the shape

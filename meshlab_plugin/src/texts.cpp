@@ -11,16 +11,15 @@ const char PAPER[] = "<br>The method: <i>Robert Schneider and Leif Kobbelt</i>, 
                      "Computer Aided Geometric Design, volume 18, issue 4, 2001, pages 359-379.<br>";
 
 const char FAIR[] =
-    "<b>Makes the selected faces a smooth surface that goes on from those around them.</b> Select the faces of a bump, a dent or noise, "
-    "with "
-    "some good ones around, and apply. What was inside is forgotten; parts of spheres and cylinders come back exactly.<br><br>"
+    "<b>Removes bumps, dents and noise: the selected faces continue those around them, exactly smooth.</b> Select the faces of a bump, "
+    "with some good ones around, and apply. What was inside is forgotten; parts of spheres and cylinders come back exactly.<br><br>"
     "A vertex moves if all its faces are selected and it is not on the boundary of the mesh. To close a hole apply 'Close Holes Smoothly'; "
     "where the old faces are tangled, 'Erase and Fill Smoothly'.<br><br>"
     "The mean curvature H of the new surface is a harmonic function on it (&Delta;<sub>B</sub>H = 0), and it has the tangent planes of its "
     "surroundings (G<sup>1</sup>), or given normals.<br>";
 
 const char CLOSE[] =
-    "<b>Closes holes with a smooth surface that goes on from the faces around them.</b> A piece that was cut out of a sphere is put back. "
+    "<b>Fills holes and joins loops with a surface that continues the faces around, exactly smooth.</b> A piece that was cut out of a sphere is put back. "
     "All holes are closed, or those of a size or at the selection.<br><br>"
     "New triangles are as large as those beside the hole. New vertices get colours, quality, texture coordinates and attributes "
     "interpolated from the boundary. Old vertices and faces stay as they are, unless a rough boundary may move or is trimmed.<br><br>"
@@ -28,12 +27,12 @@ const char CLOSE[] =
     "All parts have to face the same way.<br>";
 
 const char ERASE[] =
-    "<b>Deletes the selected faces and closes the hole with a smooth surface.</b> For bumps, noise and tangles whose old faces are of no "
+    "<b>Deletes the selected faces and fills the hole, exactly smooth.</b> For bumps, noise and tangles whose old faces are of no "
     "use.<br><br>"
     "Faces that would hang loose at the rest go, too. Where the hole would stay open, nothing is changed.<br>";
 
 const char BRIDGE[] =
-    "<b>Connects two selected stretches of boundary by a smooth strip.</b> Select the vertices or the faces there: on two sides of a hole, "
+    "<b>Joins two selected stretches of boundary by a strip, exactly smooth.</b> Select the vertices or the faces there: on two sides of a hole, "
     "which it divides, or on two parts.<br><br>"
     "It goes on smoothly from both. Its free sides are curves; 'Fill the rest' closes the holes beside it, too.<br>";
 

@@ -9,7 +9,7 @@ import sys
 
 bl_info = {
     "name": "Fairmesh",
-    "description": "Fairs regions, fills holes and joins loops smoothly, shows curvature",
+    "description": "Fill holes, remove bumps, blend and join, exactly smooth; shows curvature",
     "author": "fairmesh developers",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),

@@ -1,4 +1,4 @@
-"""Fairing of triangle meshes: regions get the smoothest shape that goes on from what is around them."""
+"""Fill holes, remove bumps, blend and join on triangle meshes, exactly smooth."""
 
 from __future__ import annotations
 
