@@ -6,6 +6,7 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::simd::tangents;
+use super::trace::RIDGE;
 
 /// Which samples a fit takes, and what it fits to them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,8 +65,6 @@ pub(crate) struct OneSidedCurvature {
 
 /// So many samples for each unknown can judge a fit.
 const SAMPLES_PER_UNKNOWN: f64 = 1.4;
-/// Keeps the fit defined, relative to the sum of weights.
-const RIDGE: f64 = 1e-9;
 
 /// `1, (u^2 - v^2)/d, 2uv/d` and the cubics, as normal curvatures `2w/d`, of a sample in units of the samples' length. The monomials are
 /// orthonormal in Bombieri's product, so that the ridge does not depend on where `u` points.

@@ -15,8 +15,8 @@ const WEIGHTS: [f64; 4] = [1.0, 1.0, 0.5, 0.25];
 const WIDE_WEIGHTS: [f64; 7] = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5];
 /// Fewer samples cannot judge the fit.
 const FEWEST: usize = 9;
-/// Keeps the fit defined, relative to the sum of weights.
-const RIDGE: f64 = 1e-9;
+/// Keeps fits to several rings defined, relative to the sum of weights.
+pub(crate) const RIDGE: f64 = 1e-9;
 
 /// How far samples reach.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -20,9 +20,8 @@ use crate::mesh::Joined;
 use crate::support::error::Error;
 use crate::support::options::options;
 
-/// What of the progress the strip is, and what the rest is filled in.
-const STRIP: f64 = 0.4;
-const REST: f64 = 0.4;
+/// The progress has three parts of equal length where the rest is filled: the strip, the rest, all that is new together.
+const THIRD: f64 = 1.0 / 3.0;
 
 options! {
     /// What is asked of [`bridge`].
@@ -136,7 +135,7 @@ fn run(
         loops: &loops,
     };
     let ends = lookup.resolved(chains, options.width)?;
-    let share = if options.fill { STRIP } else { 1.0 };
+    let share = if options.fill { THIRD } else { 1.0 };
     let strip = Strip::new(&links, positions, &ends, filling)?;
     let mut tell = part(progress, 0.0, share);
     let mut bridged = strip.make(&joined, triangles, filling, &mut tell, interrupt)?;
@@ -190,7 +189,7 @@ impl Bridged {
             ..filling.clone()
         };
         let filled = {
-            let mut tell = part(progress, STRIP, REST);
+            let mut tell = part(progress, THIRD, THIRD);
             fill_within(&self.positions, &self.triangles, &options, &mut tell, interrupt)?
         };
         let first = self.parents.len();
@@ -211,7 +210,7 @@ impl Bridged {
             .filter(|&v| is_free[v as usize])
             .collect();
         let options = strip.with_normals(&filling.fairing);
-        let mut tell = part(progress, STRIP + REST, 1.0 - STRIP - REST);
+        let mut tell = part(progress, 2.0 * THIRD, THIRD);
         let selection = Selection::Vertices(&free);
         match fair_within(
             &self.positions,

@@ -11,8 +11,6 @@ use crate::quality::smallest_angle;
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
 const PASSES: usize = 6;
-/// In so many of them edges at the boundary keep to their ranges; after that angles count for more.
-const RANGED: usize = 4;
 /// Edges at the boundary keep away from the ends of their range by this factor: fairing moves vertices a little.
 const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
@@ -28,7 +26,7 @@ impl Refiner<'_> {
         self.mend_lengths();
         // A vertex of many neighbours is gathered for each of its triangles: quadratic, unless it ends here.
         let most = MOST_NEAR * self.patch.x.len();
-        for pass in 0..PASSES {
+        for _ in 0..PASSES {
             let bad = self.narrow();
             if bad.is_empty() {
                 return;
@@ -42,7 +40,7 @@ impl Refiner<'_> {
             }
             self.settle(&mut near);
             for t in bad {
-                self.mend_one(t, pass < RANGED, &mut near);
+                self.mend_one(t, &mut near);
                 if near.len() > most {
                     break;
                 }
@@ -128,7 +126,7 @@ impl Refiner<'_> {
         self.flip_from(stack);
     }
 
-    fn mend_one(&mut self, t: u32, ranged: bool, near: &mut Vec<u32>) {
+    fn mend_one(&mut self, t: u32, near: &mut Vec<u32>) {
         if self.patch.triangles[t as usize][0] == NONE {
             return;
         }
@@ -141,7 +139,7 @@ impl Refiner<'_> {
             return;
         }
         self.gather(t, near);
-        if self.try_collapse(short, ranged) {
+        if self.try_collapse(short) {
             return;
         }
         for h in [long, middle] {
@@ -150,19 +148,18 @@ impl Refiner<'_> {
                 return;
             }
         }
-        let _ = self.try_collapse(middle, ranged) || self.try_collapse(long, ranged);
+        let _ = self.try_collapse(middle) || self.try_collapse(long);
     }
 
-    /// Removes one end of a short edge if the smallest angle around it grows; `ranged`: and if no edge at the boundary gets too
-    /// long.
-    fn try_collapse(&mut self, h: u32, ranged: bool) -> bool {
+    /// Removes one end of a short edge if the smallest angle around it grows, and no edge at the boundary gets too long.
+    fn try_collapse(&mut self, h: u32) -> bool {
         let o = self.patch.across(h);
         if o == NONE {
             return false;
         }
         for g in [h, o] {
             let (a, b) = (self.patch.origin(g), self.patch.target(g));
-            if self.patch.is_boundary(a) || !self.stays_short(a, b, LONG) || ranged && self.leaves_range(b) {
+            if self.patch.is_boundary(a) || !self.stays_short(a, b, LONG) || self.leaves_range(b) {
                 continue;
             }
             let ring = self.ring.iter().map(|&v| (v, self.patch.x[v as usize]));

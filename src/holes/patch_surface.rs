@@ -35,9 +35,8 @@ const SHORTEST: f64 = 1.0 / 30.0;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
 const ROOM: f64 = 0.25;
 
-/// A patch whose smallest angle (degrees) is below this is refined and faired again, so often at most.
+/// A patch whose smallest angle (degrees) is below this is refined and faired once more.
 const ENOUGH: f64 = 15.0;
-const AGAIN: usize = 2;
 
 /// The largest length of edges at a boundary vertex, by the shorter boundary edge there and the mean length around.
 pub(super) fn limit(shorter: f64, size: f64) -> f64 {
@@ -216,17 +215,11 @@ impl Task<'_> {
             Ok(solution) => (patch, solution),
             Err(error) => return self.flat(&coarse, FlatReason::Refused(self.in_mesh(error)), None),
         };
-        let mut left = self.options.max_iterations;
-        for _ in 0..AGAIN {
-            let report = &best.1.report;
-            left = left.saturating_sub(report.iterations);
-            if report.quality.worst_angle >= ENOUGH || report.outcome == Outcome::Cancelled || left == 0 {
-                break;
-            }
-            let Some(better) = self.again(&best.0, &best.1, left, &mut last) else {
-                break;
-            };
-            best = better;
+        let report = &best.1.report;
+        let left = self.options.max_iterations.saturating_sub(report.iterations);
+        let is_enough = report.quality.worst_angle >= ENOUGH;
+        if !is_enough && report.outcome != Outcome::Cancelled && left > 0 {
+            best = self.again(&best.0, &best.1, left, &mut last).unwrap_or(best);
         }
         self.judge(&coarse, best.0, best.1, coarsened)
     }

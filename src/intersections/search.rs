@@ -10,8 +10,6 @@ use fairmesh_linear::parallel;
 
 /// Pairs of nodes that a thread takes at once.
 const CHUNK: usize = 64;
-/// Triangles in a piece of a loop over all.
-const RUN: usize = 4096;
 
 /// The triangles of a mesh, none of them asked for, that `is_near` takes.
 pub(crate) fn members_near(
@@ -41,7 +39,8 @@ pub(crate) fn of_some(
         .filter_map(|&t| member(positions, triangles, t, true))
         .collect();
     let bounds = bounds_of(&region);
-    let sides: Vec<u8> = parallel::map_each(positions.len(), RUN, |v| sides(&positions[v], &bounds));
+    let sides: Vec<u8> =
+        parallel::map_each(positions.len(), parallel::RUN, |v| sides(&positions[v], &bounds));
     let all_beside = |t: &[u32; 3]| {
         t.iter()
             .fold(u8::MAX, |all, &v| all & sides.get(v as usize).unwrap_or(&0))
@@ -56,7 +55,7 @@ pub(crate) fn of_some(
 
 /// Those that there are, of so many triangles.
 fn members_of(triangles: usize, member: &(dyn Fn(u32) -> Option<Member> + Sync)) -> Vec<Member> {
-    parallel::map(parallel::runs(triangles, RUN), |_, run| {
+    parallel::map(parallel::runs(triangles, parallel::RUN), |_, run| {
         run.filter_map(|t| member(t as u32)).collect::<Vec<_>>()
     })
     .concat()
@@ -83,7 +82,7 @@ pub(crate) fn of_all(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[u32
 /// The same of any triangles with different numbers.
 pub(crate) fn pairs(mut members: Vec<Member>, most: usize) -> Vec<[u32; 2]> {
     let unit = unit(&members);
-    parallel::for_each(members.chunks_mut(RUN), |_, run| {
+    parallel::for_each(members.chunks_mut(parallel::RUN), |_, run| {
         for member in run {
             // Positive zeros only: equal coordinates have equal bits.
             member

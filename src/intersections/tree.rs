@@ -127,7 +127,7 @@ fn places(members: &[Member]) -> Vec<(u64, u32)> {
         });
         (bits, m as u32)
     };
-    parallel::map_each(members.len(), 4096, |m| place((m, &members[m])))
+    parallel::map_each(members.len(), parallel::RUN, |m| place((m, &members[m])))
 }
 
 /// The bits of a number, each followed by two that are zero.

@@ -54,6 +54,9 @@ pub fn map_each<R: Send>(count: usize, piece: usize, work: impl Fn(usize) -> R +
     made
 }
 
+/// Cheap items that a thread takes at once: enough that handing them out costs nothing beside them.
+pub const RUN: usize = 4096;
+
 /// Ranges of `0..count`, `length` numbers each and what is left in the last.
 pub fn runs(count: usize, length: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     (0..count)

@@ -16,9 +16,6 @@ const DETACHED_DEGREES: f64 = 15.0;
 /// See [`DETACHED_DEGREES`].
 const DETACHED_RATIO: f64 = 8.0;
 
-/// Triangles that a thread judges at once.
-const RUN: usize = 4096;
-
 /// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Quality {
@@ -179,7 +176,7 @@ impl SurfaceState<'_> {
             judged.is_some_and(|(folded, tangent)| folded || tangent < least)
         };
         let triangles = self.region.triangles();
-        parallel::map(parallel::runs(triangles.len(), RUN), |_, run| {
+        parallel::map(parallel::runs(triangles.len(), parallel::RUN), |_, run| {
             let poor = run.filter(|&t| is_poor(&triangles[t]));
             poor.map(|t| t as u32).collect::<Vec<_>>()
         })

@@ -2,14 +2,14 @@
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
+use crate::discrete::trace::RIDGE;
+
 /// How often the weights of a fit are made anew.
 const PASSES: usize = 8;
 /// Tukey's biweight: what is so many times the scatter off has no weight.
 const BIWEIGHT: f64 = 4.685;
 /// From the median of magnitudes to the standard deviation of a normal distribution.
 const TO_DEVIATION: f64 = 1.4826;
-/// Of the trace, for directions in which the places do not differ.
-const RIDGE: f64 = 1e-9;
 
 /// `a + b . x` at places.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +32,7 @@ impl Linear {
                 matrix += row * row.transpose() * weight;
                 right += row * (value * weight);
             }
+            // For directions in which the places do not differ.
             matrix += Matrix4::identity() * (RIDGE * matrix.trace());
             let Some(factor) = matrix.cholesky() else { break };
             of = Self(factor.solve(&right));

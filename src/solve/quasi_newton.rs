@@ -9,7 +9,7 @@ use super::formulation::Formulation;
 use super::iterate_options::{IterateOptions, IterationStatus};
 use super::limited_step::{LARGEST_CHANGE, advance, limited_part};
 use super::step::StepNorm;
-use super::system::System;
+use super::system::{LARGE, System};
 use crate::quality::NEEDLE;
 use crate::support::profile::clock;
 use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
@@ -30,13 +30,9 @@ const EXTRA: usize = 6;
 /// The last step may be longer than the plain one by this factor when accelerated.
 const LONGEST_LAST: f64 = 2.0;
 /// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
-/// takes a step of the history;
+/// takes a step of the history. Half as many on large regions, where that would cost more memory than the matrix.
 const WINDOW: usize = 16;
-/// on large regions that would cost more memory than the matrix.
-const WINDOW_OF_LARGE: usize = 8;
-const _: () = assert!(WINDOW <= MAX_WINDOW && WINDOW_OF_LARGE <= MAX_WINDOW);
-/// The largest region with the longer history.
-const LONG_UP_TO: usize = 50_000;
+const _: () = assert!(WINDOW <= MAX_WINDOW);
 /// A round that gains less than this in [`IterateOptions::patience`] steps is left.
 const STALL: f64 = 0.7;
 /// A round is left when the step norm exceeds this many times the best: every change of matrix makes it jump.
@@ -138,11 +134,7 @@ impl Iteration {
     ) -> Self {
         let modes = vec![0.0; system.modes()];
         let n = 3 * system.free() + modes.len();
-        let window = if system.free() > LONG_UP_TO {
-            WINDOW_OF_LARGE
-        } else {
-            WINDOW
-        };
+        let window = if system.free() > LARGE { WINDOW / 2 } else { WINDOW };
         Self {
             tolerance: options.tolerance_floor.max(control.tolerance),
             best: Best {

@@ -27,8 +27,9 @@ use fairmesh_linear::parallel;
 use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
-/// Larger regions give the memory for update matrices back when the iterations begin.
-const KEPT_UP_TO: usize = 50_000;
+/// From so many free vertices on, memory counts: the update matrices are given back when the iterations begin, and Anderson acceleration
+/// looks back on half as many steps.
+pub(super) const LARGE: usize = 50_000;
 
 /// Equations, matrices and scratch of one fairing problem, in the region's own centred and scaled frame.
 ///
@@ -309,7 +310,7 @@ impl System {
         let made = self.refactor_at(Some(x));
         let made = made.and_then(|()| self.prepare_continuity(formulation));
         // The next one is far off, and the iterations need the memory.
-        if response && self.free() > KEPT_UP_TO {
+        if response && self.free() > LARGE {
             self.stacks = Stacks::default();
         }
         made

@@ -7,13 +7,11 @@ use super::fit::{Fit, Sheet};
 use super::options::Rim;
 use super::report::RimReport;
 use super::untangle::Untangling;
-use super::width::{REACH, width};
+use super::width::{CLEAN, REACH, width};
 use crate::holes::links::Links;
 use crate::holes::loops::BoundaryLoop;
 
-/// Below this, in edges, noise has not folded anything.
-const CLEAN: f64 = 0.02;
-/// Above this it has hardly left a triangle its shape.
+/// Above this, in edges, noise has hardly left a triangle its shape.
 const ROUGH: f64 = 0.1;
 /// The quality below which triangles are mended for either.
 const POOR: [f64; 2] = [0.3, 0.6];

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::band::Band;
 use super::options::Rim;
 use super::report::EVEN;
-use super::width::{REACH, width};
+use super::width::{CLEAN, REACH, SAMPLES, width};
 use crate::fairing::Workers;
 use crate::holes::links::Links;
 use crate::holes::loop_set::normal;
@@ -15,13 +15,10 @@ use crate::mesh::coincident::Coincident;
 use crate::mesh::{Joined, NONE};
 use crate::support::error::Error;
 
-/// Edges of a loop that are looked at, at most.
-const SAMPLES: usize = 256;
 /// No surface is so flat that less than this (radians) is expected: triangles of a clean mesh have some angle.
 const LEAST: f64 = 0.02;
-/// A rim is rough if its angles are wider than expected by this factor, and its noise is more than this part of an edge.
+/// A rim is rough if its angles are wider than expected by this factor, and it is not clean.
 const ROUGH: f64 = 2.0;
-const NOISE: f64 = 0.02;
 /// The rings that are advised to be relaxed.
 const RINGS: usize = 3;
 
@@ -114,7 +111,7 @@ fn roughness(
         noise: width.noise,
         advice: None,
     };
-    let is_noise = width.noise > NOISE * edge && width.evenness > EVEN;
+    let is_noise = width.noise > CLEAN * edge && width.evenness > EVEN;
     if found.ratio() > ROUGH && is_noise {
         found.advice = Some(Rim {
             relax: RINGS,

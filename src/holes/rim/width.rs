@@ -11,8 +11,10 @@ use super::fit::Fit;
 const RADII: [f64; 9] = [2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 17.0, 20.0, 28.0];
 /// The rings that the widest of them may reach: rings are nearer to each other than an edge is long.
 pub(super) const REACH: usize = 42;
-/// Vertices of the loops that they are tried at, at most.
-const SAMPLES: usize = 256;
+/// Vertices or edges of the loops that are looked at, at most.
+pub(super) const SAMPLES: usize = 256;
+/// Noise below this, in edges, is none: it has not folded anything.
+pub(super) const CLEAN: f64 = 0.02;
 /// The sphere of a fit is hardly smaller than its window, on average.
 const MOST_CURVED: f64 = 1.2;
 /// From this radius on noise looks the same at all of them: if the variance grows to more than so many times, that is bias.

@@ -17,15 +17,12 @@ use crate::solve::system::System;
 const PHASE: &str = "curvature continuity";
 /// So many parts of the way are tried at most.
 const TRIES: usize = 6;
-/// Where less of the way can be trusted on all loops, none of it is gone.
-const LEAST_REACHED: f64 = 1e-3;
+/// Less than this part of the way, or of the curvature, is nothing.
+const NEGLIGIBLE: f64 = 1e-3;
 /// No boundary normal is missed by more than this factor, against the tangent-continuous surface,
 const DEVIATION: f64 = 1.1;
 /// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
 const DEVIATION_DEGREES: f64 = 0.5;
-
-/// A jump below this part of the curvature is none.
-const LEAST_JUMP: f64 = 1e-3;
 
 /// A way to the curvature-continuous surface.
 #[derive(Debug)]
@@ -71,7 +68,7 @@ impl Continuation {
             (&tangent.x, &system.state.h),
             &asked,
         );
-        if loops.iter().all(|l| l.trusted.part < LEAST_REACHED) {
+        if loops.iter().all(|l| l.trusted.part < NEGLIGIBLE) {
             let continuity = loops.iter().map(|l| came_of(l, 0.0, &l.before)).collect();
             return Err(Box::new(SolveResult {
                 continuity,
@@ -184,7 +181,7 @@ impl Continuation {
     fn grown_jumps(&self, candidate: &Candidate, system: &System) -> Vec<usize> {
         let told = reached(system, &self.ways.parts(), (&candidate.x, &system.state.h));
         let is_grown = |l: &LoopContinuity| {
-            l.reached > 0.0 && l.jump[0] > l.jump_before[0].max(LEAST_JUMP * l.curvature)
+            l.reached > 0.0 && l.jump[0] > l.jump_before[0].max(NEGLIGIBLE * l.curvature)
         };
         (0..told.len()).filter(|&k| is_grown(&told[k])).collect()
     }
