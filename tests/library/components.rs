@@ -160,7 +160,7 @@ fn sizes_and_distances_of_others_do_not_matter() {
         assert_eq!(Some(report.iterations), most);
         let free: Vec<usize> = report.components.iter().map(|c| c.free_vertices).collect();
         assert_eq!(free, case.components.iter().map(Vec::len).collect::<Vec<_>>());
-        assert_eq!(report.free_vertices, free.iter().sum());
+        assert_eq!(report.free_vertices, free.iter().sum::<usize>());
         let [first, small, far] = [0, 1, 2].map(|k| &report.components[k]);
         assert!((small.diagonal / first.diagonal / 1e-4 - 1.0).abs() < 0.01);
         assert!(far.diagonal < 10.0, "{}", far.diagonal);

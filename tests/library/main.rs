@@ -6,6 +6,7 @@ mod fairing;
 mod tier;
 
 mod accuracy;
+mod answers;
 mod boundary;
 mod bridge;
 mod coincident;
