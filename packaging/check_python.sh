@@ -80,7 +80,7 @@ fresh() {
     cp "$root/docs/dented.ply" "$1/check/docs"
     cp "$root/README.md" "$root/packaging/first_programs.py" "$1/check"
     cp "$root/bindings/python/README.md" "$1/check/bindings"
-    cp "$root"/bindings/python/tests/{conftest,meshes,test_known_answers,test_errors}.py "$1/check"
+    cp "$root"/bindings/python/tests/{conftest,meshes,test_results,test_errors}.py "$1/check"
 }
 
 # uses PYTHON...: how the installed package is tried, by this command in /check.
@@ -88,7 +88,7 @@ uses() {
     local told
     "$@" first_programs.py bindings/README.md README.md >"$work/programs" 2>&1 || bad "$(cat "$work/programs")"
     [ "$(grep -c '^converged' "$work/programs")" = 2 ] || bad "the programs of the pages have found something else: $(cat "$work/programs")"
-    "$@" -m pytest -q -p no:cacheprovider test_known_answers.py test_errors.py >"$work/tests" 2>&1 || bad "$(cat "$work/tests")"
+    "$@" -m pytest -q -p no:cacheprovider test_results.py test_errors.py >"$work/tests" 2>&1 || bad "$(cat "$work/tests")"
     told=$("$@" -c 'import fairmesh, numpy, platform as p
 print(p.system(), p.machine(), "Python", p.python_version(), "numpy", numpy.__version__, fairmesh.load().path)' | tr -d '\r' | tr "\\\\" /)
     [[ $told == */site-packages/fairmesh/lib/* ]] || bad "another library was loaded: $told"

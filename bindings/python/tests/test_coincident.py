@@ -30,34 +30,6 @@ def test_a_soup_is_faired_as_the_joined_mesh():
         assert np.array_equal(solver.vertices, result.vertices)
 
 
-def test_a_dent_across_a_texture_seam_goes():
-    seam = np.flatnonzero(np.abs(np.arange(441) % 21 - 10) == 0)
-    beyond = (MESH.faces % 21).sum(axis=1) > 30
-    vertices = np.concatenate([MESH.vertices, MESH.vertices[seam]])
-    faces = MESH.faces.copy()
-    copy = np.arange(441)
-    copy[seam] = 441 + np.arange(len(seam))
-    faces[beyond] = copy[faces[beyond]]
-    inner = (MESH.free[MESH.faces]).any(axis=1)
-    result = fairmesh.fair(vertices, faces, free_faces=inner)
-    whole = fairmesh.fair(MESH.vertices, MESH.faces, free_faces=inner)
-    assert result.outcome.is_success and np.array_equal(result.vertices[:441], whole.vertices)
-    assert np.array_equal(result.vertices[441:], whole.vertices[seam])
-    left = fairmesh.fair(vertices, faces, free_faces=inner, coincident="separate")
-    dent = seam[5:-5]
-    assert np.abs(left.vertices[dent, 2] - MESH.exact[dent, 2]).max() > 0.1
-    assert np.abs(result.vertices[dent, 2] - MESH.exact[dent, 2]).max() < 0.01
-
-
-def test_indices_name_any_copy_and_a_mask_all_copies():
-    before, faces = soup()
-    first = np.flatnonzero(np.diff(before, prepend=-1))
-    result = fairmesh.fair(MESH.vertices[before], faces, free=first[MESH.free])
-    assert np.array_equal(result.vertices, JOINED.vertices[before])
-    held = fairmesh.fair(MESH.vertices[before], faces, fixed=first[~MESH.free])
-    assert np.array_equal(held.vertices, JOINED.vertices[before])
-
-
 def test_copies_at_a_distance():
     before, faces = soup()
     vertices = MESH.vertices[before] + 1e-9 * np.random.RandomState(1).uniform(size=(len(before), 3))

@@ -19,7 +19,7 @@ def boundary_vertex(solver):
     return int(solver.result().boundary_vertices[0])
 
 
-def test_frames_lead_to_what_one_call_finds(solver):
+def test_frames_settle_and_edits_are_taken_back(solver):
     first = solver.vertices
     edits = [fairmesh.Tilt(boundary_vertex(solver), 0.1)]
     solver.edit(edits)
@@ -29,30 +29,9 @@ def test_frames_lead_to_what_one_call_finds(solver):
         assert frames[-1].evaluations <= 2 and len(frames) < 100
     assert len(frames) > 1 and frames[-1].step <= 1e-6
     assert np.abs(solver.vertices - first).max() > 1e-3
-    assert solver.finish().outcome is fairmesh.Outcome.CONVERGED
-    warm = solver.vertices
-    vertices, faces, free, _ = dented_sphere()
-    with fairmesh.Solver(vertices, faces, free=free, tolerance=1e-10) as cold:
-        cold.edit(edits)
-        cold.finish()
-        assert np.abs(cold.vertices - warm).max() < 1e-8
     solver.edit([])
     solver.finish()
     assert np.abs(solver.vertices - first).max() < 1e-8
-
-
-def test_frames_of_evaluations_have_the_same_bits():
-    vertices, faces, free, _ = dented_sphere()
-    seen = []
-    for threads in (1, 2):
-        with fairmesh.Solver(vertices, faces, free=free, threads=threads) as solver:
-            solver.finish()
-            at = boundary_vertex(solver)
-            for k in range(1, 4):
-                solver.edit([fairmesh.Tilt(at, 0.02 * k, falloff=0.4), fairmesh.Twist(at, 0.01 * k)])
-                solver.update(evaluations=3)
-            seen.append(solver.vertices)
-    assert np.array_equal(*seen)
 
 
 def test_a_handle_takes_the_surface_with_it(solver):
