@@ -12,7 +12,8 @@ from fairmesh import ElementKind, Status
 FILE = json.loads((Path(__file__).resolve().parents[3] / "tests" / "answers.json").read_text())
 CASES = [pytest.param(case, id=case["name"]) for case in FILE["cases"] if "answer" in case]
 ERRORS = [pytest.param(case, id=case["name"]) for case in FILE["cases"] if "error" in case]
-NEAR = 1e-6
+#: Single precision anywhere on the way would show.
+NEAR = 1e-8
 
 
 def call(case, dtype=np.float64):
