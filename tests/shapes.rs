@@ -25,21 +25,28 @@ fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Euler characteristic and boundary loops of a consistently oriented manifold; panics on anything else.
-fn topology(s: &Shape) -> (i64, Vec<usize>) {
-    let mut next = HashMap::new();
+/// By its first two corners, the third corner of the triangle on the left of an edge.
+type Thirds = HashMap<(u32, u32), u32>;
+
+fn thirds(s: &Shape) -> Thirds {
+    let mut thirds = Thirds::new();
     for t in &s.triangles {
         for k in 0..3 {
             assert_ne!(t[k], t[(k + 1) % 3]);
             assert!(
-                next.insert((t[k], t[(k + 1) % 3]), t[(k + 2) % 3]).is_none(),
+                thirds.insert((t[k], t[(k + 1) % 3]), t[(k + 2) % 3]).is_none(),
                 "edge used twice in one direction"
             );
         }
     }
+    thirds
+}
+
+/// The boundary's next vertex behind each vertex of the boundary.
+fn boundary_steps(s: &Shape, thirds: &Thirds) -> HashMap<u32, u32> {
     let mut boundary = HashMap::new();
-    for &(a, b) in next.keys() {
-        if !next.contains_key(&(b, a)) {
+    for &(a, b) in thirds.keys() {
+        if !thirds.contains_key(&(b, a)) {
             assert!(
                 boundary.insert(a, b).is_none(),
                 "two boundary edges leave vertex {a}"
@@ -50,22 +57,24 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
             );
         }
     }
+    boundary
+}
+
+/// One fan at every vertex: as many triangles as a walk around it meets.
+fn check_fans(s: &Shape, thirds: &Thirds, boundary: &HashMap<u32, u32>) {
     let mut corners = vec![0usize; s.positions.len()];
-    s.triangles
-        .iter()
-        .flatten()
-        .for_each(|&v| corners[v as usize] += 1);
+    let all = s.triangles.iter().flatten();
+    all.for_each(|&v| corners[v as usize] += 1);
     assert!(corners.iter().all(|&c| c > 0), "a vertex without triangle");
-    // One fan at every vertex: as many triangles as a walk around it meets.
     let mut start = HashMap::new();
-    for &(a, b) in next.keys() {
+    for &(a, b) in thirds.keys() {
         if !boundary.contains_key(&a) || boundary[&a] == b {
             start.insert(a, b);
         }
     }
     for (&v, &first) in &start {
         let (mut w, mut met) = (first, 0);
-        while let Some(&third) = next.get(&(v, w)) {
+        while let Some(&third) = thirds.get(&(v, w)) {
             (w, met) = (third, met + 1);
             if w == first {
                 break;
@@ -73,7 +82,14 @@ fn topology(s: &Shape) -> (i64, Vec<usize>) {
         }
         assert_eq!(met, corners[v as usize], "two fans at vertex {v}");
     }
-    let edges = (next.len() + boundary.len()) / 2;
+}
+
+/// Euler characteristic and boundary loops of a consistently oriented manifold; panics on anything else.
+fn topology(s: &Shape) -> (i64, Vec<usize>) {
+    let thirds = thirds(s);
+    let mut boundary = boundary_steps(s, &thirds);
+    check_fans(s, &thirds, &boundary);
+    let edges = (thirds.len() + boundary.len()) / 2;
     let euler = s.positions.len() as i64 - edges as i64 + s.triangles.len() as i64;
     let mut loops = Vec::new();
     while let Some(&first) = boundary.keys().min() {

@@ -76,73 +76,81 @@ fn check(mesh: &Mesh, region: &RegionMesh, rings: &Rings) {
     check_rings(mesh, region, rings);
 }
 
-/// Rings, fans and flaps against their definitions, by searching the whole mesh.
-fn check_rings(mesh: &Mesh, region: &RegionMesh, rings: &Rings) {
-    let id = |v: u32| {
-        if v == NONE {
-            NONE
-        } else {
-            region.vertex_ids[v as usize]
+/// What lies around the vertices and edges of a mesh, found by searching all triangles; `bool`: in the region.
+#[derive(Default)]
+struct Searched {
+    /// The third vertices of the triangles at an edge.
+    sharing: BTreeMap<[u32; 2], Vec<(u32, bool)>>,
+    /// The edges opposite to a vertex.
+    link: BTreeMap<u32, BTreeMap<[u32; 2], bool>>,
+}
+
+impl Searched {
+    fn new(mesh: &Mesh, region: &RegionMesh) -> Self {
+        let of_region = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
+        let of_region: BTreeSet<u32> = of_region.iter().copied().collect();
+        let mut searched = Self::default();
+        for (t, &[a, b, c]) in (0..).zip(&mesh.1) {
+            if a == b || b == c || c == a {
+                continue;
+            }
+            let inside = of_region.contains(&t);
+            assert!(inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)));
+            for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
+                let edge = [u.min(v), u.max(v)];
+                searched.sharing.entry(edge).or_default().push((w, inside));
+                searched.link.entry(w).or_default().insert([u, v], inside);
+            }
         }
-    };
-    let of_region = &region.half_edges.triangle_ids[..region.half_edges.region_triangles];
-    let of_region: BTreeSet<u32> = of_region.iter().copied().collect();
-    let mut sharing: BTreeMap<[u32; 2], Vec<(u32, bool)>> = BTreeMap::new();
-    let mut link: BTreeMap<u32, BTreeMap<[u32; 2], bool>> = BTreeMap::new();
-    for (t, &[a, b, c]) in mesh
-        .1
-        .iter()
-        .enumerate()
-        .filter(|(_, t)| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
-    {
-        let inside = of_region.contains(&(t as u32));
-        assert!(inside || [a, b, c].iter().all(|v| !free_ids(region).contains(v)));
-        for [u, v, w] in [[a, b, c], [b, c, a], [c, a, b]] {
-            sharing.entry([u.min(v), u.max(v)]).or_default().push((w, inside));
-            link.entry(w).or_default().insert([u, v], inside);
-        }
+        searched
     }
-    // The third vertex of the only other triangle at an edge of a triangle at `v`, if that is where asked.
-    let flap = |v: u32, [a, b]: [u32; 2], wanted: bool| {
-        let others: Vec<_> = sharing[&[a.min(b), a.max(b)]]
-            .iter()
-            .filter(|s| s.0 != v)
-            .collect();
-        let finite = |w: u32| mesh.0[w as usize].iter().all(|x| x.is_finite());
+
+    /// The edges opposite to a vertex, of triangles on one side.
+    fn link_on_side(&self, v: u32, inside: bool) -> BTreeSet<[u32; 2]> {
+        let edges = self.link[&v].iter().filter(|e| *e.1 == inside);
+        edges.map(|e| *e.0).collect()
+    }
+
+    /// The third vertex of the only other triangle at an edge of a triangle at `v`, if that is in the region.
+    fn flap(&self, mesh: &Mesh, v: u32, [a, b]: [u32; 2]) -> u32 {
+        let sharing = self.sharing[&[a.min(b), a.max(b)]].iter();
+        let others: Vec<_> = sharing.filter(|s| s.0 != v).collect();
         match others[..] {
-            [&(w, inside)] if inside == wanted && finite(w) => w,
+            [&(w, true)] if mesh.0[w as usize].iter().all(|x| x.is_finite()) => w,
             _ => NONE,
         }
+    }
+}
+
+/// Rings, fans and flaps against their definitions, by searching the whole mesh.
+fn check_rings(mesh: &Mesh, region: &RegionMesh, rings: &Rings) {
+    let id = |v: u32| match v {
+        NONE => NONE,
+        _ => region.vertex_ids[v as usize],
     };
+    let searched = Searched::new(mesh, region);
     for i in 0..region.free {
         let (v, ring) = (id(i as u32), rings.ring(i));
         let edges: Vec<_> = (0..ring.len())
             .map(|k| [id(ring[k]), id(ring[(k + 1) % ring.len()])])
             .collect();
         assert_eq!(
-            link[&v].keys().copied().collect::<BTreeSet<_>>(),
+            searched.link[&v].keys().copied().collect::<BTreeSet<_>>(),
             edges.iter().copied().collect()
         );
         for (k, &edge) in edges.iter().enumerate() {
-            assert_eq!(
-                id(rings.flap[rings.neighbour.range(i).start + k]),
-                flap(v, edge, true)
-            );
+            let flap = rings.flap[rings.neighbour.range(i).start + k];
+            assert_eq!(id(flap), searched.flap(mesh, v, edge));
         }
     }
     for b in 0..region.boundary {
         let v = id((region.free + b) as u32);
         let inside: BTreeSet<_> = rings.boundary_triangles(b).iter().map(|t| t.map(id)).collect();
         let outside: BTreeSet<_> = rings.outside_triangles(b).iter().map(|t| t.map(id)).collect();
-        let side = |inside: bool| {
-            let edges = link[&v].iter().filter(|e| *e.1 == inside);
-            edges.map(|e| *e.0).collect::<BTreeSet<_>>()
-        };
-        let (left, right) = (side(true), side(false));
-        assert_eq!((&inside, &outside), (&left, &right));
-        let ends = |edges: &BTreeSet<[u32; 2]>| edges.iter().flatten().copied().collect::<BTreeSet<_>>();
+        assert_eq!(inside, searched.link_on_side(v, true));
+        assert_eq!(outside, searched.link_on_side(v, false));
         assert_eq!(
-            ends(&inside),
+            inside.iter().flatten().copied().collect::<BTreeSet<_>>(),
             rings.boundary_ring(b).iter().map(|&j| id(j)).collect()
         );
     }

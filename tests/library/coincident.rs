@@ -1,6 +1,6 @@
 //! Meshes whose vertices have several numbers: soups, seams, split normals. They end as the joined mesh does, to the last bit.
 
-use crate::fairing::{flat, irregular, options, vector};
+use crate::fairing::{flat, irregular, options, solve_given, vector};
 use fairmesh::{
     BoundaryCurvature, BoundaryLoop, BoundaryNormals, Coincident, Error, FillOptions, InnerFairness, Options,
     RemeshOptions, Selection, Session, Solution, Target, boundary_loops, boundary_loops_joined, fair,
@@ -495,71 +495,65 @@ fn a_loop_is_named_by_any_copy() {
     assert!(session.solution().positions == whole.positions);
 }
 
+/// Fairs the dented sphere, split as it may be, with normals that are given.
+fn fair_given(split: &Split, free: &[bool], list: Vec<(u32, [f64; 3])>) -> Result<Solution, Error> {
+    let given = Options {
+        boundary_normals: BoundaryNormals::Given(list),
+        ..options(1e-8)
+    };
+    fair(
+        &split.positions,
+        &split.triangles,
+        Selection::Mask(&split.each(free)),
+        &given,
+    )
+}
+
+#[test]
+fn a_normal_may_be_given_for_each_copy_or_for_one() {
+    let (cap, start) = dented();
+    let split = split(&start, &cap.triangles, |t| t);
+    let exact = cap.boundary_normals();
+    let joined = solve_given(&cap, &start, &exact, options(1e-8));
+    let all = split.listed(&exact);
+    assert_same(
+        &split,
+        &fair_given(&split, &cap.free, all.clone()).unwrap(),
+        &joined,
+    );
+    let mut one = all;
+    one.reverse();
+    one.dedup_by_key(|entry| split.of[entry.0 as usize]);
+    assert_same(&split, &fair_given(&split, &cap.free, one).unwrap(), &joined);
+}
+
 #[test]
 fn normals_of_copies_are_averaged_and_refused_where_they_cancel() {
     let (cap, start) = dented();
     let split = split(&start, &cap.triangles, |t| t);
-    let mask = split.each(&cap.free);
-    let given = |list: Vec<(u32, [f64; 3])>| Options {
-        boundary_normals: BoundaryNormals::Given(list),
-        ..options(1e-8)
-    };
-    let solve = |list| {
-        fair(
-            &split.positions,
-            &split.triangles,
-            Selection::Mask(&mask),
-            &given(list),
-        )
-    };
-    let exact = cap.boundary_normals();
-    let joined = fair(
-        &start,
-        &cap.triangles,
-        Selection::Mask(&cap.free),
-        &given(exact.clone()),
-    )
-    .unwrap();
-    // All copies alike; then one copy of each alone.
-    let all = split.listed(&exact);
-    assert_same(&split, &solve(all.clone()).unwrap(), &joined);
-    let mut one = all.clone();
-    one.reverse();
-    one.dedup_by_key(|entry| split.of[entry.0 as usize]);
-    assert_same(&split, &solve(one).unwrap(), &joined);
-
+    let all = split.listed(&cap.boundary_normals());
     // Two copies, tilted this way and that.
     let vertex = all[0].0;
+    assert_eq!(split.of[vertex as usize], split.of[vertex as usize + 1]);
     let n = vector(&all[0].1);
     let across = n.cross(&vector(&[0.3, 0.4, 0.5])).normalize();
     let tilted = |by: f64| -> [f64; 3] { (n * by.cos() + across * by.sin()).into() };
-    let mut two = all[2..].to_vec();
-    two.retain(|entry| split.of[entry.0 as usize] != split.of[vertex as usize]);
-    two.extend([(vertex, tilted(0.4)), (vertex + 1, tilted(-0.4))]);
-    assert_eq!(split.of[vertex as usize], split.of[vertex as usize + 1]);
-    let solution = solve(two.clone()).unwrap();
-    let used = solution
-        .boundary_normals
-        .iter()
-        .find(|entry| entry.0 == vertex + 1)
-        .unwrap();
+    let solve = |second: [f64; 3]| {
+        let mut two = all[2..].to_vec();
+        two.retain(|entry| split.of[entry.0 as usize] != split.of[vertex as usize]);
+        two.extend([(vertex, tilted(0.4)), (vertex + 1, second)]);
+        fair_given(&split, &cap.free, two)
+    };
+    let solution = solve(tilted(-0.4)).unwrap();
+    let mut used = solution.boundary_normals.iter();
+    let used = used.find(|entry| entry.0 == vertex + 1).unwrap();
     assert!((vector(&used.1) - n).norm() < 1e-12);
 
-    let last = two.len() - 1;
-    two[last].1 = tilted(-2.0);
-    assert_eq!(
-        solve(two.clone()).unwrap_err(),
-        Error::BadNormal {
-            vertex: vertex as usize
-        }
-    );
-    two[last].1 = [0.0, 0.0, 2.0];
-    assert_eq!(
-        solve(two).unwrap_err(),
-        Error::BadNormal {
-            vertex: vertex as usize + 1
-        }
-    );
+    let vertex = vertex as usize;
+    let opposite = solve(tilted(-2.0)).unwrap_err();
+    assert_eq!(opposite, Error::BadNormal { vertex });
+    let long = solve([0.0, 0.0, 2.0]).unwrap_err();
+    assert_eq!(long, Error::BadNormal { vertex: vertex + 1 });
 }
 
 #[test]

@@ -175,13 +175,8 @@ fn curves_inside_are_passed_smoothly() {
     assert!(told[0].jump < 0.4 * told[0].jump_before && after < 1.1 * before);
 }
 
-/// Along a closed curve with normals each side has a loop of its own. What is on the other side moves: its curvature is nothing to go by, only
-/// what is given is.
-#[test]
-fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
-    let mut shape = torus_patch(1.0, 0.4, 1.0, 2_000, Sampling::Regular, 10);
-    let surface = shape.surface.clone().unwrap();
-    // The vertices eight edges from the middle: a hexagon of edges.
+/// Fixes the vertices so many edges from the middle of a patch of a torus: a hexagon of edges.
+fn fix_hexagon(shape: &mut Shape, steps: usize) -> Vec<u32> {
     let centre = Vector3::new(1.4, 0.0, 0.0);
     let off = |v: &usize| (vector(&shape.positions[*v]) - centre).norm();
     let middle = (0..shape.free.len())
@@ -189,7 +184,7 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
         .unwrap();
     let mut edges = vec![usize::MAX; shape.free.len()];
     edges[middle] = 0;
-    for step in 1..=8 {
+    for step in 1..=steps {
         let reached: Vec<u32> = (shape.triangles.iter())
             .filter(|t| t.iter().any(|&v| edges[v as usize] == step - 1))
             .flatten()
@@ -199,14 +194,21 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
             edges[v as usize] = edges[v as usize].min(step);
         }
     }
-    let inside = fix(&mut shape, |v, _| edges[v] == 8);
+    fix(shape, |v, _| edges[v] == steps)
+}
+
+/// Along a closed curve with normals each side has a loop of its own. What is on the other side moves: its curvature is nothing to go by, only
+/// what is given is.
+#[test]
+fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
+    let mut shape = torus_patch(1.0, 0.4, 1.0, 2_000, Sampling::Regular, 10);
+    let inside = fix_hexagon(&mut shape, 8);
     assert_eq!(inside.len(), 48);
-    let normals = BoundaryNormals::Given(shape.boundary_normals());
-    let fitted = Options {
-        boundary_normals: normals.clone(),
-        ..asked(1.0)
+    let fitted = |continuity: f64| Options {
+        boundary_normals: BoundaryNormals::Given(shape.boundary_normals()),
+        ..asked(continuity)
     };
-    let solution = faired(&shape, &fitted);
+    let solution = faired(&shape, &fitted(1.0));
     assert!(solution.report.outcome.is_success());
     assert_eq!(solution.report.components.len(), 2);
     let told = loops(&solution);
@@ -214,30 +216,20 @@ fn sides_of_a_closed_curve_have_curvatures_of_their_own() {
     assert_eq!(told.len(), 1, "the loop beside fixed surroundings alone");
     assert!(!inside.contains(&(told[0].vertex as u32)));
 
-    let exact = inside
-        .iter()
-        .map(|&v| (v, surface.mean_curvature(shape.positions[v as usize])));
+    let surface = shape.surface.as_ref().unwrap();
+    let curvature = |v: u32| surface.mean_curvature(shape.positions[v as usize]);
+    let exact = inside.iter().map(|&v| (v, curvature(v)));
     let given = Options {
         boundary_curvature: BoundaryCurvature::Given(exact.collect()),
-        ..fitted.clone()
+        ..fitted(1.0)
     };
     let continued = faired(&shape, &given);
     assert!(continued.report.outcome.is_success());
     let told = loops(&continued);
     println!("{told:?}");
     assert_eq!(told.len(), 3, "both sides of the curve, and around");
-    let [tangent, before, after] = [
-        &faired(
-            &shape,
-            &Options {
-                continuity: 0.0,
-                ..fitted.clone()
-            },
-        ),
-        &solution,
-        &continued,
-    ]
-    .map(|s| errors(&shape, s).rms);
+    let [tangent, before, after] =
+        [&faired(&shape, &fitted(0.0)), &solution, &continued].map(|s| errors(&shape, s).rms);
     println!("{tangent:e} -> {before:e} -> {after:e}");
     // Its corners point into the outer side, where five modes do not resolve them: that side stays as it is.
     let sides = told.iter().filter(|l| inside.contains(&(l.vertex as u32)));

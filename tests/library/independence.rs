@@ -81,92 +81,89 @@ fn blend(shape: &Shape, inner: InnerFairness) -> Solution {
     )
 }
 
+/// A triangulation of the blend, and the surface that was found on it.
+struct Blend {
+    name: &'static str,
+    shape: Shape,
+    solution: Solution,
+}
+
+impl Blend {
+    fn new(bars: &mut Bars, name: &'static str, shape: Shape, inner: InnerFairness) -> Self {
+        let solution = blend(&shape, inner);
+        let report = &solution.report;
+        println!(
+            "blend {name}: {} iterations, {}",
+            report.iterations,
+            report.outcome.name()
+        );
+        bars.converged(name, &solution);
+        Self {
+            name,
+            shape,
+            solution,
+        }
+    }
+
+    fn surface(&self) -> (&Shape, &[[f64; 3]]) {
+        (&self.shape, &self.solution.positions)
+    }
+}
+
 /// The blend of three cylinders on different triangulations, against each other.
 #[test]
 fn triangulation() {
     use InnerFairness::{Conformal, Convex, Uniform};
     let mut bars = Bars::default();
-    let coarse = cylinder_blend_coarse();
-    let middle = cylinder_blend();
-    let patch = cylinder_blend_refined_patch();
-    let fine = cylinder_blend_fine();
-    let uniform = blend(&middle, Uniform);
-    let conformal = blend(&middle, Conformal);
-    let convex = blend(&middle, Convex);
-    let (on_coarse, on_patch, on_fine) = (
-        blend(&coarse, Uniform),
-        blend(&patch, Uniform),
-        blend(&fine, Uniform),
+    let coarse = Blend::new(&mut bars, "118", cylinder_blend_coarse(), Uniform);
+    let [uniform, conformal, convex] = [
+        ("920 uniform", Uniform),
+        ("920 conformal", Conformal),
+        ("920 convex", Convex),
+    ]
+    .map(|(name, inner)| Blend::new(&mut bars, name, cylinder_blend(), inner));
+    let patch = Blend::new(
+        &mut bars,
+        "refined patch",
+        cylinder_blend_refined_patch(),
+        Uniform,
     );
-    for (name, s) in [
-        ("118", &on_coarse),
-        ("920", &uniform),
-        ("920 conformal", &conformal),
-        ("920 convex", &convex),
-        ("patch", &on_patch),
-        ("13,308", &on_fine),
+    let fine = Blend::new(&mut bars, "13,308", cylinder_blend_fine(), Uniform);
+    for (a, b, bar) in [
+        (&uniform, &conformal, 1.5e-3),
+        (&uniform, &convex, 1.5e-3),
+        (&convex, &uniform, 1.5e-3),
+        (&conformal, &uniform, 1.5e-3),
+        (&coarse, &uniform, 4e-3),
+        (&uniform, &fine, 1e-3),
+        (&patch, &fine, 1e-3),
     ] {
-        println!(
-            "blend {name}: {} iterations, {}",
-            s.report.iterations,
-            s.report.outcome.name()
-        );
-        bars.converged(name, s);
-    }
-    let d = on_fine.report.diagonal;
-    let mut compare = |what: &str, a: (&Shape, &Solution), b: (&Shape, &Solution), bar: f64| {
-        let e = off((a.0, &a.1.positions), (b.0, &b.1.positions), d);
+        let what = format!("{} to {}", a.name, b.name);
+        let e = off(a.surface(), b.surface(), fine.solution.report.diagonal);
         println!("{what:36} max {:.2e} rms {:.2e}", e.max, e.rms);
         bars.at_most(what, e.max, bar);
-        e
-    };
-    compare(
-        "uniform to conformal",
-        (&middle, &uniform),
-        (&middle, &conformal),
-        1.5e-3,
-    );
-    compare(
-        "uniform to convex",
-        (&middle, &uniform),
-        (&middle, &convex),
-        1.5e-3,
-    );
-    compare(
-        "convex to uniform",
-        (&middle, &convex),
-        (&middle, &uniform),
-        1.5e-3,
-    );
-    compare(
-        "conformal to uniform",
-        (&middle, &conformal),
-        (&middle, &uniform),
-        1.5e-3,
-    );
-    compare("118 to 920", (&coarse, &on_coarse), (&middle, &uniform), 4e-3);
-    compare("920 to 13,308", (&middle, &uniform), (&fine, &on_fine), 1e-3);
-    let ours = compare(
-        "refined patch to 13,308",
-        (&patch, &on_patch),
-        (&fine, &on_fine),
-        1e-3,
-    );
+    }
+    compare_linear_fairing(&mut bars, &patch, &fine);
+    bars.finish();
+}
 
+/// Linear fairing depends more on the triangulation.
+fn compare_linear_fairing(bars: &mut Bars, patch: &Blend, fine: &Blend) {
+    let d = fine.solution.report.diagonal;
+    let ours = off(patch.surface(), fine.surface(), d);
     for (name, weights) in [
         ("uniform", uniform_weights as Weights),
         ("cotangent", cotangent_weights),
     ] {
-        let [p, f] = [&patch, &fine].map(|shape| linear_fairing(shape, weights));
-        let e = off((&patch, &p), (&fine, &f), d);
-        let to_ours = off((&patch, &p), (&fine, &on_fine.positions), d);
+        let [p, f] = [patch, fine].map(|blend| linear_fairing(&blend.shape, weights));
+        let e = off((&patch.shape, &p), (&fine.shape, &f), d);
+        let to_ours = off((&patch.shape, &p), fine.surface(), d);
         println!(
             "linear bilaplacian, {name:9}          max {:.2e} rms {:.2e}, to the nonlinear surface {:.2e}",
             e.max, e.rms, to_ours.max
         );
         bars.at_least(format!("linear over nonlinear, {name}"), e.max / ours.max, 5.0);
     }
-    bars.finish();
 }
 
 /// Off-diagonal weight and mass of a discrete Laplacian: what a triangle adds to its three edges (opposite to

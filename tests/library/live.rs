@@ -709,16 +709,12 @@ fn new_boundary_normals_are_edited_as_the_old_ones_were() {
     assert!(farthest(&found.positions, &expected.positions) < 1e-8 * found.report.diagonal);
 }
 
-#[test]
-fn wrong_edits_are_refused_and_change_nothing() {
-    let shape = cylinder_blend();
-    let [first, _] = circles(&shape);
+/// Edits that are refused, and why.
+fn wrong_edits(shape: &Shape) -> Vec<(Vec<Edit>, Error)> {
+    let [first, _] = circles(shape);
     let inside = shape.free_vertices()[0];
     let count = shape.positions.len();
-    let mut session = finished(&shape, &given(&shape));
-    session.edit(&[tilt(first[0], 5.0)]).unwrap();
-    session.update(&NO_LIMIT).unwrap();
-    let before = bits(session.positions());
+    let bad = |edit, vertex, why| Error::BadEdit { edit, vertex, why };
     let infinite = Edit::Bulge {
         amount: f64::INFINITY,
     };
@@ -727,14 +723,16 @@ fn wrong_edits_are_refused_and_change_nothing() {
         angle: 0.1,
         falloff: -1.0,
     };
-    let bad = |edit, vertex, why| Error::BadEdit { edit, vertex, why };
-    for (edits, error) in [
-        (
-            vec![tilt(inside, 1.0)],
-            Error::NotOnLoop {
-                vertex: inside as usize,
-            },
-        ),
+    let far = Error::CoordinateTooLarge {
+        vertex: first[1] as usize,
+        coordinate: 1e200,
+    };
+    let not_on_loop = Error::NotOnLoop {
+        vertex: inside as usize,
+    };
+    let free = "only fixed vertices are moved, and this one is free";
+    vec![
+        (vec![tilt(inside, 1.0)], not_on_loop),
         (
             vec![tilt(first[0], 1.0), infinite],
             bad(1, None, "a number is not finite"),
@@ -749,45 +747,46 @@ fn wrong_edits_are_refused_and_change_nothing() {
         ),
         (
             vec![motion(&[first[0], inside], [0.0; 3], [0.0; 3])],
-            bad(
-                0,
-                Some(inside as usize),
-                "only fixed vertices are moved, and this one is free",
-            ),
+            bad(0, Some(inside as usize), free),
         ),
-        (
-            vec![motion(&[first[1]], [0.0; 3], [1e200, 0.0, 0.0])],
-            Error::CoordinateTooLarge {
-                vertex: first[1] as usize,
-                coordinate: 1e200,
-            },
-        ),
-    ] {
+        (vec![motion(&[first[1]], [0.0; 3], [1e200, 0.0, 0.0])], far),
+    ]
+}
+
+#[test]
+fn wrong_edits_and_budgets_are_refused_and_change_nothing() {
+    let shape = cylinder_blend();
+    let made = tilt(circles(&shape)[0][0], 5.0);
+    let mut session = finished(&shape, &given(&shape));
+    session.edit(std::slice::from_ref(&made)).unwrap();
+    session.update(&NO_LIMIT).unwrap();
+    let before = bits(session.positions());
+    for (edits, error) in wrong_edits(&shape) {
         assert_eq!(session.edit(&edits), Err(error));
-        assert_eq!(session.edits(), [tilt(first[0], 5.0)]);
+        assert_eq!(session.edits(), std::slice::from_ref(&made));
     }
-    for (budget, name) in [
-        (
-            Budget {
-                seconds: -1.0,
-                ..NO_LIMIT
-            },
-            "seconds",
-        ),
-        (
-            Budget {
-                tolerance: f64::NAN,
-                ..NO_LIMIT
-            },
-            "tolerance",
-        ),
-    ] {
+    let (mut past, mut vague) = (NO_LIMIT, NO_LIMIT);
+    past.seconds = -1.0;
+    vague.tolerance = f64::NAN;
+    for (budget, option) in [(past, "seconds"), (vague, "tolerance")] {
         let refused = session.update(&budget);
-        assert!(matches!(refused, Err(Error::BadOption { name: n, .. }) if n == name));
+        assert!(
+            matches!(refused, Err(Error::BadOption { name, .. }) if name == option),
+            "{option}: {refused:?}"
+        );
     }
     assert!(session.update(&NO_LIMIT).unwrap().is_settled);
     assert_eq!(bits(session.positions()), before);
-    assert_eq!(Error::to_string(&bad(3, Some(7), "no")), "edit 3, vertex 7: no");
+}
+
+#[test]
+fn a_wrong_edit_is_told_by_its_number_and_vertex() {
+    let error = Error::BadEdit {
+        edit: 3,
+        vertex: Some(7),
+        why: "no",
+    };
+    assert_eq!(error.to_string(), "edit 3, vertex 7: no");
 }
 
 /// The tube's end is pushed through the middle, or turned inside out: whatever comes of it, no folded surface is said to have settled, and

@@ -262,104 +262,117 @@ fn options_out_of_range() {
     }
 }
 
+/// A band of which wrong problems are made.
+fn sound_band() -> Shape {
+    cylinder_band(100, irregular(1), OUTSIDE)
+}
+
+/// Why a problem is refused; nothing if it is not.
+fn refusal(p: &[[f64; 3]], t: &[[u32; 3]], selection: Selection<'_>) -> Option<Error> {
+    fair(p, t, selection, &options(1e-8)).err()
+}
+
 #[test]
-fn refused_problems() {
-    let shape = cylinder_band(100, irregular(1), OUTSIDE);
+fn wrong_selections_are_refused() {
+    let shape = sound_band();
     let (p, t) = (&shape.positions, &shape.triangles);
-    let free = shape.free_vertices();
-    let error = |p: &[[f64; 3]], t: &[[u32; 3]], s: Selection<'_>| fair(p, t, s, &options(1e-8)).err();
-    let mask = Selection::Mask(&shape.free);
     let n = p.len();
-    assert_eq!(error(p, t, mask), None);
+    assert_eq!(refusal(p, t, Selection::Mask(&shape.free)), None);
 
-    assert_eq!(error(p, t, Selection::Vertices(&[])), Some(Error::EmptyRegion));
-    assert_eq!(error(p, t, Selection::Faces(&[])), Some(Error::EmptyRegion));
-    assert_eq!(error(p, t, Selection::Faces(&[0])), Some(Error::EmptyRegion));
-    assert_eq!(
-        error(p, t, Selection::Mask(&vec![false; n])),
-        Some(Error::EmptyRegion)
-    );
-    assert_eq!(error(&[], &[], Selection::Mask(&[])), Some(Error::EmptyRegion));
-    let short = Selection::Mask(&shape.free[1..]);
-    assert_eq!(
-        error(p, t, short),
-        Some(Error::MaskLength {
-            length: n - 1,
-            count: n
-        })
-    );
-    let beyond = error(p, t, Selection::Vertices(&[free[0], n as u32]));
-    assert_eq!(beyond, Some(Error::SelectionOutOfRange { index: n, count: n }));
-    let beyond = error(p, t, Selection::Faces(&[t.len() as u32]));
-    assert_eq!(
-        beyond,
-        Some(Error::SelectionOutOfRange {
-            index: t.len(),
-            count: t.len()
-        })
-    );
+    assert_eq!(refusal(&[], &[], Selection::Mask(&[])), Some(Error::EmptyRegion));
+    let nothing = vec![false; n];
+    for empty in [
+        Selection::Vertices(&[]),
+        Selection::Faces(&[]),
+        Selection::Faces(&[0]),
+        Selection::Mask(&nothing),
+    ] {
+        assert_eq!(refusal(p, t, empty), Some(Error::EmptyRegion), "{empty:?}");
+    }
+    let short = refusal(p, t, Selection::Mask(&shape.free[1..]));
+    let (length, count) = (n - 1, n);
+    assert_eq!(short, Some(Error::MaskLength { length, count }));
+    let free = shape.free_vertices()[0];
+    for (beyond, count) in [
+        (Selection::Vertices(&[free, n as u32]), n),
+        (Selection::Faces(&[t.len() as u32]), t.len()),
+    ] {
+        let refused = refusal(p, t, beyond);
+        assert_eq!(
+            refused,
+            Some(Error::SelectionOutOfRange { index: count, count }),
+            "{beyond:?}"
+        );
+    }
+}
 
-    let with = |k: usize, corners: [u32; 3]| {
-        let mut t = t.clone();
-        t[k] = corners;
-        t
-    };
-    let named = t
+#[test]
+fn wrong_triangles_are_refused() {
+    let shape = sound_band();
+    let (p, t) = (&shape.positions, &shape.triangles);
+    let mask = Selection::Mask(&shape.free);
+    let triangle = t
         .iter()
         .position(|t| t.iter().any(|&v| shape.free[v as usize]))
         .unwrap();
-    let [a, b, c] = t[named];
-    assert_eq!(
-        error(p, &with(named, [a, b, n as u32]), mask),
-        Some(Error::IndexOutOfRange {
-            triangle: named,
-            index: n as u32,
-            vertex_count: n
-        })
-    );
-    assert_eq!(
-        error(p, &with(named, [a, b, a]), mask),
-        Some(Error::RepeatedIndex {
-            triangle: named,
-            vertex: a as usize
-        })
-    );
-    let mut twice = t.clone();
-    twice.push([b, c, a]);
-    assert_eq!(
-        error(p, &twice, mask),
-        Some(Error::DuplicateTriangle {
-            triangle: t.len(),
-            other: named
-        })
-    );
-    let turned = error(p, &with(named, [a, c, b]), mask);
+    let [a, b, c] = t[triangle];
+    let with = |corners: [u32; 3]| {
+        let mut t = t.clone();
+        t[triangle] = corners;
+        t
+    };
+    let and = |corners: [u32; 3]| [&t[..], &[corners]].concat();
+    let beyond = p.len() as u32;
+    let (index, vertex_count) = (beyond, p.len());
+    let out_of_range = Error::IndexOutOfRange {
+        triangle,
+        index,
+        vertex_count,
+    };
+    assert_eq!(refusal(p, &with([a, b, beyond]), mask), Some(out_of_range));
+    let vertex = a as usize;
+    let repeated = Error::RepeatedIndex { triangle, vertex };
+    assert_eq!(refusal(p, &with([a, b, a]), mask), Some(repeated));
+    let (last, other) = (t.len(), triangle);
+    let twice = Error::DuplicateTriangle {
+        triangle: last,
+        other,
+    };
+    assert_eq!(refusal(p, &and([b, c, a]), mask), Some(twice));
+    let turned = refusal(p, &with([a, c, b]), mask);
     assert!(
         matches!(turned, Some(Error::InconsistentOrientation { .. })),
         "{turned:?}"
     );
-    let mut fin = t.clone();
-    fin.push([a, b, p.len() as u32]);
-    let mut more = p.clone();
-    more.push([0.0; 3]);
-    let third = error(&more, &fin, Selection::Vertices(&free));
+    let more = [&p[..], &[[0.0; 3]]].concat();
+    let free = shape.free_vertices();
+    let third = refusal(&more, &and([a, b, beyond]), Selection::Vertices(&free));
     assert!(matches!(third, Some(Error::NonManifoldEdge { .. })), "{third:?}");
-
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut p = p.clone();
         p[c as usize][1] = bad;
-        assert_eq!(error(&p, t, mask), Some(Error::NotFinite { vertex: c as usize }));
+        let vertex = c as usize;
+        assert_eq!(refusal(&p, t, mask), Some(Error::NotFinite { vertex }));
     }
-    let everything = error(p, t, Selection::Mask(&vec![true; n]));
+}
+
+#[test]
+fn regions_without_a_boundary_are_refused() {
+    let shape = sound_band();
+    let (p, t) = (&shape.positions, &shape.triangles);
+    let n = p.len();
+    let everything = refusal(p, t, Selection::Mask(&vec![true; n]));
     assert!(
         matches!(everything, Some(Error::FreeVertexOnBoundary { .. })),
         "{everything:?}"
     );
     let tetrahedron = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let closed = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
-    let nothing_fixed = error(&tetrahedron, &closed, Selection::Mask(&[true; 4]));
+    let nothing_fixed = refusal(&tetrahedron, &closed, Selection::Mask(&[true; 4]));
     assert_eq!(nothing_fixed, Some(Error::NothingFixed { vertex: 0 }));
-    let lone = error(&more, t, Selection::Vertices(&[free[0], n as u32]));
+    let more = [&p[..], &[[0.0; 3]]].concat();
+    let lone = Selection::Vertices(&[shape.free_vertices()[0], n as u32]);
+    let lone = refusal(&more, t, lone);
     assert_eq!(lone, Some(Error::FreeVertexWithoutTriangle { vertex: n }));
 }
 

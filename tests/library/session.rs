@@ -83,6 +83,29 @@ fn a_step_is_one_iteration_and_comes_nearer() {
     assert!(steps[4] < 0.1 * steps[0], "{steps:?}");
 }
 
+/// Normals of a sphere turned about z: the boundary leans outwards by two degrees.
+fn leant(shape: &Shape) -> Vec<(u32, [f64; 3])> {
+    let (s, c) = 2f64.to_radians().sin_cos();
+    let lean = |[x, y, z]: [f64; 3]| {
+        let r = x.hypot(y);
+        let (r1, z1) = (r * c - z * s, r * s + z * c);
+        [x / r * r1, y / r * r1, z1]
+    };
+    let normals = shape.boundary_normals().into_iter();
+    normals.map(|(v, n)| (v, lean(n))).collect()
+}
+
+/// It has converged to the surface that is found anew.
+fn assert_found(what: &str, warm: &Solution, fresh: &Solution) {
+    println!(
+        "{what}: {} iterations, {} anew",
+        warm.report.iterations, fresh.report.iterations
+    );
+    assert_eq!(warm.report.outcome, Outcome::Converged, "{what}");
+    let away = distance(warm, fresh);
+    assert!(away < 30.0 * TOLERANCE, "{what}: {away}");
+}
+
 #[test]
 fn after_a_change_it_goes_on_from_where_it_is() {
     let shape = sphere_cap(60.0, 2000, irregular(3), OUTSIDE);
@@ -90,60 +113,23 @@ fn after_a_change_it_goes_on_from_where_it_is() {
     let mut session = session(&shape, &start, &options(TOLERANCE));
     session.run(1000, None).unwrap();
     let cold = session.solution().report.iterations;
-    for (target, bar) in [
-        (Target::Constant(0.05), cold),
-        (Target::Constant(0.1), cold),
-        (Target::Harmonic, cold),
-    ] {
+    for target in [Target::Constant(0.05), Target::Constant(0.1), Target::Harmonic] {
         session.set_target(target).unwrap();
         let warm = session.run(1000, None).unwrap();
-        let fresh = at_once(
-            &shape,
-            &start,
-            Options {
-                target,
-                ..options(TOLERANCE)
-            },
-        );
-        println!(
-            "{target:?}: {} iterations, {} anew",
-            warm.report.iterations, fresh.report.iterations
-        );
-        assert_eq!(warm.report.outcome, Outcome::Converged);
+        let asked = Options {
+            target,
+            ..options(TOLERANCE)
+        };
+        assert_found(&format!("{target:?}"), warm, &at_once(&shape, &start, asked));
         assert_eq!(warm.report.target, target);
-        assert!(
-            distance(warm, &fresh) < 30.0 * TOLERANCE,
-            "{}",
-            distance(warm, &fresh)
-        );
-        assert!(warm.report.iterations <= bar);
+        assert!(warm.report.iterations <= cold, "{target:?}: more than {cold}");
     }
-    // Normals of a sphere turned about z: the boundary leans outwards by two degrees.
-    let leant: Vec<(u32, [f64; 3])> = shape
-        .boundary_normals()
-        .into_iter()
-        .map(|(v, [x, y, z])| {
-            let (s, c) = 2f64.to_radians().sin_cos();
-            let r = x.hypot(y);
-            let (r1, z1) = (r * c - z * s, r * s + z * c);
-            (v, [x / r * r1, y / r * r1, z1])
-        })
-        .collect();
-    session
-        .set_boundary_normals(BoundaryNormals::Given(leant.clone()))
-        .unwrap();
-    let warm = session.run(1000, None).unwrap();
+    let leant = leant(&shape);
     let fresh = solve_given(&shape, &start, &leant, options(TOLERANCE));
-    println!(
-        "normals: {} iterations, {} anew",
-        warm.report.iterations, fresh.report.iterations
-    );
-    assert_eq!(warm.report.outcome, Outcome::Converged);
-    assert!(
-        distance(warm, &fresh) < 30.0 * TOLERANCE,
-        "{}",
-        distance(warm, &fresh)
-    );
+    session
+        .set_boundary_normals(BoundaryNormals::Given(leant))
+        .unwrap();
+    assert_found("normals", session.run(1000, None).unwrap(), &fresh);
 }
 
 #[test]

@@ -47,6 +47,13 @@ fn refused(format: Format, bytes: &[u8]) -> String {
         .to_string()
 }
 
+/// The file is refused in one line that begins so.
+fn assert_refused(format: Format, text: &str, message: &str) {
+    let told = refused(format, text.as_bytes());
+    assert!(told.starts_with(message), "{told:?} should be {message:?}");
+    assert!(!told.contains('\n'), "{told:?}");
+}
+
 fn check_grid(mesh: &MeshFile) {
     assert_eq!(mesh.geometry.positions, grid());
     assert_eq!(mesh.geometry.triangles, FANS);
@@ -185,78 +192,71 @@ fn binary_ply_keeps_everything_else() {
     }
 }
 
+/// The elements of a PLY file with one vertex and one face.
+const VERTEX: &str = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+const FACE: &str = "element face 1\nproperty list uchar int vertex_indices\n";
+
 #[test]
-fn malformed_ply_is_refused_with_its_place() {
-    let vertex = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
-    let face = "element face 1\nproperty list uchar int vertex_indices\n";
-    let file = |head: &str, body: &str| format!("ply\nformat ascii 1.0\n{head}end_header\n{body}");
-    let cases = [
-        ("plx\n".into(), "file:1: this is not a PLY file"),
+fn malformed_ply_headers_are_refused_with_their_place() {
+    for (text, message) in [
+        ("plx\n", "file:1: this is not a PLY file"),
         (
-            "ply\nformat ascii 1.0\n".into(),
+            "ply\nformat ascii 1.0\n",
             "file:3: the file ends within the header",
         ),
-        ("ply\nformat text 1.0\n".into(), "file:2: unknown format"),
+        ("ply\nformat text 1.0\n", "file:2: unknown format"),
+    ] {
+        assert_refused(Format::Ply, text, message);
+    }
+    for (elements, message) in [
+        ("property int a\n", "file:3: a property before the first element"),
         (
-            file("property int a\n", ""),
-            "file:3: a property before the first element",
-        ),
-        (
-            file("element vertex -1\n", ""),
+            "element vertex -1\n",
             "file:3: the number of rows of element 'vertex'",
         ),
         (
-            file("element vertex 1\nproperty flt x\n", ""),
+            "element vertex 1\nproperty flt x\n",
             "file:4: unknown property type 'flt'",
         ),
+        ("elephant\n", "file:3: header line 'elephant' is not PLY"),
         (
-            file("elephant\n", ""),
-            "file:3: header line 'elephant' is not PLY",
-        ),
-        (
-            file("element face 0\nproperty list float int vertex_indices\n", ""),
+            "element face 0\nproperty list float int vertex_indices\n",
             "file:4: the length of a list",
         ),
-        (file(vertex, "0 0 0\n"), "file:1: the file has no element 'face'"),
+    ] {
+        let text = format!("ply\nformat ascii 1.0\n{elements}end_header\n");
+        assert_refused(Format::Ply, &text, message);
+    }
+}
+
+#[test]
+fn malformed_ply_rows_are_refused_with_their_place() {
+    let both = &format!("{VERTEX}{FACE}");
+    let renamed = &VERTEX.replace("float z", "float w");
+    let many = &VERTEX.replace('1', "99999999999999");
+    for (elements, rows, message) in [
+        (VERTEX, "0 0 0\n", "file:1: the file has no element 'face'"),
+        (renamed, "0 0 0\n", "file:3: element 'vertex' needs a number 'z'"),
         (
-            file(&vertex.replace("float z", "float w"), "0 0 0\n"),
-            "file:3: element 'vertex' needs a number 'z'",
-        ),
-        (
-            file(&format!("{vertex}{face}"), "0 0\n3 0 0 0\n"),
+            both,
+            "0 0\n3 0 0 0\n",
             "file:10: this row of element 'vertex' ends before 'z'",
         ),
-        (
-            file(&format!("{vertex}{face}"), "0 0 u\n3 0 0 0\n"),
-            "file:10: z: 'u' is not a number",
-        ),
-        (
-            file(&format!("{vertex}{face}"), "0 0 0\n3 0 0 1\n"),
-            "file:11: a face names vertex 1",
-        ),
-        (
-            file(&format!("{vertex}{face}"), "0 0 0\n3 0 0 -1\n"),
-            "file:11: a face names vertex -1",
-        ),
-        (
-            file(&format!("{vertex}{face}"), "0 0 0\n3 0 0\n"),
-            "file:11: this row of element 'face' ends",
-        ),
-        (
-            file(&format!("{vertex}{face}"), "0 0 0\n-3 0 0\n"),
-            "file:11: a list of length -3",
-        ),
-        (
-            file(&vertex.replace('1', "99999999999999"), "0 0 0\n"),
-            "file:8: the header promises 99999999999999 rows",
-        ),
-    ];
-    for (text, message) in cases {
-        let told = refused(Format::Ply, text.as_bytes());
-        assert!(told.starts_with(message), "{told:?} should be {message:?}");
-        assert!(!told.contains('\n'));
+        (both, "0 0 u\n3 0 0 0\n", "file:10: z: 'u' is not a number"),
+        (both, "0 0 0\n3 0 0 1\n", "file:11: a face names vertex 1"),
+        (both, "0 0 0\n3 0 0 -1\n", "file:11: a face names vertex -1"),
+        (both, "0 0 0\n3 0 0\n", "file:11: this row of element 'face' ends"),
+        (both, "0 0 0\n-3 0 0\n", "file:11: a list of length -3"),
+        (many, "0 0 0\n", "file:8: the header promises 99999999999999 rows"),
+    ] {
+        let text = format!("ply\nformat ascii 1.0\n{elements}end_header\n{rows}");
+        assert_refused(Format::Ply, &text, message);
     }
-    let huge = format!("ply\nformat binary_little_endian 1.0\n{vertex}{face}end_header\n");
+}
+
+#[test]
+fn binary_ply_with_a_list_beyond_its_end_is_refused_with_its_place() {
+    let huge = format!("ply\nformat binary_little_endian 1.0\n{VERTEX}{FACE}end_header\n");
     let mut huge = huge.into_bytes();
     let start = huge.len();
     huge.extend_from_slice(&[0; 12]);
@@ -312,8 +312,7 @@ fn malformed_obj_is_refused_with_its_place() {
         ("v 0 0 0\nf 1 1 99999999999999999999\n", "file:2: face:"),
     ];
     for (text, message) in cases {
-        let told = refused(Format::Obj, text.as_bytes());
-        assert!(told.starts_with(message), "{told:?} should be {message:?}");
+        assert_refused(Format::Obj, text, message);
     }
 }
 
@@ -369,8 +368,7 @@ fn malformed_off_is_refused_with_its_place() {
         ("OFF 1 1 0\n0 0 0\n", "file:3: the file ends before face 0"),
     ];
     for (text, message) in cases {
-        let told = refused(Format::Off, text.as_bytes());
-        assert!(told.starts_with(message), "{told:?} should be {message:?}");
+        assert_refused(Format::Off, text, message);
     }
 }
 
