@@ -14,8 +14,11 @@ use crate::mesh::{OutsideNeighbours, RegionMesh, Rings};
 use crate::support::error::Error;
 
 /// No normal is turned further than this by an uncertain fit, 30 degrees.
+/// Of 42 cases, half: 14 change by up to 1 edge, 1 get another triangulation, -4 % iterations, 1 fails;
+/// double: 9 change by up to 3 edges, +17 % iterations, 3 fail.
 const TURN_CAP: f64 = 30.0 * std::f64::consts::PI / 180.0;
 /// A fit with a standard error below this is taken without the cap, 0.1 degrees.
+/// Half or double, of 112 cases: none changes.
 const CERTAIN: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
 /// The normals of all boundary vertices: fitted, or averaged only. Boundary vertices without outside take what their

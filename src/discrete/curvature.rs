@@ -11,12 +11,18 @@ use super::simd::{Simd, Vec3, dot, minus, normalized, plus, scaled, tangent_basi
 
 /// Ridge on the two anisotropic coefficients, relative to the sum of weights: keeps the fit defined where Lemma 1
 /// says that it is not (all directions on two lines), without any switch.
+/// Of 131 cases, half: 117 change by up to 5e-5 edges, 2 get another triangulation;
+/// double: 117 change by up to 4e-4 edges, 1 get another triangulation.
 pub(crate) const RIDGE: f64 = 1e-6;
 
 /// Ridge on the tilt in the gradient-corrected fit, relative to the sum of weights.
+/// Of 131 cases, half: 126 change by up to 2 edges, 2 get another triangulation, 1 fails;
+/// double: 126 change by up to 2 edges, 3 get another triangulation, +3 % iterations, 1 fails, 1 more succeeds.
 pub(crate) const TILT_RIDGE: f64 = 1e-3;
 
 /// Weight of the flap vertices (across the ring's edges) beside the ring's own weight of 1.
+/// Of 131 cases, half: 126 change by up to 3 edges, 10 get another triangulation, +4 % iterations, 2 fail;
+/// double: 126 change by up to 3 edges, 9 get another triangulation, 1 fails, 1 more succeeds.
 pub(crate) const FLAP_WEIGHT: f64 = 0.1;
 
 /// Curvature, normal and quadratic form at one vertex.

@@ -15,10 +15,13 @@ use crate::mesh::outside_neighbours::{Marks, OutsideNeighbours, RINGS_WIDE};
 /// Unknowns: those of [`TangentFrame::sample`] and the constant.
 const UNKNOWNS: usize = 6;
 /// Keeps the fit defined where the samples do not determine it.
+/// Half or double, of 2 cases: none changes.
 const RIDGES: [f64; UNKNOWNS] = [0.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e-10];
 /// Fewer samples cannot judge the fit.
+/// Half or double, of 2 cases: none changes.
 const FEWEST: usize = 20;
 /// At most this many fits per vertex.
+/// Half or double, of 2 cases: none changes.
 const MAX_FITS: usize = 20;
 
 /// Samples of many rings outside: edge vectors.

@@ -35,6 +35,8 @@ pub(crate) enum FreeCurvature {
 }
 
 /// A boundary vertex with up to this many triangles takes the flaps in full.
+/// Of 123 cases, half: 100 change by up to 0.4 edges, 17 get another triangulation;
+/// double: 113 change by up to 2 edges, 15 get another triangulation, 2 fail, 3 more succeed.
 const NARROW: usize = 2;
 
 /// A boundary vertex takes this many samples at once.

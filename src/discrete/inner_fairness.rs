@@ -12,12 +12,15 @@ use fairmesh_linear::sparse::SymmetricPattern;
 
 /// A cotangent of the input mesh is clamped to this range, so that the weights are convex and the scalar Laplacian
 /// positive definite for any input.
+/// Of 9 cases, half: 9 change by up to 2 edges, -11 % iterations, 1 fails; double: 9 change by up to 3 edges, -8 % iterations.
 pub(crate) const COTANGENT_RANGE: [f64; 2] = [0.05, 8.0];
 
 /// Mean-value weights of repairs stay within this factor of one.
+/// Of 41 cases, half: 8 change by up to 3 edges, -5 % iterations; double: 3 change by up to 3 edges, -4 % iterations.
 const LARGEST_RATIO: f64 = 20.0;
 
 /// Those that were asked for are left alone as long as they stay within this one.
+/// Of 2 cases, half: 1 changes by up to 0.3 edges, -23 % iterations; double: 1 changes by up to 3 edges, -42 % iterations.
 const LARGEST_ASKED_RATIO: f64 = 1e3;
 
 /// Weights `lambda_ij` of all free vertices, slot by slot as in [`ValenceBatches`].

@@ -12,6 +12,7 @@ use crate::mesh::rows::Rows;
 use crate::support::error::Error;
 
 /// How often the fit at a boundary vertex is made.
+/// Of 6 cases, half: 2 change by up to 7e-4 edges; double: 1 changes by up to 4e-6 edges.
 const BOUNDARY_PASSES: usize = 5;
 
 /// [`crate::mean_curvature`], on the threads of the pool that it is called in.

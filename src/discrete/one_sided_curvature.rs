@@ -64,6 +64,7 @@ pub(crate) struct OneSidedCurvature {
 }
 
 /// So many samples for each unknown can judge a fit.
+/// Of 14 cases, half: none changes; double: 6 change by up to 0.5 edges, +1 % iterations.
 const SAMPLES_PER_UNKNOWN: f64 = 1.4;
 
 /// `1, (u^2 - v^2)/d, 2uv/d` and the cubics, as normal curvatures `2w/d`, of a sample in units of the samples' length. The monomials are

@@ -8,10 +8,14 @@ use super::simd::{Simd, Vec3, dot, lane, one};
 use crate::mesh::OutsideNeighbours;
 
 /// The repeated fit stops when the normal turns by less than this (radians).
+/// Of 112 cases, half: 91 change by up to 0.2 edges; double: 93 change by up to 3e-5 edges.
 const STANDS: f64 = 1e-13;
 /// At most this many fits per vertex.
+/// Of 112 cases, half: 10 change by up to 0.3 edges; double: 6 change by up to 0.2 edges.
 const MAX_FITS: usize = 300;
 /// With fewer outside neighbours than this, what lies behind them counts as much as they do.
+/// Of 112 cases, half: 90 change by up to 0.9 edges, +2 % iterations, 1 more succeeds;
+/// double: 105 change by up to 1 edge, 1 get another triangulation, 2 more succeed.
 const SMALL_RING: usize = 4;
 
 /// A fitted normal.

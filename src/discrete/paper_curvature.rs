@@ -9,6 +9,7 @@ use super::low_valence::spiral_sample;
 use super::simd::{Vec3, one};
 
 /// Valences up to this take extra samples (paper 6.2).
+/// Of 4 cases, half: 4 change by up to 0.03 edges, +1 % iterations; double: 4 change by up to 0.02 edges, +16 % iterations.
 const LOW_VALENCE: usize = 4;
 
 /// The samples at a vertex that is at `q` (paper 6.1): the vertices of its `ring`, and the points of 6.2 between some

@@ -3,6 +3,7 @@
 use super::simd::{Simd, Vec3, cross, dot};
 
 /// Squared lengths count as at least this much, so that the product of two reciprocals stays finite.
+/// Half or double, of 131 cases: none changes.
 const SMALLEST_SQUARE: f64 = 1e-150;
 
 /// `1 / |e|^2`; finite at `e = 0`.

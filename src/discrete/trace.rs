@@ -12,10 +12,13 @@ const N: usize = 6;
 /// Weights by the number of edges to the boundary vertex,
 const WEIGHTS: [f64; 4] = [1.0, 1.0, 0.5, 0.25];
 /// and where the samples are noisy.
+/// Of 14 cases, half: 6 change by up to 5e-7 edges; double: 6 change by up to 2e-7 edges.
 const WIDE_WEIGHTS: [f64; 7] = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5];
 /// Fewer samples cannot judge the fit.
+/// Of 14 cases, half: 1 changes by up to 1e-4 edges; double: 8 change by up to 1 edge, -14 % iterations.
 const FEWEST: usize = 9;
 /// Keeps fits to several rings defined, relative to the sum of weights.
+/// Of 14 cases, half: 8 change by up to 9e-6 edges, +1 % iterations; double: 8 change by up to 2e-5 edges, +1 % iterations.
 pub(crate) const RIDGE: f64 = 1e-9;
 
 /// How far samples reach.

@@ -5,10 +5,12 @@ use std::ops::ControlFlow;
 use crate::solve::control::{Callback, Interrupt};
 
 /// Components with a smaller share are told of together: for each of thousands, the callback would take longer than the work.
+/// Half or double, of 128 cases: none changes.
 const SMALLEST: f64 = 1e-3;
 
 /// The fraction at which all components are read and checked: a share of the time, measured on regions of 1,000 to 100,000 free
 /// vertices.
+/// Half or double, of 115 cases: only the progress changes.
 pub(super) const PREPARED: f64 = 0.08;
 
 /// What is told of all components.

@@ -12,6 +12,7 @@ use crate::mesh::coincident::Copies;
 use crate::support::error::Error;
 
 /// The mean of unit normals that is shorter than this is no direction: two of them are more than 120 degrees apart.
+/// Of 1 case, half: none changes; double: 1 changes, -100 % iterations.
 const SHORTEST_MEAN: f64 = 0.5;
 
 /// The options for the joined mesh.

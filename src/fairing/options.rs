@@ -87,8 +87,10 @@ table!(Solver {
 });
 
 /// More threads than any machine of today makes use of: what is beyond is a mistake, which would cost a stack each.
+/// Half or double, of 132 cases: none changes.
 const MOST_THREADS: f64 = 1024.0;
 /// The smallest [`Options::tolerance`]: a few roundings of a double.
+/// Half or double, of 132 cases: none changes.
 const LEAST_TOLERANCE: f64 = 1e-15;
 
 options! {

@@ -8,6 +8,7 @@ use crate::mesh::halfedge::next;
 use crate::support::error::Error;
 
 /// So many edges of the loop on either side of a chain are looked at where it is a part of a tooth.
+/// Half or double, of 6 cases: none changes.
 const BESIDE: usize = 3;
 
 /// A run of a loop's edges, in the direction in which triangles that fill the loop run through it.

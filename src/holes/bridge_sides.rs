@@ -12,17 +12,23 @@ use super::loop_set::normal;
 use crate::mesh::halfedge::{next, previous};
 
 /// Curves are measured in so many steps.
+/// Of 6 cases, half: 5 change by up to 4e-4 edges, 1 get another triangulation; double: 5 change by up to 1e-4 edges.
 const STEPS: usize = 256;
 /// The direction of a side may differ by so much from the perpendicular to the chain at its end (radians, 45 degrees).
+/// Of 6 cases, half: 3 change, 3 get another triangulation; double: 3 change, 3 get another triangulation, 1 more succeeds.
 const ASKEW: f64 = std::f64::consts::FRAC_PI_4;
 /// Where a boundary turns by more than this (radians, 30 degrees) to one side and then to the other, it is one of teeth.
+/// Of 5 cases, half: 3 change, 3 get another triangulation, -11 % iterations; double: none changes.
 const TOOTH: f64 = std::f64::consts::FRAC_PI_6;
 /// Tangents are no longer than for this sum of 1 + cosine of the angles between chord and tangent: curves that lead
 /// back make no wide bows.
+/// Half or double, of 6 cases: none changes.
 const LEAST_COSINE: f64 = 0.5;
 /// Normals at corners are fitted to the vertices within so many edges.
+/// Of 6 cases, half: 6 change by up to 0.01 edges, 4 get another triangulation; double: 6 change, 6 get another triangulation.
 const RINGS: usize = 3;
 /// They are fitted so often, each time from the one before.
+/// Of 6 cases, half: 5 change by up to 7e-4 edges, 1 get another triangulation; double: 5 change by up to 8e-5 edges.
 const FITS: usize = 4;
 
 /// A corner of the strip: where it is, which way a side leaves the mesh there, and the mesh's normal.

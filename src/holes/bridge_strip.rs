@@ -25,8 +25,10 @@ use crate::support::error::Error;
 use crate::support::stopwatch::Stopwatch;
 
 /// A strip that is twisted by more than this (degrees) would have to be turned over: its ends face opposite ways.
+/// Half or double, of 6 cases: none changes.
 const OPPOSITE: f64 = 120.0;
 /// The triangulation begins with edges across the strip at distances of about this part of its width.
+/// Of 6 cases, half: 2 change, 2 get another triangulation; double: 4 change, 4 get another triangulation.
 const RUNGS: f64 = 0.5;
 
 /// A strip before it is triangulated.

@@ -13,6 +13,7 @@ use crate::mesh::NONE;
 use crate::mesh::disjoint_sets::DisjointSets;
 
 /// A connection that leaves the mesh backwards counts as so many times longer, at each end (half of it where it goes sideways).
+/// Of 13 cases, half: 3 change, 2 get another triangulation, +1 % iterations, 1 fails; double: 2 change, 2 get another triangulation.
 const BACKWARDS: f64 = 2.0;
 
 /// From a vertex of one loop to one of another.

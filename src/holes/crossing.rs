@@ -15,6 +15,7 @@ use crate::holes::triangle_owner::Owned;
 use crate::intersections::{Bounds, Member, bounds_of, member, members_near, pairs};
 
 /// Part of a loop's diagonal around its box in which the mesh is looked at once for all loops.
+/// Half or double, of 43 cases: none changes.
 const NEAR: f64 = 0.5;
 
 /// The mesh near the loops, and the patches made so far.

@@ -1,13 +1,17 @@
 //! What a run of filling has done, of what it has to do: in new vertices, each of which takes about the same time.
 
 /// The work of looking at one triangle of the mesh: measured on spheres of 13,000 to 100,000 vertices.
+/// Half or double, of 38 cases: only the progress changes.
 const PER_TRIANGLE: f64 = 0.03;
 /// The work of one edge of a loop: what is done once for a small loop.
+/// Half or double, of 38 cases: only the progress changes.
 const PER_EDGE: f64 = 2.0;
 
 /// What of a patch's share its first fairing is: few are faired more often.
+/// Half or double, of 36 cases: only the progress changes.
 const FIRST: f64 = 0.9;
 /// A fraction that falls by more than this begins anew.
+/// Half or double, of 36 cases: none changes.
 const ANEW: f64 = 0.3;
 
 /// How far one patch is, that may be faired more than once: each time but the first takes half of what is left.

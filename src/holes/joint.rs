@@ -11,14 +11,19 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
 /// Passes over all edges in which those are flipped that count less afterwards.
+/// Half or double, of 13 cases: none changes.
 const PASSES: usize = 20;
 /// A flip has to gain so much of what there is.
+/// Half or double, of 13 cases: none changes.
 const GAIN: f64 = 1e-9;
 /// What bends inside count beside those at the loops, which no fairing takes away.
+/// Half or double, of 14 cases: none changes.
 const INSIDE: f64 = 0.5;
 /// A loop fits only with the mesh there turned around if that leaves no more than this part of the energy; of two such loops each.
+/// Of 10 cases, half: 1 changes, +3 % iterations; double: 1 changes.
 const OPPOSED: f64 = 0.7;
 /// With less energy all of them fit: half a sphere has four times as much.
+/// Half or double, of 11 cases: none changes.
 const FITS: f64 = 6.0;
 
 /// A triangulation of the surface that has all these loops for its boundary, or None if each one would have an edge twice or

@@ -11,8 +11,10 @@ use super::patch::Patch;
 use crate::mesh::NONE;
 
 /// Edges longer than this many lengths wanted at an end are looked at from everywhere; vertices beside it see others.
+/// Of 44 cases, half: 4 change, 4 get another triangulation, -3 % iterations; double: 3 change, 2 get another triangulation.
 const LONG: f64 = 8.0;
 /// At most so many of them, the longest.
+/// Half or double, of 44 cases: none changes.
 const MOST: usize = 256;
 
 /// Long boundary edges and their lenses.

@@ -13,6 +13,8 @@ use crate::quality::Quality;
 /// At most so many iterations for the fine patch, those after it was mended included. Of 227 fair patches on public meshes half
 /// took 7, nine of ten 18, the last but two 61; the rest of the ladder is long, and a patch that fails shall not take
 /// much longer than one that is found.
+/// Of 41 cases, half: 5 change by up to 3 edges, -19 % iterations, 2 fail;
+/// double: 6 change by up to 0.4 edges, 2 get another triangulation, +32 % iterations, 1 more succeeds.
 const MOST_ITERATIONS: usize = 64;
 
 /// What is asked of the loop that is filled: the last number that is given for any of its vertices, or else that of all loops.

@@ -9,6 +9,7 @@ use super::loops::BoundaryLoop;
 use crate::mesh::halfedge::{next, previous};
 
 /// Four unit normals that nearly cancel, to a sum shorter than this, say nothing.
+/// Half or double, of 13 cases: none changes.
 const OPPOSITE: f64 = 0.5;
 
 /// Some loops, the vertices of one after those of the other.

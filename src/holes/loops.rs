@@ -18,6 +18,7 @@ use crate::support::error::Error;
 use crate::support::table::table;
 
 /// A surface that has to turn by more than this to close the loop would lie on the mesh itself: 135 degrees.
+/// Of 45 cases, half: 9 change, -39 % iterations, 2 more succeed; double: 4 change, +14 % iterations, 3 fail.
 const OUTER_TURN: f64 = 0.75 * PI;
 
 /// What kind of gap a loop is.

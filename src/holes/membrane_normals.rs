@@ -11,10 +11,13 @@ use crate::holes::patch::Patch;
 use crate::holes::patch_surface::{PatchSurface, Task};
 
 /// How much of the way from the membrane's normals to those of the mesh is asked for, one after the other.
+/// Of 5 cases, half: 4 change, -25 % iterations; double: 3 change, +3 % iterations.
 const PARTS: [f64; 2] = [0.5, 0.0];
 /// Iterations for each.
+/// Of 5 cases, half: 3 change, +3 % iterations; double: 2 change, +66 % iterations.
 const ITERATIONS: usize = 24;
 /// Sweeps that make the refined triangulation a membrane near its boundary.
+/// Of 5 cases, half: 3 change by up to 0.02 edges; double: 3 change by up to 0.002 edges.
 const SWEEPS: usize = 60;
 
 /// The membrane, and the normals between which the patch's lie.

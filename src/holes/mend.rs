@@ -8,16 +8,24 @@ use crate::mesh::NONE;
 use crate::quality::smallest_angle;
 
 /// Triangles with a smaller angle (degrees) are worked on: what fairing moves afterwards must not bring them below 15.
+/// Of 44 cases, half: 18 change by up to 0.07 edges, 16 get another triangulation, +2 % iterations;
+/// double: 41 change, 38 get another triangulation, +2 % iterations, 1 fails.
 const GOAL: f64 = 22.0;
 /// Passes over all of them, at most.
+/// Of 44 cases, half: 4 change by up to 5e-12 edges, 2 get another triangulation, -5 % iterations; double: 1 changes by up to 2e-4 edges.
 const PASSES: usize = 6;
 /// Edges at the boundary keep away from the ends of their range by this factor: fairing moves vertices a little.
+/// Of 44 cases, half: 31 change, 29 get another triangulation; double: 39 change, 31 get another triangulation, +3 % iterations, 2 fail.
 const ROOM: f64 = 1.15;
 /// No edge gets longer than this many wanted lengths.
+/// Of 20 cases, half: 6 change, 4 get another triangulation; double: 8 change, 7 get another triangulation, -10 % iterations.
 const LONG: f64 = 1.8;
 /// A pass looks at neighbours so many times the vertices, at most: three triangles of six neighbours each, all of them bad, are fewer.
+/// Half or double, of 44 cases: none changes.
 const MOST_NEAR: usize = 64;
 /// Steps of the vertices around, per pass.
+/// Of 44 cases, half: 10 change by up to 8e-4 edges, 5 get another triangulation;
+/// double: 9 change by up to 2e-4 edges, 3 get another triangulation, -5 % iterations.
 const STEPS: usize = 3;
 
 impl Refiner<'_> {

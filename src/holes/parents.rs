@@ -29,6 +29,7 @@ pub(super) fn parents(patch: &Patch, coarse: &Patch, ids: &[u32]) -> Vec<Parents
 }
 
 /// Distances that differ by less are equal: relative, of their squares.
+/// Half or double, of 44 cases: none changes.
 const EQUAL: f64 = 1e-9;
 
 /// From triangle to triangle as long as the point comes nearer; where the nearest place is a corner, through all triangles around

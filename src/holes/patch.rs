@@ -9,6 +9,8 @@ use crate::mesh::NONE;
 use crate::mesh::halfedge::{next, previous};
 
 /// The length wanted grows at most by this much per unit of length away from a short boundary edge.
+/// Of 44 cases, half: 39 change, 37 get another triangulation, -6 % iterations;
+/// double: 28 change, 26 get another triangulation, -1 % iterations.
 pub(super) const GRADE: f64 = 0.5;
 
 /// The surface and, per vertex, where it is and what belongs to it.

@@ -22,20 +22,27 @@ use crate::holes::triangulate::{Barred, Measure};
 use crate::support::error::Error;
 
 /// The fraction at which the coarse patch is faired, and the one at which it is refined: shares of the time, measured.
+/// Half or double, of 41 cases: only the progress changes.
 pub(super) const COARSE_SHARE: f64 = 0.1;
 const REFINED: f64 = 0.4;
 /// First growth when the vertices do not suffice, and the last.
+/// Half or double, of 1 case: none changes.
 const FIRST_GROWTH: f64 = 0.02;
 const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
+/// Of 44 cases, half: 41 change, 34 get another triangulation, +13 % iterations, 3 fail;
+/// double: 32 change, 28 get another triangulation, +2 % iterations.
 const BESIDE_SHORT: f64 = 1.5;
 /// But they need not be shorter than this part of the edges around: one edge of nearly no length would ask for as many vertices as
 /// numbers have digits, and one narrow triangle does for it.
+/// Of 44 cases, half: 1 changes; double: 2 change, 2 get another triangulation.
 const SHORTEST: f64 = 1.0 / 30.0;
 /// A patch may leave the boundary's bounding box by this much of its diagonal without being named.
+/// Of 41 cases, half: 2 change, 1 get another triangulation; double: 4 change, -3 % iterations.
 const ROOM: f64 = 0.25;
 
 /// A patch whose smallest angle (degrees) is below this is refined and faired once more.
+/// Of 40 cases, half: 1 changes, 1 get another triangulation; double: 4 change, 3 get another triangulation.
 const ENOUGH: f64 = 15.0;
 
 /// The largest length of edges at a boundary vertex, by the shorter boundary edge there and the mean length around.

@@ -17,22 +17,37 @@ use crate::mesh::halfedge::{next, previous};
 use crate::quality::smallest_angle;
 
 /// Edges longer than this many wanted lengths are split. With [`SHORT`] it makes the mean length the one wanted.
+/// Of 44 cases, half: 42 change, 33 get another triangulation, +17 % iterations, 1 fails, 1 more succeeds;
+/// double: 41 change, 38 get another triangulation, -6 % iterations, 1 fails.
 const LONG: f64 = 1.4;
 /// Edges shorter than this many are collapsed.
+/// Of 44 cases, half: 41 change, 39 get another triangulation, +10 % iterations;
+/// double: 38 change, 36 get another triangulation, -4 % iterations, 1 fails.
 const SHORT: f64 = 0.7;
 /// At first only these are: fewer vertices to take away later.
+/// Of 44 cases, half: 42 change, 37 get another triangulation, 1 fails;
+/// double: 41 change, 36 get another triangulation, +2 % iterations, 1 fails.
 const FIRST: f64 = 1.6;
 /// Rounds of splits, collapses, flips and steps.
+/// Of 44 cases, half: 40 change, 38 get another triangulation, +4 % iterations, 1 fails;
+/// double: 38 change, 36 get another triangulation, -2 % iterations, 1 fails.
 const ROUNDS: usize = 4;
 /// Sweeps at the end in which the places on the source surface follow.
+/// Half or double, of 44 cases: none changes.
 const SOURCE_SWEEPS: usize = 3;
 /// Flips per vertex and pass, at most: away from Delaunay on a plane their number is not bounded by theory.
+/// Of 44 cases, half: 10 change, 7 get another triangulation, 1 fails; double: 1 changes, 1 get another triangulation.
 const MOST_FLIPS: usize = 40;
 /// Rounds and mending leave at most so many times the inner vertices of the first splits, and one per boundary vertex.
+/// Half or double, of 44 cases: none changes.
 const MORE: usize = 3;
 /// An edge is flipped if its new triangles meet at less than 45 degrees, or bend no more than the old ones.
+/// Of 42 cases, half: 7 change, 5 get another triangulation, +1 % iterations, 1 fails;
+/// double: 39 change, 35 get another triangulation, -1 % iterations, 1 fails.
 const BEND: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// An edge across the hole is left where its halves would be in triangles with a smaller angle, in degrees.
+/// Of 3 cases, half: 1 changes, 1 get another triangulation, -26 % iterations;
+/// double: 2 change, 2 get another triangulation, +48 % iterations.
 const THIN: f64 = 10.0;
 
 /// How fine a patch shall be.

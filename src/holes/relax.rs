@@ -10,6 +10,7 @@ use super::patch::{GRADE, Patch};
 use crate::mesh::NONE;
 
 /// Vertices whose triangles would turn over are held back in at most so many rounds; if that is not enough, nothing moves.
+/// Half or double, of 44 cases: none changes.
 const HOLDS: usize = 20;
 
 /// Scratch of the sweeps.

@@ -10,6 +10,7 @@ use crate::support::error::Error;
 use crate::support::options::options;
 
 /// Sweeps in which edge lengths spread from the boundary into the region.
+/// Half or double, of 3 cases: 2 change, 2 get another triangulation.
 const SWEEPS: usize = 100;
 
 options! {

@@ -6,13 +6,19 @@ use crate::fairing::{BoundaryNormals, Options, Progress, ProgressCallback};
 use crate::holes::patch_surface::{COARSE_SHARE, Task, is_failed};
 
 /// The coarse patch's edges grow by this much per unit of distance from the boundary.
+/// Of 32 cases, half: 25 change, 24 get another triangulation, -5 % iterations;
+/// double: 25 change, 23 get another triangulation, -8 % iterations.
 const COARSE_GROWTH: f64 = 0.5;
 /// Between loops more of them are needed: what is far from all of them is narrow all the same.
+/// Half or double, of 10 cases: 9 change, 8 get another triangulation, +1 % iterations, 1 fails.
 const JOINT_GROWTH: f64 = 0.25;
 /// It is faired in more iterations, and in so many rounds.
+/// Of 10 cases, half: 2 change, 1 get another triangulation, +2 % iterations, 1 fails; double: 1 changes, 1 get another triangulation.
 const JOINT_ITERATIONS: usize = 150;
 const JOINT_ROUNDS: u32 = 2;
 /// How well the coarse patch is faired.
+/// Of 41 cases, half: 7 change by up to 0.001 edges, 5 get another triangulation;
+/// double: 9 change by up to 4e-4 edges, 6 get another triangulation, 1 fails.
 const COARSE_TOLERANCE: f64 = 1e-3;
 const COARSE_ITERATIONS: usize = 30;
 

@@ -16,6 +16,7 @@ use crate::mesh::disjoint_sets::DisjointSets;
 use crate::mesh::halfedge::next;
 
 /// Layers of triangles, across edges, beyond the fans of the loop's vertices: what fitted normals look at, and more.
+/// Of 42 cases, half: 17 change by up to 0.07 edges, 4 get another triangulation; double: none changes.
 const LAYERS: usize = 6;
 
 /// The triangles around one loop or several, moved and scaled.

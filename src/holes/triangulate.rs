@@ -17,22 +17,31 @@ use std::collections::BinaryHeap;
 use nalgebra::Vector3;
 
 /// Loops of up to this many edges are triangulated by dynamic programming alone.
+/// Of 32 cases, half: 9 change, 7 get another triangulation, -7 % iterations; double: 5 change, 5 get another triangulation.
 pub(super) const DYNAMIC: usize = 100;
 /// The same for sums: a polygon of several loops.
+/// Of 14 cases, half: 3 change, 3 get another triangulation; double: 1 changes, 1 get another triangulation.
 const DYNAMIC_SUM: usize = 240;
 /// Bends (1 - cosine) are compared in steps of one over this; between those in the same step area decides.
+/// Half or double, of 32 cases: none changes.
 const STEPS: f64 = 1e5;
 /// An ear that bends by more than this (1 - cosine, 100 degrees) comes after all that do not.
+/// Of 6 cases, half: 1 changes, 1 get another triangulation; double: none changes.
 const SHARP: f64 = 1.17;
 /// The same for sums: 60 degrees. An ear over the mouth of a tube is none on the way to the next tube.
+/// Half or double, of 1 case: none changes.
 const SHARP_SUM: f64 = 0.5;
 /// What an edge between slender triangles costs beside its bend: on a plane nothing else is to be told.
+/// Half or double, of 11 cases: none changes.
 const SLENDER: f64 = 1e-4;
 /// What an edge costs by its length, beside that times its angle.
+/// Half or double, of 14 cases: 2 change, 2 get another triangulation.
 const LENGTH: f64 = 1e-3;
 /// A flatter triangle (height over longest side) is degenerate: rounding in single precision makes such on straight boundaries.
+/// Half or double, of 43 cases: none changes.
 const FLAT: f64 = 1e-6;
 /// The cost of an ear that shall come later is multiplied by this.
+/// Half or double, of 7 cases: none changes.
 const LATER: f64 = 1e6;
 
 /// By what triangulations are compared.

@@ -17,6 +17,7 @@ use std::ops::Range;
 use super::triangles::{Axes, Corners, segments_meet, turn};
 
 /// Comparisons of open edges that are made for each of them: a bound on the work for boundaries that are no sensible ones.
+/// Half or double, of 129 cases: none changes.
 const COMPARISONS: usize = 256;
 
 type Point = [f64; 3];

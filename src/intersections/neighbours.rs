@@ -6,6 +6,7 @@ use super::triangles::Corners;
 pub(super) const NONE: u32 = u32::MAX;
 
 /// Edges with the same hash that are looked at; those beyond stay without a neighbour, which is never wrong.
+/// Half or double, of 129 cases: none changes.
 const MOST: usize = 16;
 
 /// For the edges of each triangle, from its corner k to the next one, a triangle that has the same edge the other way round.

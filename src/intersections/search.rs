@@ -9,6 +9,7 @@ use fairmesh_linear::dispatch::vectorized;
 use fairmesh_linear::parallel;
 
 /// Pairs of nodes that a thread takes at once.
+/// Half or double, of 129 cases: none changes.
 const CHUNK: usize = 64;
 
 /// The triangles of a mesh, none of them asked for, that `is_near` takes.

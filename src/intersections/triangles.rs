@@ -113,8 +113,10 @@ fn corner_in_common(a: &Corners, b: &Corners) -> bool {
 }
 
 /// Twenty times the relative error of a dot product of differences.
+/// Half or double, of 69 cases: none changes.
 const MARGIN: f64 = 1e-14;
 /// What is larger has not underflowed.
+/// Half or double, of 69 cases: none changes.
 const SMALLEST: f64 = 1e-200;
 
 fn difference(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {

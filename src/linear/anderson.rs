@@ -8,10 +8,12 @@ pub const MAX_WINDOW: usize = 16;
 
 /// Vectors are worked on in blocks of this length, whose sums are added in order: the result does not depend
 /// on the number of threads.
+/// Of 125 cases, half: 65 change by up to 7e-6 edges; double: 21 change by up to 0.2 edges.
 const BLOCK: usize = 2048;
 /// Partial sums of a dot product within a block.
 const LANES: usize = 8;
 /// A difference whose part off the span of the newer ones is smaller than this, in squared norms, is left out.
+/// Of 125 cases, half: 1 changes by up to 3e-16 edges; double: none changes.
 const INDEPENDENT: f64 = 1e-12;
 
 /// The last differences of the iterates `x` and of the steps `f(x) = g(x) - x` of a fixed-point iteration,

@@ -30,6 +30,7 @@ impl<T> Default for PackedRows<T> {
 /// Tiles in a block of rows: they share what is read of the rows above.
 const TILES: usize = 4;
 /// Groups of pivots whose columns are applied together: what a tile reads stays in the first-level cache.
+/// Of 126 cases, half: 7 change by up to 6e-6 edges; double: none changes.
 const CHUNK: usize = 32;
 /// Columns in a tile.
 const COLUMNS: usize = 4;

@@ -8,6 +8,7 @@ use super::elimination::NONE;
 use super::sparse::SymmetricPattern;
 
 /// A row with more than this times the square root of the number of rows is ordered last, unless it is shorter than `SHORT`.
+/// Half or double, of 128 cases: none changes.
 const DENSE: f64 = 10.0;
 const SHORT: usize = 16;
 

@@ -8,10 +8,13 @@ use super::supernodes::{Layout, Supernodes};
 use super::tile::LANES;
 
 /// Subtrees are split for two or more threads down to this depth.
+/// Half or double, of 128 cases: none changes.
 const MAX_SPLIT_DEPTH: usize = 6;
 /// A subtree with less than this part of all operations is not split further.
+/// Half or double, of 128 cases: none changes.
 const SPLIT_FRACTION: f64 = 1.0 / 10.0;
 /// A subtree with less than this number of operations is not split further.
+/// Half or double, of 128 cases: none changes.
 const SPLIT_FLOPS: f64 = 2e6;
 
 /// The structure of the factor of `P A P^T = L L^T`: supernodes (groups of columns of equal structure), their

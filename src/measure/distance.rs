@@ -10,14 +10,19 @@ use crate::mesh::input;
 use crate::support::error::Error;
 
 /// The largest distance is found to this part of itself.
+/// Half or double, of 1 case: 1 changes by up to 0.003 edges.
 const TOLERANCE: f64 = 0.01;
 /// The mean is taken at so many points of large triangles as squares of this side, in diagonals, have room in them.
+/// Of 1 case, half: 1 changes by up to 7e-5 edges; double: 1 changes by up to 3e-4 edges.
 const SPACING: f64 = 1.0 / 200.0;
 /// At most so many points along the side of a triangle.
+/// Half or double, of 1 case: none changes.
 const MOST_ALONG: f64 = 512.0;
 /// After so many points more the search for the largest distance ends with what is certain.
+/// Half or double, of 1 case: none changes.
 const MOST_POINTS: usize = 1 << 20;
 /// Points or triangles in a piece of a loop over all.
+/// Half or double, of 1 case: none changes.
 const PIECES: usize = 64;
 /// Of a triangle's longest edge: how far a point of it is from the nearest corner, at most.
 const TO_CORNER: f64 = 0.577_350_27;

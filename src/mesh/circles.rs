@@ -3,6 +3,7 @@
 use super::Rings;
 
 /// Sweeps over the radii, after those for equal ones.
+/// Of 9 cases, half: 9 change by up to 0.3 edges, +4 % iterations; double: 9 change by up to 0.2 edges, +5 % iterations.
 const SWEEPS: usize = 4;
 
 /// Radii of circles around the vertices of a region that touch their neighbours', about: then all edges are as alike as they can

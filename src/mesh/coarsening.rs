@@ -14,12 +14,15 @@ use super::rows::Rows;
 use super::selection::Selection;
 
 /// From pass to pass, longer edges are collapsed by this factor.
+/// Of 10 cases, half: 7 change, -54 % iterations, 7 fail; double: 7 change by up to 2 edges, -2 % iterations.
 const GROWTH: f64 = 1.5;
 /// An edge is turned where the cosines of the angles opposite to it have a sum below zero by this.
+/// Half or double, of 10 cases: none changes.
 const DELAUNAY: f64 = 1e-6;
 /// The first edges that are collapsed are at most this many mean ones long of the region,
 const FIRST: f64 = 1.1;
 /// and none is longer than this many of them.
+/// Of 10 cases, half: none changes; double: only the progress changes.
 const LONGEST: f64 = 1e6;
 
 /// A coarse mesh, and the way back.

@@ -331,6 +331,7 @@ fn number(role: &[Role]) -> (Vec<u32>, Vec<u32>, usize, usize) {
 }
 
 /// How far [`RegionMesh::beyond`] reaches.
+/// Of 106 cases, half: 76 change by up to 0.6 edges, 1 get another triangulation, +2 % iterations, 2 fail; double: none changes.
 pub(super) const RINGS_BEYOND: usize = 2;
 
 /// Gathers [`RegionMesh::beyond`] and numbers its vertices that have no number yet.

@@ -24,10 +24,13 @@ pub(crate) struct EditableMesh {
 }
 
 /// Fewest triangles around a vertex with a closed ring after a collapse.
+/// Of 11 cases, half: none changes; double: 11 change by up to 2 edges, -27 % iterations, 1 fails.
 const FEWEST_CLOSED: usize = 3;
 /// Fewest triangles of the region at a vertex on its boundary after a collapse: one fan of them fits a curvature (paper 6.1).
+/// Of 11 cases, half: none changes; double: 10 change by up to 2 edges, -4 % iterations.
 const FEWEST_OPEN: usize = 2;
 /// Most triangles around the vertex that stays.
+/// Of 11 cases, half: 11 change by up to 0.07 edges, +16 % iterations; double: 0 change.
 const MOST: usize = 14;
 
 impl EditableMesh {

@@ -11,10 +11,13 @@ use super::rings::Rings;
 use super::rows::Rows;
 
 /// Rows of vertices beside the boundary that are all kept.
+/// Half or double, of 2 cases: 2 change by up to 8e-6 edges.
 const KEPT: u32 = 2;
 /// From row to row edges are collapsed that are longer by this, in mean edges.
+/// Half or double, of 2 cases: 2 change by up to 8e-6 edges.
 const GRADE: f64 = 0.1;
 /// Edges of the first row that is not kept.
+/// Of 2 cases, half: 2 change by up to 8e-6 edges; double: 2 change by up to 9e-6 edges.
 const FIRST: f64 = 0.8;
 
 /// A graded mesh. Its vertices have places: those of free vertices, then those of the region's boundary.

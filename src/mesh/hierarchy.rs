@@ -12,8 +12,10 @@ use super::selection::Selection;
 use crate::support::error::Error;
 
 /// A collapse must leave no triangle with less than this roundness.
+/// Half or double, of 1 case: none changes.
 const LEAST_ROUNDNESS: f64 = 0.15;
 /// A collapse leaves no triangle whose normal is further than this from that of the vertex: cosine of the angle.
+/// Half or double, of 1 case: none changes.
 const LEAST_COSINE: f64 = 0.2;
 
 /// A mesh and the collapses that have led to it.

@@ -5,6 +5,7 @@ use super::disjoint_sets::DisjointSets;
 use super::rows::Rows;
 
 /// The most vertices of an island: with one more a normal can be fitted to the others.
+/// Of 60 cases, half: 2 change by up to 0.01 edges; double: 2 change by up to 0.009 edges.
 const LARGEST: usize = 6;
 
 /// Which of the `outside` triangles belong to islands: groups connected by vertices, of at most six boundary vertices

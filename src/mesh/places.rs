@@ -3,8 +3,10 @@
 use super::disjoint_sets::DisjointSets;
 
 /// So many different positions in a cube whose side is the distance asked for are crowded: none of them is joined to another one.
+/// Half or double, of 2 cases: none changes.
 const CROWD: usize = 16;
 /// The least side of such a cube, in extents of all positions: places in the grid stay whole numbers.
+/// Half or double, of 2 cases: none changes.
 const FINEST: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// Numbers that vertices at the same place have in common, or nothing where each has a place of its own. `vertices` may not

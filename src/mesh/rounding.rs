@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 /// Rounding that may turn edges by more than this (radians) spoils fits to three rings.
+/// Half or double, of 13 cases: none changes.
 const LARGEST_TURN: f64 = 1e-4;
 /// Half the distance of single precision numbers from 1 to 2.
 const HALF_STEP: f64 = 0.5 * f32::EPSILON as f64;

@@ -10,6 +10,7 @@ use crate::discrete::valence_batches::ValenceBatches;
 use crate::mesh::Rings;
 
 /// A diagonal entry of `S` below this part of the sum of its absolute weights says nothing: the estimate stays as it is.
+/// Half or double, of 3 cases: none changes.
 pub(crate) const SMALLEST_DIAGONAL: f64 = 1e-6;
 
 /// `S` on one level, and room for the iterations.

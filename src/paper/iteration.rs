@@ -234,8 +234,11 @@ impl<'a> Level<'a> {
 
 /// The normal step of a vertex times the answer of estimate and curvature to it is at most this. From 2 on it would
 /// alternate between two positions; a regular mesh has 0.9 times 1.2.
+/// Of 3 cases, half: 3 change by up to 9e-6 edges, +103 % iterations, 1 fails;
+/// double: 3 change by up to 6e-6 edges, +61 % iterations, 1 fails.
 const LARGEST_ANSWER: f64 = 1.25;
 /// The answers are measured before the first update and after this many, then after twice as many, and so on.
+/// Of 3 cases, half: 3 change by up to 3e-8 edges; double: 3 change by up to 2e-8 edges.
 const FIRST_MEASURE: usize = 8;
 
 /// The weights, ring after ring.

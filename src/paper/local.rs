@@ -87,6 +87,7 @@ pub(crate) struct Answer {
 }
 
 /// A finite difference moves a vertex by this part of its shortest edge.
+/// Of 3 cases, half: 3 change by up to 7e-12 edges; double: 3 change by up to 1e-11 edges.
 const PROBE: f64 = 1e-4;
 
 impl Answer {

@@ -31,15 +31,19 @@ pub(crate) struct PaperResult {
 }
 
 /// A level has about this many times the vertices of the one before, where their number is not given.
+/// Of 3 cases, half: 2 change by up to 2e-5 edges, +26 % iterations, 1 fails; double: 1 changes by up to 8e-6 edges, -3 % iterations.
 const GROWTH: f64 = 4.0;
 /// The base has this many times the vertices of the boundary, where it is not given: with fewer, the triangles that the
 /// boundary's edges force upon it are too thin.
+/// Of 3 cases, half: 3 change by up to 2e-5 edges, +2 % iterations; double: 1 changes by up to 8e-6 edges, -3 % iterations.
 const BASE: f64 = 2.5;
 /// Coarse levels only prepare: to this defect,
 const COARSE_DEFECT: f64 = 1e-3;
 /// and for no longer than this many updates.
+/// Half or double, of 1 case: none changes.
 const COARSE_UPDATES: usize = 1000;
 /// Progress is told after this many splits.
+/// Half or double, of 1 case: none changes.
 const SPLITS: usize = 512;
 
 /// Fairs the region.

@@ -9,10 +9,13 @@ use crate::discrete::laplace_beltrami::cotangent;
 use crate::mesh::{EditableMesh, ProgressiveMesh};
 
 /// Sweeps over a disk that solve `Delta q = 0` there (step two), at most.
+/// Half or double, of 1 case: none changes.
 const FLAT_SWEEPS: usize = 20;
 /// Sweeps of the construction algorithm over a disk (step three), at most.
+/// Of 1 case, half: 1 changes by up to 2e-7 edges; double: 1 changes by up to 7e-9 edges.
 const FAIR_SWEEPS: usize = 10;
 /// Both end when no vertex moves further than this part of the disk's mean edge.
+/// Of 1 case, half: 1 changes by up to 7e-9 edges; double: 1 changes by up to 9e-9 edges.
 const STANDS: f64 = 1e-3;
 
 impl Fans for EditableMesh {

@@ -9,6 +9,7 @@ use crate::discrete::simd::one;
 
 /// No normal step is longer than this part of the shortest edge. Far from the solution the linearization of 7.2 knows no
 /// bound; near it no step is that long.
+/// Of 3 cases, half: 3 change by up to 6e-7 edges, +2 % iterations; double: 1 changes by up to 5e-8 edges.
 const LONGEST_STEP: f64 = 0.5;
 
 /// A vertex's ring and the weights of its inner fairness, of any common factor; no weights: all are one.
@@ -115,6 +116,7 @@ impl Ring<'_> {
 }
 
 /// The fitted answer of `H` to a normal step is at least this part of the samples' mean one.
+/// Half or double, of 3 cases: none changes.
 const SMALLEST_SLOPE: f64 = 0.25;
 
 /// `H` around a point of a vertex's normal: `curvature - slope t`.

@@ -9,11 +9,14 @@ use crate::discrete::boundary_normals::{angle, average};
 use crate::mesh::{RegionMesh, Rings};
 
 /// An angle below this makes a triangle a needle, in degrees.
+/// Of 128 cases, half: none changes; double: 1 changes, 1 get another triangulation.
 pub(crate) const NEEDLE: f64 = 1.0;
 
 /// A boundary deviation beyond this many degrees and this many times the rms is a bump. Rough scans reach 5 times.
+/// Half or double, of 128 cases: none changes.
 const DETACHED_DEGREES: f64 = 15.0;
 /// See [`DETACHED_DEGREES`].
+/// Of 45 cases, half: 0 change, 1 fails; double: none changes.
 const DETACHED_RATIO: f64 = 8.0;
 
 /// Figures of the faired region, all measured on the result. Triangles and vertices by the caller's numbers.

@@ -39,8 +39,12 @@ fn moreton_sequin_response(ring: &[u32], x: &[Vector3<f64>], i: usize) -> f64 {
 }
 
 /// `D_i` stays within these factors of `3 / (4 A_i)`.
+/// Of 125 cases, half: 17 change by up to 0.6 edges, 2 get another triangulation, -3 % iterations, 1 fails;
+/// double: 33 change by up to 0.5 edges, 3 get another triangulation, 1 fails.
 const FREE_RANGE: [f64; 2] = [0.1, 5.0];
 /// `D_b` stays within this factor of `3 / (4 A_b)`.
+/// Of 125 cases, half: 93 change by up to 0.7 edges, 3 get another triangulation, +3 % iterations;
+/// double: 78 change by up to 0.4 edges, 1 get another triangulation, -2 % iterations.
 const BOUNDARY_RANGE: f64 = 4.0;
 
 impl Metric {
@@ -426,6 +430,8 @@ struct Shift {
 
 impl Shift {
     /// The shift is this fraction of the typical edge.
+    /// Of 125 cases, half: 112 change by up to 7e-6 edges, 2 get another triangulation;
+    /// double: 113 change by up to 0.3 edges, 2 get another triangulation.
     const FRACTION: f64 = 1e-5;
 
     fn new(equations: &Equations<'_>, x: &[Vector3<f64>], state: &State) -> Self {

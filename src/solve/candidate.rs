@@ -12,12 +12,15 @@ use crate::quality::crease::{creases_by_outside, kinks_as_given};
 use crate::support::profile::clock;
 
 /// A step norm that only rounding keeps from falling, in diagonals: it grows with the number of vertices.
+/// Half or double, of 27 cases: none changes.
 const ROUNDING_FLOOR: f64 = 1e-9;
 
 /// Of two surfaces the later one is taken if its bending energy is less by this part.
+/// Half or double, of 16 cases: none changes.
 const LESS_ENERGY: f64 = 1e-3;
 
 /// There may be a poor triangle for so many vertices in a surface that is only somewhere to begin.
+/// Half or double, of 2 cases: none changes.
 const POOR_OF_START: usize = 100;
 
 /// A surface that an iteration has led to.

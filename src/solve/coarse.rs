@@ -12,20 +12,26 @@ use crate::mesh::coarsening::{Coarsening, coarsen};
 use crate::mesh::{NONE, RegionMesh};
 
 /// Regions with fewer free vertices have no coarse level: they are one.
+/// Of 125 cases, half: 4 change by up to 1 edge, +2 % iterations, 1 more succeeds; double: 9 change by up to 2 edges, -2 % iterations.
 const SMALLEST_FINE: usize = 2000;
 /// Free vertices of the fine mesh for each of the coarse one,
 const RATIO: usize = 16;
 /// but at least so many, or the shape is not resolved,
 const FEWEST: usize = 300;
 /// and as many besides for each vertex of the boundary, none of which is left out.
+/// Of 10 cases, half: 9 change by up to 2 edges, +14 % iterations; double: 9 change by up to 0.06 edges, +9 % iterations.
 const PER_BOUNDARY_VERTEX: f64 = 1.5;
 /// More than this many suffice for any shape that a start needs.
+/// Half or double, of 10 cases: none changes.
 const MOST: usize = 3000;
 /// Edges of the input count as at least so long, in mean edges.
+/// Half or double, of 10 cases: none changes.
 const SHORTEST: f64 = 0.01;
 /// Sweeps that spread the vertices of the fine mesh.
+/// Of 9 cases, half: 9 change by up to 0.05 edges; double: 9 change by up to 0.03 edges.
 const SWEEPS: usize = 6;
 /// A mesh that keeps more than this part of its free vertices is no coarse one.
+/// Of 10 cases, half: 1 changes by up to 1 edge, -9 % iterations; double: none changes.
 const LARGEST_PART: f64 = 0.6;
 
 /// A coarse mesh of a region with the same boundary, and the problem on it.

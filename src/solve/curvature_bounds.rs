@@ -8,11 +8,14 @@ use crate::discrete::target::RightHandSide;
 use crate::solve::g2::equations::Continuity;
 
 /// The largest `|H|` inside, against the boundary's.
+/// Of 126 cases, half: 82 change by up to 4e-4 edges, +130 % iterations, 87 fail; double: none changes.
 const OVERSHOOT: f64 = 1.05;
 /// Curvatures below this, times the diagonal, count as none.
+/// Half or double, of 126 cases: none changes.
 const OVERSHOOT_FLOOR: f64 = 0.1;
 /// The most that a 1-disk may hold of the total curvature `kappa_1^2 + kappa_2^2` (paper (1)): on a sphere of equilateral
 /// triangles that is a turn of 50 degrees along every edge.
+/// Of 46 cases, half: 2 change, 1 get another triangulation, 1 fails; double: 2 change, -1 % iterations, 1 fails, 1 more succeeds.
 const TOTAL_CURVATURE: f64 = 4.0;
 
 impl System {

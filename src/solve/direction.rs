@@ -13,8 +13,11 @@ use crate::mesh::Rings;
 use crate::support::profile::clock;
 
 /// At most this many averagings: a few edges around.
+/// Of 125 cases, half: 6 change by up to 4e-6 edges, 1 get another triangulation, 1 more succeeds;
+/// double: 4 change by up to 3e-8 edges, 1 get another triangulation, 1 fails.
 const MOST_ROUNDS: usize = 20;
 /// What is shorter than this is nothing: normals that cancel.
+/// Half or double, of 74 cases: none changes.
 const LEAST: f64 = 1e-9;
 
 /// The averagings for a largest step of this length on a surface with 1-disks of this mean area: one per edge length.

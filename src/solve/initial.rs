@@ -19,13 +19,18 @@ use fairmesh_linear::symbolic::Symbolic;
 
 /// Linear systems are solved to this, in the norm of their own energy. They only make a start, but what is decided there
 /// about thin triangles ought not to depend on the order of elimination.
+/// Of 128 cases, half: 5 change by up to 8e-6 edges; double: 7 change by up to 0.1 edges.
 const REFINED: f64 = 1e-7;
 /// More iterations than this say that 32 bits do not suffice.
+/// Of 128 cases, half: 1 changes by up to 8e-6 edges; double: 1 changes by up to 5e-6 edges.
 const MOST_ITERATIONS: usize = 16;
 /// So does a step longer than this. A step of conjugate gradients is at most `1 / l` long, `l` the least eigenvalue of the
 /// preconditioned matrix, 1 for an exact factor: in some low mode the normal step would be too short by this factor or more.
+/// Half or double, of 127 cases: none changes.
 const LONGEST_STEP: f64 = 4.5;
 /// Tangential steps before the first normal step.
+/// Of 128 cases, half: 82 change by up to 3 edges, 4 get another triangulation, +1 % iterations;
+/// double: 35 change by up to 3 edges, 4 get another triangulation, -2 % iterations, 1 fails.
 const TANGENTIAL_STEPS: usize = 4;
 /// What it is called in progress reports.
 pub(crate) const PHASE: &str = "start surface";

@@ -8,6 +8,8 @@ use crate::discrete::valence_batches::CHUNK;
 use crate::support::profile::clock;
 
 /// Largest edge-relative change of one step of the iteration.
+/// Of 128 cases, half: 96 change by up to 3 edges, 6 get another triangulation, +4 % iterations, 2 fail, 1 more succeeds;
+/// double: 70 change by up to 3 edges, 5 get another triangulation, -6 % iterations, 2 fail.
 pub(crate) const LARGEST_CHANGE: f64 = 0.5;
 
 /// `x += scale step` at the free vertices.

@@ -29,12 +29,16 @@ use fairmesh_linear::sparse::SymmetricPattern;
 use fairmesh_linear::symbolic::Symbolic;
 
 /// Steps on the boundary.
+/// Of 2 cases, half: 2 change by up to 8e-6 edges; double: 2 change by up to 1e-5 edges.
 const STEPS: usize = 2;
 /// Graded meshes of a larger part of the free vertices save nothing.
+/// Of 2 cases, half: 2 change by up to 8e-6 edges; double: 1 changes by up to 6e-12 edges, -4 % iterations.
 const LARGEST_PART: f64 = 0.4;
 /// The part of an error on the boundary that a step may leave, as square roots of energies.
+/// Of 2 cases, half: 1 changes by up to 8e-6 edges; double: 1 changes by up to 0.3 edges, -1 % iterations.
 const LEFT: f64 = 0.5;
 /// Steps that find out.
+/// Of 2 cases, half: none changes; double: 1 changes by up to 8e-6 edges.
 const TRIAL: usize = 3;
 
 /// The matrix `P` of one metric by a factor of `S_ff`.

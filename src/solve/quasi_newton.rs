@@ -15,29 +15,45 @@ use crate::support::profile::clock;
 use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
 
 /// Below this step norm, in diagonals, the triangles show what they will be.
+/// Of 125 cases, half: 4 change by up to 0.3 edges; double: 3 change by up to 0.6 edges.
 const TRIANGLES_SETTLED: f64 = 1e-4;
 /// Growth of the step norm over the best that an accelerated step may cause,
 const SAFE_GROWTH: f64 = 3.0;
 /// and near the solution, where growth is mostly that of rounding or of a few slow vertices.
+/// Of 121 cases, half: 2 change by up to 0.6 edges; double: 1 changes by up to 4e-8 edges.
 const SAFE_GROWTH_NEAR: f64 = 6.0;
 /// An accelerated step that would change an edge by more than so many times [`LARGEST_CHANGE`] extrapolates too far: its
 /// direction is worth nothing either.
+/// Of 125 cases, half: 31 change by up to 2 edges, 3 get another triangulation, 1 more succeeds;
+/// double: 21 change by up to 3 edges, 3 get another triangulation, 2 fail.
 const LARGEST_EXCESS: f64 = 2.0;
 /// No vertex takes a normal step of more than this times the tolerance at the end: a mean hides single slow vertices.
+/// Of 125 cases, half: 46 change by up to 3e-5 edges, 3 get another triangulation, +2 % iterations, 1 fails;
+/// double: 56 change by up to 1e-5 edges, 7 get another triangulation, -2 % iterations.
 const LARGEST_STEP: f64 = 0.1;
 /// But not for longer than this many iterations.
+/// Of 125 cases, half: 23 change by up to 0.05 edges, 3 get another triangulation, -1 % iterations;
+/// double: 7 change by up to 0.01 edges, 2 get another triangulation.
 const EXTRA: usize = 6;
 /// The last step may be longer than the plain one by this factor when accelerated.
+/// Of 121 cases, half: 78 change by up to 3e-6 edges, 4 get another triangulation;
+/// double: 12 change by up to 3e-5 edges, 1 get another triangulation.
 const LONGEST_LAST: f64 = 2.0;
 /// Steps that Anderson acceleration looks back on. Every cluster of thin triangles adds slow modes of its own, and each
 /// takes a step of the history. Half as many on large regions, where that would cost more memory than the matrix.
+/// Of 123 cases, half: 80 change by up to 3 edges, 3 get another triangulation, -2 % iterations; double: 33 change by up to 0.3 edges.
 const WINDOW: usize = 16;
 const _: () = assert!(WINDOW <= MAX_WINDOW);
 /// A round that gains less than this in [`IterateOptions::patience`] steps is left.
+/// Of 122 cases, half: 12 change by up to 0.4 edges, 1 get another triangulation, -4 % iterations, 1 fails, 1 more succeeds;
+/// double: 13 change by up to 3 edges, 2 get another triangulation, +20 % iterations, 1 fails, 1 more succeeds.
 const STALL: f64 = 0.7;
 /// A round is left when the step norm exceeds this many times the best: every change of matrix makes it jump.
+/// Of 125 cases, half: 3 change by up to 3e-8 edges, -1 % iterations, 1 more succeeds; double: 2 change, 1 fails.
 const DIVERGED: f64 = 10.0;
 /// A round with a fresh matrix that gains less than this will not gain in another.
+/// Of 40 cases, half: 6 change by up to 0.2 edges, 1 get another triangulation, -3 % iterations;
+/// double: 6 change by up to 7e-8 edges, 3 get another triangulation, +72 % iterations, 1 fails.
 const ROUND_GAIN: f64 = 0.7;
 
 /// Which step is taken.

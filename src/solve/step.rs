@@ -12,6 +12,8 @@ use crate::discrete::valence_batches::CHUNK;
 use crate::support::profile::clock;
 
 /// Tangential steps below this, in diagonals, are projected.
+/// Of 128 cases, half: 62 change by up to 3 edges, 7 get another triangulation, -1 % iterations;
+/// double: 55 change by up to 3 edges, 4 get another triangulation, -3 % iterations, 1 fails.
 const PROJECTED_BELOW: f64 = 1e-3;
 
 /// One quasi-Newton step's size, in diagonals.

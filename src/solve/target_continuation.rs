@@ -12,8 +12,10 @@ use super::system::System;
 use crate::solve::transition::Transition;
 
 /// The first part of the right-hand side after none.
+/// Of 4 cases, half: 0 change, -6 % iterations; double: 0 change, +8 % iterations.
 const FIRST_STEP: f64 = 0.25;
 /// A step shorter than this fraction of the way is not tried.
+/// Of 4 cases, half: 0 change, +17 % iterations; double: 0 change, -16 % iterations.
 const SHORTEST: f64 = 1.0 / 64.0;
 
 /// The way to the whole right-hand side.

@@ -15,10 +15,13 @@ use crate::quality::NEEDLE;
 use crate::solve::transition::Transition;
 
 /// Triangles below this angle mark their vertices, round by round; each round also takes one ring more.
+/// Of 125 cases, half: 12 change by up to 3 edges, 1 get another triangulation, -2 % iterations;
+/// double: 23 change by up to 4 edges, 3 get another triangulation, -3 % iterations, 1 more succeeds.
 const THRESHOLDS: [f64; 3] = [3.0, 4.0, 5.0];
 
 /// A start from the coarse mesh with a triangle below this angle, half of a needle's, will end with it: it lies almost as the result
 /// will, but the bound must not decide by the vertices' numbers.
+/// Half or double, of 33 cases: none changes.
 const SURE: f64 = 0.5 * NEEDLE;
 
 /// An iteration that begins anew with other weights where triangles end folded or thin.

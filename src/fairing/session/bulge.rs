@@ -8,14 +8,18 @@ use crate::support::error::Error;
 /// Trials at the walk outward are so far apart, 10 degrees,
 const STEP: f64 = std::f64::consts::PI / 18.0;
 /// and end at 90: there the surface leaves the boundary along its normal.
+/// Of 3 cases, half: 2 change by up to 0.4 edges, -19 % iterations; double: 2 change by up to 0.9 edges, +44 % iterations.
 const STEPS: u32 = 9;
 /// Then the end is halved so often: to 1.25 degrees.
+/// Of 3 cases, half: 2 change by up to 8e-13 edges; double: 2 change by up to 4e-13 edges.
 const HALVINGS: u32 = 3;
 /// One trial may cost this many evaluations until it has settled,
 const EVALUATIONS: usize = 60;
 /// and this many iterations more to the tolerance, with its checks.
+/// Half or double, of 3 cases: none changes.
 const ITERATIONS: usize = 40;
 /// At most so many trials.
+/// Half or double, of 1 case: only the progress changes.
 const TRIALS: f64 = (2 * (STEPS + HALVINGS)) as f64;
 
 /// A search under way.

@@ -9,14 +9,19 @@ use nalgebra::{SMatrix, SVector, Vector3};
 const SECOND: usize = 6;
 const THIRD: usize = 10;
 /// Rounds in which normal and curvature settle.
+/// Of 5 cases, half: 4 change by up to 0.1 edges, 1 get another triangulation; double: 4 change by up to 0.09 edges.
 const ROUNDS: usize = 6;
 /// They have settled when they change by less than this, in units of the window.
+/// Half or double, of 5 cases: none changes.
 const SETTLED: f64 = 1e-12;
 /// The sphere is no smaller than the window by more than this.
+/// Of 5 cases, half: 4 change, 3 get another triangulation; double: 1 changes by up to 0.08 edges.
 const MOST_CURVED: f64 = 1.4;
 /// What is added to the diagonal of the normal equations, over its trace.
+/// Of 5 cases, half: 4 change by up to 8e-12 edges; double: 4 change by up to 2e-11 edges.
 const RIDGE: f64 = 1e-12;
 /// So many points for each coefficient, at least.
+/// Of 5 cases, half: none changes; double: 1 changes, 1 get another triangulation, +4 % iterations.
 const POINTS: usize = 2;
 
 /// The points that a fit is made to.

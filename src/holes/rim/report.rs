@@ -2,6 +2,7 @@
 
 /// Noise is everywhere along a loop: the median of its square is more than this part of the mean. Nostrils at the rim of a face had .13, noise
 /// and voxels .97 to 1.02.
+/// Of 4 cases, half: none changes; double: 1 changes.
 pub(super) const EVEN: f64 = 0.5;
 
 /// What became of the rim of a patch.

@@ -17,6 +17,7 @@ use crate::mesh::NONE;
 use crate::mesh::coincident::Copies;
 
 /// A triangle whose normal has less than this of the fitted one is folded: 60 degrees.
+/// Of 3 cases, half: none changes; double: 0 change, 3 fail.
 const TURNED: f64 = 0.5;
 
 /// What became of the vertices around the loops of all patches.

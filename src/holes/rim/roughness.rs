@@ -16,10 +16,13 @@ use crate::mesh::{Joined, NONE};
 use crate::support::error::Error;
 
 /// No surface is so flat that less than this (radians) is expected: triangles of a clean mesh have some angle.
+/// Half or double, of 2 cases: none changes.
 const LEAST: f64 = 0.02;
 /// A rim is rough if its angles are wider than expected by this factor, and it is not clean.
+/// Half or double, of 2 cases: none changes.
 const ROUGH: f64 = 2.0;
 /// The rings that are advised to be relaxed.
+/// Half or double, of 1 case: 1 changes.
 const RINGS: usize = 3;
 
 /// How rough the rim of a loop is.

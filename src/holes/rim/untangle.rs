@@ -8,10 +8,15 @@ use super::band::Band;
 use super::fit::Sheet;
 
 /// The gap's angle at a vertex of a loop counts as a triangle's quality, over this one.
+/// Of 3 cases, half: 2 change by up to 0.8 edges, 1 get another triangulation;
+/// double: 3 change, 2 get another triangulation, -22 % iterations, 1 fails.
 const WIDE: f64 = 100.0 / 360.0 * TAU;
 /// Rounds over all vertices.
+/// Of 3 cases, half: 1 changes by up to 0.09 edges; double: none changes.
 const ROUNDS: usize = 40;
 /// The lengths of steps that are tried, in edges, and in how many directions.
+/// Of 3 cases, half: 3 change by up to 0.2 edges, 2 get another triangulation, +4 % iterations;
+/// double: 3 change by up to 0.3 edges, 2 get another triangulation, +4 % iterations.
 const STEPS: [f64; 4] = [0.4, 0.2, 0.1, 0.04];
 const DIRECTIONS: usize = 12;
 

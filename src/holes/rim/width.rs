@@ -8,16 +8,22 @@ use super::band::Band;
 use super::fit::Fit;
 
 /// Radii that are tried, in edges.
+/// Of 5 cases, half: none changes; double: 1 changes, 1 get another triangulation, +4 % iterations.
 const RADII: [f64; 9] = [2.5, 3.5, 5.0, 7.0, 10.0, 14.0, 17.0, 20.0, 28.0];
 /// The rings that the widest of them may reach: rings are nearer to each other than an edge is long.
+/// Half or double, of 5 cases: none changes.
 pub(super) const REACH: usize = 42;
 /// Vertices or edges of the loops that are looked at, at most.
+/// Half or double, of 5 cases: none changes.
 pub(super) const SAMPLES: usize = 256;
 /// Noise below this, in edges, is none: it has not folded anything.
 pub(super) const CLEAN: f64 = 0.02;
 /// The sphere of a fit is hardly smaller than its window, on average.
+/// Of 5 cases, half: 4 change by up to 0.9 edges, 2 get another triangulation, +9 % iterations;
+/// double: 4 change by up to 0.5 edges, 2 get another triangulation, +4 % iterations.
 const MOST_CURVED: f64 = 1.2;
 /// From this radius on noise looks the same at all of them: if the variance grows to more than so many times, that is bias.
+/// Half or double, of 5 cases: none changes.
 const SETTLED: f64 = 5.0;
 const GROWTH: f64 = 1.5;
 

@@ -4,10 +4,13 @@
 //! Whatever was asked for, the same part is found, to a few hundredths of it: who asks for more does not get less.
 
 /// Where a part of the way does not lead to a sound surface, the next shorter of these is tried.
+/// Of 1 case, half: 0 change, -7 % iterations; double: 0 change, -9 % iterations.
 const SHORTER: [f64; 3] = [0.5, 0.25, 0.125];
 /// A longer part is tried only if it is longer by this factor.
+/// Of 1 case, half: 1 changes by up to 0.03 edges, +26 % iterations; double: 1 changes by up to 0.7 edges, -24 % iterations.
 const WORTH: f64 = 1.02;
 /// So much of the way to where the deviation may just be allowed.
+/// Of 1 case, half: 1 changes by up to 0.2 edges, +19 % iterations; double: 1 changes by up to 1 edge, -21 % iterations.
 const SAFE: f64 = 0.99;
 
 /// The way of one loop.

@@ -16,14 +16,18 @@ use crate::solve::g2::outside_curvature::{MOST_FITS, Outside};
 use crate::solve::g2::shrinkage::Trusted;
 
 /// The most modes of a loop.
+/// Of 14 cases, half: 1 changes by up to 2 edges, -15 % iterations; double: none changes.
 const MOST_MODES: usize = 32;
 /// A mode for so many vertices at most: the waves of shorter ones are not resolved.
+/// Of 14 cases, half: 10 change by up to 0.8 edges, +24 % iterations; double: 8 change by up to 2 edges, -15 % iterations.
 const LEAST_VERTICES_PER_MODE: usize = 8;
 /// The trace inside takes samples within so many edges,
 const NEAR: usize = 3;
 /// or more, where it would be an extrapolation: the sum of its weights' absolute values is above this.
+/// Of 14 cases, half: 8 change by up to 1 edge, -14 % iterations; double: 8 change by up to 0.8 edges, -2 % iterations.
 const STEADY: f64 = 5.0;
 /// Loops with fewer vertices stay as they are.
+/// Half or double, of 14 cases: none changes.
 const FEWEST_VERTICES: usize = 8;
 
 /// Continuity of the curvature, as it is asked for.

@@ -16,12 +16,14 @@ use crate::solve::system::System;
 /// What to call it in progress reports.
 const PHASE: &str = "curvature continuity";
 /// So many parts of the way are tried at most.
+/// Of 2 cases, half: 1 changes by up to 0.2 edges, -11 % iterations; double: none changes.
 const TRIES: usize = 6;
 /// Less than this part of the way, or of the curvature, is nothing.
 const NEGLIGIBLE: f64 = 1e-3;
 /// No boundary normal is missed by more than this factor, against the tangent-continuous surface,
 const DEVIATION: f64 = 1.1;
 /// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
+/// Of 9 cases, half: 2 change by up to 0.05 edges, +3 % iterations; double: 1 changes by up to 0.06 edges.
 const DEVIATION_DEGREES: f64 = 0.5;
 
 /// A way to the curvature-continuous surface.

@@ -14,11 +14,14 @@ use crate::solve::domain::Domain;
 use nalgebra::Vector3;
 
 /// As many fits as this part of a loop has to have, to be compared with others.
+/// Of 14 cases, half: none changes; double: 8 change by up to 1 edge, -40 % iterations.
 pub(in crate::solve) const MOST_FITS: f64 = 0.9;
 
 /// A difference of more than so many times the median is an outlier.
+/// Of 14 cases, half: 8 change by up to 0.3 edges, +3 % iterations; double: 4 change by up to 0.1 edges, +4 % iterations.
 const DISPUTED: f64 = 6.0;
 /// Gaps of so many vertices between fits are bridged: some vertices of irregular meshes have too few samples.
+/// Half or double, of 14 cases: none changes.
 const LONGEST_GAP: usize = 5;
 
 /// `H` with its standard error at each vertex of a loop, where there are enough samples.

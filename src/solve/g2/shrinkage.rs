@@ -11,10 +11,13 @@ use crate::solve::g2::outside_curvature::OutsideCurvature;
 
 /// Where the surface's own curvature varies from vertex to vertex so many times as much, in squares, as in the mean of the loop, its
 /// boundary normals are wrong.
+/// Of 14 cases, half: 8 change by up to 0.008 edges; double: 3 change by up to 0.005 edges.
 const OUTLYING: f64 = 2.0;
 /// Noise of the boundary and its normals is so many times larger, in squares, in the waves of the modes than in the shorter ones.
+/// Of 11 cases, half: 6 change by up to 0.3 edges, +4 % iterations; double: 5 change by up to 0.005 edges.
 const LONG_WAVES: f64 = 6.0;
 /// A doubt counts so many times in squares.
+/// Of 14 cases, half: 9 change by up to 2 edges, -2 % iterations; double: 8 change by up to 0.8 edges, -2 % iterations.
 const DOUBT_COUNTS: f64 = 8.0;
 
 /// What is left of a mismatch.

@@ -10,8 +10,10 @@ use crate::solve::system::System;
 use crate::support::stopwatch::Stopwatch;
 
 /// Step norm of surfaces on the coarse mesh: it is smaller than what lies between both meshes.
+/// Of 10 cases, half: 9 change by up to 0.009 edges, +2 % iterations; double: 3 change by up to 0.05 edges.
 const TOLERANCE: f64 = 1e-4;
 /// Iterations there.
+/// Half or double, of 10 cases: none changes.
 const ITERATIONS: usize = 600;
 
 impl Ladder {
