@@ -9,9 +9,10 @@ use super::simd::tangents;
 
 /// Unknowns of a quadric.
 const N: usize = 6;
-/// Weights by the number of edges to the boundary vertex,
+/// Weights of samples by the number of edges to the boundary vertex.
+/// Of 14 cases, half: 8 change by up to 2e-5 edges; double: 8 change by up to 9e-6 edges.
 const WEIGHTS: [f64; 4] = [1.0, 1.0, 0.5, 0.25];
-/// and where the samples are noisy.
+/// The same where the samples are noisy.
 /// Of 14 cases, half: 6 change by up to 5e-7 edges; double: 6 change by up to 2e-7 edges.
 const WIDE_WEIGHTS: [f64; 7] = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5];
 /// Fewer samples cannot judge the fit.

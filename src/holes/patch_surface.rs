@@ -21,13 +21,17 @@ use crate::holes::triangle_owner::Owned;
 use crate::holes::triangulate::{Barred, Measure};
 use crate::support::error::Error;
 
-/// The fraction at which the coarse patch is faired, and the one at which it is refined: shares of the time, measured.
+/// The fraction of the progress at which the coarse patch is faired: its share of the time, measured.
 /// Half or double, of 41 cases: only the progress changes.
 pub(super) const COARSE_SHARE: f64 = 0.1;
+/// The fraction of the progress at which the patch is refined.
+/// Half or double, of 40 cases: only the progress changes.
 const REFINED: f64 = 0.4;
-/// First growth when the vertices do not suffice, and the last.
+/// First growth of edges away from the boundary, per length, when the vertices do not suffice.
 /// Half or double, of 1 case: none changes.
 const FIRST_GROWTH: f64 = 0.02;
+/// Last growth of edges when the vertices do not suffice.
+/// Half or double, of 41 cases: none changes.
 const LAST_GROWTH: f64 = 3.0;
 /// On short edges of the boundary, edges may be this much longer than those: triangles keep 15 degrees.
 /// Of 44 cases, half: 41 change, 34 get another triangulation, +13 % iterations, 3 fail;

@@ -10,6 +10,8 @@ use super::sparse::SymmetricPattern;
 /// A row with more than this times the square root of the number of rows is ordered last, unless it is shorter than `SHORT`.
 /// Half or double, of 128 cases: none changes.
 const DENSE: f64 = 10.0;
+/// Entries of a row that is ordered with the others however many rows there are.
+/// Half or double, of 128 cases: none changes.
 const SHORT: usize = 16;
 
 /// An approximate minimum degree order of a matrix, `order[new] = old`.

@@ -19,9 +19,10 @@ const GROWTH: f64 = 1.5;
 /// An edge is turned where the cosines of the angles opposite to it have a sum below zero by this.
 /// Half or double, of 10 cases: none changes.
 const DELAUNAY: f64 = 1e-6;
-/// The first edges that are collapsed are at most this many mean ones long of the region,
+/// Edges that are collapsed first are at most this long, in mean edges of the region.
+/// Of 10 cases, half: 8 change by up to 2 edges, +5 % iterations; double: 10 change by up to 2 edges, +6 % iterations.
 const FIRST: f64 = 1.1;
-/// and none is longer than this many of them.
+/// Edges longer than this, in mean edges of the region, are never collapsed.
 /// Of 10 cases, half: none changes; double: only the progress changes.
 const LONGEST: f64 = 1e6;
 

@@ -10,9 +10,10 @@ use super::rows::Rows;
 /// vertices are removed.
 /// Of 10 cases, half: 10 change by up to 2 edges, +18 % iterations; double: 10 change by up to 2 edges, -15 % iterations.
 const LEAST_ROUNDNESS: f64 = 0.4;
-/// Tangents of half the least angle of triangles that are laid flat, .02 radians,
+/// Tangent of half the least angle of triangles that are laid flat: .02 radians.
+/// Of 10 cases, half: 1 changes by up to 3e-8 edges, +8 % iterations; double: 1 changes by up to 2e-8 edges, +3 % iterations.
 const NARROWEST: f64 = 0.01;
-/// and of half the widest, 171 degrees: beyond 180 a mean value coordinate would not be positive.
+/// Tangent of half the widest angle of triangles that are laid flat, 171 degrees: beyond 180 a mean value coordinate would not be positive.
 /// Of 10 cases, half: 1 changes by up to 5e-8 edges, -1 % iterations; double: 1 changes by up to 2 edges, +4 % iterations.
 const WIDEST: f64 = 12.7;
 

@@ -37,9 +37,10 @@ const GROWTH: f64 = 4.0;
 /// boundary's edges force upon it are too thin.
 /// Of 3 cases, half: 3 change by up to 2e-5 edges, +2 % iterations; double: 1 changes by up to 8e-6 edges, -3 % iterations.
 const BASE: f64 = 2.5;
-/// Coarse levels only prepare: to this defect,
+/// The defect to which coarse levels are solved: they only prepare.
+/// Of 1 case, half: 1 changes by up to 2e-9 edges, +2 % iterations; double: 1 changes by up to 4e-9 edges, -2 % iterations.
 const COARSE_DEFECT: f64 = 1e-3;
-/// and for no longer than this many updates.
+/// Updates of a coarse level, at most.
 /// Half or double, of 1 case: none changes.
 const COARSE_UPDATES: usize = 1000;
 /// Progress is told after this many splits.

@@ -16,10 +16,14 @@ use crate::support::error::Error;
 /// The smallest ring's inner radius, in edges around the seed; each next one is larger by [`STEP`].
 /// Of 5 cases, half: 2 change; double: 3 change by up to 1 edge, -4 % iterations.
 const FIRST: f64 = 3.0;
+/// Growth of the inner radius from ring to ring.
+/// Of 5 cases, half: 5 change, -100 % iterations, 5 fail; double: 3 change by up to 1 edge.
 const STEP: f64 = 1.15;
-/// Outer radii of a ring and of the one behind it, over the inner radius.
+/// Outer radius of a ring over its inner one.
 /// Half or double, of 5 cases: 5 change, -100 % iterations, 5 fail.
 const RING: f64 = 1.5;
+/// Outer radius of the ring behind it over the same inner one.
+/// Of 5 cases, half: 5 change, -100 % iterations, 5 fail; double: 3 change by up to 1 edge.
 const NEXT: f64 = 2.25;
 /// Fewer vertices in a ring say nothing.
 /// Half or double, of 5 cases: 3 change by up to 0.9 edges.

@@ -14,11 +14,13 @@ use crate::mesh::{NONE, RegionMesh};
 /// Regions with fewer free vertices have no coarse level: they are one.
 /// Of 125 cases, half: 4 change by up to 1 edge, +2 % iterations, 1 more succeeds; double: 9 change by up to 2 edges, -2 % iterations.
 const SMALLEST_FINE: usize = 2000;
-/// Free vertices of the fine mesh for each of the coarse one,
+/// Free vertices of the fine mesh for each of the coarse one.
+/// Half or double, of 10 cases: none changes.
 const RATIO: usize = 16;
-/// but at least so many, or the shape is not resolved,
+/// Free vertices of a coarse mesh at least: with fewer the shape is not resolved.
+/// Of 10 cases, half: 9 change by up to 2 edges, +17 % iterations; double: 9 change by up to 2 edges, +12 % iterations.
 const FEWEST: usize = 300;
-/// and as many besides for each vertex of the boundary, none of which is left out.
+/// Free vertices of a coarse mesh for each vertex of the boundary, none of which is left out.
 /// Of 10 cases, half: 9 change by up to 2 edges, +14 % iterations; double: 9 change by up to 0.06 edges, +9 % iterations.
 const PER_BOUNDARY_VERTEX: f64 = 1.5;
 /// More than this many suffice for any shape that a start needs.

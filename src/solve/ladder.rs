@@ -37,7 +37,8 @@ pub(crate) enum LadderState {
 }
 
 /// A surface with less total curvature, the integral of `kappa_1^2 + kappa_2^2`, is taken for the only one: that of a tube of three
-/// radii. (Between the ends of one of four radii there begin to be two.)
+/// radii; between the ends of one of four radii there begin to be two.
+/// Of 110 cases, half: 4 change by up to 0.3 edges, +13 % iterations; double: 1 changes by up to 1e-13 edges, -15 % iterations.
 const ONLY_ONE_BELOW: f64 = 6.0 * std::f64::consts::PI;
 /// A solve under way.
 #[derive(Debug, Default)]

@@ -17,9 +17,11 @@ use fairmesh_linear::anderson::{Anderson, MAX_WINDOW};
 /// Below this step norm, in diagonals, the triangles show what they will be.
 /// Of 125 cases, half: 4 change by up to 0.3 edges; double: 3 change by up to 0.6 edges.
 const TRIANGLES_SETTLED: f64 = 1e-4;
-/// Growth of the step norm over the best that an accelerated step may cause,
+/// Growth of the step norm over the best that an accelerated step may cause.
+/// Of 125 cases, half: 13 change by up to 0.6 edges, 3 get another triangulation;
+/// double: 5 change by up to 0.3 edges, 1 get another triangulation, 1 fails.
 const SAFE_GROWTH: f64 = 3.0;
-/// and near the solution, where growth is mostly that of rounding or of a few slow vertices.
+/// The same near the solution, where growth is mostly that of rounding or of a few slow vertices.
 /// Of 121 cases, half: 2 change by up to 0.6 edges; double: 1 changes by up to 4e-8 edges.
 const SAFE_GROWTH_NEAR: f64 = 6.0;
 /// An accelerated step that would change an edge by more than so many times [`LARGEST_CHANGE`] extrapolates too far: its

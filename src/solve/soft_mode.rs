@@ -13,19 +13,22 @@ pub(crate) const PHASE: &str = "second surface";
 /// Rounds of power iteration for the mode.
 /// Of 21 cases, half: 1 changes by up to 5e-10 edges; double: 1 changes by up to 3e-10 edges.
 const ROUNDS: usize = 16;
-/// After this many rounds the mode has a shape,
+/// Rounds of power iteration after which the mode has a shape.
+/// Half or double, of 21 cases: none changes.
 const SETTLING: usize = 4;
-/// and less than this left of it says that the equation answers to every one.
+/// Part of the mode that is left by a round; less says that the equation answers to every mode.
 /// Half or double, of 21 cases: none changes.
 const SOFT: f64 = 0.7;
 /// Displacement, in diagonals, for finite differences.
 /// Of 21 cases, half: 1 changes by up to 6e-9 edges; double: 1 changes by up to 1e-8 edges.
 const DIFFERENCE: f64 = 1e-4;
-/// The nearest place, in diagonals, where the second surface is looked for,
+/// The nearest displacement, in diagonals, at which the second surface is looked for.
+/// Of 10 cases, half: 1 changes by up to 2e-8 edges; double: 1 changes by up to 1e-8 edges.
 const NEAREST: f64 = 0.002;
-/// the farthest one,
+/// The farthest displacement, in diagonals, at which it is looked for.
+/// Half or double, of 10 cases: none changes.
 const FARTHEST: f64 = 0.2;
-/// and how far the next place is than the last.
+/// The next displacement over the last one.
 /// Of 10 cases, half: 2 change by up to 3e-8 edges, 1 fails; double: 1 changes by up to 3e-8 edges.
 const FACTOR: f64 = 1.4;
 /// A residual that falls to this part, by the displacement, and grows again may vanish beside the straight way.

@@ -5,17 +5,19 @@ use crate::fairing::edit::{Budget, Edit};
 use crate::fairing::report::{Progress, ProgressCallback};
 use crate::support::error::Error;
 
-/// Trials at the walk outward are so far apart, 10 degrees,
+/// Trials on the walk outward are this far apart: 10 degrees.
+/// Of 3 cases, half: 2 change by up to 0.5 edges, -22 % iterations; double: 2 change by up to 0.9 edges, +4 % iterations.
 const STEP: f64 = std::f64::consts::PI / 18.0;
-/// and end at 90: there the surface leaves the boundary along its normal.
+/// Trials end at 90 degrees, where the surface leaves the boundary along its normal.
 /// Of 3 cases, half: 2 change by up to 0.4 edges, -19 % iterations; double: 2 change by up to 0.9 edges, +44 % iterations.
 const STEPS: u32 = 9;
-/// Then the end is halved so often: to 1.25 degrees.
+/// Halvings of the last step: to 1.25 degrees.
 /// Of 3 cases, half: 2 change by up to 8e-13 edges; double: 2 change by up to 4e-13 edges.
 const HALVINGS: u32 = 3;
-/// One trial may cost this many evaluations until it has settled,
+/// Evaluations that one trial may cost until it has settled.
+/// Of 3 cases, half: 1 changes by up to 5e-13 edges; double: none changes.
 const EVALUATIONS: usize = 60;
-/// and this many iterations more to the tolerance, with its checks.
+/// Iterations of one trial from there to the tolerance, with its checks.
 /// Half or double, of 3 cases: none changes.
 const ITERATIONS: usize = 40;
 /// At most so many trials.

@@ -14,10 +14,12 @@ const WIDE: f64 = 100.0 / 360.0 * TAU;
 /// Rounds over all vertices.
 /// Of 3 cases, half: 1 changes by up to 0.09 edges; double: none changes.
 const ROUNDS: usize = 40;
-/// The lengths of steps that are tried, in edges, and in how many directions.
+/// The lengths of steps that are tried, in edges.
 /// Of 3 cases, half: 3 change by up to 0.2 edges, 2 get another triangulation, +4 % iterations;
 /// double: 3 change by up to 0.3 edges, 2 get another triangulation, +4 % iterations.
 const STEPS: [f64; 4] = [0.4, 0.2, 0.1, 0.04];
+/// Directions in which they are tried.
+/// Half or double, of 3 cases: 3 change by up to 0.2 edges, 2 get another triangulation.
 const DIRECTIONS: usize = 12;
 
 /// The first vertices of a band, which move.

@@ -22,9 +22,11 @@ pub(super) const CLEAN: f64 = 0.02;
 /// Of 5 cases, half: 4 change by up to 0.9 edges, 2 get another triangulation, +9 % iterations;
 /// double: 4 change by up to 0.5 edges, 2 get another triangulation, +4 % iterations.
 const MOST_CURVED: f64 = 1.2;
-/// From this radius on noise looks the same at all of them: if the variance grows to more than so many times, that is bias.
+/// The radius, in edges, from which on noise looks the same at all of them.
 /// Half or double, of 5 cases: none changes.
 const SETTLED: f64 = 5.0;
+/// Growth of the variance over that at the settled radius which is bias and no noise.
+/// Of 5 cases, half: 1 changes, 1 get another triangulation; double: none changes.
 const GROWTH: f64 = 1.5;
 
 /// The radius of fits, and how far vertices are from them.

@@ -21,9 +21,10 @@ const MOST_MODES: usize = 32;
 /// A mode for so many vertices at most: the waves of shorter ones are not resolved.
 /// Of 14 cases, half: 10 change by up to 0.8 edges, +24 % iterations; double: 8 change by up to 2 edges, -15 % iterations.
 const LEAST_VERTICES_PER_MODE: usize = 8;
-/// The trace inside takes samples within so many edges,
+/// The trace inside takes samples within this many edges.
+/// Of 14 cases, half: 7 change by up to 0.4 edges, +3 % iterations; double: 8 change by up to 1 edge, -9 % iterations.
 const NEAR: usize = 3;
-/// or more, where it would be an extrapolation: the sum of its weights' absolute values is above this.
+/// The trace is an extrapolation, and takes samples from further away, where the absolute values of its weights have a sum above this.
 /// Of 14 cases, half: 8 change by up to 1 edge, -14 % iterations; double: 8 change by up to 0.8 edges, -2 % iterations.
 const STEADY: f64 = 5.0;
 /// Loops with fewer vertices stay as they are.

@@ -20,9 +20,10 @@ const PHASE: &str = "curvature continuity";
 const TRIES: usize = 6;
 /// Less than this part of the way, or of the curvature, is nothing.
 const NEGLIGIBLE: f64 = 1e-3;
-/// No boundary normal is missed by more than this factor, against the tangent-continuous surface,
+/// No boundary normal is missed by more than the tangent-continuous surface misses it, times this.
+/// Of 9 cases, half: 1 changes by up to 0.3 edges, +8 % iterations; double: 1 changes by up to 2 edges, -15 % iterations.
 const DEVIATION: f64 = 1.1;
-/// or by so many degrees more: triangles deviate from the surface's own normals, the more it is curved.
+/// Degrees that a boundary normal may be missed by besides: triangles deviate from the surface's own normals, the more it is curved.
 /// Of 9 cases, half: 2 change by up to 0.05 edges, +3 % iterations; double: 1 changes by up to 0.06 edges.
 const DEVIATION_DEGREES: f64 = 0.5;
 
