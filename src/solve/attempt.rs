@@ -284,24 +284,16 @@ pub(crate) const LADDER: &[Rung] = &[
 mod tests {
     use super::*;
 
-    /// A line of the table in ARCHITECTURE.md.
-    fn line(attempt: &Rung) -> String {
-        let mesh = match attempt.mesh {
-            MeshLevel::Any => "",
-            MeshLevel::Fine => "fine",
-            MeshLevel::Coarsest => "coarsest",
-        };
-        let condition = match attempt.condition {
+    fn condition(condition: Condition) -> &'static str {
+        match condition {
             Condition::Always => "",
             Condition::Target => "right-hand side not zero",
             Condition::Harmonic => "harmonic surface asked, iterations left",
-        };
-        let weights = match attempt.weights {
-            Weights::Asked => "asked",
-            Weights::AsLeft => "as left",
-            Weights::None => "none",
-        };
-        let start = match attempt.start {
+        }
+    }
+
+    fn start(start: Start) -> &'static str {
+        match start {
             Start::AtHand => "surface at hand",
             Start::Linear => "linear",
             Start::MembraneMetric => "linear, membrane's metric",
@@ -310,8 +302,11 @@ mod tests {
             Start::MinimalEnergy => "minimal energy",
             Start::Stalled => "best that stalled",
             Start::BesideSound => "along the softest mode",
-        };
-        let procedure = match attempt.procedure {
+        }
+    }
+
+    fn procedure(procedure: Procedure) -> &'static str {
+        match procedure {
             Procedure::Iteration => "iteration",
             Procedure::WeightRepair => "iteration, weight repair",
             Procedure::RepairHere => "iteration, weight repair from there",
@@ -320,6 +315,20 @@ mod tests {
             Procedure::Approach => "members of the family, towards harmonic",
             Procedure::Retreat => "members of the family, from that of the coarse mesh",
             Procedure::TargetContinuation => "parts of the right-hand side",
+        }
+    }
+
+    /// A line of the table in ARCHITECTURE.md.
+    fn line(attempt: &Rung) -> String {
+        let mesh = match attempt.mesh {
+            MeshLevel::Any => "",
+            MeshLevel::Fine => "fine",
+            MeshLevel::Coarsest => "coarsest",
+        };
+        let weights = match attempt.weights {
+            Weights::Asked => "asked",
+            Weights::AsLeft => "as left",
+            Weights::None => "none",
         };
         let IterateOptions {
             tolerance_floor,
@@ -343,6 +352,8 @@ mod tests {
             Kept::Start => "as start",
         };
         let name = attempt.name;
+        let condition = condition(attempt.condition);
+        let (start, procedure) = (start(attempt.start), procedure(attempt.procedure));
         format!(
             "| {name} | {mesh} | {condition} | {weights} | {start} | {procedure} | {tolerance} | {matrix} | {kept} |"
         )

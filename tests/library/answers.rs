@@ -315,7 +315,9 @@ fn fairings(cases: &mut Cases, sheet: &Mesh) {
         "single" { "output_precision": "single" } |o| o.output_precision = OutputPrecision::Single;
         "unchecked" { "intersections": "skip" } |o| o.intersections = Intersections::Skip;
     }
+}
 
+fn paper_fairings(cases: &mut Cases, sheet: &Mesh) {
     let mut add = |name: &str, given: Value, set: &dyn Fn(&mut PaperOptions)| {
         let mut options = json!({ "solver": "paper", "discretization": "paper", "paper_max_updates": 12 });
         (options.as_object_mut().unwrap()).append(&mut given.as_object().unwrap().clone());
@@ -345,7 +347,7 @@ fn fairings(cases: &mut Cases, sheet: &Mesh) {
     }
 }
 
-fn fillings(cases: &mut Cases, holed: &Mesh, tubes: &Mesh) {
+fn fillings(cases: &mut Cases, holed: &Mesh) {
     let kinds = boundary_loops(&holed.positions, &holed.triangles).unwrap();
     let is_large = |&k: &usize| (10..40).contains(&kinds[k].vertices.len());
     let hole = (0..3).find(is_large).unwrap();
@@ -387,7 +389,9 @@ fn fillings(cases: &mut Cases, holed: &Mesh, tubes: &Mesh) {
         "in a ball" { "within": [centre, radius] } |f| f.within = Some(Place::Ball { centre, radius });
         "in a box" { "within": [low, high] } |f| f.within = Some(Place::Box { low, high });
     }
+}
 
+fn joined_fillings(cases: &mut Cases, tubes: &Mesh) {
     let ends = boundary_loops(&tubes.positions, &tubes.triangles).unwrap();
     let is_near = |k: &usize| tubes.positions[ends[*k].vertices[0] as usize][2].abs() < 1.0;
     let near: Vec<usize> = (0..ends.len()).filter(is_near).collect();
@@ -537,7 +541,7 @@ fn regions(cases: &mut Cases, sheet: &Mesh) {
 }
 
 /// An error of each kind of element, and each option out of its range.
-fn refusals(cases: &mut Cases, fan: &Mesh, holed: &Mesh) {
+fn refused_fairings(cases: &mut Cases, fan: &Mesh) {
     let mut of_mesh = |kind: &str, triangles: &[[u32; 3]], free: &[u32]| {
         let selection = Selection::Vertices(free);
         let error = fair(&fan.positions, triangles, selection, &Options::default()).unwrap_err();
@@ -578,7 +582,9 @@ fn refusals(cases: &mut Cases, fan: &Mesh, holed: &Mesh) {
         "paper_max_updates" 0 |p| p.max_updates = 0;
         "paper_estimate_iterations" 0 |p| p.estimate = Estimate::Alternating { iterations: 0 };
     }
+}
 
+fn refused_fillings(cases: &mut Cases, holed: &Mesh) {
     let mut one = |name: &str, value: Value, set: &dyn Fn(&mut FillOptions)| {
         let mut options = FillOptions::default();
         set(&mut options);
@@ -620,11 +626,14 @@ fn written() -> Value {
     let [(_, sheet), (_, holed), (_, tubes), (_, fan)] = meshes();
     let mut cases = Cases(Vec::new());
     fairings(&mut cases, &sheet);
-    fillings(&mut cases, &holed, &tubes);
+    paper_fairings(&mut cases, &sheet);
+    fillings(&mut cases, &holed);
+    joined_fillings(&mut cases, &tubes);
     bridges(&mut cases, &tubes);
     edits(&mut cases, &sheet);
     regions(&mut cases, &sheet);
-    refusals(&mut cases, &fan, &holed);
+    refused_fairings(&mut cases, &fan);
+    refused_fillings(&mut cases, &holed);
     let of = |mesh: &Mesh| json!({ "vertices": mesh.positions, "faces": mesh.triangles, "free": mesh.free });
     let meshes: Map<String, Value> = meshes()
         .iter()
