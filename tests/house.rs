@@ -1,5 +1,5 @@
-//! The house rules that neither the compiler nor clippy checks: the order of the library's modules, how long a file may be,
-//! and that the documents speak of what is there.
+//! The house rules that neither the compiler nor clippy checks: the order of the library's modules, how long a file and a
+//! function of tests may be, and that the documents speak of what is there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 
 /// Lines of a file in src/, its unit tests not counted.
 const LONGEST_FILE: usize = 500;
+
+/// Lines of a function of tests.
+const LONGEST_TEST: usize = 60;
 
 /// Folders of src/ that are crates of their own: what they import, their Cargo.toml says.
 const CRATES: [&str; 5] = [
@@ -25,23 +28,38 @@ fn read(name: &str) -> String {
     fs::read_to_string(root().join(name)).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
-/// All source files without those of unit tests: the name from the root on, and the lines before `mod tests`.
-fn sources() -> Vec<(String, Vec<String>)> {
-    let mut sources = Vec::new();
-    let mut open = vec![root().join("src")];
+/// What parts a file's code from its unit tests.
+const UNIT_TESTS: &str = "\n\n#[cfg(test)]\nmod tests {";
+
+/// The names of all Rust files of a folder, from the root on.
+fn rust_files(folder: &str) -> Vec<String> {
+    let mut files = Vec::new();
+    let mut open = vec![root().join(folder)];
     while let Some(path) = open.pop() {
         if path.is_dir() {
             open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests.rs") {
+        } else if path.extension().is_some_and(|e| e == "rs") {
             let name = path.strip_prefix(root()).unwrap().to_str().unwrap();
-            let text = read(name);
-            let code = text.split("\n\n#[cfg(test)]\nmod tests {").next().unwrap();
-            let lines = code.lines().map(str::to_owned).collect();
-            sources.push((name.replace('\\', "/"), lines));
+            files.push(name.replace('\\', "/"));
         }
     }
-    assert!(sources.len() > 20);
-    sources
+    files.sort_unstable();
+    assert!(files.len() > 20, "{folder}: {files:?}");
+    files
+}
+
+/// All source files without those of unit tests: the name from the root on, and the lines before `mod tests`.
+fn sources() -> Vec<(String, Vec<String>)> {
+    let files = rust_files("src").into_iter();
+    files
+        .filter(|name| !name.ends_with("tests.rs"))
+        .map(|name| {
+            let text = read(&name);
+            let code = text.split(UNIT_TESTS).next().unwrap();
+            let lines = code.lines().map(str::to_owned).collect();
+            (name, lines)
+        })
+        .collect()
 }
 
 /// A word in the text, not as a part of another one.
@@ -269,6 +287,61 @@ fn files_are_short() {
     assert!(
         long.is_empty(),
         "more than {LONGEST_FILE} lines without tests: {long:?}"
+    );
+}
+
+/// The functions of a text that rustfmt has laid out, with their lines.
+fn functions(text: &str) -> Vec<(String, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut functions = Vec::new();
+    for (begin, line) in lines.iter().enumerate() {
+        let code = line.trim_start();
+        let before = code.split("fn ").next().unwrap();
+        let is_head = ["", "pub ", "pub(crate) ", "pub(super) ", "const "].contains(&before);
+        if !is_head || before == code {
+            continue;
+        }
+        let name = code[before.len() + 3..].split(['(', '<']).next().unwrap();
+        let end = format!("{}}}", &line[..line.len() - code.len()]);
+        // A body of one line closes where it begins.
+        let length = match code.ends_with('}') {
+            true => 1,
+            false => 1 + lines[begin..].iter().position(|line| **line == end).unwrap(),
+        };
+        functions.push((name.to_owned(), length));
+    }
+    functions
+}
+
+#[test]
+fn functions_of_tests_are_short() {
+    let unit_tests = rust_files("src").into_iter().filter_map(|name| {
+        let text = read(&name);
+        let tests = match name.ends_with("tests.rs") {
+            true => &text,
+            false => text.split_once(UNIT_TESTS)?.1,
+        };
+        Some((name, tests.to_owned()))
+    });
+    let tests = rust_files("tests").into_iter();
+    // Those of the command line have nine that are longer.
+    let tests = tests.filter(|name| !name.starts_with("tests/cli/"));
+    let tests = tests.map(|name| (name.clone(), read(&name)));
+    let mut count = 0;
+    let mut long = Vec::new();
+    for (name, text) in tests.chain(unit_tests) {
+        for (function, lines) in functions(&text) {
+            count += 1;
+            if lines > LONGEST_TEST {
+                long.push(format!("{name}: {function} has {lines}"));
+            }
+        }
+    }
+    assert!(count > 1000, "only {count} functions were found");
+    assert!(
+        long.is_empty(),
+        "more than {LONGEST_TEST} lines:\n{}",
+        long.join("\n")
     );
 }
 
