@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Tries the ports of ports.sh with the archives of target/packaging/dist, on linux-x86_64: Conan's and conda's by their programs, which come from
-# PyPI; vcpkg's by CMake, with its functions replaced by vcpkg_stand_in.cmake; of Homebrew's only the syntax, and the hashes.
+# Tries the ports of ports.sh with the archives of target/packaging/dist, on linux-x86_64: conda's by its program, which comes from PyPI; of
+# Homebrew's only the syntax, and the hashes.
 set -euo pipefail
 . "$(dirname "$0")/tools.sh"
-PROGRAMS="conan==2.34.0 py-rattler-build==0.73.0"
+PROGRAMS="py-rattler-build==0.73.0"
 home=$out/port-tools
 work=$out/check/ports
 need cmake cmake
@@ -11,8 +11,7 @@ need ruby ruby
 if [ "$(cat "$home/installed" 2>/dev/null)" != "$PROGRAMS" ]; then
     rm -rf "$home"
     python3 -m venv "$home"
-    # shellcheck disable=SC2086
-    "$home/bin/pip" --disable-pip-version-check install -q $PROGRAMS
+    "$home/bin/pip" --disable-pip-version-check install -q "$PROGRAMS"
     echo "$PROGRAMS" >"$home/installed"
 fi
 "$root/packaging/manifest.sh" --list >/dev/null
@@ -28,25 +27,6 @@ client() {
     "$work/client-${1%/*}/smooth_dent" | tail -1 | grep '^converged' || fail "the client of $1 has failed"
 }
 
-conan_package() {
-    local shared
-    export CONAN_HOME=$work/conan
-    "$home/bin/conan" profile detect >"$work/conan.log" 2>&1
-    for shared in True False; do
-        "$home/bin/conan" create "$ports/conan" -o "fairmesh/*:shared=$shared" >"$work/conan.log" 2>&1 || fail "$(cat "$work/conan.log")"
-        grep '^converged' "$work/conan.log" || fail "Conan's test_package has not run (shared: $shared)"
-    done
-    echo "Conan: packed, and its test package has run, shared and static"
-}
-
-vcpkg_package() {
-    cmake -D PORT=fairmesh -D PACKAGES="$work/vcpkg" -D PORTFILE="$ports/vcpkg/portfile.cmake" -P "$root/packaging/vcpkg_stand_in.cmake" >"$work/vcpkg.log" 2>&1 ||
-        fail "$(cat "$work/vcpkg.log")"
-    python3 -m json.tool "$ports/vcpkg/vcpkg.json" >/dev/null
-    client vcpkg
-    echo "vcpkg: the port has installed, without vcpkg itself, and CMake finds it"
-}
-
 # Without a channel: nothing else is needed to build it.
 conda_package() {
     "$home/bin/python" "$root/packaging/build_conda.py" "$ports/conda/recipe.yaml" "$work/conda" >"$work/conda.log" 2>&1 || fail "$(cat "$work/conda.log")"
@@ -59,7 +39,5 @@ homebrew_formula() {
     echo "Homebrew: the formula is Ruby; it was not run"
 }
 
-vcpkg_package
-conan_package
 conda_package
 homebrew_formula
