@@ -9,8 +9,7 @@
 //! Why so much for it: the hosts hold a user's unsaved work, which an abort would take along, and large meshes are where memory runs out.
 //! Simpler ways do not keep the promise: `try_reserve` does not reach what `std`, nalgebra, rayon and rstar allocate inside; the hook for
 //! failed allocations may not return, on stable Rust; memory that is only tried before the work and given back is gone when somebody else
-//! takes it; and a bump of memory that is never reused would have to be as large as all allocations of a call together, some ten times
-//! what is alive at once. So the reserve is a heap: a list of free stretches, first fit, as slow as it likes, since it serves one call that
+//! takes it; and memory that is handed out but never reused would have to be as large as all allocations of a call together. So the reserve is a heap: a list of free stretches, first fit, as slow as it likes, since it serves one call that
 //! fails. While there is memory it costs one allocation that is never touched for each call.
 
 use std::alloc::{GlobalAlloc, Layout, System};
